@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import reduce
 from typing import Any
 
 from sympy import Expr, Symbol
@@ -127,7 +128,8 @@ class Effect:
     name : str
         As in the robot file.
     sentence : str
-        What it means for the machine, as a sentence for reports.
+        What it means for the machine, as a sentence for reports; here and in descriptions of parameters ``{carrier}``
+        is the body that carries payloads, ``{on_carrier}`` where they are on it.
     parts : callable
         ``parts(machine)`` returns the parts it acts on; if there are none, it does not apply.
     parameters : tuple of EffectParameter
@@ -162,6 +164,16 @@ class Effect:
     def order(self) -> int:
         """Position of its coordinates among those of other effects."""
         return self.released.order if self.released else 0
+
+    def in_words_of(self, machine: Any) -> Effect:
+        """Return the effect with the words that a machine has for the body that carries payloads."""
+        words = {"{carrier}": machine.carries.name, "{on_carrier}": machine.carries.place}
+
+        def worded(text: str) -> str:
+            return reduce(lambda found, word: found.replace(word, words[word]), words, text)
+
+        parameters = tuple(replace(p, description=worded(p.description)) for p in self.parameters)
+        return replace(self, sentence=worded(self.sentence), parameters=parameters)
 
     def on(self, machine: Any) -> Effect:
         """Return the effect with the parameters and coordinates it has on a machine."""

@@ -24,7 +24,7 @@ def apply_effects(machine: Machine, effects: Sequence[Effect]) -> None:
     machine.delta_p = machine.of_platform(
         "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
     )
-    machine.effects = tuple(effect.on(machine) for effect in effects)
+    machine.effects = tuple(effect.in_words_of(machine).on(machine) for effect in effects)
     # Two passes: each effect sees every released coordinate, whatever the order of application.
     prepared = [
         (effect, _parameters(machine, effect), _release(machine, effect)) for effect in machine.effects

@@ -7,7 +7,7 @@ anything is derived: they refer to names, whose definitions follow from the comp
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from sympy import Add, Expr, Integer, Symbol, sympify
 
@@ -19,6 +19,7 @@ from pkmodes_derive.parts import (
     Arm,
     Belt,
     Body,
+    Carrier,
     Clamp,
     Drive,
     Form,
@@ -105,6 +106,10 @@ class Machine:
         Directions in which the platform and the frame move.
     components : tuple of str
         The components of the platform's motion: the directions, then "r" and the axis for each rotation.
+    carrier : Carrier or None
+        The body that carries payloads, if it is not the platform.
+    loads : list of PointMass
+        Bodies that effects add.
     frame : list of lists of Coordinate
         Released coordinates of the frame, for each direction.
     v_p, delta_p : tuple of sympy.Symbol
@@ -150,7 +155,9 @@ class Machine:
         self.turned: dict[Symbol, tuple[Symbol, Expr]] = {}
         self.units: set[tuple[Expr, ...]] = set()
         self.platform: tuple[Expr, ...] = ()
+        self.carrier: Carrier | None = None
         self.points: list[PointMass] = []
+        self.loads: list[PointMass] = []
         self.rods: list[Rod] = []
         self.arms: list[Arm] = []
         self.bodies: list[Body] = []
@@ -455,6 +462,11 @@ class Machine:
         return tuple(moved.get(axis, Integer(0)) for axis in AXES)
 
     @property
+    def carries(self) -> Carrier:
+        """The body that carries payloads."""
+        return self.carrier or Carrier("the platform", "at the platform centre", self.platform)
+
+    @property
     def platform_position(self) -> tuple[Expr, ...]:
         """Absolute position of the platform, including the displacement of the frame."""
         return tuple(Add(c, u) for c, u in zip(self.platform, self.frame_position, strict=True))
@@ -480,6 +492,8 @@ class Machine:
     def finish(self) -> None:
         """Complete a declaration: convert plain numbers in positions, and name the platform velocity."""
         self.platform = _exact(self.platform)
+        if self.carrier:
+            self.carrier = replace(self.carrier, position=_exact(self.carrier.position))
         for point in self.points:
             point.position = _exact(point.position)
         for rod in self.rods:

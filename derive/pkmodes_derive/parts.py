@@ -26,6 +26,15 @@ class PointMass:
     position: Position
 
 
+@dataclass(frozen=True)
+class Carrier:
+    """The body on which a payload lies: a noun phrase, a phrase for the place on it, and its position [m]."""
+
+    name: str
+    place: str
+    position: Position
+
+
 @dataclass
 class Rod:
     """A uniform slender rod: mass [kg] and the positions [m] of both ends."""

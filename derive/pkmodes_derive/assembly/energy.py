@@ -198,7 +198,7 @@ def _scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
 
 def _structure(machine: Machine) -> Expr:
     T = Add(*machine.kinetic)
-    for body in machine.points:
+    for body in (*machine.points, *machine.loads):
         v = _velocity(machine, body.position)
         T += HALF * body.mass * _product(machine, v, v)
     for rod in machine.rods:
@@ -309,7 +309,7 @@ def _diagonal_rate(
 def _gravity(machine: Machine) -> Expr:
     """Return V_g = -g . sum m r; the weight of a rod acts midway (equations 4 and 26)."""
     frame = machine.frame_position
-    bodies = [(body.mass, body.position) for body in machine.points]
+    bodies = [(body.mass, body.position) for body in (*machine.points, *machine.loads)]
     bodies += [(arm.mass, arm.centre) for arm in machine.arms]
     bodies += [(body.mass, body.centre) for body in machine.bodies]
     for rod in machine.rods:

@@ -1,25 +1,23 @@
-"""Payload: a point mass at the platform centre, with its weight."""
+"""Payload: a point mass with its weight, at the centre of the platform or on another body that carries payloads."""
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Rational, Symbol
+from sympy import Symbol
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.vectors import dot
+from pkmodes_derive.parts import PointMass
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Add the kinetic energy and the weight."""
-    mass = parameters["mass"]
-    machine.add_kinetic(Rational(1, 2) * mass * dot(machine.v_p, machine.v_p))
-    machine.add_weight(mass, machine.platform_position)
+    """Add the body."""
+    machine.loads.append(PointMass(parameters["mass"], machine.carries.position))
 
 
 EFFECT = Effect(
     name="payload",
-    sentence="the platform carries a mass that is not declared",
+    sentence="{carrier} carries a mass that is not declared",
     parts=lambda machine: machine.directions,
-    parameters=(EffectParameter("mass", "kg", "point mass at the platform centre", "m_L", "m_L"),),
+    parameters=(EffectParameter("mass", "kg", "point mass {on_carrier}", "m_L", "m_L"),),
     apply=apply,
 )

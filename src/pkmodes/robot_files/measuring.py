@@ -20,6 +20,10 @@ BY_PATH = {
     "gravity": Way("choose the frame; where z points up, gravity is -9.81 m/s^2 along z"),
     "platform.mass": Way("weigh it with its tool and half of the cables and hoses that hang from it", "2 %"),
     "toolhead.mass": Way("weigh it with half of the cables and hoses that hang from it", "2 %"),
+    "beam.mass": Way(
+        "weigh it with its rail, carriages and the motor that it carries, without the tool head", "2 %"
+    ),
+    "bed.mass": Way("weigh it with its plate, carriage and half of its cables, without a print", "2 %"),
     "gantry.mass": Way("weigh the beam with its rail and carriages, without the tool head", "2 %"),
     "carriage.mass": Way("weigh it with all that moves with it, without the rotor of the motor", "2 %"),
     "carriage.length": Way("measure from one belt clamp to the other with a caliper"),
@@ -43,8 +47,11 @@ BY_PATH = {
     "frame.mass": Way("estimate it from CAD"),
     "damping.ratio": Way("identify it from measured signals, with pkmodes identify"),
     "axis.limits": Way("move the machine to both of its stops"),
+    "axis.lengths": Way(
+        "measure along the run, from the clamp on the slide to the motor pulley, with a tape"
+    ),
     "workspace.x": Way("move the tool head to both of its stops"),
-    "workspace.y": Way("move the tool head to both of its stops"),
+    "workspace.y": Way("move the tool head, or the bed, to both of its stops"),
     "belt_path.direction": Way("move the tool head by hand, and see which run grows"),
     "belt_path.lengths": Way("measure along the run, from the tool head to the motor pulley, with a tape"),
     "effects.servo_stiffness.stiffness": Way("docs/stepper-printer.md has it for a stepper motor"),

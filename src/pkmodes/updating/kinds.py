@@ -29,6 +29,7 @@ KINDS: dict[str, dict[str, str]] = {
         "payload": "a payload",
         "parameter:platform.mass": "its own mass",
         "parameter:toolhead.mass": "its own mass",
+        "parameter:bed.mass": "its own mass",
     },
     "another inertia of the drive": {
         "gearbox_inertia": "gearboxes",

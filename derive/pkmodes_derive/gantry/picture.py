@@ -1,0 +1,86 @@
+"""What a picture shows of a machine that moves in a plane: a schematic layout around its workspace.
+
+The robot file gives the lengths of the belt runs, not where their pulleys and idlers are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from sympy import Expr, Integer, Rational
+
+from pkmodes_derive.gantry.belts import Fastened
+from pkmodes_derive.gantry.plane import Travel
+from pkmodes_derive.machine import Machine
+
+HALF, ZERO = Rational(1, 2), Integer(0)
+#: Distance of the pulleys from the workspace, and of the first belt from the plane of the machine, in pulley radii;
+#: half length of the tool head.
+MARGIN, LAYER, HEAD = 8, 2, 4
+
+
+@dataclass(frozen=True)
+class Room:
+    """The rectangle in which pulleys and rails lie: centre and half size, with room around the workspace [m]."""
+
+    centre: tuple[Expr, ...]
+    half: tuple[Expr, ...]
+
+    @property
+    def sides(self) -> tuple[Expr, ...]:
+        """The ends along x, left then right [m]."""
+        return tuple(self.centre[0] + sign * self.half[0] for sign in (-1, 1))
+
+
+def room(within: Travel, belts: Sequence[Fastened]) -> Room:
+    """Return the rectangle around the workspace."""
+    around = MARGIN * belts[0].radius
+    ends = list(zip(within.low, within.high, strict=True))
+    return Room(tuple(HALF * (a + b) for a, b in ends), tuple(HALF * (b - a) + around for a, b in ends))
+
+
+def frame(m: Machine, of: Room) -> None:
+    """Draw two rails along y, with the beams of the frame between their ends."""
+    (_, middle), (_, half) = of.centre, of.half
+    for name, side in zip(("left", "right"), of.sides, strict=True):
+        m.draw.line("rail", f"{name} rail", (side, middle - half, ZERO), (side, middle + half, ZERO))
+    for name, end in (("front", -half), ("rear", half)):
+        m.draw.line("frame", f"{name} beam", *((side, middle + end, ZERO) for side in of.sides))
+
+
+def beam(m: Machine, name: str, of: Room, y: Expr, height: Expr = ZERO) -> None:
+    """Draw a beam from side to side, which carries the tool head."""
+    m.draw.line("gantry", name, *((side, y, height) for side in of.sides))
+
+
+def tool_head(m: Machine, belts: Sequence[Fastened], *position: Expr) -> None:
+    """Draw the tool head."""
+    m.draw.block("toolhead", "tool head", position, (1, 0, 0), HEAD * belts[0].radius)
+
+
+def straight_belt(
+    m: Machine, number: int, of: Room, belt: Fastened, along: int, clamped: Sequence[Expr]
+) -> None:
+    """Draw a belt between two pulleys on one line along x (0) or y (1), the motor's at the lower end.
+
+    Run 1 leaves the clamped point for the motor pulley, run 2 for the idler and back below to the motor pulley.
+    """
+    r, side = belt.radius, 1 - along
+    across = (
+        2 * along - 1
+    )  # on this side of run 1 is the axis of a pulley that pulls it in with a positive rotation
+
+    def at(place: Expr, off: int) -> tuple[Expr, ...]:
+        point = list(clamped)
+        point[along], point[side] = place, clamped[side] + off * across * r
+        return tuple(point)
+
+    low, high = (of.centre[along] + sign * of.half[along] for sign in (-1, 1))
+    direction = tuple(Integer(i == along) for i in range(3))
+    m.draw.wheel("pulley", f"motor pulley {number}", at(low, 1), (0, 0, 1), r, turns=belt.turns)
+    m.draw.wheel("idler", f"idler of belt {number}", at(high, 1), (0, 0, 1), r)
+    head = m.draw.fastened(clamped, belt.clamp, direction)
+    m.draw.line("belt", f"belt {number}", head, at(low, 0), spring=belt.runs[0])
+    back = at(high, 0), at(high + r, 1), at(high, 2), at(low, 2)
+    m.draw.line("belt", f"belt {number}", head, *back, spring=belt.runs[1])

@@ -1,0 +1,386 @@
+# Generated from the derivation of bed_slinger and the catalogue of effects.
+# By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+# Do not edit: regenerate with `python -m pkmodes_derive generate`.
+"""Points and springs of the mechanism bed_slinger, with effects, for pictures of it.
+
+Arrays are batch first: a leading `...` stands for any batch shape, including none, and arguments broadcast.
+Complex arguments are accepted (for complex-step derivatives).  All quantities are in SI units and in the base
+frame; V is potential energy, forces are -dV/dq, and K is positive for a restoring force.
+
+Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+values.
+
+* l_f_j_s [m]: free length of run s of belt j
+* k_j_s [N/m]: stiffness of run s of belt j
+"""
+
+from math import prod
+
+import numpy as np
+
+__all__ = [
+    "COORDINATES",
+    "COORDINATE_UNITS",
+    "drawing_motion",
+    "drawing_points",
+    "driven",
+    "springs",
+]
+
+#: Generalised coordinates, in the order of M and K, and their units.
+COORDINATES = (
+    "x",
+    "y",
+    "theta_1",
+    "theta_2",
+    "psi_1",
+    "psi_2",
+    "eps_1",
+    "eps_2",
+    "u_x",
+    "u_y",
+)
+COORDINATE_UNITS = (
+    "m",
+    "m",
+    "rad",
+    "rad",
+    "rad",
+    "rad",
+    "m",
+    "m",
+    "m",
+    "m",
+)
+
+
+def _entries(array, shape):
+    """Return the entries of an array of shape (..., *shape), row by row; numbers if there is no batch."""
+    array = np.asarray(array)
+    array = array.astype(np.result_type(float, array), copy=False)
+    batch = array.ndim - len(shape)
+    if batch < 0 or array.shape[batch:] != shape:
+        expected = ", ".join(map(str, ("...", *shape)))
+        raise ValueError(f"expected an array of shape ({expected}), found shape {array.shape}")
+    count = prod(shape)
+    flat = array.reshape(*array.shape[:batch], count)
+    return tuple(flat[..., i][()] for i in range(count))
+
+
+def _batch(*arrays):
+    """Return the common batch shape and type of the arguments."""
+    return np.broadcast_shapes(*map(np.shape, arrays)), np.result_type(float, *arrays)
+
+
+def drawing_points(p, parameters):
+    """Positions of the points of a drawing.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head (x) and bed (y) in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    r : array, shape (..., 35, 3) [m]
+        Base frame; first the platform.
+
+    Notes
+    -----
+    The positions that the mechanism declares, or those of its parts.
+    63 operations; 293 with every named value expanded.
+    """
+    x, y = _entries(p, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    travel_min_x, travel_max_x, travel_min_y, travel_max_y = _entries(parameters.workspace, (2, 2))
+    batch, dtype = _batch(x, R_p_1, travel_min_x)
+    t1 = (1/4)*travel_max_x + (3/4)*travel_min_x
+    t2 = (1/2)*travel_max_y
+    t3 = -t2 + (3/2)*travel_min_y
+    t4 = 4*R_p_1
+    t5 = (1/2)*travel_min_y
+    t6 = -t5 + (3/2)*travel_max_y
+    t7 = (3/4)*travel_max_x + (1/4)*travel_min_x
+    t8 = -t2 + t5 + y
+    t9 = 2*R_p_1
+    t10 = t2 - t5 + y
+    t11 = 8*R_p_1
+    t12 = -t11 + travel_min_x
+    t13 = t2 + t5
+    t14 = (1/2)*travel_max_x
+    t15 = (1/2)*travel_min_x
+    t16 = t14 - t15
+    t17 = t11 + travel_max_x
+    t18 = -R_p_1 + t13
+    t19 = t16 + t9
+    t20 = 3*R_p_1 + t16
+    t21 = t13 - t9
+    t22 = t14 + t15
+    t23 = R_p_2 + t22
+    t24 = -t11 + travel_min_y
+    t25 = R_p_2 - t4
+    t26 = t11 + travel_max_y
+    t27 = 2*R_p_2 + t22
+    r_out = np.zeros((*batch, 35, 3), dtype)
+    r_out[..., 0, 0] = x
+    r_out[..., 0, 1] = y
+    r_out[..., 1, 0] = t1
+    r_out[..., 1, 1] = t3
+    r_out[..., 1, 2] = -t4
+    r_out[..., 2, 0] = t1
+    r_out[..., 2, 1] = t6
+    r_out[..., 2, 2] = -t4
+    r_out[..., 3, 0] = t7
+    r_out[..., 3, 1] = t3
+    r_out[..., 3, 2] = -t4
+    r_out[..., 4, 0] = t7
+    r_out[..., 4, 1] = t6
+    r_out[..., 4, 2] = -t4
+    r_out[..., 5, 0] = travel_min_x
+    r_out[..., 5, 1] = t8
+    r_out[..., 5, 2] = -t9
+    r_out[..., 6, 0] = travel_max_x
+    r_out[..., 6, 1] = t8
+    r_out[..., 6, 2] = -t9
+    r_out[..., 7, 0] = travel_max_x
+    r_out[..., 7, 1] = t10
+    r_out[..., 7, 2] = -t9
+    r_out[..., 8, 0] = travel_min_x
+    r_out[..., 8, 1] = t10
+    r_out[..., 8, 2] = -t9
+    r_out[..., 9, 0] = t12
+    r_out[..., 9, 1] = t13
+    r_out[..., 9, 2] = -t4
+    r_out[..., 10, 0] = t12
+    r_out[..., 10, 1] = t13
+    r_out[..., 10, 2] = t16
+    r_out[..., 11, 0] = t17
+    r_out[..., 11, 1] = t13
+    r_out[..., 11, 2] = -t4
+    r_out[..., 12, 0] = t17
+    r_out[..., 12, 1] = t13
+    r_out[..., 12, 2] = t16
+    r_out[..., 13, 0] = x
+    r_out[..., 13, 1] = t13
+    r_out[..., 13, 2] = t16
+    r_out[..., 14, 0] = t4 + x
+    r_out[..., 14, 1] = t13
+    r_out[..., 14, 2] = t16
+    r_out[..., 15, 0] = t12
+    r_out[..., 15, 1] = t18
+    r_out[..., 15, 2] = t19
+    r_out[..., 16, 0] = t12
+    r_out[..., 16, 1] = t18
+    r_out[..., 16, 2] = t20
+    r_out[..., 17, 0] = t17
+    r_out[..., 17, 1] = t18
+    r_out[..., 17, 2] = t19
+    r_out[..., 18, 0] = t17
+    r_out[..., 18, 1] = t18
+    r_out[..., 18, 2] = t20
+    r_out[..., 19, 0] = x
+    r_out[..., 19, 1] = t13
+    r_out[..., 19, 2] = t19
+    r_out[..., 20, 0] = t12
+    r_out[..., 20, 1] = t13
+    r_out[..., 20, 2] = t19
+    r_out[..., 21, 0] = t17
+    r_out[..., 21, 1] = t13
+    r_out[..., 21, 2] = t19
+    r_out[..., 22, 0] = 9*R_p_1 + travel_max_x
+    r_out[..., 22, 1] = t18
+    r_out[..., 22, 2] = t19
+    r_out[..., 23, 0] = t17
+    r_out[..., 23, 1] = t21
+    r_out[..., 23, 2] = t19
+    r_out[..., 24, 0] = t12
+    r_out[..., 24, 1] = t21
+    r_out[..., 24, 2] = t19
+    r_out[..., 25, 0] = t23
+    r_out[..., 25, 1] = t24
+    r_out[..., 25, 2] = -t4
+    r_out[..., 26, 0] = t23
+    r_out[..., 26, 1] = t24
+    r_out[..., 26, 2] = t25
+    r_out[..., 27, 0] = t23
+    r_out[..., 27, 1] = t26
+    r_out[..., 27, 2] = -t4
+    r_out[..., 28, 0] = t23
+    r_out[..., 28, 1] = t26
+    r_out[..., 28, 2] = t25
+    r_out[..., 29, 0] = t22
+    r_out[..., 29, 1] = y
+    r_out[..., 29, 2] = -t4
+    r_out[..., 30, 0] = t22
+    r_out[..., 30, 1] = t24
+    r_out[..., 30, 2] = -t4
+    r_out[..., 31, 0] = t22
+    r_out[..., 31, 1] = t26
+    r_out[..., 31, 2] = -t4
+    r_out[..., 32, 0] = t23
+    r_out[..., 32, 1] = R_p_2 + t26
+    r_out[..., 32, 2] = -t4
+    r_out[..., 33, 0] = t27
+    r_out[..., 33, 1] = t26
+    r_out[..., 33, 2] = -t4
+    r_out[..., 34, 0] = t27
+    r_out[..., 34, 1] = t24
+    r_out[..., 34, 2] = -t4
+    return r_out
+
+
+def drawing_motion(p, parameters):
+    """Jacobians of these points with respect to every coordinate, one for points that move alike.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head (x) and bed (y) in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    J : array, shape (..., 6, 3, 10) [1, m]
+        dr_i/dq_k, base frame.
+
+    Notes
+    -----
+    The positions differentiated, with the contributions of released joints and the frame.
+    0 operations; 0 with every named value expanded.
+    """
+    x, _ = _entries(p, (2,))
+    batch, dtype = _batch(x)
+    J_out = np.zeros((*batch, 6, 3, 10), dtype)
+    J_out[..., 0, 0, 0] = 1
+    J_out[..., 0, 0, 8] = 1
+    J_out[..., 0, 1, 1] = 1
+    J_out[..., 0, 1, 9] = 1
+    J_out[..., 1, 0, 8] = 1
+    J_out[..., 1, 1, 9] = 1
+    J_out[..., 2, 0, 8] = 1
+    J_out[..., 2, 1, 1] = 1
+    J_out[..., 2, 1, 9] = 1
+    J_out[..., 3, 0, 0] = 1
+    J_out[..., 3, 0, 8] = 1
+    J_out[..., 3, 1, 9] = 1
+    J_out[..., 4, 0, 0] = 1
+    J_out[..., 4, 0, 6] = 1
+    J_out[..., 4, 0, 8] = 1
+    J_out[..., 4, 1, 9] = 1
+    J_out[..., 5, 0, 8] = 1
+    J_out[..., 5, 1, 1] = 1
+    J_out[..., 5, 1, 7] = 1
+    J_out[..., 5, 1, 9] = 1
+    return J_out
+
+
+def springs(p, parameters, effects):
+    """Stiffness of every spring, and its elongation or twist per unit of each coordinate.
+
+    Parameters
+    ----------
+    p : array, shape (..., 2) [m]
+        Tool head (x) and bed (y) in the base frame.
+    parameters : Parameters
+        The robot's parameters.
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    k : array, shape (..., 8) [N/m, N m/rad]
+        Stiffness.
+    g : array, shape (..., 8, 10) [1, m, 1/m]
+        The energy is the sum of k (g . q)^2 / 2.
+
+    Notes
+    -----
+    Equation 38 with the effects' energies; the springs of released joints are not among them.
+    25 operations; 64 with every named value expanded.
+    """
+    x, y = _entries(p, (2,))
+    l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.axis_lengths, (2, 2))
+    k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
+    w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    (a_B_1,) = _entries(effects.axis_belt_stiffness_factor_1, ())
+    (a_B_2,) = _entries(effects.axis_belt_stiffness_factor_2, ())
+    (c_E,) = _entries(effects.belt_end_compliance_compliance, ())
+    (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
+    (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
+    (k_C,) = _entries(effects.cable_stiffness_stiffness, ())
+    (k_S,) = _entries(effects.servo_stiffness_stiffness, ())
+    batch, dtype = _batch(x, l_0_1_1, k_sp_1, w_b_1, R_p_1, a_B_1, a_B_2, c_E, c_T, F_T, k_C, k_S)
+    l_f_1_1 = l_0_1_1 + x
+    t1 = F_T*c_T + 1
+    t2 = c_E*t1
+    t3 = k_sp_1*w_b_1*(a_B_1 + 1)
+    t4 = t2*t3
+    t5 = t1*t3
+    k_1_1 = t5/(l_f_1_1 + t4)
+    l_f_1_2 = l_0_1_2 - x
+    k_1_2 = t5/(l_f_1_2 + t4)
+    l_f_2_1 = l_0_2_1 + y
+    t6 = k_sp_2*w_b_2*(a_B_2 + 1)
+    t7 = t2*t6
+    t8 = t1*t6
+    k_2_1 = t8/(l_f_2_1 + t7)
+    l_f_2_2 = l_0_2_2 - y
+    k_2_2 = t8/(l_f_2_2 + t7)
+    k_out = np.empty((*batch, 8), dtype)
+    k_out[..., 0] = k_1_1
+    k_out[..., 1] = k_1_2
+    k_out[..., 2] = k_2_1
+    k_out[..., 3] = k_2_2
+    k_out[..., 4] = k_C
+    k_out[..., 5] = k_C
+    k_out[..., 6] = k_S
+    k_out[..., 7] = k_S
+    g_out = np.zeros((*batch, 8, 10), dtype)
+    g_out[..., 0, 0] = 1
+    g_out[..., 0, 2] = R_p_1
+    g_out[..., 0, 6] = 1
+    g_out[..., 1, 0] = 1
+    g_out[..., 1, 2] = R_p_1
+    g_out[..., 1, 6] = 1
+    g_out[..., 2, 1] = 1
+    g_out[..., 2, 3] = R_p_2
+    g_out[..., 2, 7] = 1
+    g_out[..., 3, 1] = 1
+    g_out[..., 3, 3] = R_p_2
+    g_out[..., 3, 7] = 1
+    g_out[..., 4, 0] = 1
+    g_out[..., 4, 8] = 1
+    g_out[..., 5, 1] = 1
+    g_out[..., 5, 9] = 1
+    g_out[..., 6, 2] = 1
+    g_out[..., 6, 4] = 1
+    g_out[..., 7, 3] = 1
+    g_out[..., 7, 5] = 1
+    return k_out, g_out
+
+
+def driven():
+    """Which coordinates are rotations of a rotor that a motor drives.
+
+    Parameters
+    ----------
+
+    Returns
+    -------
+    d : array, shape (..., 4) [1]
+        1 where a motor turns the coordinate, else 0.
+
+    Notes
+    -----
+    The drives that the mechanism declares.
+    0 operations; 0 with every named value expanded.
+    """
+    batch, dtype = _batch()
+    d_out = np.zeros((*batch, 4), dtype)
+    d_out[..., 2] = 1
+    d_out[..., 3] = 1
+    return d_out

@@ -1,0 +1,771 @@
+/* Generated from the derivation of bed_slinger.
+ * By pkmodes_derive 0.1.0 with SymPy 1.14.0.
+ * Do not edit: regenerate with `python -m pkmodes_derive generate`.
+ *
+ * The mechanism bed_slinger for the compiled evaluator.
+ *
+ * A part of the compiled evaluator, which includes it once for each instruction set: `lane` is a vector of
+ * doubles, one for each pose.  Matrices are row-major; everything is in SI units.
+ *
+ * Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
+ * values.
+ *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
+ *   l_f_j_s [m]: free length of run s of belt j
+ *   k_j_s [N/m]: stiffness of run s of belt j
+ */
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
+#endif
+
+#define LANES_POSE 2
+#define LANES_INDEPENDENT 2
+#define LANES_DIRECTIONS 2
+#define LANES_BASE 4
+#define LANES_ALL 10
+#define LANES_GRADIENT 45
+#define LANES_MARGINS 4
+
+/* How many numbers each margin of a pose has, and how they must compare. */
+static const struct lanes_rule LANES_RULES[] = {
+    {4, LANES_AT_LEAST_ZERO},
+};
+
+/* Positions at a pose, and the margins of a pose.
+ *
+ * Source: inverse_kinematics and travel_margin.
+ * 4 operations; 4 with every named value expanded.
+ */
+static inline void lanes_position(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict q, lane *restrict margin)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double travel_min_x = parameters[21];
+    const double travel_max_x = parameters[22];
+    const double travel_min_y = parameters[23];
+    const double travel_max_y = parameters[24];
+    q[0] = LANES(x);
+    q[1] = LANES(y);
+    margin[0] = LANES(-travel_min_x + x);
+    margin[1] = LANES(travel_max_x - x);
+    margin[2] = LANES(-travel_min_y + y);
+    margin[3] = LANES(travel_max_y - y);
+}
+
+/* Mass and stiffness matrices without effects, and the motion of the platform.
+ *
+ * Source: modal_matrices and platform_jacobian.
+ * 32 operations; 78 with every named value expanded.
+ */
+static inline void lanes_base(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_b = parameters[1];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const double I_p_1 = parameters[15];
+    const double I_p_2 = parameters[16];
+    const double I_m_1 = parameters[17];
+    const double I_m_2 = parameters[18];
+    const double i_g_1 = parameters[19];
+    const double i_g_2 = parameters[20];
+    const double I_1 = I_m_1*(i_g_1*i_g_1) + I_p_1;
+    const double I_2 = I_m_2*(i_g_2*i_g_2) + I_p_2;
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double t1 = k_sp_1*w_b_1;
+    const lane k_1_1 = t1/l_f_1_1;
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane k_1_2 = t1/l_f_1_2;
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double t2 = k_sp_2*w_b_2;
+    const lane k_2_1 = t2/l_f_2_1;
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane k_2_2 = t2/l_f_2_2;
+    const double t3 = (R_p_1*R_p_1);
+    const double t4 = (R_p_2*R_p_2);
+    lanes_clear(M, 16);
+    M[0] = LANES(m_h);
+    M[5] = LANES(m_b);
+    M[10] = LANES(I_1);
+    M[15] = LANES(I_2);
+    lanes_clear(K, 16);
+    K[0] = LANES(k_1_1 + k_1_2);
+    K[2] = K[8] = LANES(R_p_1*k_1_1 + R_p_1*k_1_2);
+    K[5] = LANES(k_2_1 + k_2_2);
+    K[7] = K[13] = LANES(R_p_2*k_2_1 + R_p_2*k_2_2);
+    K[10] = LANES(k_1_1*t3 + k_1_2*t3);
+    K[15] = LANES(k_2_1*t4 + k_2_2*t4);
+    lanes_clear(J_p, 8);
+    J_p[0] = LANES(1.0);
+    J_p[5] = LANES(1.0);
+}
+
+/* Mass and stiffness matrices with all released joints free, and the motion of the platform.
+ *
+ * Source: extended_matrices and extended_platform_motion.
+ * 84 operations; 813 with every named value expanded.
+ */
+static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_b = parameters[1];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const double I_p_1 = parameters[15];
+    const double I_p_2 = parameters[16];
+    const double I_m_1 = parameters[17];
+    const double I_m_2 = parameters[18];
+    const double i_g_1 = parameters[19];
+    const double i_g_2 = parameters[20];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const double k_C = effects[7];
+    const double I_G = effects[9];
+    const double m_L = effects[10];
+    const double k_S = effects[13];
+    const double m_F = effects[17];
+    const double t1 = I_m_1*(i_g_1*i_g_1);
+    const double I_1 = I_G + I_p_1 + t1;
+    const double t2 = I_m_2*(i_g_2*i_g_2);
+    const double I_2 = I_G + I_p_2 + t2;
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double t3 = F_T*c_T + 1.0;
+    const double t4 = c_E*t3;
+    const double t5 = k_sp_1*w_b_1*(a_B_1 + 1.0);
+    const double t6 = t4*t5;
+    const double t7 = t3*t5;
+    const lane k_1_1 = t7/(l_f_1_1 + t6);
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane k_1_2 = t7/(l_f_1_2 + t6);
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double t8 = k_sp_2*w_b_2*(a_B_2 + 1.0);
+    const double t9 = t4*t8;
+    const double t10 = t3*t8;
+    const lane k_2_1 = t10/(l_f_2_1 + t9);
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane k_2_2 = t10/(l_f_2_2 + t9);
+    const double t11 = (1.0/3.0)*rho_b;
+    const lane t12 = l_f_1_1*t11;
+    const lane t13 = l_f_1_2*t11;
+    const lane t14 = t12 + t13;
+    const double t15 = (1.0/6.0)*rho_b;
+    const double t16 = R_p_1*t15;
+    const lane t17 = -l_f_1_1*t16 - l_f_1_2*t16;
+    const lane t18 = l_f_2_1*t11;
+    const lane t19 = l_f_2_2*t11;
+    const lane t20 = t18 + t19;
+    const double t21 = m_L + m_b;
+    const double t22 = R_p_2*t15;
+    const lane t23 = -l_f_2_1*t22 - l_f_2_2*t22;
+    const double t24 = (R_p_1*R_p_1);
+    const double t25 = (R_p_2*R_p_2);
+    const double t26 = m_F + m_h + t21;
+    const lane t27 = k_1_1 + k_1_2;
+    const lane t28 = R_p_1*k_1_1 + R_p_1*k_1_2;
+    const lane t29 = k_2_1 + k_2_2;
+    const lane t30 = R_p_2*k_2_1 + R_p_2*k_2_2;
+    lanes_clear(M, 100);
+    M[0] = LANES(m_h + t14);
+    M[2] = M[20] = LANES(t17);
+    M[6] = M[60] = LANES(t14);
+    M[8] = M[80] = LANES(m_h);
+    M[11] = LANES(t20 + t21);
+    M[13] = M[31] = LANES(t23);
+    M[17] = M[71] = LANES(t20);
+    M[19] = M[91] = LANES(t21);
+    M[22] = LANES(I_1 + t12*t24 + t13*t24);
+    M[24] = M[42] = LANES(t1);
+    M[26] = M[62] = LANES(t17);
+    M[33] = LANES(I_2 + t18*t25 + t19*t25);
+    M[35] = M[53] = LANES(t2);
+    M[37] = M[73] = LANES(t23);
+    M[44] = LANES(t1);
+    M[55] = LANES(t2);
+    M[66] = LANES(t14);
+    M[77] = LANES(t20);
+    M[88] = LANES(t26);
+    M[99] = LANES(t26);
+    lanes_clear(K, 100);
+    K[0] = LANES(k_C + t27);
+    K[2] = K[20] = LANES(t28);
+    K[6] = K[60] = LANES(t27);
+    K[8] = K[80] = LANES(k_C);
+    K[11] = LANES(k_C + t29);
+    K[13] = K[31] = LANES(t30);
+    K[17] = K[71] = LANES(t29);
+    K[19] = K[91] = LANES(k_C);
+    K[22] = LANES(k_1_1*t24 + k_1_2*t24 + k_S);
+    K[24] = K[42] = LANES(k_S);
+    K[26] = K[62] = LANES(t28);
+    K[33] = LANES(k_2_1*t25 + k_2_2*t25 + k_S);
+    K[35] = K[53] = LANES(k_S);
+    K[37] = K[73] = LANES(t30);
+    K[44] = LANES(k_S);
+    K[55] = LANES(k_S);
+    K[66] = LANES(t27);
+    K[77] = LANES(t29);
+    K[88] = LANES(k_C);
+    K[99] = LANES(k_C);
+    lanes_clear(J_p, 20);
+    J_p[0] = LANES(1.0);
+    J_p[8] = LANES(1.0);
+    J_p[11] = LANES(1.0);
+    J_p[19] = LANES(1.0);
+}
+
+/* Derivatives of the eigenvalue of a mode with respect to all quantities.
+ *
+ * Source: reverse accumulation through base.
+ * 90 operations; 320 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const double I_m_1 = parameters[17];
+    const double I_m_2 = parameters[18];
+    const double i_g_1 = parameters[19];
+    const double i_g_2 = parameters[20];
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double forward_t1 = k_sp_1*w_b_1;
+    const lane forward_0 = 1.0/l_f_1_1;
+    const lane k_1_1 = forward_0*forward_t1;
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane forward_1 = 1.0/l_f_1_2;
+    const lane k_1_2 = forward_1*forward_t1;
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double forward_t2 = k_sp_2*w_b_2;
+    const lane forward_2 = 1.0/l_f_2_1;
+    const lane k_2_1 = forward_2*forward_t2;
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane forward_3 = 1.0/l_f_2_2;
+    const lane k_2_2 = forward_3*forward_t2;
+    const double forward_t3 = (R_p_1*R_p_1);
+    const double forward_t4 = (R_p_2*R_p_2);
+    const lane t2 = k_2_1 + k_2_2;
+    const lane t4 = k_1_1 + k_1_2;
+    const double t6 = 2.0*R_p_2;
+    const double t10 = 2.0*R_p_1;
+    for (int mode = 0; mode < modes; mode++) {
+        const lane *restrict shape = shapes + mode * 4;
+        const lane eigenvalue = eigenvalues[mode];
+        lane *restrict gradient = gradients + mode * stride;
+        const lane shape_1 = shape[0];
+        const lane shape_2 = shape[1];
+        const lane shape_3 = shape[2];
+        const lane shape_4 = shape[3];
+        const lane t1 = (shape_4*shape_4);
+        const lane adjoint_forward_t4 = t1*t2;
+        const lane t3 = (shape_3*shape_3);
+        const lane adjoint_forward_t3 = t3*t4;
+        const lane t5 = (shape_2*shape_2);
+        const lane t7 = shape_2*shape_4;
+        const lane adjoint_k_2_2 = forward_t4*t1 + t5 + t6*t7;
+        const lane adjoint_forward_3 = adjoint_k_2_2*forward_t2;
+        const lane adjoint_l_f_2_2 = -adjoint_forward_3*(forward_3*forward_3);
+        const lane adjoint_forward_2 = adjoint_k_2_2*forward_t2;
+        const lane adjoint_forward_t2 = adjoint_k_2_2*forward_2 + adjoint_k_2_2*forward_3;
+        const lane adjoint_l_f_2_1 = -adjoint_forward_2*(forward_2*forward_2);
+        const lane t8 = shape_1*shape_3;
+        const lane t9 = (shape_1*shape_1);
+        const lane adjoint_k_1_2 = forward_t3*t3 + t10*t8 + t9;
+        const lane adjoint_forward_1 = adjoint_k_1_2*forward_t1;
+        const lane adjoint_l_f_1_2 = -adjoint_forward_1*(forward_1*forward_1);
+        const lane adjoint_forward_0 = adjoint_k_1_2*forward_t1;
+        const lane adjoint_forward_t1 = adjoint_k_1_2*forward_0 + adjoint_k_1_2*forward_1;
+        const lane adjoint_l_f_1_1 = -adjoint_forward_0*(forward_0*forward_0);
+        const lane adjoint_I_2 = -eigenvalue*t1;
+        const lane adjoint_I_1 = -eigenvalue*t3;
+        lanes_clear(gradient, 45);
+        gradient[0] = LANES(-eigenvalue*t9);
+        gradient[1] = LANES(-eigenvalue*t5);
+        gradient[5] = LANES(adjoint_l_f_1_1);
+        gradient[6] = LANES(adjoint_l_f_1_2);
+        gradient[7] = LANES(adjoint_l_f_2_1);
+        gradient[8] = LANES(adjoint_l_f_2_2);
+        gradient[9] = LANES(adjoint_forward_t1*w_b_1);
+        gradient[10] = LANES(adjoint_forward_t2*w_b_2);
+        gradient[11] = LANES(adjoint_forward_t1*k_sp_1);
+        gradient[12] = LANES(adjoint_forward_t2*k_sp_2);
+        gradient[13] = LANES(adjoint_forward_t3*t10 + 2.0*t4*t8);
+        gradient[14] = LANES(adjoint_forward_t4*t6 + 2.0*t2*t7);
+        gradient[15] = LANES(adjoint_I_1);
+        gradient[16] = LANES(adjoint_I_2);
+        gradient[17] = LANES(adjoint_I_1*(i_g_1*i_g_1));
+        gradient[18] = LANES(adjoint_I_2*(i_g_2*i_g_2));
+        gradient[19] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
+        gradient[20] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
+        gradient[43] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[44] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
+    }
+}
+
+/* Derivatives of the eigenvalue of a mode with respect to all quantities.
+ *
+ * Source: reverse accumulation through extended.
+ * 248 operations; 2527 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
+    const lane *restrict eigenvalues, lane *restrict gradients, int stride)
+{
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const double I_m_1 = parameters[17];
+    const double I_m_2 = parameters[18];
+    const double i_g_1 = parameters[19];
+    const double i_g_2 = parameters[20];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double forward_t3 = F_T*c_T + 1.0;
+    const double forward_t4 = c_E*forward_t3;
+    const double t1 = a_B_1 + 1.0;
+    const double t2 = t1*w_b_1;
+    const double forward_t5 = k_sp_1*t2;
+    const double forward_t6 = forward_t4*forward_t5;
+    const double forward_t7 = forward_t3*forward_t5;
+    const lane t3 = forward_t6 + l_f_1_1;
+    const lane forward_0 = 1.0/t3;
+    const lane k_1_1 = forward_0*forward_t7;
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane t4 = forward_t6 + l_f_1_2;
+    const lane forward_1 = 1.0/t4;
+    const lane k_1_2 = forward_1*forward_t7;
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double t5 = a_B_2 + 1.0;
+    const double t6 = t5*w_b_2;
+    const double forward_t8 = k_sp_2*t6;
+    const double forward_t9 = forward_t4*forward_t8;
+    const double forward_t10 = forward_t3*forward_t8;
+    const lane t7 = forward_t9 + l_f_2_1;
+    const lane forward_2 = 1.0/t7;
+    const lane k_2_1 = forward_2*forward_t10;
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane t8 = forward_t9 + l_f_2_2;
+    const lane forward_3 = 1.0/t8;
+    const lane k_2_2 = forward_3*forward_t10;
+    const double forward_t11 = (1.0/3.0)*rho_b;
+    const lane forward_t12 = forward_t11*l_f_1_1;
+    const lane forward_t13 = forward_t11*l_f_1_2;
+    const double forward_t15 = (1.0/6.0)*rho_b;
+    const double forward_t16 = R_p_1*forward_t15;
+    const lane forward_t18 = forward_t11*l_f_2_1;
+    const lane forward_t19 = forward_t11*l_f_2_2;
+    const double forward_t22 = R_p_2*forward_t15;
+    const double forward_t24 = (R_p_1*R_p_1);
+    const double forward_t25 = (R_p_2*R_p_2);
+    const lane t26 = k_2_1 + k_2_2;
+    const lane t29 = k_1_1 + k_1_2;
+    for (int mode = 0; mode < modes; mode++) {
+        const lane *restrict shape = shapes + mode * 10;
+        const lane eigenvalue = eigenvalues[mode];
+        lane *restrict gradient = gradients + mode * stride;
+        const lane shape_1 = shape[0];
+        const lane shape_2 = shape[1];
+        const lane shape_3 = shape[2];
+        const lane shape_4 = shape[3];
+        const lane shape_5 = shape[4];
+        const lane shape_6 = shape[5];
+        const lane shape_7 = shape[6];
+        const lane shape_8 = shape[7];
+        const lane shape_9 = shape[8];
+        const lane shape_10 = shape[9];
+        const lane t9 = 2.0*shape_4;
+        const lane t10 = shape_8*t9;
+        const lane t11 = shape_2*t9;
+        const lane adjoint_forward_t30 = t10 + t11;
+        const lane t12 = (shape_2*shape_2);
+        const lane t13 = (shape_8*shape_8);
+        const lane t14 = 2.0*shape_2;
+        const lane t15 = shape_8*t14;
+        const lane adjoint_forward_t29 = t12 + t13 + t15;
+        const lane t16 = 2.0*shape_3;
+        const lane t17 = shape_1*t16;
+        const lane t18 = shape_7*t16;
+        const lane adjoint_forward_t28 = t17 + t18;
+        const lane t19 = (shape_1*shape_1);
+        const lane t20 = (shape_7*shape_7);
+        const lane t21 = 2.0*shape_1;
+        const lane t22 = shape_7*t21;
+        const lane adjoint_forward_t27 = t19 + t20 + t22;
+        const lane t23 = (shape_10*shape_10);
+        const lane t24 = (shape_9*shape_9);
+        const lane adjoint_forward_t26 = -eigenvalue*t23 - eigenvalue*t24;
+        const lane t25 = (shape_4*shape_4);
+        const lane t27 = eigenvalue*t25;
+        const lane adjoint_forward_t25 = t25*t26 - t27*(forward_t18 + forward_t19);
+        const lane t28 = (shape_3*shape_3);
+        const lane t30 = eigenvalue*t28;
+        const lane adjoint_forward_t24 = t28*t29 - t30*(forward_t12 + forward_t13);
+        const lane adjoint_forward_t23 = -eigenvalue*t10 - eigenvalue*t11;
+        const lane adjoint_forward_t22 = adjoint_forward_t23*(-l_f_2_1 - l_f_2_2);
+        const lane t31 = eigenvalue*t12;
+        const lane t32 = shape_10*t14;
+        const lane adjoint_forward_t21 = adjoint_forward_t26 - eigenvalue*t32 - t31;
+        const lane adjoint_forward_t20 = -eigenvalue*t13 - eigenvalue*t15 - t31;
+        const lane t33 = forward_t25*t25;
+        const lane adjoint_forward_t19 = adjoint_forward_t20 - eigenvalue*t33;
+        const lane adjoint_forward_t17 = -eigenvalue*t17 - eigenvalue*t18;
+        const lane adjoint_forward_t16 = adjoint_forward_t17*(-l_f_1_1 - l_f_1_2);
+        const lane adjoint_forward_t15 = R_p_1*adjoint_forward_t16 + R_p_2*adjoint_forward_t22;
+        const lane t34 = eigenvalue*t19;
+        const lane adjoint_forward_t14 = -eigenvalue*t20 - eigenvalue*t22 - t34;
+        const lane t35 = forward_t24*t28;
+        const lane adjoint_forward_t13 = adjoint_forward_t14 - eigenvalue*t35;
+        const lane adjoint_forward_t11 =
+            adjoint_forward_t13*l_f_1_1 + adjoint_forward_t13*l_f_1_2 + adjoint_forward_t19*l_f_2_1
+            + adjoint_forward_t19*l_f_2_2;
+        const lane adjoint_k_2_2 = R_p_2*adjoint_forward_t30 + adjoint_forward_t29 + t33;
+        const lane adjoint_forward_3 = adjoint_k_2_2*forward_t10;
+        const lane t36 = adjoint_forward_t23*forward_t22;
+        const lane t37 = adjoint_forward_3/(t8*t8);
+        const lane adjoint_l_f_2_2 = adjoint_forward_t19*forward_t11 - t36 - t37;
+        const lane adjoint_forward_2 = adjoint_k_2_2*forward_t10;
+        const lane adjoint_forward_t10 = adjoint_k_2_2*forward_2 + adjoint_k_2_2*forward_3;
+        const lane t38 = adjoint_forward_2/(t7*t7);
+        const lane adjoint_forward_t9 = -t37 - t38;
+        const lane adjoint_forward_t8 = adjoint_forward_t10*forward_t3 + adjoint_forward_t9*forward_t4;
+        const lane adjoint_l_f_2_1 = adjoint_forward_t19*forward_t11 - t36 - t38;
+        const lane adjoint_k_1_2 = R_p_1*adjoint_forward_t28 + adjoint_forward_t27 + t35;
+        const lane adjoint_forward_1 = adjoint_k_1_2*forward_t7;
+        const lane t39 = adjoint_forward_t17*forward_t16;
+        const lane t40 = adjoint_forward_1/(t4*t4);
+        const lane adjoint_l_f_1_2 = adjoint_forward_t13*forward_t11 - t39 - t40;
+        const lane adjoint_forward_0 = adjoint_k_1_2*forward_t7;
+        const lane adjoint_forward_t7 = adjoint_k_1_2*forward_0 + adjoint_k_1_2*forward_1;
+        const lane t41 = adjoint_forward_0/(t3*t3);
+        const lane adjoint_forward_t6 = -t40 - t41;
+        const lane adjoint_forward_t5 = adjoint_forward_t6*forward_t4 + adjoint_forward_t7*forward_t3;
+        const lane adjoint_forward_t4 = adjoint_forward_t6*forward_t5 + adjoint_forward_t9*forward_t8;
+        const lane adjoint_forward_t3 =
+            adjoint_forward_t10*forward_t8 + adjoint_forward_t4*c_E + adjoint_forward_t7*forward_t5;
+        const lane adjoint_l_f_1_1 = adjoint_forward_t13*forward_t11 - t39 - t41;
+        const lane adjoint_I_2 = -t27;
+        const lane t42 = (shape_6*shape_6);
+        const lane t43 = shape_6*t9;
+        const lane adjoint_forward_t2 = adjoint_I_2 - eigenvalue*t42 - eigenvalue*t43;
+        const lane adjoint_I_1 = -t30;
+        const lane t44 = (shape_5*shape_5);
+        const lane t45 = shape_5*t16;
+        const lane adjoint_forward_t1 = adjoint_I_1 - eigenvalue*t44 - eigenvalue*t45;
+        const lane t46 = shape_9*t21;
+        const lane t47 = adjoint_forward_t5*k_sp_1;
+        const lane t48 = adjoint_forward_t8*k_sp_2;
+        lanes_clear(gradient, 45);
+        gradient[0] = LANES(adjoint_forward_t26 - eigenvalue*t46 - t34);
+        gradient[1] = LANES(adjoint_forward_t21);
+        gradient[5] = LANES(adjoint_l_f_1_1);
+        gradient[6] = LANES(adjoint_l_f_1_2);
+        gradient[7] = LANES(adjoint_l_f_2_1);
+        gradient[8] = LANES(adjoint_l_f_2_2);
+        gradient[9] = LANES(adjoint_forward_t5*t2);
+        gradient[10] = LANES(adjoint_forward_t8*t6);
+        gradient[11] = LANES(t1*t47);
+        gradient[12] = LANES(t48*t5);
+        gradient[13] =
+            LANES(2.0*R_p_1*adjoint_forward_t24 + adjoint_forward_t16*forward_t15 + adjoint_forward_t28*t29);
+        gradient[14] =
+            LANES(2.0*R_p_2*adjoint_forward_t25 + adjoint_forward_t22*forward_t15 + adjoint_forward_t30*t26);
+        gradient[15] = LANES(adjoint_I_1);
+        gradient[16] = LANES(adjoint_I_2);
+        gradient[17] = LANES(adjoint_forward_t1*(i_g_1*i_g_1));
+        gradient[18] = LANES(adjoint_forward_t2*(i_g_2*i_g_2));
+        gradient[19] = LANES(2.0*I_m_1*adjoint_forward_t1*i_g_1);
+        gradient[20] = LANES(2.0*I_m_2*adjoint_forward_t2*i_g_2);
+        gradient[25] = LANES(t47*w_b_1);
+        gradient[26] = LANES(t48*w_b_2);
+        gradient[27] = LANES(adjoint_forward_t4*forward_t3);
+        gradient[29] = LANES((1.0/3.0)*adjoint_forward_t11 + (1.0/6.0)*adjoint_forward_t15);
+        gradient[30] = LANES(F_T*adjoint_forward_t3);
+        gradient[31] = LANES(adjoint_forward_t3*c_T);
+        gradient[32] = LANES(t12 + t19 + t23 + t24 + t32 + t46);
+        gradient[34] = LANES(adjoint_I_1 + adjoint_I_2);
+        gradient[35] = LANES(adjoint_forward_t21);
+        gradient[38] = LANES(t25 + t28 + t42 + t43 + t44 + t45);
+        gradient[42] = LANES(adjoint_forward_t26);
+        gradient[43] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[44] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
+    }
+}
+
+/* What is done with the derivatives along each path: the compiled evaluator defines it. */
+struct lanes_paths;
+static void lanes_direction(const struct lanes_paths *paths, int path, lane *restrict direction);
+static void lanes_take(const struct lanes_paths *paths, int path, const lane *restrict mass_rate,
+    const lane *restrict stiffness_rate, const lane *restrict motion_rate);
+
+/* Derivatives of the matrices and of the motion of the platform along a direction.
+ *
+ * Source: forward accumulation through extended.
+ * 214 operations; 4137 with every named value expanded.
+ */
+static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
+    const double *restrict parameters, const double *restrict effects, int count,
+    const struct lanes_paths *paths)
+{
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const double I_m_1 = parameters[17];
+    const double I_m_2 = parameters[18];
+    const double i_g_1 = parameters[19];
+    const double i_g_2 = parameters[20];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double rho_b = effects[4];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double forward_t3 = F_T*c_T + 1.0;
+    const double forward_t4 = c_E*forward_t3;
+    const double t1 = a_B_1 + 1.0;
+    const double t2 = t1*w_b_1;
+    const double forward_t5 = k_sp_1*t2;
+    const double forward_t6 = forward_t4*forward_t5;
+    const double forward_t7 = forward_t3*forward_t5;
+    const lane t3 = forward_t6 + l_f_1_1;
+    const lane forward_0 = 1.0/t3;
+    const lane k_1_1 = forward_0*forward_t7;
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane t4 = forward_t6 + l_f_1_2;
+    const lane forward_1 = 1.0/t4;
+    const lane k_1_2 = forward_1*forward_t7;
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double t5 = a_B_2 + 1.0;
+    const double t6 = t5*w_b_2;
+    const double forward_t8 = k_sp_2*t6;
+    const double forward_t9 = forward_t4*forward_t8;
+    const double forward_t10 = forward_t3*forward_t8;
+    const lane t7 = forward_t9 + l_f_2_1;
+    const lane forward_2 = 1.0/t7;
+    const lane k_2_1 = forward_2*forward_t10;
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane t8 = forward_t9 + l_f_2_2;
+    const lane forward_3 = 1.0/t8;
+    const lane k_2_2 = forward_3*forward_t10;
+    const double forward_t11 = (1.0/3.0)*rho_b;
+    const lane forward_t12 = forward_t11*l_f_1_1;
+    const lane forward_t13 = forward_t11*l_f_1_2;
+    const double forward_t15 = (1.0/6.0)*rho_b;
+    const double forward_t16 = R_p_1*forward_t15;
+    const lane forward_t18 = forward_t11*l_f_2_1;
+    const lane forward_t19 = forward_t11*l_f_2_2;
+    const double forward_t22 = R_p_2*forward_t15;
+    const double forward_t24 = (R_p_1*R_p_1);
+    const double forward_t25 = (R_p_2*R_p_2);
+    const lane t9 = 1.0/((t3*t3));
+    const lane t10 = 1.0/((t4*t4));
+    const lane t11 = 1.0/((t7*t7));
+    const lane t12 = 1.0/((t8*t8));
+    const lane t13 = k_1_1 + k_1_2;
+    const lane t14 = k_2_1 + k_2_2;
+    for (int path = 0; path < count; path++) {
+        lane direction[LANES_GRADIENT], motion_rate[LANES_DIRECTIONS * LANES_ALL];
+        lane mass_rate[LANES_ALL * LANES_ALL], stiffness_rate[LANES_ALL * LANES_ALL];
+        lanes_direction(paths, path, direction);
+        const lane along_1 = direction[0];
+        const lane along_2 = direction[1];
+        const lane along_6 = direction[5];
+        const lane along_7 = direction[6];
+        const lane along_8 = direction[7];
+        const lane along_9 = direction[8];
+        const lane along_10 = direction[9];
+        const lane along_11 = direction[10];
+        const lane along_12 = direction[11];
+        const lane along_13 = direction[12];
+        const lane along_14 = direction[13];
+        const lane along_15 = direction[14];
+        const lane along_16 = direction[15];
+        const lane along_17 = direction[16];
+        const lane along_18 = direction[17];
+        const lane along_19 = direction[18];
+        const lane along_20 = direction[19];
+        const lane along_21 = direction[20];
+        const lane along_26 = direction[25];
+        const lane along_27 = direction[26];
+        const lane along_28 = direction[27];
+        const lane along_30 = direction[29];
+        const lane along_31 = direction[30];
+        const lane along_32 = direction[31];
+        const lane along_33 = direction[32];
+        const lane along_35 = direction[34];
+        const lane along_36 = direction[35];
+        const lane along_39 = direction[38];
+        const lane along_43 = direction[42];
+        const lane along_44 = direction[43];
+        const lane along_45 = direction[44];
+        const lane tangent_forward_t1 = 2.0*I_m_1*along_20*i_g_1 + along_18*(i_g_1*i_g_1);
+        const lane tangent_I_1 = along_16 + along_35 + tangent_forward_t1;
+        const lane tangent_forward_t2 = 2.0*I_m_2*along_21*i_g_2 + along_19*(i_g_2*i_g_2);
+        const lane tangent_I_2 = along_17 + along_35 + tangent_forward_t2;
+        const lane tangent_l_f_1_1 = along_44 + along_6;
+        const lane tangent_forward_t3 = F_T*along_31 + along_32*c_T;
+        const lane tangent_forward_t4 = along_28*forward_t3 + c_E*tangent_forward_t3;
+        const lane tangent_forward_t5 = along_10*t2 + along_12*k_sp_1*t1 + along_26*k_sp_1*w_b_1;
+        const lane tangent_forward_t6 = forward_t4*tangent_forward_t5 + forward_t5*tangent_forward_t4;
+        const lane tangent_forward_t7 = forward_t3*tangent_forward_t5 + forward_t5*tangent_forward_t3;
+        const lane tangent_forward_0 = -t9*tangent_forward_t6 - t9*tangent_l_f_1_1;
+        const lane tangent_k_1_1 = forward_0*tangent_forward_t7 + forward_t7*tangent_forward_0;
+        const lane tangent_l_f_1_2 = -along_44 + along_7;
+        const lane tangent_forward_1 = -t10*tangent_forward_t6 - t10*tangent_l_f_1_2;
+        const lane tangent_k_1_2 = forward_1*tangent_forward_t7 + forward_t7*tangent_forward_1;
+        const lane tangent_l_f_2_1 = along_45 + along_8;
+        const lane tangent_forward_t8 = along_11*t6 + along_13*k_sp_2*t5 + along_27*k_sp_2*w_b_2;
+        const lane tangent_forward_t9 = forward_t4*tangent_forward_t8 + forward_t8*tangent_forward_t4;
+        const lane tangent_forward_t10 = forward_t3*tangent_forward_t8 + forward_t8*tangent_forward_t3;
+        const lane tangent_forward_2 = -t11*tangent_forward_t9 - t11*tangent_l_f_2_1;
+        const lane tangent_k_2_1 = forward_2*tangent_forward_t10 + forward_t10*tangent_forward_2;
+        const lane tangent_l_f_2_2 = -along_45 + along_9;
+        const lane tangent_forward_3 = -t12*tangent_forward_t9 - t12*tangent_l_f_2_2;
+        const lane tangent_k_2_2 = forward_3*tangent_forward_t10 + forward_t10*tangent_forward_3;
+        const lane tangent_forward_t11 = (1.0/3.0)*along_30;
+        const lane tangent_forward_t12 = forward_t11*tangent_l_f_1_1 + l_f_1_1*tangent_forward_t11;
+        const lane tangent_forward_t13 = forward_t11*tangent_l_f_1_2 + l_f_1_2*tangent_forward_t11;
+        const lane tangent_forward_t14 = tangent_forward_t12 + tangent_forward_t13;
+        const lane tangent_forward_t15 = (1.0/6.0)*along_30;
+        const lane tangent_forward_t16 = R_p_1*tangent_forward_t15 + along_14*forward_t15;
+        const lane tangent_forward_t17 =
+            -forward_t16*tangent_l_f_1_1 - forward_t16*tangent_l_f_1_2 + tangent_forward_t16*(-l_f_1_1
+            - l_f_1_2);
+        const lane tangent_forward_t18 = forward_t11*tangent_l_f_2_1 + l_f_2_1*tangent_forward_t11;
+        const lane tangent_forward_t19 = forward_t11*tangent_l_f_2_2 + l_f_2_2*tangent_forward_t11;
+        const lane tangent_forward_t20 = tangent_forward_t18 + tangent_forward_t19;
+        const lane tangent_forward_t21 = along_2 + along_36;
+        const lane tangent_forward_t22 = R_p_2*tangent_forward_t15 + along_15*forward_t15;
+        const lane tangent_forward_t23 =
+            -forward_t22*tangent_l_f_2_1 - forward_t22*tangent_l_f_2_2 + tangent_forward_t22*(-l_f_2_1
+            - l_f_2_2);
+        const lane tangent_forward_t24 = 2.0*R_p_1*along_14;
+        const lane tangent_forward_t25 = 2.0*R_p_2*along_15;
+        const lane tangent_forward_t26 = along_1 + along_43 + tangent_forward_t21;
+        const lane tangent_forward_t27 = tangent_k_1_1 + tangent_k_1_2;
+        const lane tangent_forward_t28 = R_p_1*tangent_k_1_1 + R_p_1*tangent_k_1_2 + along_14*t13;
+        const lane tangent_forward_t29 = tangent_k_2_1 + tangent_k_2_2;
+        const lane tangent_forward_t30 = R_p_2*tangent_k_2_1 + R_p_2*tangent_k_2_2 + along_15*t14;
+        lanes_clear(mass_rate, 100);
+        mass_rate[0] = LANES(along_1 + tangent_forward_t14);
+        mass_rate[2] = mass_rate[20] = LANES(tangent_forward_t17);
+        mass_rate[6] = mass_rate[60] = LANES(tangent_forward_t14);
+        mass_rate[8] = mass_rate[80] = LANES(along_1);
+        mass_rate[11] = LANES(tangent_forward_t20 + tangent_forward_t21);
+        mass_rate[13] = mass_rate[31] = LANES(tangent_forward_t23);
+        mass_rate[17] = mass_rate[71] = LANES(tangent_forward_t20);
+        mass_rate[19] = mass_rate[91] = LANES(tangent_forward_t21);
+        mass_rate[22] =
+            LANES(forward_t24*tangent_forward_t12 + forward_t24*tangent_forward_t13 + tangent_I_1
+            + tangent_forward_t24*(forward_t12 + forward_t13));
+        mass_rate[24] = mass_rate[42] = LANES(tangent_forward_t1);
+        mass_rate[26] = mass_rate[62] = LANES(tangent_forward_t17);
+        mass_rate[33] =
+            LANES(forward_t25*tangent_forward_t18 + forward_t25*tangent_forward_t19 + tangent_I_2
+            + tangent_forward_t25*(forward_t18 + forward_t19));
+        mass_rate[35] = mass_rate[53] = LANES(tangent_forward_t2);
+        mass_rate[37] = mass_rate[73] = LANES(tangent_forward_t23);
+        mass_rate[44] = LANES(tangent_forward_t1);
+        mass_rate[55] = LANES(tangent_forward_t2);
+        mass_rate[66] = LANES(tangent_forward_t14);
+        mass_rate[77] = LANES(tangent_forward_t20);
+        mass_rate[88] = LANES(tangent_forward_t26);
+        mass_rate[99] = LANES(tangent_forward_t26);
+        lanes_clear(stiffness_rate, 100);
+        stiffness_rate[0] = LANES(along_33 + tangent_forward_t27);
+        stiffness_rate[2] = stiffness_rate[20] = LANES(tangent_forward_t28);
+        stiffness_rate[6] = stiffness_rate[60] = LANES(tangent_forward_t27);
+        stiffness_rate[8] = stiffness_rate[80] = LANES(along_33);
+        stiffness_rate[11] = LANES(along_33 + tangent_forward_t29);
+        stiffness_rate[13] = stiffness_rate[31] = LANES(tangent_forward_t30);
+        stiffness_rate[17] = stiffness_rate[71] = LANES(tangent_forward_t29);
+        stiffness_rate[19] = stiffness_rate[91] = LANES(along_33);
+        stiffness_rate[22] =
+            LANES(along_39 + forward_t24*tangent_k_1_1 + forward_t24*tangent_k_1_2 + t13*tangent_forward_t24);
+        stiffness_rate[24] = stiffness_rate[42] = LANES(along_39);
+        stiffness_rate[26] = stiffness_rate[62] = LANES(tangent_forward_t28);
+        stiffness_rate[33] =
+            LANES(along_39 + forward_t25*tangent_k_2_1 + forward_t25*tangent_k_2_2 + t14*tangent_forward_t25);
+        stiffness_rate[35] = stiffness_rate[53] = LANES(along_39);
+        stiffness_rate[37] = stiffness_rate[73] = LANES(tangent_forward_t30);
+        stiffness_rate[44] = LANES(along_39);
+        stiffness_rate[55] = LANES(along_39);
+        stiffness_rate[66] = LANES(tangent_forward_t27);
+        stiffness_rate[77] = LANES(tangent_forward_t29);
+        stiffness_rate[88] = LANES(along_33);
+        stiffness_rate[99] = LANES(along_33);
+        lanes_clear(motion_rate, 20);
+        lanes_take(paths, path, mass_rate, stiffness_rate, motion_rate);
+    }
+}
