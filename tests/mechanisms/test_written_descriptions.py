@@ -10,9 +10,10 @@ import msgspec
 import numpy as np
 import pytest
 
+from pkmodes.core.mechanism import registry
 from pkmodes_description import Description, DescriptionError, decode, encode
 
-MECHANISMS = ["corexy", "linear_delta", "rotary_delta"]
+MECHANISMS = registry.supplied()
 
 
 def text_of(name: str) -> str:

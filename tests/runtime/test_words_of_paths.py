@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from helpers.robots.one_of_each import EVERY
 from pkmodes import read_robot
 from pkmodes.sensitivity.paths import paths
 from pkmodes.support.words import in_words
@@ -43,9 +44,9 @@ def test_the_words_of_a_path(robot: str, path: str, words: str) -> None:
     assert in_words(read_robot(ROBOTS / f"{robot}.toml").mechanism, path) == words
 
 
-@pytest.mark.parametrize("robot", ["linear-delta-2022", "clavel-delta", "corexy-printer"])
+@pytest.mark.parametrize("robot", EVERY.values())
 def test_every_path_of_a_robot_has_words_of_its_own(robot: str) -> None:
-    declared = read_robot(ROBOTS / f"{robot}.toml")
+    declared = read_robot(ROBOTS / robot)
     words = {path: in_words(declared.mechanism, path) for path in paths(declared)}
     assert all(words.values())
     assert len(set(words.values())) == len(words)

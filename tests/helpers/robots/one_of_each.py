@@ -1,4 +1,4 @@
-"""A supplied robot of each mechanism, with any effects, and a pose without symmetry."""
+"""Supplied robots, with any effects, and a pose without symmetry for each mechanism."""
 
 from __future__ import annotations
 
@@ -11,16 +11,29 @@ import pkmodes
 from pkmodes.core.mechanism.registry import Mechanism, mechanism
 
 ROBOTS = Path(__file__).resolve().parents[3] / "robots"
+#: The plain robot file of every mechanism that comes with pkmodes: that with the shortest name.
+EVERY = {
+    pkmodes.read_robot(path).mechanism_name: path.name
+    for path in sorted(ROBOTS.glob("*.toml"), key=lambda path: -len(path.name))
+}
+#: Those for which tests have a rig or formulas of their own.
 FILES = {
     "linear_delta": "linear-delta-2022-identified.toml",
     "rotary_delta": "clavel-delta.toml",
     "corexy": "corexy-printer.toml",
 }
+
+
 POSES = {
     "linear_delta": np.array([0.55, 0.06, -0.26]),
     "rotary_delta": np.array([0.1, 0.05, -0.5]),
     "corexy": np.array([0.1, 0.05]),
 }
+for _name, _file in EVERY.items():  # the workspace is the travel of the pose's components
+    _parameters = pkmodes.read_robot(ROBOTS / _file).parameters
+    if _name not in POSES and hasattr(_parameters, "workspace"):
+        _low, _high = _parameters.workspace.T
+        POSES[_name] = np.round(_low + (_high - _low) * [1 / 3, 1 / 6], 3)
 
 
 def model_of(name: str, *effects: Mapping[str, float], ratio: float = 0.0) -> pkmodes.Model:

@@ -1,4 +1,4 @@
-"""Rotary deltas and CoreXYs without any symmetry, their poses, and effects of sizes that change every mode.
+"""Robots without any symmetry of other mechanisms than the linear delta, and effects that change every mode.
 
 They start from the sample of each mechanism's description, with every number and direction changed at random.
 """
@@ -93,9 +93,10 @@ def effects(name: str, chosen: Iterable[str] = ()) -> Any:
 
 @cache
 def sample(name: str, seed: int) -> Sample:
-    """A robot and a pose of it."""
+    """A robot and a pose of it; one of a mechanism without a function of its own moves in a workspace."""
     rng = np.random.default_rng([seed, len(name)])
-    return {"rotary_delta": _rotary_delta, "corexy": _corexy}[name](rng)
+    own = {"rotary_delta": _rotary_delta, "corexy": _corexy}
+    return own[name](rng) if name in own else _in_workspace(_varied(name, rng), rng)
 
 
 def oracle(name: str, robot: Sample, chosen: Any) -> HighPrecision:
@@ -149,10 +150,12 @@ def _corexy(rng: np.random.Generator) -> Sample:
     first = rng.choice([-1.0, 1.0], 2)
     other = rng.choice([-1.0, 1.0]) * first * [1.0, -1.0]
     lengths = rng.uniform(0.7, 1.1, (2, 2))
-    robot = robot._replace(
-        gravity=9.81 * _unit(rng.normal(size=3)),
-        belt_path_direction=np.array([first, other]),
-        belt_path_lengths=lengths,
-    )
+    robot = robot._replace(belt_path_direction=np.array([first, other]), belt_path_lengths=lengths)
+    return _in_workspace(robot, rng)
+
+
+def _in_workspace(robot: Any, rng: np.random.Generator) -> Sample:
+    """Gravity in any direction, a pose anywhere in the workspace."""
+    robot = robot._replace(gravity=9.81 * _unit(rng.normal(size=3)))
     low, high = robot.workspace.T
     return Sample(robot, low + (high - low) * rng.uniform(0.1, 0.9, 2))
