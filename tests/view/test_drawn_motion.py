@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.robots.sample_mechanisms import TYPICAL
+from helpers.robots.sample_mechanisms import TYPICAL, sampled
 from helpers.robots.sample_mechanisms import sample as other_sample
 from helpers.robots.sample_robots import sample as linear_sample
 from pkmodes.core.mechanism import registry
@@ -19,7 +19,7 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.view.evaluating import scene
 from pkmodes.view.robot_drawing import RobotDrawing
 
-MECHANISMS = registry.supplied()
+MECHANISMS = ("linear_delta", *sampled())
 CASES = [(name, seed) for name in MECHANISMS for seed in range(4)]
 #: Central differences with this step have some 1e-9 of error relative to the size of the motion.
 STEP, CLOSE = 1e-6, 1e-7

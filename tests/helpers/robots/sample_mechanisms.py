@@ -18,6 +18,7 @@ import numpy as np
 from helpers.references.high_precision_mechanisms import Compared, HighPrecision, Reference, exact_values
 from helpers.references.oracle_corexy import CoreXY
 from helpers.references.oracle_rotary_delta import RotaryDelta
+from pkmodes.core.mechanism.registry import supplied
 
 ORACLES: dict[str, type[HighPrecision]] = {"rotary_delta": RotaryDelta, "corexy": CoreXY}
 NAMES = tuple(ORACLES)
@@ -91,9 +92,14 @@ def effects(name: str, chosen: Iterable[str] = ()) -> Any:
     return extended(name).Effects(**{f: TYPICAL[f] for f in fields if any(f.startswith(c) for c in chosen)})
 
 
+def sampled() -> tuple[str, ...]:
+    """Mechanisms of which there are samples: those with a function here, and all that move in a workspace."""
+    return tuple(name for name in supplied() if name in NAMES or "workspace" in description(name)["sample"])
+
+
 @cache
 def sample(name: str, seed: int) -> Sample:
-    """A robot and a pose of it; one of a mechanism without a function of its own moves in a workspace."""
+    """A robot and a pose of it."""
     rng = np.random.default_rng([seed, len(name)])
     own = {"rotary_delta": _rotary_delta, "corexy": _corexy}
     return own[name](rng) if name in own else _in_workspace(_varied(name, rng), rng)
