@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pkmodes.sensitivity.sensitivities import sensitivities_at
     from pkmodes.sensitivity.spread import frequency_sigmas
     from pkmodes.shaping.at_poses import shaper_at
-    from pkmodes.shaping.choice import shapers_over
+    from pkmodes.shaping.comparison import shapers_over
 
 __all__ = ["Model", "load", "read_robot"]
 
@@ -37,7 +37,7 @@ APPLICATIONS = {
     "compliance": "pkmodes.response.compliance:compliance",
     "simulate": "pkmodes.response.moves:simulate",
     "shaper": "pkmodes.shaping.at_poses:shaper_at",
-    "shapers": "pkmodes.shaping.choice:shapers_over",
+    "shapers": "pkmodes.shaping.comparison:shapers_over",
     "map": "pkmodes.maps.mapping:map_of",
 }
 

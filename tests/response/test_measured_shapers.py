@@ -15,9 +15,9 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.report.shaper_curves import over_frequency
 from pkmodes.shaping import measured_shapers
-from pkmodes.shaping.choice import Candidate
 from pkmodes.shaping.measured_modes import of_measured
 from pkmodes.shaping.measured_spectrum import read_spectrum
+from pkmodes.shaping.results import Candidate
 
 KINDS = ["zv", "mzv", "ei", "2hump_ei", "3hump_ei"]
 TABLE = """# drives: held

@@ -24,8 +24,8 @@ from pkmodes.cli.options import (
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.progress import duration
 from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.settings import settings_given, settings_option
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.robot.declaration import changeable
 from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
@@ -47,13 +47,9 @@ ARGUMENTS = ("out", "samples", "tracked", "seed", "threads", "grid", "poses")
 @robot_argument
 @grid_option
 @poses_option
-@click.option(
-    "--set",
-    "settings",
-    metavar="PATH=START:STOP:COUNT",
-    multiple=True,
-    help="Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat it for several, all of whose "
-    "combinations are evaluated.",
+@settings_option(
+    "Sweep a parameter, such as platform.mass=1:2:5 or platform.mass=1.5; repeat it for several, all of whose "
+    "combinations are evaluated."
 )
 @click.option(
     "--samples",
@@ -106,7 +102,7 @@ def map_(
     with named_as_options(*ARGUMENTS, sweep="--set"), _continued(out):
         dataset = model.map(
             places_given(model, grid, poses),
-            sweep=_sweep(model, settings),
+            sweep=settings_given(model, settings),
             samples=samples,
             seed=seed,
             shapes=shapes,
@@ -136,14 +132,6 @@ def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequ
 
     view = view_of(model, start=middle_of(model, dataset), drives=content["drives"])
     return map_report(model, dataset, content, sources, view)
-
-
-def _sweep(model: Model, settings: tuple[str, ...]) -> dict[str, Any] | None:
-    if not settings:
-        return None
-    from pkmodes.maps.ranges import parse_settings
-
-    return parse_settings(settings, changeable(model.robot), "--set")
 
 
 @contextmanager

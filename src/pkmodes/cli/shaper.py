@@ -1,4 +1,4 @@
-"""``pkmodes shaper``: input shapers for a machine with held motors, over the workspace or for measured modes."""
+"""``pkmodes shaper``: input shapers for a machine with held motors, at poses and payloads or for measured modes."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ from pkmodes.cli.options import (
 )
 from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
+from pkmodes.cli.settings import height_given, height_option, settings_given, settings_option
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.support.extras import require
@@ -37,15 +38,15 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
     from pkmodes.report.blocks import Summary
     from pkmodes.report.sources import Source
-    from pkmodes.shaping.choice import Choice
     from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+    from pkmodes.shaping.results import Choice
 
 #: Measured modes that are printed at most.
 MOST = 10
 #: Poses that are compared at most: all of them are held at once.
 POSES = 1_000_000
 #: Arguments of `pkmodes.Model.shapers` that have the names of their options.
-ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping")
+ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping", "height")
 
 
 @dataclass(frozen=True)
@@ -60,6 +61,7 @@ class _Result:
 @click.command(
     epilog="\b\nExamples:\n  pkmodes shaper robots/linear-delta-2022-identified.toml \\\n"
     "    --grid x=0.32:0.82:26,y=-0.1:0.1:11,z=-0.24:-0.16:9\n"
+    "  pkmodes shaper robots/clavel-delta.toml --set effects.payload.mass=0:400g:3\n"
     "  pkmodes shaper --measured modes.csv --spectrum psd_x.csv --figure left.png"
 )
 @click.argument("robot", metavar="[ROBOT.toml]", type=FILE, required=False)
@@ -78,6 +80,11 @@ class _Result:
 )
 @grid_option
 @poses_option
+@settings_option(
+    "A parameter that takes several values in use, such as effects.payload.mass=0:1.2kg:7: a schedule with the "
+    "shaper of each, beside those for all; repeat it for several, all of whose combinations count."
+)
+@height_option
 @click.option(
     "--shapers",
     "kinds",
@@ -150,6 +157,8 @@ def shaper(
     spectrum: Path | None,
     grid: str | None,
     poses: Path | None,
+    settings: tuple[str, ...],
+    height: str | None,
     kinds: str | None,
     modes: int | None,
     damping: float | None,
@@ -167,6 +176,8 @@ def shaper(
 
     Motors are held.  Prints what each leaves of the vibration, and lines for the firmware of printers.
 
+    With --set, as of a payload that grows, also a schedule: the best fixed shaper for each value.
+
     With --measured there is no model: the best fixed shapers for the modes in the table, with what each leaves of
     them within two standard deviations.
     """
@@ -176,7 +187,8 @@ def shaper(
         report_target(report_to),
     )
     check_targets(json_file, [robot, measured, spectrum, poses], *targets)
-    foreign = {"--grid": grid, "--poses": poses} if measured else {"--damping": damping, "--drives": drives}
+    of_robot = {"--grid": grid, "--poses": poses, "--set": settings or None, "--height": height}
+    foreign = of_robot if measured else {"--damping": damping, "--drives": drives}
     _check_source(robot, measured, foreign)
     sources = sources_of(
         report_to, {"robot file": robot, "measurement file": measured, "measured spectrum": spectrum}
@@ -195,7 +207,11 @@ def shaper(
         "firmware": firmware,
     }
     with named_as_options(
-        *ARGUMENTS, kind="--shapers", kinds="--shapers", poses="--poses" if poses else "--grid"
+        *ARGUMENTS,
+        kind="--shapers",
+        kinds="--shapers",
+        poses="--poses" if poses else "--grid",
+        settings="--set",
     ):
         if measured is not None:
             from pkmodes.shaping.measured_modes import measured_shapers
@@ -205,7 +221,10 @@ def shaper(
             result = _of_measured(choice, seen, sources)
         else:
             model = load(cast("Path", robot))
-            choice = model.shapers(_points(model, grid, poses), names, **asked)
+            swept = settings_given(model, settings)
+            layers = height_given(model, height, swept)
+            points = _points(model, grid, poses, swept)
+            choice = model.shapers(points, names, settings=swept, height=layers, **asked)
             result = _of_robot(model, choice, seen, sources)
     from pkmodes.report.shaper_curves import curves_csv
 
@@ -217,14 +236,18 @@ def shaper(
     deliver(json_file, result.content, lambda: _print(result), *files)
 
 
-def _points(model: Model, grid: str | None, poses: Path | None) -> NDArray[np.float64]:
+def _points(
+    model: Model, grid: str | None, poses: Path | None, swept: Mapping[str, Any] | None
+) -> NDArray[np.float64]:
     """Return the poses, by default those of the workspace that can be evaluated."""
     from pkmodes.maps.workspace import reachable, within
 
     places = places_given(model, grid, poses)
-    count = 0 if places is None else math.prod(places.shape)
+    times = math.prod(len(values) for values in (swept or {}).values())
+    count = 0 if places is None else math.prod(places.shape) * times
     if count > POSES:
-        what = f"expected at most {POSES:,} poses, found {count:,}"
+        of = "poses" if times == 1 else "poses times values"
+        what = f"expected at most {POSES:,} {of}, found {count:,}"
         raise PkmodesError(
             what, "--grid" if grid else "--poses", "give fewer: shapers differ little between neighbours"
         )
@@ -263,11 +286,14 @@ def _of_robot(
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
+        from pkmodes.report.shaper_schedule import schedule_blocks, schedule_lines
 
         printed: list[Shown] = [
             machine(model, choice, content),
             shapers_table(choice),
+            *schedule_blocks(choice),
             *firmware_lines(content),
+            *schedule_lines(content),
         ]
         return summary(model, choice, content), printed
 

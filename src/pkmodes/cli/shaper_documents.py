@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated, Self
 
+import msgspec
 import numpy as np
 from msgspec import Meta
 
@@ -13,19 +14,27 @@ from pkmodes.support.documents import Count, Document, Number, Size
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.shaping.choice import Candidate, Choice
     from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+    from pkmodes.shaping.results import Amplitude, Candidate, Choice, Schedule
 
 
-class UnshapedDocument(Document, frozen=True):
+#: Of an operating point.
+SettingsOf = Annotated[
+    dict[str, float],
+    Meta(description="Values of --set there, by path, in SI units; present only with --set."),
+]
+
+
+class UnshapedDocument(Document, frozen=True, omit_defaults=True):
     """Vibration of the platform without a shaper, for a step of its acceleration by 1 m/s^2."""
 
     rms: Annotated[Size, Meta(description="Root mean square over the poses [s^2].")]
     worst: Annotated[Size, Meta(description="Largest value [s^2].")]
     pose: Annotated[list[float], Meta(description="Where it is largest, in SI units.")]
+    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
 
 
-class LeftDocument(Document, frozen=True):
+class LeftDocument(Document, frozen=True, omit_defaults=True):
     """Vibration that a shaper leaves, relative to none."""
 
     rms: Annotated[Size, Meta(description="Root mean square over that without a shaper.")]
@@ -37,6 +46,7 @@ class LeftDocument(Document, frozen=True):
             description="rms with frequencies spread by the standard deviations of the robot file; null without any."
         ),
     ]
+    settings: SettingsOf = msgspec.field(name="set", default_factory=dict)
 
 
 class CandidateDocument(Document, frozen=True):
@@ -55,6 +65,83 @@ class CandidateDocument(Document, frozen=True):
     delays_s: Annotated[list[float] | None, Meta(description="Of the impulses [s].")]
     duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s]; the longest of all poses.")]
     left: Annotated[LeftDocument, Meta(description="Vibration that it leaves.")]
+
+
+class StepDocument(Document, frozen=True, kw_only=True):
+    """The shaper for one setting of a schedule."""
+
+    settings: Annotated[dict[str, float], Meta(description="Values of --set, by path, in SI units.")] = (
+        msgspec.field(name="set", default_factory=dict)
+    )
+    serves: Annotated[
+        list[float] | None,
+        Meta(
+            description="Values of the parameter between which it serves [SI]: halfway to its neighbours; null where "
+            "several parameters vary."
+        ),
+    ]
+    heights_m: Annotated[
+        list[float] | None,
+        Meta(description="Heights of the print between which it serves [m]; null without --height."),
+    ]
+    poses: Annotated[Count, Meta(description="Number of poses that count at this setting.")]
+    kind: Annotated[str, Meta(description="Such as zv, or zv*zv for two modes.")]
+    frequencies_hz: Annotated[list[float], Meta(description="Of the design, one for each factor [Hz].")]
+    damping_ratios: Annotated[list[float], Meta(description="Of the design, likewise.")]
+    amplitudes: Annotated[list[float], Meta(description="Of the impulses; their sum is 1.")]
+    delays_s: Annotated[list[float], Meta(description="Of the impulses [s].")]
+    duration_s: Annotated[Size, Meta(description="Delay of the last impulse [s].")]
+    rounding_s2: Annotated[
+        Size,
+        Meta(
+            description="Distance of the shaped path from the command for each m/s^2 of acceleration [s^2]: half "
+            "the variance of the impulses in time."
+        ),
+    ]
+    left: Annotated[
+        LeftDocument, Meta(description="Vibration that it leaves, relative to none at this setting.")
+    ]
+    left_at_ends: Annotated[
+        Size | None,
+        Meta(
+            description="Largest value halfway to its neighbours, over the largest without a shaper there; null "
+            "where several parameters vary."
+        ),
+    ]
+    left_by_fixed: Annotated[
+        Size,
+        Meta(
+            description="Largest value that the recommended shaper for all settings leaves at this one, over the "
+            "largest without a shaper here."
+        ),
+    ]
+    firmware: Annotated[
+        dict[str, str | None],
+        Meta(
+            description="Commands for klipper, marlin and reprapfirmware during a print; null where it has no such "
+            "shaper."
+        ),
+    ]
+
+
+class ScheduleDocument(Document, frozen=True):
+    """Fixed shapers for one setting each."""
+
+    units: Annotated[dict[str, str], Meta(description="SI units of the parameters of --set, by path.")]
+    left: Annotated[
+        LeftDocument,
+        Meta(
+            description="Vibration that the schedule leaves over all settings, as for the shapers for all of them."
+        ),
+    ]
+    steps: Annotated[list[StepDocument], Meta(description="In the order of the settings.")]
+    firmware: Annotated[
+        dict[str, str | None],
+        Meta(
+            description="Commands of all steps, each after a comment that says where it belongs; null where the "
+            "firmware lacks one of the shapers."
+        ),
+    ]
 
 
 class SpectrumDocument(Document, frozen=True):
@@ -94,7 +181,7 @@ class ShaperDocument(Document, frozen=True):
 
     robot: Annotated[str, Meta(description="Name of the robot.")]
     drives: Drives
-    poses: Annotated[Count, Meta(description="Number of poses that count.")]
+    poses: Annotated[Count, Meta(description="Number of poses that count, at all settings together.")]
     modes: Annotated[Count, Meta(description="Number of modes that count, the lowest.")]
     unshaped: Annotated[UnshapedDocument, Meta(description="Without a shaper.")]
     shapers: Annotated[
@@ -106,6 +193,10 @@ class ShaperDocument(Document, frozen=True):
     firmware: Annotated[
         dict[str, str | None],
         Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+    ]
+    schedule: Annotated[
+        ScheduleDocument | None,
+        Meta(description="The shaper of each setting; null unless --set gives several values."),
     ]
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
 
@@ -176,21 +267,56 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         drives="held",
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
-        unshaped=UnshapedDocument.of(choice.unshaped),
+        unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
         shapers=[_candidate(one) for one in choice.candidates],
         recommended=choice.recommended,
         spectrum=seen,
         firmware=lines_of(best),
+        schedule=None if choice.schedule is None else _schedule(choice.schedule),
         notes=[*choice.notes, *remarks(choice), *said],
     )
+
+
+def _schedule(schedule: Schedule) -> ScheduleDocument:
+    from pkmodes.shaping.results import command_of
+
+    steps = [
+        StepDocument(
+            settings=dict(one.setting.values),
+            serves=None if one.serves is None else list(one.serves),
+            heights_m=None if one.heights is None else list(one.heights),
+            poses=len(one.choice.ringing.poses),
+            kind=one.best.kind,
+            **_design(one.best),
+            duration_s=one.best.duration,
+            rounding_s2=one.best.rounding,
+            left=_left(one.best.left),
+            left_at_ends=one.at_ends,
+            left_by_fixed=one.fixed,
+            firmware=command_of(one.best),
+        )
+        for one in schedule.steps
+    ]
+    return ScheduleDocument(
+        units=dict(schedule.steps[0].setting.units),
+        left=_left(schedule.left),
+        steps=steps,
+        firmware=schedule.lines(),
+    )
+
+
+def _settings(amplitude: Amplitude) -> dict[str, float]:
+    return {} if amplitude.setting is None else dict(amplitude.setting.values)
+
+
+def _left(amplitude: Amplitude) -> LeftDocument:
+    return LeftDocument.of(amplitude, settings=_settings(amplitude))
 
 
 def _candidate(one: Candidate) -> CandidateDocument:
     design = None if one.follows_pose else _design(one)
     empty = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
-    return CandidateDocument.of(
-        one, **(design or empty), duration_s=one.duration, left=LeftDocument.of(one.left)
-    )
+    return CandidateDocument.of(one, **(design or empty), duration_s=one.duration, left=_left(one.left))
 
 
 def _design(one: Candidate) -> dict[str, list[float]]:

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pkmodes.core.base.arguments import is_number
-from pkmodes.core.base.errors import PkmodesError, PoseError, listed, shown
+from pkmodes.core.base.errors import PoseError, shown
 from pkmodes.core.mechanism.poses import given_poses
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.dataset.variables import LIST
+from pkmodes.support.axes import ascending
 
 Array = NDArray[np.float64]
 EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'
@@ -137,57 +136,3 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
         what = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
         raise PoseError(what, "grid", f"give one number or several, {EXAMPLE}")
     return Grid({name: ascending(given[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names})
-
-
-def ascending(
-    given: Any,
-    name: str,
-    where: str,
-    example: str,
-    error: type[PkmodesError] = PkmodesError,
-    *,
-    strictly: bool = True,
-) -> Array:
-    """Check the values along an axis of a map; one number is an axis of one value.
-
-    Parameters
-    ----------
-    name : str
-        Of the axis, for messages.
-    where : str
-        Of the argument, for messages.
-    example : str
-        A remedy.
-    error : type
-        The error to raise.
-    strictly : bool
-        Whether they have to ascend; otherwise they only have to differ.
-
-    Returns
-    -------
-    ndarray, shape (N,)
-
-    Raises
-    ------
-    PkmodesError
-    """
-    if isinstance(given, np.ndarray) and given.ndim == 0:
-        given = given.item()
-    values = listed(
-        [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
-    )
-    if not all(map(is_number, values)):
-        raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
-    axis = np.array(values, dtype=float)
-    if not len(axis):
-        raise error("expected at least one value, found none", where, "give one number or several")
-    if not np.isfinite(axis).all():
-        raise error("expected finite values, found NaN or infinity", where, "give finite numbers")
-    if strictly and (np.diff(axis) < 0).any():
-        raise error(
-            "expected ascending values, found descending ones", where, "sort them, the smallest first"
-        )
-    different, counts = np.unique(axis, return_counts=True)
-    if (counts > 1).any():
-        raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
-    return axis

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
+from pkmodes.core.robot.units import NUMBER, QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]
 #: More values along one axis are a mistake.
@@ -42,7 +42,7 @@ def parse_range(text: str, unit: str, where: str) -> Array:
     parts = text.split(":")
     if len(parts) not in (1, 3):
         what = f"expected start:stop:count or one value, found {shown(text)}"
-        raise PkmodesError(what, where, "for example: 0.3:0.8:51")
+        raise PkmodesError(what, where, f"for example: {f'{text}:7' if len(parts) == 2 else '0.3:0.8:51'}")
     ends = [parse_value(part, unit, where) for part in parts[:2]]
     if len(parts) == 1:
         return np.array(ends)
@@ -52,7 +52,7 @@ def parse_range(text: str, unit: str, where: str) -> Array:
         raise PkmodesError(what, where, "for example: 0.3:0.8:51 has 51 values, both ends included")
     count = int(number)
     if stop < start:
-        remedy = f"write {parts[1].strip()}:{parts[0].strip()}:{number}"
+        remedy = _with_one_unit(parts, unit) or f"write {parts[1].strip()}:{parts[0].strip()}:{number}"
         raise PkmodesError(
             f"the range is reversed: it ends below its start, found {shown(text)}", where, remedy
         )
@@ -63,6 +63,18 @@ def parse_range(text: str, unit: str, where: str) -> Array:
         )
         raise PkmodesError(what, where, remedy)
     return np.linspace(start, stop, count)
+
+
+def _with_one_unit(parts: Sequence[str], unit: str) -> str:
+    """Return what to do about a range of which one end alone has a unit; nothing for others."""
+    low, high, count = (part.strip() for part in parts)
+    ends = [NUMBER.fullmatch(end) for end in (low, high)]
+    units = [end[2] for end in ends if end is not None]
+    if len(units) < 2 or all(units) or not any(units):
+        return ""
+    symbol = "".join(units)
+    both = ":".join(f"{end[1]}{symbol}" for end in ends if end is not None)
+    return f"a number without a unit is in {unit}: write {both}:{count}"
 
 
 def parse_value(text: str, unit: str, where: str) -> float:

@@ -10,18 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, Constraint, check_argument
+from pkmodes.core.base.arguments import NATURAL_NUMBER, POSITIVE_INTEGER, check_argument
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.core.robot.robot import Robot
-from pkmodes.maps.poses import ascending
+from pkmodes.support.axes import swept_values
 from pkmodes.support.covariance import covariance_of, root_of, uncertain
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
-VALUES_BY_PATH = Constraint("values by path", lambda value: isinstance(value, Mapping))
-EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
 #: Draws of one sample until the robot is refused: a standard deviation that large is a mistake.
 DRAWS = 100
 
@@ -76,12 +74,7 @@ def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | No
     RobotFileError
         If a robot file with these values would be rejected.
     """
-    if sweep is not None:
-        check_argument(sweep, VALUES_BY_PATH, "sweep", EXAMPLE)
-    swept = {
-        path: ascending(values, str(path), f"sweep: {path}", EXAMPLE, strictly=False)
-        for path, values in (sweep or {}).items()
-    }
+    swept = {} if sweep is None else swept_values(sweep, "sweep")
     drawn, count = _drawn(robot, swept, samples, seed)
     robots = [
         _robot(robot, dict(zip(swept, values, strict=True)), drawn, i)

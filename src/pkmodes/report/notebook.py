@@ -22,8 +22,8 @@ from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.shaper import shapers_table
 from pkmodes.response.moves import Move
-from pkmodes.shaping.choice import Choice
 from pkmodes.shaping.measured_modes import MeasuredRinging
+from pkmodes.shaping.results import Choice
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.words import in_words
 

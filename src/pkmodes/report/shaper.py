@@ -18,14 +18,16 @@ from pkmodes.report.formatting import clean, minus, number, pointer, sentence, t
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.shaper_curves import CURVES, design_of, over_frequency_section, spectrum_facts
+from pkmodes.report.shaper_schedule import schedule_blocks, schedule_lines
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
+from pkmodes.shaping.settings import with_unit
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.shaping.choice import Candidate, Choice
     from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+    from pkmodes.shaping.results import Candidate, Choice
 
 #: Relative errors of the frequencies in the second figure.
 ERRORS = np.linspace(-0.2, 0.2, 81)
@@ -71,11 +73,12 @@ def shaper_report(
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources
     sections = [
         Section("shapers", "Shapers", [shapers_table(choice)]),
+        *([Section("schedule", "Schedule", table)] if (table := schedule_blocks(choice)) else []),
         Section("machine", "The machine", [machine(model, choice, content)]),
         Section("workspace", "Over the workspace", [_over_workspace(model, choice)]),
         *([] if spectrum is None else [over_frequency_section(choice, spectrum)]),
         Section("errors", "Where frequencies differ from the model's", [_against_error(choice)]),
-        Section("firmware", "Lines for firmware", firmware_lines(content)),
+        Section("firmware", "Lines for firmware", [*firmware_lines(content), *schedule_lines(content)]),
         origin(sources, model.mechanism),
     ]
     return page(summary(model, choice, content), sections)
@@ -101,7 +104,10 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
                 "largest vibration left, of the largest without",
                 Cell(_per_cent(best.left.worst), best.left.worst, at),
             ),
-            ("most left at one pose, of the vibration there", Cell(_per_cent(share), share)),
+            (
+                f"most left at one {choice.ringing.point_is}, of the vibration there",
+                Cell(_per_cent(share), share),
+            ),
             (
                 "largest vibration without, for a step of 1 m/s\u00b2",
                 Cell(f"{1e6 * unshaped.worst:.3g} \u00b5m", unshaped.worst, pointer("unshaped", "worst")),
@@ -137,9 +143,16 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
     entries = [("poses", [Cell(thousands(content["poses"]), content["poses"], pointer("poses"))])]
     rms = number(choice.unshaped.rms, ".3g", pointer("unshaped", "rms"), scale=1e6)
     entries.append(("rms vibration without a shaper, for a step of 1 m/s\u00b2 [\u00b5m]", [rms]))
-    entries.append(
-        ("largest without a shaper at", [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))])
-    )
+    where = [minus(placed(model.mechanism, choice.unshaped.pose, ".4g"))]
+    if choice.unshaped.setting is not None:
+        where[0] = Cell(f"{where[0].text},", plain=f"{where[0].plain or where[0].text},")
+        where.append(Cell(clean(choice.unshaped.setting)))
+    entries.append(("largest without a shaper at", where))
+    for path, symbol in at.settings[0].units.items() if at.settings else ():
+        values = np.array([one.values[path] for one in at.settings])
+        count = len(set(values.tolist()))
+        extent = with_unit(_range(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
+        entries.append((clean(path), [minus(extent)]))
     for i, component in enumerate(model.mechanism.pose):
         unit, factor = SHOWN[component.unit]
         entries.append((component.name, [minus(f"{_range(at.poses[:, i] * factor, '.5g')} {unit}")]))
@@ -175,22 +188,26 @@ def shapers_table(choice: Choice) -> Table:
         strong = i == choice.recommended
         cells = [
             Cell(clean(one.kind) + (" *" if strong else ""), strong=strong),
-            Cell("of the pose" if one.follows_pose else ", ".join(f"{f:.2f}" for f in one.frequencies)),
+            Cell(
+                f"of the {choice.ringing.point_is}"
+                if one.follows_pose
+                else ", ".join(f"{f:.2f}" for f in one.frequencies)
+            ),
             number(one.duration, ".1f", scale=1e3),
         ]
         cells += [number(getattr(one.left, key), ".2f", scale=100.0) for key in keys]
         rows.append(cells)
     caption = (
-        "What shapers leave of the vibration: the root mean square over the poses, of that without a shaper; the "
-        "largest value, of the largest without a shaper"
+        f"What shapers leave of the vibration: the root mean square over the {choice.ringing.points_are}, of that "
+        "without a shaper; the largest value, of the largest without a shaper"
     )
     if uncertain:
         caption += (
             "; the root mean square where frequencies are spread by the standard deviations of the robot file"
         )
     note = (
-        "* The recommended one. Those of the pose are judged at rest and for the model as it is: a move, and "
-        "frequencies that differ from the model's, add to what they leave."
+        f"* The recommended one. Those of the {choice.ringing.point_is} are judged at rest and for the model as it "
+        "is: a move, and frequencies that differ from the model's, add to what they leave."
     )
     return Table(f"{caption}.", columns, rows, note=note, heads=2)
 
@@ -202,15 +219,21 @@ def _picked(choice: Choice) -> dict[str, Candidate]:
     following = [one for one in choice.candidates if one.follows_pose]
     if following:
         one = min(following, key=lambda each: (round(each.left.worst, 6), each.duration))
-        picked[f"{one.kind}, of the pose"] = one
+        picked[f"{one.kind}, of the {choice.ringing.point_is}"] = one
     return picked
 
 
 def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     at, components = choice.ringing, model.mechanism.pose
+    worst = choice.candidates[choice.recommended].left
+    part = np.arange(len(at.poses))
+    if worst.setting is not None:
+        number = at.settings.index(worst.setting)
+        part, at = np.flatnonzero(at.setting == number), at.only(number)
     varying = [i for i in range(len(components)) if np.ptp(at.poses[:, i]) > SAME]
     shares = {
-        name: 100.0 * one.left_at * at.unshaped / at.unshaped.max() for name, one in _picked(choice).items()
+        name: 100.0 * one.left_at[part] * at.unshaped / choice.unshaped.worst
+        for name, one in _picked(choice).items()
     }
     if not varying:
         share = ", ".join(f"{name}: {_per_cent(values[0] / 100.0)}" for name, values in shares.items())
@@ -220,6 +243,8 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     named = [components[i].name for i in varying]
     units = [SHOWN[components[i].unit] for i in varying]
     caption = "Vibration that is left, in per cent of the largest one without a shaper"
+    if len(choice.ringing.settings) > 1:
+        caption += f", at {clean(worst.setting)}, where the recommended shaper leaves most"
     judged = ". A shaper that follows the pose is judged at rest; a move adds to it."
     if clear and len(shares) < len(_picked(choice)):
         judged = (
@@ -228,7 +253,7 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
     if len(varying) == 1:
         drawn = shapers.along_line(at.poses[:, varying[0]], named[0], units[0], shares)
     else:
-        plane, layer = _plane(at.poses, choice.candidates[choice.recommended].left.pose, varying[2:])
+        plane, layer = _plane(at.poses, worst.pose, varying[2:])
         for i, value in layer.items():
             unit, factor = SHOWN[components[i].unit]
             caption += f", at {components[i].name} = {typeset(f'{value * factor:.4g}')} {unit}"
@@ -267,8 +292,8 @@ def _against_error(choice: Choice) -> Picture:
         all_left = np.array([residual(impulses, f * (1.0 + error), ratios) for error in ERRORS])
         left[name] = 100.0 * np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
     caption = (
-        "Root mean square over the poses of the vibration that is left if all frequencies differ from those of the "
-        "model by the same share. Belts that are 10 % stiffer raise them by 5 %."
+        f"Root mean square over the {at.points_are} of the vibration that is left if all frequencies differ from "
+        "those of the model by the same share. Belts that are 10 % stiffer raise them by 5 %."
     )
     spread = None if at.spread is None else float(at.spread.mean())
     if spread is not None:

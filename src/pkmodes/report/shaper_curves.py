@@ -17,7 +17,7 @@ from pkmodes.shaping.residual_vibration import residual
 from pkmodes.support.ordering import joined
 
 if TYPE_CHECKING:
-    from pkmodes.shaping.choice import Candidate, Choice
+    from pkmodes.shaping.results import Candidate, Choice
 
 #: Shapers that are drawn at most, and frequencies of a curve.
 CURVES, DRAWN = 5, 400

@@ -14,9 +14,9 @@ from pkmodes.report.shaper import as_sentence, firmware_lines, why_recommended
 from pkmodes.report.shaper_curves import design_of, over_frequency_section, spectrum_facts
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
-from pkmodes.shaping.choice import Choice
 from pkmodes.shaping.measured_modes import WITHIN, of_measured
 from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
+from pkmodes.shaping.results import Choice
 
 #: What everything is said within.
 ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"

@@ -1,9 +1,10 @@
 """Lines that set a fixed shaper in the firmware of a printer: formats as their manuals describe them.
 
-Klipper: ``[input_shaper]`` of printer.cfg (klipper3d.org/Config_Reference.html).  Marlin: ``M593`` for zv, ``M493``
-of fixed-time motion for the others (marlinfw.org/docs/gcode; the letters of ``M493`` changed between versions, and
-are those of its source in 2026).  RepRapFirmware: ``M593``, with the impulses themselves where it has no name for the
-shaper (version 3.6 and later; docs.duet3d.com).
+Klipper: ``[input_shaper]`` of printer.cfg (klipper3d.org/Config_Reference.html), and ``SET_INPUT_SHAPER``, which
+changes it during a print (klipper3d.org/G-Codes.html).  Marlin: ``M593`` for zv, ``M493`` of fixed-time motion for
+the others (marlinfw.org/docs/gcode; the letters of ``M493`` changed between versions, and are those of its source in
+2026).  RepRapFirmware: ``M593``, with the impulses themselves where it has no name for the shaper (version 3.6 and
+later; docs.duet3d.com).
 """
 
 from __future__ import annotations
@@ -42,18 +43,42 @@ def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Sha
     shaper : Shaper
         Its impulses, (n,).
     """
+    return {
+        **command(kind, frequencies, zeta, shaper),
+        "klipper": _klipper(kind, frequencies[0], zeta) if _in_klipper(kind, zeta) else None,
+    }
+
+
+def command(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper) -> dict[str, str | None]:
+    """Return the G-code that changes the shaper during a print, by firmware; None where it has no such shaper.
+
+    Parameters
+    ----------
+    kind, frequencies, zeta, shaper
+        As for `firmware`.
+    """
     f = frequencies[0]
     return {
-        "klipper": _klipper(kind, f, zeta) if zeta <= KLIPPER.get(kind, -1.0) else None,
+        "klipper": _klipper_command(kind, f, zeta) if _in_klipper(kind, zeta) else None,
         "marlin": _marlin(kind, f, zeta),
         "reprapfirmware": _reprapfirmware(kind, f, zeta, shaper),
     }
+
+
+def _in_klipper(kind: str, zeta: float) -> bool:
+    return zeta <= KLIPPER.get(kind, -1.0)
 
 
 def _klipper(kind: str, f: float, zeta: float) -> str:
     lines = ["[input_shaper]", f"shaper_type: {kind}"]
     lines += [f"shaper_freq_{axis}: {f:.2f}" for axis in "xy"]
     return "\n".join(lines + [f"damping_ratio_{axis}: {zeta:.4f}" for axis in "xy"])
+
+
+def _klipper_command(kind: str, f: float, zeta: float) -> str:
+    axes = [f"SHAPER_FREQ_{axis}={f:.2f}" for axis in "XY"]
+    axes += [f"DAMPING_RATIO_{axis}={zeta:.4f}" for axis in "XY"]
+    return " ".join(["SET_INPUT_SHAPER", f"SHAPER_TYPE={kind}", *axes])
 
 
 def _marlin(kind: str, f: float, zeta: float) -> str | None:

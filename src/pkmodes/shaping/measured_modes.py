@@ -19,7 +19,8 @@ from pkmodes.core.base.arguments import POSITIVE_INTEGER, Constraint, check_argu
 from pkmodes.core.base.drives import HELD
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
-from pkmodes.shaping.choice import LEFT, TICK, Candidate, Choice, choose, default_kinds
+from pkmodes.shaping.choice import TICK, choose, default_kinds
+from pkmodes.shaping.results import LEFT, Candidate, Choice
 from pkmodes.shaping.ringing import MODES, Ringing
 from pkmodes.support.documents import Document, Size
 

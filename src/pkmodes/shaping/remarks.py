@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from pkmodes.shaping.choice import Candidate, Choice, lines_of, recommended_of
+from pkmodes.shaping.choice import lines_of, recommended_of
 from pkmodes.shaping.firmware import DAMPED, KLIPPER, LEAST, MARLIN, NAMES, TOLERANT
+from pkmodes.shaping.results import Candidate, Choice
 from pkmodes.support.ordering import joined
 
 

@@ -1,9 +1,15 @@
-"""How a machine with held motors rings at poses: the lowest modes, and how much each moves the platform."""
+"""How a machine with held motors rings: the lowest modes, and how much each moves the platform.
+
+It is evaluated at operating points: at poses or, if parameters such as a payload take several values in use, at the
+poses of each setting of them.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +21,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.system.evaluation import number_of_modes
 from pkmodes.sensitivity.spread import spread_of
+from pkmodes.shaping.settings import Setting, settings_of
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
@@ -22,6 +29,8 @@ Array = NDArray[np.float64]
 MODES = 3
 #: Largest amplitude over the median from which on a few poses decide everything.
 DOMINATING = 20.0
+#: Relative difference below which frequencies are the same.
+SAME = 1e-9
 #: Points and weights of the average over a normal distribution (Gauss and Hermite): exact for polynomials up to
 #: degree 17, and good to 1e-3 for what shapers leave of vibrations.
 SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
@@ -29,7 +38,7 @@ SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegau
 
 @dataclass(frozen=True, eq=False)
 class Ringing:
-    """The lowest m modes of a machine with held motors at N poses.
+    """The lowest m modes of a machine with held motors at N poses, or at N operating points: poses of settings.
 
     Attributes
     ----------
@@ -44,6 +53,10 @@ class Ringing:
         Relative standard deviations of the frequencies, from those in the robot file; None where it has none.
     left_out : int
         Poses that were given but cannot be evaluated, or at which a mode does not oscillate.
+    settings : tuple of Setting
+        Empty where the robot is as its file says.
+    setting : ndarray of int, shape (N,), or None
+        Index of the setting of each operating point; None without settings.
     """
 
     poses: Array
@@ -52,6 +65,8 @@ class Ringing:
     weights: Array
     spread: Array | None
     left_out: int
+    settings: tuple[Setting, ...] = ()
+    setting: NDArray[np.intp] | None = None
 
     @cached_property
     def unshaped(self) -> Array:
@@ -75,24 +90,69 @@ class Ringing:
     @property
     def where_most(self) -> str:
         """Where the most that a shaper leaves is looked for."""
-        return "at the worst pose"
+        return f"at the worst {self.point_is}"
+
+    @property
+    def point_is(self) -> str:
+        """What distinguishes operating points: their pose, and their setting where there are several."""
+        return "pose and setting" if len(self.settings) > 1 else "pose"
+
+    @property
+    def points_are(self) -> str:
+        """The same of all of them."""
+        return "poses and settings" if len(self.settings) > 1 else "poses"
+
+    def setting_of(self, point: int) -> Setting | None:
+        """Return the setting of an operating point; None without settings."""
+        return None if self.setting is None else self.settings[self.setting[point]]
+
+    def only(self, setting: int) -> Ringing:
+        """Return the part at one of the settings."""
+        kept = self.setting == setting
+        return replace(
+            self,
+            poses=self.poses[kept],
+            frequencies=self.frequencies[kept],
+            damping_ratios=self.damping_ratios[kept],
+            weights=self.weights[kept],
+            spread=None if self.spread is None else self.spread[kept],
+            left_out=0,
+            settings=(self.settings[setting],),
+            setting=np.zeros(int(np.count_nonzero(kept)), dtype=np.intp),
+        )
 
     def notes(self) -> list[str]:
         """Return what the reader should know of these modes."""
         notes = []
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
-            notes.append(f"{self.left_out} {are} left out: not reachable, or a mode does not oscillate there")
+            of = ", counted at each setting" if len(self.settings) > 1 else ""
+            notes.append(
+                f"{self.left_out} {are} left out{of}: not reachable, or a mode does not oscillate there"
+            )
+        if self._alike:
+            notes.append(
+                f"no frequency changes with the settings: {' and '.join(self.settings[0].values)} cannot be seen in "
+                "the modes that count"
+            )
         beyond = float(self.unshaped.max() / np.median(self.unshaped))
         if beyond > DOMINATING:
             notes.append(
-                f"the machine rings {beyond:.0f} times as much at the worst pose as at half of them: poses near "
+                f"the machine rings {beyond:.0f} times as much {self.where_most} as at half of them: poses near "
                 "singular ones decide; give the part of the workspace that is used, as a grid or as [usable] in the "
                 "robot file"
             )
         if not self.damping_ratios.any():
             notes.append("the robot file has no damping: shapers are designed for none; see [damping]")
         return notes
+
+    @property
+    def _alike(self) -> bool:
+        """Whether the settings differ and the frequencies do not."""
+        if len(self.settings) < 2:
+            return False
+        parts = [self.only(i).frequencies for i in range(len(self.settings))]
+        return all(part.shape == parts[0].shape and np.allclose(part, parts[0], SAME, 0.0) for part in parts)
 
     @property
     def mean_ratio(self) -> float:
@@ -113,7 +173,9 @@ class Ringing:
         ]
 
 
-def ringing(model: Model, poses: ArrayLike, modes: int | None = None) -> Ringing:
+def ringing(
+    model: Model, poses: ArrayLike, modes: int | None = None, settings: Mapping[str, Any] | None = None
+) -> Ringing:
     """Evaluate the modes of a machine with held motors.
 
     Parameters
@@ -122,16 +184,49 @@ def ringing(model: Model, poses: ArrayLike, modes: int | None = None) -> Ringing
         Those that cannot be evaluated, or at which a mode does not oscillate, are left out.
     modes : int, optional
         How many modes count, the lowest; by default three, or all if there are fewer.
+    settings : mapping of str to array_like, optional
+        Values of parameters in SI units, by path: the poses of every combination count.
 
     Raises
     ------
     PkmodesError
-        If the machine has fewer modes, or rigid ones although its motors are held.
+        If the machine has fewer modes, or rigid ones although its motors are held; or if settings are invalid.
+    RobotFileError
+        If a robot file with a setting would be rejected.
     PoseError
         If no pose is left.
     """
     say("computing the modes of the held machine")
-    count = _count(model, modes)
+    if settings is None or (isinstance(settings, Mapping) and not settings):
+        return _at_poses(model, poses, _count(model, modes))
+    return at_settings(model, poses, modes, settings_of(model, settings))
+
+
+def at_settings(model: Model, poses: ArrayLike, modes: int | None, settings: Sequence[Setting]) -> Ringing:
+    """Evaluate the modes at the poses of each setting: see `ringing`."""
+    models = [model.with_values(one.values) for one in settings]
+    count = min(_count(one, modes) for one in models)
+    parts = []
+    for one, setting in zip(models, settings, strict=True):
+        try:
+            parts.append(_at_poses(one, poses, count, known=setting.values))
+        except PoseError as error:
+            raise PoseError(f"{error.what}, at {setting}", error.where, error.remedy, error.index) from None
+    spread = [part.spread for part in parts if part.spread is not None]
+    return Ringing(
+        np.concatenate([part.poses for part in parts]),
+        np.concatenate([part.frequencies for part in parts]),
+        np.concatenate([part.damping_ratios for part in parts]),
+        np.concatenate([part.weights for part in parts]),
+        np.concatenate(spread) if len(spread) == len(parts) else None,
+        sum(part.left_out for part in parts),
+        tuple(settings),
+        np.repeat(np.arange(len(parts)), [len(part.poses) for part in parts]),
+    )
+
+
+def _at_poses(model: Model, poses: ArrayLike, count: int, known: Collection[str] = ()) -> Ringing:
+    """Evaluate the lowest modes at poses; frequencies are not spread by values that are known."""
     fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
     checked, found = model.fields_at(poses, "nan", fields, AUTO, drives=HELD)
     f, zeta, w = (
@@ -148,7 +243,7 @@ def ringing(model: Model, poses: ArrayLike, modes: int | None = None) -> Ringing
         f[good],
         zeta[good],
         np.linalg.norm(w[good], axis=-1),
-        _spread(model, points, f[good]),
+        _spread(model, points, f[good], known),
         int(np.count_nonzero(~good)),
     )
 
@@ -170,7 +265,7 @@ def _count(model: Model, modes: int | None) -> int:
     return modes
 
 
-def _spread(model: Model, points: Array, f: Array) -> Array | None:
+def _spread(model: Model, points: Array, f: Array, known: Collection[str]) -> Array | None:
     """Return the relative standard deviations of frequencies: declared values err little."""
-    sigmas = spread_of(model, points, HELD)
+    sigmas = spread_of(model, points, HELD, known=known)
     return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -1,0 +1,105 @@
+"""Values of parameters on the command line: ranges that are swept, and the layer heights of a print that grows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.robot.declaration import changeable
+
+if TYPE_CHECKING:
+    from pkmodes.core.model import Model
+
+#: A density and an area, each a number with its unit; a power such as m**2 is no product.
+DENSITY_AND_AREA = re.compile(r"(.*[^*\s])\s*\*\s*([\d.][^*]*(?:\*\*[^*]*)?)")
+HEIGHT_EXAMPLE = 'write --height 0:200mm, or density * area: --height "1.24 g/cm^3 * 40 cm^2"'
+
+height_option = click.option(
+    "--height",
+    metavar="START:STOP",
+    help="With one range in --set: heights of the print at its first and its last value, such as 0:200mm; or, for a "
+    'mass, density times area of the print, such as "1.24 g/cm^3 * 40 cm^2".  Each line for firmware then says from '
+    "which layer on it holds.",
+)
+
+
+def settings_option(meaning: str) -> Callable[[Any], Any]:
+    """Return the option for values of parameters; `meaning` is its help."""
+    return click.option("--set", "settings", metavar="PATH=START:STOP:COUNT", multiple=True, help=meaning)
+
+
+def settings_given(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | None:
+    """Return the values of ``--set`` by path; None without any.
+
+    Raises
+    ------
+    PkmodesError
+        As `pkmodes.maps.ranges.parse_settings`.
+    """
+    if not texts:
+        return None
+    from pkmodes.maps.ranges import parse_settings
+
+    return parse_settings(texts, changeable(model.robot), "--set")
+
+
+def height_given(
+    model: Model, text: str | None, settings: Mapping[str, Any] | None
+) -> tuple[float, float] | None:
+    """Return the heights of the first and the last value of ``--set`` [m]; None without ``--height``.
+
+    Raises
+    ------
+    PkmodesError
+        If it is neither two heights nor a density times an area; or if it is one of these and what is set is not a
+        mass.
+    """
+    if text is None:
+        return None
+    ranges = {path: values for path, values in (settings or {}).items() if len(values) > 1}
+    if len(ranges) != 1:
+        what = f"expected --set with one range for the heights, found {len(ranges)} of them"
+        raise PkmodesError(
+            what, "--height", "for example: --set effects.payload.mass=0:1.2kg:7 --height 0:200mm"
+        )
+    from pkmodes.maps.ranges import parse_value
+
+    ends = text.split(":")
+    if len(ends) == 2:
+        low, high = (parse_value(end, "m", "--height") for end in ends)
+        if not 0.0 <= low < high:
+            what = f"expected two heights, the lower one first, found {shown(text)}"
+            raise PkmodesError(what, "--height", f"a number without a unit is in m: {HEIGHT_EXAMPLE}")
+        return low, high
+    ((path, values),) = ranges.items()
+    unit = changeable(model.robot)[path]
+    if unit != "kg":
+        what = f"expected two heights, as {path} is no mass that a print could have, found {shown(text)}"
+        raise PkmodesError(what, "--height", "write --height 0:200mm")
+    return 0.0, float(values.max() - values.min()) / _mass_per_height(text)
+
+
+def _mass_per_height(text: str) -> float:
+    """Read a density times an area [kg/m]."""
+    from pkmodes.core.robot.units import NUMBER, QuantityError, parse
+
+    product = DENSITY_AND_AREA.fullmatch(text.strip())
+    parts = [] if product is None else [NUMBER.fullmatch(part) for part in product.groups()]
+    what = f"expected two heights, or a density times an area, found {shown(text)}"
+    if len(parts) != 2 or not all(part is not None and part[2] for part in parts):
+        raise PkmodesError(what, "--height", HEIGHT_EXAMPLE)
+    (first, of_first), (second, of_second) = ((part[1], part[2]) for part in parts if part is not None)
+    try:
+        number = float(first) * float(second)
+        found = parse(f"{number!r} ({of_first})*({of_second})", "linear density")
+    except QuantityError:
+        raise PkmodesError(what, "--height", HEIGHT_EXAMPLE) from None
+    if not found > 0.0:
+        raise PkmodesError(
+            f"expected a positive density and area, found {shown(text)}", "--height", HEIGHT_EXAMPLE
+        )
+    return found

@@ -1,0 +1,99 @@
+"""The schedule of ``pkmodes shaper --set``: the shaper of each setting, and lines that change it during a print."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from pkmodes.report.blocks import Cell, Column, Lines, Paragraph, Table
+from pkmodes.report.formatting import clean, number, pointer, unit
+from pkmodes.shaping.firmware import NAMES
+
+if TYPE_CHECKING:
+    from pkmodes.shaping.results import Choice, Step
+
+#: Of paths in titles, where it says nothing.
+OF_EFFECTS = "effects."
+
+
+def schedule_blocks(choice: Choice) -> list[Table]:
+    """Return the table of the schedule; nothing without one."""
+    schedule = choice.schedule
+    if schedule is None:
+        return []
+    first, fixed = schedule.steps[0], choice.candidates[choice.recommended]
+    one_parameter, layers = schedule.parameter is not None, first.heights is not None
+    settings = [
+        Column(clean(path.removeprefix(OF_EFFECTS)) + ("" if symbol == "1" else f" [{unit(symbol)}]"))
+        for path, symbol in first.setting.units.items()
+    ]
+    columns = [
+        *settings,
+        *([Column("from [mm]")] if layers else []),
+        Column("shaper", numbers=False),
+        Column("design [Hz]", numbers=False),
+        Column("damping [%]"),
+        Column("lasts [ms]", page_only=layers),
+        Column("worst [%]"),
+        *([Column("halfway [%]")] if one_parameter else []),
+        Column("fixed [%]"),
+        Column("rounds [\u00b5m]"),
+    ]
+    serves = ", and the height of the print from which on it serves" if layers else ""
+    halfway = ", halfway to its neighbours" if one_parameter else ""
+    caption = (
+        f"The schedule: for each setting the shaper that is recommended for its poses{serves}. What is left is the "
+        f"largest vibration, of the largest without a shaper: at the setting itself (worst){halfway}, and at the "
+        f"setting with the recommended {clean(fixed.kind)} for all of them (fixed). Where it turns back, a shaped "
+        "path is rounded by so much for each m/s\u00b2 of acceleration."
+    )
+    note = (
+        f"Over all settings the schedule leaves {100.0 * schedule.left.worst:.2g} % of the largest vibration without "
+        f"a shaper, and {clean(fixed.kind)} for all of them {100.0 * fixed.left.worst:.2g} %."
+    )
+    rows = [_row(one, i, layers, one_parameter) for i, one in enumerate(schedule.steps)]
+    return [Table(caption, columns, rows, note=note, heads=len(settings))]
+
+
+def _row(one: Step, i: int, layers: bool, one_parameter: bool) -> list[Cell]:
+    at, best = ("schedule", "steps", i), one.best
+    cells = [number(value, ".4g", pointer(*at, "set", path)) for path, value in one.setting.values.items()]
+    if layers and one.heights is not None:
+        cells.append(number(one.heights[0], ".1f", pointer(*at, "heights_m", 0), scale=1e3))
+    cells += [
+        Cell(clean(best.kind)),
+        Cell(", ".join(f"{f:.2f}" for f in best.frequencies)),
+        number(best.damping_ratio, ".3g", pointer(*at, "damping_ratios", 0), scale=100.0),
+        number(best.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
+        number(best.left.worst, ".2f", pointer(*at, "left", "worst"), scale=100.0),
+    ]
+    if one_parameter:
+        cells.append(number(one.at_ends, ".2f", pointer(*at, "left_at_ends"), scale=100.0))
+    cells += [
+        number(one.fixed, ".2f", pointer(*at, "left_by_fixed"), scale=100.0),
+        number(best.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6),
+    ]
+    return cells
+
+
+def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
+    """Return the lines of the schedule for each firmware that has its shapers; nothing without a schedule."""
+    if content["schedule"] is None:
+        return []
+    layers = content["schedule"]["steps"][0]["heights_m"] is not None
+    where = (
+        "before the first layer that begins at its height or above" if layers else "where its values begin"
+    )
+    blocks: list[Paragraph | Lines] = [
+        Paragraph(
+            f"For the schedule: G-code, each line to be inserted {where}. Klipper takes it if printer.cfg has a "
+            "section [input_shaper]."
+        )
+    ]
+    for name, lines in content["schedule"]["firmware"].items():
+        if lines:
+            blocks.append(
+                Lines(f"{NAMES[name]}, schedule", [clean(line, None) for line in lines.splitlines()])
+            )
+        else:
+            blocks.append(Paragraph(f"{NAMES[name]} lacks a shaper of the schedule."))
+    return blocks

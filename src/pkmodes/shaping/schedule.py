@@ -1,0 +1,191 @@
+"""A schedule: for each setting of a machine, such as each payload, the fixed shaper that its poses ask for.
+
+A firmware has one shaper at a time, and cannot see a payload; but a print grows with its layers, so that the lines of
+a schedule may stand at their layers.  Each shaper serves until halfway to the next setting.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pkmodes.core.base.arguments import Constraint, check_argument, is_number
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.model import Model
+from pkmodes.shaping.choice import choose, relative, shaped_by
+from pkmodes.shaping.firmware import NAMES
+from pkmodes.shaping.results import Choice, Schedule, Step
+from pkmodes.shaping.ringing import Ringing, at_settings
+from pkmodes.shaping.settings import Setting
+from pkmodes.shaping.shapers import Shaper
+from pkmodes.support.ordering import joined, listed
+from pkmodes.support.progress import say
+
+Array = NDArray[np.float64]
+#: Settings that a note names at most.
+NAMED = 4
+
+
+def _are_heights(value: Any) -> bool:
+    pair = isinstance(value, Sequence | np.ndarray) and not isinstance(value, str) and len(value) == 2
+    return pair and all(map(is_number, value)) and 0.0 <= value[0] < value[1] < np.inf
+
+
+HEIGHTS = Constraint("two heights in m, the lower one first", _are_heights)
+
+
+def schedule_of(
+    model: Model,
+    poses: ArrayLike,
+    whole: Choice,
+    kinds: Iterable[str] | None,
+    tick: float,
+    height: Sequence[float] | None,
+) -> Schedule:
+    """Choose a fixed shaper for each setting, by the rule of the choice for all of them.
+
+    Parameters
+    ----------
+    model : Model
+        The evaluator of the robot.
+    poses : array_like, shape (..., d)
+        Those of the choice.
+    whole : Choice
+        For all settings.
+    kinds : sequence of str or None
+        Of the choice.
+    tick : float
+        Of the choice [s].
+    height : sequence of two float, optional
+        Layer heights of the first and of the last value [m], between which the parameter grows evenly.
+
+    Raises
+    ------
+    PkmodesError
+        If no shaper is long or short enough at a setting.
+    """
+    at = whole.ringing
+    parameter = varying(at.settings)
+    choices = []
+    for i, setting in enumerate(at.settings):
+        say(f"setting {i + 1} of {len(at.settings)}: {setting}")
+        limits: Any = {"left": whole.left, "length": whole.length, "firmware": whole.firmware}
+        try:
+            choices.append(choose(at.only(i), kinds, tick=tick, follow=False, **limits))
+        except PkmodesError as error:
+            raise type(error)(f"at {setting}: {error.what}", error.where, error.remedy) from None
+    best = [one.candidates[one.recommended].shaper for one in choices]
+    every = _each(best, at)
+    serves, ends = _between(model, poses, at, parameter, best)
+    heights = _heights(serves, height)
+    fixed = whole.candidates[whole.recommended].shaper
+    steps = [
+        Step(
+            setting,
+            choice,
+            float(shaped_by(fixed, choice.ringing).max() / choice.unshaped.worst),
+            serves[i] if serves else None,
+            ends[i] if ends else None,
+            heights[i] if heights else None,
+        )
+        for i, (setting, choice) in enumerate(zip(at.settings, choices, strict=True))
+    ]
+    return Schedule(tuple(steps), parameter, relative(every, at, shaped_by(every, at)))
+
+
+def varying(settings: Sequence[Setting]) -> str | None:
+    """Return the path of the only parameter that has several values; None if there is not exactly one."""
+    paths = settings[0].values if settings else ()
+    several = [path for path in paths if len({one.values[path] for one in settings}) > 1]
+    return several[0] if len(several) == 1 else None
+
+
+def check_heights(height: Any, parameter: str | None) -> None:
+    """Refuse what are no heights of the first and last value of one parameter.
+
+    Raises
+    ------
+    PkmodesError
+    """
+    check_argument(height, HEIGHTS, "height", "for example: (0.0, 0.2)")
+    if parameter is None:
+        what = "layer heights belong to one parameter that takes several values, and there is not exactly one"
+        raise PkmodesError(what, "height", "give several values to one parameter, such as a payload")
+
+
+def _each(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
+    """Return the shaper of each operating point, (N, n): shorter ones get impulses of nothing at their end."""
+    count = max(one.delays.shape[-1] for one in shapers)
+    more = [(0, count - one.delays.shape[-1]) for one in shapers]
+    pairs = list(zip(shapers, more, strict=True))
+    amplitudes = np.array([np.pad(one.amplitudes, pad) for one, pad in pairs])
+    delays = np.array([np.pad(one.delays, pad, mode="edge") for one, pad in pairs])
+    return Shaper(amplitudes[at.setting], delays[at.setting])
+
+
+def _between(
+    model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper]
+) -> tuple[list[tuple[float, float]], list[float]]:
+    """Return between which values each shaper serves, and what it leaves at most halfway to its neighbours.
+
+    Both are empty where several parameters vary.
+    """
+    if parameter is None:
+        return [], []
+    values = [one.values[parameter] for one in at.settings]
+    halfway = [0.5 * (low + high) for low, high in pairwise(values)]
+    first = at.settings[0]
+    there = at_settings(
+        model,
+        poses,
+        at.modes,
+        [Setting({**first.values, parameter: value}, first.units) for value in halfway],
+    )
+    ends = [0.0] * len(values)
+    for k in range(len(halfway)):
+        part = there.only(k)
+        for i in (k, k + 1):
+            ends[i] = max(ends[i], float(shaped_by(best[i], part).max() / part.unshaped.max()))
+    return list(pairwise([values[0], *halfway, values[-1]])), ends
+
+
+def _heights(
+    serves: Sequence[tuple[float, float]], height: Sequence[float] | None
+) -> list[tuple[float, float]]:
+    """Return between which layer heights each shaper serves."""
+    if not serves or height is None:
+        return []
+    values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
+    return [
+        (float(np.interp(low, values, layers)), float(np.interp(high, values, layers)))
+        for low, high in serves
+    ]
+
+
+def notes_of(schedule: Schedule) -> list[str]:
+    """Return what the reader should know of the schedule."""
+    notes, asked = [], f"{100 * schedule.steps[0].choice.left:.3g} %"
+    poor = [str(one.setting) for one in schedule.steps if not one.good]
+    if poor:
+        notes.append(
+            f"the schedule leaves more than {asked} at the worst pose of {listed(poor, NAMED)}, where the best "
+            "fixed shaper stands"
+        )
+    ends = max((one.at_ends for one in schedule.steps if one.at_ends is not None), default=0.0)
+    if ends > max(schedule.steps[0].choice.left, *(one.best.left.worst for one in schedule.steps)):
+        notes.append(
+            f"halfway between two settings the schedule leaves up to {100 * ends:.2g} %: give more values"
+        )
+    lacking = [NAMES[name] for name, text in schedule.lines().items() if text is None]
+    if lacking and schedule.steps[0].choice.firmware is None:
+        notes.append(f"{joined(lacking)}: a shaper of the schedule is missing there (--firmware)")
+    if schedule.steps[0].heights is not None:
+        notes.append(
+            f"the heights are those of a print with which {schedule.parameter} grows evenly, as one with the same "
+            "cross-section in every layer"
+        )
+    return notes

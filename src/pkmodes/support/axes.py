@@ -1,0 +1,97 @@
+"""Values along an axis: of a grid of poses, of a swept parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.arguments import Constraint, check_argument, is_number
+from pkmodes.core.base.errors import PkmodesError, listed, shown
+
+Array = NDArray[np.float64]
+VALUES_BY_PATH = Constraint("values by path", lambda value: isinstance(value, Mapping))
+EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
+
+
+def ascending(
+    given: Any,
+    name: str,
+    where: str,
+    example: str,
+    error: type[PkmodesError] = PkmodesError,
+    *,
+    strictly: bool = True,
+) -> Array:
+    """Check the values along an axis; one number is an axis of one value.
+
+    Parameters
+    ----------
+    name : str
+        Of the axis, for messages.
+    where : str
+        Of the argument, for messages.
+    example : str
+        A remedy.
+    error : type
+        The error to raise.
+    strictly : bool
+        Whether they have to ascend; otherwise they only have to differ.
+
+    Returns
+    -------
+    ndarray, shape (N,)
+
+    Raises
+    ------
+    PkmodesError
+    """
+    if isinstance(given, np.ndarray) and given.ndim == 0:
+        given = given.item()
+    values = listed(
+        [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
+    )
+    if not all(map(is_number, values)):
+        raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
+    axis = np.array(values, dtype=float)
+    if not len(axis):
+        raise error("expected at least one value, found none", where, "give one number or several")
+    if not np.isfinite(axis).all():
+        raise error("expected finite values, found NaN or infinity", where, "give finite numbers")
+    if strictly and (np.diff(axis) < 0).any():
+        raise error(
+            "expected ascending values, found descending ones", where, "sort them, the smallest first"
+        )
+    different, counts = np.unique(axis, return_counts=True)
+    if (counts > 1).any():
+        raise error(f"the value {different[counts > 1][0]:g} is repeated", where, "give each value once")
+    return axis
+
+
+def swept_values(given: Any, where: str) -> dict[str, Array]:
+    """Check the values of swept parameters, which only have to differ.
+
+    Parameters
+    ----------
+    given : mapping of str to array_like
+        Values in SI units by path; one number is a single value.
+    where : str
+        Of the argument, for messages.
+
+    Returns
+    -------
+    dict of str to ndarray
+        In the order given.
+
+    Raises
+    ------
+    PkmodesError
+        If it is none.  Whether there is such a parameter is left to `pkmodes.Robot.with_values`.
+    """
+    check_argument(given, VALUES_BY_PATH, where, EXAMPLE)
+    return {
+        path: ascending(values, str(path), f"{where}: {path}", EXAMPLE, strictly=False)
+        for path, values in given.items()
+    }
