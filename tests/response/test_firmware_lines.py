@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pkmodes.shaping import KINDS, shaper
-from pkmodes.shaping.firmware import firmware
+from pkmodes.shaping.firmware import command, firmware
 
 F, ZETA = 31.27, 0.02
 
@@ -32,6 +32,22 @@ def test_klipper_gets_a_section_with_the_names_of_its_manual(kind: str) -> None:
         "damping_ratio_x: 0.0200",
         "damping_ratio_y: 0.0200",
     ]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_klipper_changes_the_shaper_during_a_print_to_what_the_section_says(kind: str) -> None:
+    """Names and values of ``SET_INPUT_SHAPER``, which it splits at blanks and equal signs (klipper3d.org/G-Codes)."""
+    f = {name: command(kind, (F,), ZETA, shaper(kind, F, ZETA))[name] for name in ("klipper", "marlin")}
+    assert f["marlin"] == lines(kind)["marlin"]
+    section = lines(kind)["klipper"]
+    if section is None:
+        assert f["klipper"] is None
+        return
+    name, *parts = (f["klipper"] or "").split()
+    assert name == "SET_INPUT_SHAPER"
+    given = dict(part.split("=") for part in parts)
+    declared = dict(line.split(": ") for line in section.splitlines()[1:])
+    assert {key.lower(): value for key, value in given.items()} == declared
 
 
 def test_marlin_gets_m593_for_zv_and_fixed_time_motion_for_the_others() -> None:

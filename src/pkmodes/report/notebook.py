@@ -21,6 +21,7 @@ from pkmodes.report.formatting import figures, plural, sentence, unit, unit_cell
 from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.shaper import shapers_table
+from pkmodes.report.shaper_schedule import schedule_blocks
 from pkmodes.response.moves import Move
 from pkmodes.shaping.measured_modes import MeasuredRinging
 from pkmodes.shaping.results import Choice
@@ -107,8 +108,9 @@ def of_move(move: Move) -> str:
 
 def of_shapers(choice: Choice) -> str:
     """Return the shapers that were compared, and what each leaves."""
-    measured = isinstance(choice.ringing, MeasuredRinging)
-    return _html(shaper_measured.shapers_table(choice) if measured else shapers_table(choice))
+    if isinstance(choice.ringing, MeasuredRinging):
+        return _html(shaper_measured.shapers_table(choice))
+    return "".join(map(_html, [shapers_table(choice), *schedule_blocks(choice)]))
 
 
 def of_comparison(result: Comparison) -> str:

@@ -46,9 +46,11 @@ def schedule_blocks(choice: Choice) -> list[Table]:
         f"setting with the recommended {clean(fixed.kind)} for all of them (fixed). Where it turns back, a shaped "
         "path is rounded by so much for each m/s\u00b2 of acceleration."
     )
+    rounds = [1e6 * one.best.rounding for one in schedule.steps]
     note = (
-        f"Over all settings the schedule leaves {100.0 * schedule.left.worst:.2g} % of the largest vibration without "
-        f"a shaper, and {clean(fixed.kind)} for all of them {100.0 * fixed.left.worst:.2g} %."
+        f"Over all settings the schedule leaves {100.0 * schedule.left.worst:.2g} % of the largest vibration "
+        f"without a shaper, and rounds by {min(rounds):.1f} to {max(rounds):.1f} \u00b5m; {clean(fixed.kind)} for "
+        f"all of them leaves {100.0 * fixed.left.worst:.2g} % and rounds by {1e6 * fixed.rounding:.1f} \u00b5m."
     )
     rows = [_row(one, i, layers, one_parameter) for i, one in enumerate(schedule.steps)]
     return [Table(caption, columns, rows, note=note, heads=len(settings))]

@@ -78,6 +78,8 @@ def shapers_over(
     at = ringing(model, poses, modes, settings)
     if height is not None:
         check_heights(height, varying(at.settings))
+    if kinds is not None and not isinstance(kinds, str):
+        kinds = tuple(kinds)
     whole = choose(at, kinds, left=left, length=length, tick=tick, firmware=firmware)
     if len(at.settings) < 2:
         return whole

@@ -172,8 +172,8 @@ def notes_of(schedule: Schedule) -> list[str]:
     poor = [str(one.setting) for one in schedule.steps if not one.good]
     if poor:
         notes.append(
-            f"the schedule leaves more than {asked} at the worst pose of {listed(poor, NAMED)}, where the best "
-            "fixed shaper stands"
+            f"at {listed(poor, NAMED, '; ')} no fixed shaper leaves at most {asked} at the worst pose: the best one "
+            "is scheduled"
         )
     ends = max((one.at_ends for one in schedule.steps if one.at_ends is not None), default=0.0)
     if ends > max(schedule.steps[0].choice.left, *(one.best.left.worst for one in schedule.steps)):
@@ -182,7 +182,10 @@ def notes_of(schedule: Schedule) -> list[str]:
         )
     lacking = [NAMES[name] for name, text in schedule.lines().items() if text is None]
     if lacking and schedule.steps[0].choice.firmware is None:
-        notes.append(f"{joined(lacking)}: a shaper of the schedule is missing there (--firmware)")
+        notes.append(
+            f"no schedule for {joined(lacking)}, which lack{'s' if len(lacking) == 1 else ''} one of its shapers; "
+            "--firmware schedules only those that one has"
+        )
     if schedule.steps[0].heights is not None:
         notes.append(
             f"the heights are those of a print with which {schedule.parameter} grows evenly, as one with the same "
