@@ -39,6 +39,8 @@ class EffectParameter:
         Physical bounds: None when any value is meaningful; the null value itself is always allowed.
     fitted : bool
         Whether it is estimated from measurements; a declared constant of the machine is not.
+    turning : bool
+        Whether only a platform that turns has it, one for each direction with ``{i}`` for it.
     along_legs : tuple of str
         Unit and description where the drives move along legs; empty if these are the same.
     """
@@ -52,6 +54,7 @@ class EffectParameter:
     fitted: bool = True
     less_than: float | None = None
     along_legs: tuple[str, str] | None = None
+    turning: bool = False
 
     def on(self, machine: Any) -> EffectParameter:
         """Return the parameter with the unit that it has on a machine."""
@@ -63,7 +66,7 @@ class EffectParameter:
     def at(self, place: str) -> EffectParameter:
         """Return the parameter for one part."""
         texts = (self.name, self.description, self.symbol, self.latex)
-        name, description, symbol, latex = (text.format(j=place) for text in texts)
+        name, description, symbol, latex = (text.format(j=place, i=place) for text in texts)
         return replace(self, name=name, description=description, symbol=symbol, latex=latex)
 
 
@@ -182,7 +185,7 @@ class Effect:
         parameters = [
             p.on(machine).at(place)
             for p in self.parameters
-            for place in (numbers if "{j}" in p.name else numbers[:1])
+            for place in _places(p, machine, numbers)
         ]
         places: tuple[str, ...] = ()
         if self.released:
@@ -218,3 +221,11 @@ class Effect:
                 f"{self.name}_margin", "above_zero", place, self.needs.sentence, self.needs.remedy, "1"
             ),
         )
+
+
+def _places(parameter: EffectParameter, machine: Any, numbers: Sequence[str]) -> Sequence[str]:
+    """Return the indices of a parameter on a machine: numbers of parts, or directions of a platform that turns."""
+    if parameter.turning:
+        directions: Sequence[str] = machine.directions if machine.turning is not None else ()
+        return directions
+    return numbers if "{j}" in parameter.name else numbers[:1]

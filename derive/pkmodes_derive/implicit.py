@@ -20,8 +20,8 @@ replaces all of them: with multipliers :math:`\Phi_s^T \mu = V_s` (the forces th
 
 which is the Hessian of the Lagrangian on the tangent space of the constraints.
 
-With six closures this is written in blocks (`congruent`): the second derivatives of :math:`L = V - \mu \cdot \Phi` with
-respect to q and s as if they were independent, projected by D,
+With six closures this is written in blocks (`congruent`): the second derivatives of
+:math:`L = V - \mu \cdot \Phi` with respect to q and s as if they were independent, projected by D,
 
 .. math:: \frac{d^2 V}{dq^2} = L_{qq} + L_{qs} D + (L_{qs} D)^T + D^T L_{ss} D .
 
@@ -122,7 +122,7 @@ def with_small_rotations(
 ) -> SecondDerivatives:
     r"""Replace the block of the small rotations, the last dependent variables, by that of the exponential chart.
 
-    With the gradients :math:`g_w = \partial L/\partial w` with respect to the vectors w that are fixed in the platform,
+    With the gradients :math:`g_w = \partial L/\partial w` with respect to the vectors w fixed in the platform,
 
     .. math:: L_{ik} = \sum_w \left[\tfrac12 (w_i g_{w,k} + w_k g_{w,i}) - \delta_{ik}\, w \cdot g_w
               + (e_i \times w) \cdot \frac{\partial g_w}{\partial \varphi_k}\right].
@@ -138,9 +138,7 @@ def with_small_rotations(
     block = Matrix.zeros(3, 3)
     for v, vector in enumerate(turning.fixed):
         held = turning.symbols
-        gradient = [
-            partial.derivative(function, w, hold=held) if w.is_Symbol else Integer(0) for w in vector
-        ]
+        gradient = [partial.derivative(function, w, hold=held) if w.is_Symbol else Integer(0) for w in vector]
         if not any(gradient):
             continue
         named = [name(v, i, entry) for i, entry in enumerate(gradient)]
@@ -217,11 +215,11 @@ class Solver:
         self._minors: dict[tuple[tuple[int, ...], tuple[int, ...]], Expr] = {}
         self.adjugate = Matrix.zeros(n, n)
         for j in range(n):
-            for m, axis in enumerate(components):
+            for m, component in enumerate(components):
                 left = power - (2 if m >= n - rotations else 1)
                 unit = "m" if left == 1 else f"m^{left}"
                 name = vocabulary.declare(
-                    "A_{i}_{j}", unit, "adjugate of D_l, entry {i}, {j}", "A_{{{i}{j}}}", i=axis, j=j + 1
+                    "A_{i}_{j}", unit, "adjugate of D_l, entry {i}, {j}", "A_{{{i}{j}}}", i=component, j=j + 1
                 )
                 self.adjugate[m, j] = chain.define(name, self._cofactor(j, m))
         self.determinant = vocabulary.declare("det_D_l", f"m^{power}", "determinant of D_l", r"\det D_l")

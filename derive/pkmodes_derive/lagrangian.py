@@ -11,7 +11,7 @@ so that :math:`M \ddot q + h + \nabla V = Q` (equations 33, 44, 47 and 48 of the
 energy: forces are -dV/dq and K is positive for a restoring force.  The paper uses a force function
 U = -V and K = -H_U, which is the same K.
 
-Of a platform that turns the twist :math:`t = (v, \omega) = D \dot q` is not the rate of coordinates.  With the momenta
+Of a platform that turns the twist :math:`t = (v, \omega) = D \dot q` is not the rate of coordinates.  With momenta
 :math:`\pi = \partial T/\partial t` and the vectors w that are fixed in the platform (`turning`),
 
 .. math::
@@ -90,17 +90,13 @@ def velocity_forces_of_twist(
         ``name(what, i, expression)`` names component i of "momentum" or "force".
     """
     held = (*twist, *turning.symbols)
-    momenta = [
-        name("momentum", i, moving.derivative(kinetic, t, hold=held)) for i, t in enumerate(twist)
-    ]
+    momenta = [name("momentum", i, moving.derivative(kinetic, t, hold=held)) for i, t in enumerate(twist)]
     force = [moving.derivative(momentum, TIME) for momentum in momenta]
     first = len(twist) - len(turning.axes)
     moment = cross(turning.spatial(turning.rates), turning.spatial(momenta[first:]))
     gyroscopic = [-component for component in moment]
     for vector in turning.fixed:
-        gradient = [
-            moving.derivative(kinetic, w, hold=held) if w.is_Symbol else Integer(0) for w in vector
-        ]
+        gradient = [moving.derivative(kinetic, w, hold=held) if w.is_Symbol else Integer(0) for w in vector]
         if any(gradient):
             for i, component in enumerate(cross(vector, gradient)):
                 gyroscopic[i] -= component

@@ -80,7 +80,10 @@ def _require_a_body(m: Machine, inertia: tuple[Symbol, ...], products: tuple[Sym
             definitions={},
         )
     )
-    along = (*(f"platform.inertia.{axis}" for axis in AXES), *(f"platform.products.{two}" for two in PRODUCTS))
+    along = (
+        *(f"platform.inertia.{axis}" for axis in AXES),
+        *(f"platform.products.{two}" for two in PRODUCTS),
+    )
     m.requirements += (
         Requirement(
             "inertia_margin",
@@ -94,7 +97,7 @@ def _require_a_body(m: Machine, inertia: tuple[Symbol, ...], products: tuple[Sym
 
 
 def rotation_margin(m: Machine) -> None:
-    """Require a rotation of less than 90 degrees, and a pose that is not singular."""
+    """Require a rotation of less than 90 degrees."""
     assert m.turning is not None
     angle = sqrt(dot(m.turning.vector, m.turning.vector))
     m.extras.append(
@@ -114,15 +117,5 @@ def rotation_margin(m: Machine) -> None:
             "the platform turns by 90 degrees or more",
             "the platform turns {short} beyond 90 degrees",
             "choose a rotation vector shorter than 90 degrees",
-        ),
-        Margin(
-            "singular",
-            "jacobian_condition",
-            1,
-            "at_most_limit",
-            "the pose is singular",
-            "the pose is singular: the condition number of D_l is {value}",
-            "choose a pose farther from the singularity",
-            unit="1",
         ),
     )

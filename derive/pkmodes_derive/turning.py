@@ -15,8 +15,8 @@ Nothing is ever differentiated with respect to r.  Small motions are parametrise
 The chain rule knows the first line.  Applied twice it gives the second line without the symmetrisation, which
 `implicit` makes up for.  There are no Euler angles, so no chart is singular and there is nothing to simplify.
 
-Along coordinates q the platform turns with the angular velocity :math:`\omega_k = \partial \varphi/\partial q_k`.  The
-derivatives of these columns are not symmetric: with the symmetric second derivatives :math:`S_{kl}` of
+Along coordinates q the platform turns with the angular velocity :math:`\omega_k = \partial \varphi/\partial q_k`.
+The derivatives of these columns are not symmetric: with the symmetric second derivatives :math:`S_{kl}` of
 :math:`\varphi`,
 
 .. math:: \frac{\partial \omega_k}{\partial q_l} = S_{kl} + \tfrac12\, \omega_l \times \omega_k .
@@ -61,7 +61,9 @@ class Turning:
         self.small = vocabulary.vector(
             "turn", "rad", "small rotation from the pose", r"\varphi", axes=self.axes
         )
-        self.rates = vocabulary.vector("w_p", "rad/s", "angular velocity of the platform", r"\omega", axes=axes)
+        self.rates = vocabulary.vector(
+            "w_p", "rad/s", "angular velocity of the platform", r"\omega", axes=axes
+        )
         self.fixed: list[tuple[Expr, ...]] = []
         self._columns = self._matrix()
 
@@ -140,7 +142,9 @@ class Turning:
             (r,) = self.vector
             what = "component {i} of axis {a} of the platform"
             plane = [name for name in AXES if name not in self.axes]
-            names = [[v.declare("R_{i}_{a}", "1", what, "R_{{{i}{a}}}", i=i, a=a) for a in plane] for i in plane]
+            names = [
+                [v.declare("R_{i}_{a}", "1", what, "R_{{{i}{a}}}", i=i, a=a) for a in plane] for i in plane
+            ]
             for row, entries in zip(names, ((cos(r), -sin(r)), (sin(r), cos(r))), strict=True):
                 for name, entry in zip(row, entries, strict=True):
                     chain.define(name, entry)

@@ -331,7 +331,11 @@ def _forces_of_twist(c: Condensed, turning: Turning, velocities: tuple[Symbol, .
             unit = "kg m^2/s" if what == "momentum" else "N m"
         symbol, stem = ("pi", r"\pi") if what == "momentum" else ("z", "z")
         name = m.vocabulary.declare(
-            f"{symbol}_{{i}}", unit, f"{what} of the moving bodies, component {{i}}", f"{stem}_{{i}}", i=m.components[i]
+            f"{symbol}_{{i}}",
+            unit,
+            f"{what} of the moving bodies, component {{i}}",
+            f"{stem}_{{i}}",
+            i=m.components[i],
         )
         moving.define(name, value)
         return kin.chain.define(name, value)

@@ -213,9 +213,7 @@ def _structure(machine: Machine) -> Expr:
     for body in machine.bodies:
         assert machine.turning is not None
         v, w = _velocity(machine, body.centre), machine.turning.rates
-        turned = Add(
-            *(w[i] * body.inertia[i][k] * w[k] for i in range(len(w)) for k in range(len(w)))
-        )
+        turned = Add(*(w[i] * body.inertia[i][k] * w[k] for i in range(len(w)) for k in range(len(w))))
         T += HALF * body.mass * _product(machine, v, v) + HALF * turned
     T += Add(*(_leg(machine, leg) for leg in machine.legs))
     if machine.turning is not None:

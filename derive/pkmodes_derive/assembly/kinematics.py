@@ -120,7 +120,20 @@ def derive(machine: Machine) -> Kinematics:
     U = tuple(_link_jacobian(machine, j, independent) for j in range(len(machine.links)))
     P = _second_derivatives(machine, closures, D_p, solver)
     return Kinematics(
-        chain, machine.inverse, closures, solver, D_l, D_r, D_p, U, P, independent, right, D, reference, partial
+        chain,
+        machine.inverse,
+        closures,
+        solver,
+        D_l,
+        D_r,
+        D_p,
+        U,
+        P,
+        independent,
+        right,
+        D,
+        reference,
+        partial,
     )
 
 
@@ -149,7 +162,7 @@ def _diagonal(machine: Machine, right: Matrix, n: int) -> Matrix:
 
 
 def _name_moments(machine: Machine, D_l: Matrix) -> None:
-    """Name the entries of D_l that belong to rotations: moments of the linkage vectors about the platform's origin."""
+    """Name the entries of D_l for rotations: moments of the linkage vectors about the platform's origin."""
     first = len(machine.directions)
     for j in range(len(machine.links)):
         for m, axis in enumerate(machine.components[first:], start=first):

@@ -73,7 +73,10 @@ def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Stat
         )
     else:
         gravity = [
-            Add(kinematics.partial.derivative(energies.V_g, q), *(f * d for f, d in zip(by_platform, D, strict=True)))
+            Add(
+                kinematics.partial.derivative(energies.V_g, q),
+                *(f * d for f, d in zip(by_platform, D, strict=True)),
+            )
             for q, D in zip(machine.independent, kinematics.D_p.T.tolist(), strict=True)
         ]
         hessian = _hessian_in_blocks(machine, kinematics, energies, mu)
@@ -213,14 +216,14 @@ def _hessian_in_blocks(
         name = v.declare("g_{j}_{i}", "N", what, "g_{{{j},{i}}}", j=number + 1, i=AXES[i])
         return machine.define(name, value)
 
-    second = implicit.with_small_rotations(
-        second, lagrangian, machine.turning, kinematics.partial, gradient
-    )
+    second = implicit.with_small_rotations(second, lagrangian, machine.turning, kinematics.partial, gradient)
     matrix, mixed = second.dependent.copy(), second.mixed.xreplace(kinematics.reference)
     for i in range(len(names)):
         for k in range(i, len(names)):
             if matrix[i, k] != 0:
-                what = "second derivative of gravity and closures with respect to the platform, entry {i}, {a}"
+                what = (
+                    "second derivative of gravity and closures with respect to the platform, entry {i}, {a}"
+                )
                 unit = ("N/m", "N", "N m")[(i >= first) + (k >= first)]
                 name = v.declare("L_{i}_{a}", unit, what, "L_{{{i}{a}}}", i=names[i], a=names[k])
                 matrix[i, k] = matrix[k, i] = machine.define(name, matrix[i, k])

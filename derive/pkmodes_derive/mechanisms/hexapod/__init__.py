@@ -1,8 +1,8 @@
 r"""The hexapod: six legs that change their length, universal joints at the base, a platform that moves and turns.
 
 Leg j goes from the base joint a_j to the platform joint :math:`q_j = p + R b_j`; its length is the coordinate
-:math:`l_j = |q_j - a_j|`, and the vector between the joints, :math:`s_j = q_j - a_j`, closes the loop.  A motor commands
-the length s_j through an elastic transmission, such as a screw with its nut and bearings.
+:math:`l_j = |q_j - a_j|`, and the vector between the joints, :math:`d_j = q_j - a_j`, closes the loop.  A motor
+commands the length s_j through an elastic transmission, such as a screw with its nut and bearings.
 """
 
 from __future__ import annotations
@@ -55,7 +55,9 @@ def declare(m: Machine) -> None:
         latex="k_{{l,{j}}}",
         above=0.0,
     )
-    m_b, c_b, I_b = _body(leg, "base", "b", "the part of leg {j} that turns about the base joint", "base joint")
+    m_b, c_b, I_b = _body(
+        leg, "base", "b", "the part of leg {j} that turns about the base joint", "base joint"
+    )
     m_r, c_r, I_r = _body(
         leg, "rod", "r", "the part of leg {j} that ends in the platform joint", "platform joint"
     )
@@ -127,6 +129,16 @@ def declare(m: Machine) -> None:
     rotation_margin(m)
     numbers = tuple(str(j + 1) for j in J)
     m.margins += (
+        Margin(
+            "singular",
+            "jacobian_condition",
+            1,
+            "at_most_limit",
+            "the pose is singular",
+            "the pose is singular: the condition number of D_l is {value}",
+            "choose a pose farther from the singularity",
+            unit="1",
+        ),
         Margin(
             "limits",
             "travel_margin",

@@ -1,4 +1,4 @@
-"""A hexapod without symmetry: legs that differ in every parameter, a platform with products of inertia, tilted gravity.
+"""A hexapod without symmetry: legs that differ in every parameter, products of inertia, tilted gravity.
 
 The checks evaluate this robot, in which no terms vanish or cancel as they do in a real one.
 """

@@ -11,7 +11,7 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE
-from pkmodes.core.robot.layout import EFFECTS, GRAVITY, by_path, lent
+from pkmodes.core.robot.layout import EFFECTS, GRAVITY, XYZ, by_path, lent
 from pkmodes.core.robot.report_fields import REPORT, read_report
 from pkmodes.core.robot.units import DIMENSIONS, Quantity, article, with_unit
 from pkmodes.core.robot.usable import USABLE, Bound, read_usable
@@ -178,6 +178,7 @@ class Tables:
     ) -> dict[str, Quantity]:
         """Read the table of an effect; `declared` are values that other tables of the file declare, by path."""
         known = [parameter.name for parameter in effect.parameters]
+        table = self._with_components(effect, table)
         for key in table:
             if key not in known:
                 place = f"{EFFECTS}.{effect.name}"
@@ -199,6 +200,21 @@ class Tables:
                 remedy = f'add it, for example {parameter.name} = "{example}"'
                 self.problem(path, f"the parameter {parameter.name} is missing", remedy)
         return quantities
+
+    def _with_components(self, effect: Effect, table: Mapping[str, Any]) -> dict[str, Any]:
+        """Write a vector, such as ``offset``, as the parameters of its components, such as ``offset_x``."""
+        written: dict[str, Any] = {}
+        for key, given in table.items():
+            components = [p.name for p in effect.parameters if p.name in (f"{key}_{axis}" for axis in XYZ)]
+            if not components:
+                written[key] = given
+            elif not isinstance(given, list) or len(given) != len(components):
+                path = f"{EFFECTS}.{effect.name}.{key}"
+                what = f"expected a list of {len(components)} lengths, found {shown(given)}"
+                self.problem(path, what, f"write {key} = [{', '.join(axis for axis in XYZ[: len(components)])}]")
+            else:
+                written |= dict(zip(components, given, strict=True))
+        return written
 
     def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
         if key in document:

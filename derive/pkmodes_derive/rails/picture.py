@@ -1,4 +1,4 @@
-"""What a picture of the linear delta shows.
+"""What a picture of carriages on rails shows, with their links and the platform.
 
 The robot file does not say in which plane a belt runs, how wide a parallelogram is, or how long a carriage looks:
 these follow from the pulley radius and the length of the linkage.
@@ -31,15 +31,15 @@ class Axis:
     ends: tuple[Symbol, Symbol]
     radius: Symbol
     turns: tuple[Symbol, Symbol]
-    joint: Sequence[Symbol]
+    lever: Sequence[Symbol]
     link: Symbol
     carriage: Symbol
     runs: Sequence[Run]
     clamp: Clamp
 
 
-def draw(m: Machine, axes: Sequence[Axis]) -> None:
-    """Declare rails, carriages, linkages, platform, pulleys and belts."""
+def draw(m: Machine, axes: Sequence[Axis], *, parallelograms: bool) -> None:
+    """Declare rails, carriages, links, platform, pulleys and belts; a link is a parallelogram, or one rod."""
     corners = []
     for j, a in enumerate(axes, start=1):
         up = m.draw.upright(a.direction, a.origin)
@@ -52,11 +52,11 @@ def draw(m: Machine, axes: Sequence[Axis]) -> None:
         m.draw.block(
             "carriage", f"carriage {j}", at(a.position, 0), a.direction, a.radius + HALF * a.carriage
         )
-        for sign in (1, -1):
+        for sign in (1, -1) if parallelograms else (0,):
             beside = tuple(sign * HALF_WIDTH * a.link * side[i] for i in range(3))
             foot = tuple(c + d for c, d in zip(at(a.position, 0), beside, strict=True))
-            corners.append(tuple(m.pose[i] + a.joint[i] + beside[i] for i in range(3)))
-            m.draw.line("link", f"rod of linkage {j}", foot, corners[-1])
+            corners.append(tuple(m.dependent[i] + a.lever[i] + beside[i] for i in range(3)))
+            m.draw.line("link", f"rod of linkage {j}" if parallelograms else f"rod {j}", foot, corners[-1])
         for k, (end, turned) in enumerate(zip(a.ends, a.turns, strict=True), start=1):
             m.draw.wheel("pulley", f"pulley {k} of axis {j}", at(end, 0), side, a.radius, turns=turned)
         top, bottom = ([at(end, sign * a.radius) for end in a.ends] for sign in (1, -1))

@@ -1,0 +1,49 @@
+r"""The hexaglide: six carriages on rails, six single rods, a platform that moves and turns.
+
+It is made of the axes of the linear delta, with one rod each: the platform joints :math:`c_j = p + R b_j` turn with
+the platform.
+"""
+
+from __future__ import annotations
+
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.mechanisms.hexaglide.sample import SAMPLE
+from pkmodes_derive.platform_table import platform_that_turns, rotation_margin
+from pkmodes_derive.rails import axes as rails
+from pkmodes_derive.rails.picture import draw
+from pkmodes_derive.vocabulary import AXES
+
+__all__ = ["DIRECTIONS", "ROTATIONS", "TITLE", "declare"]
+
+TITLE = "six carriages on rails, six single rods, a platform with six degrees of freedom"
+DIRECTIONS = ROTATIONS = AXES
+WORDS = rails.Words(
+    link="one rod, uniform and slender",
+    length="length of rod {j}",
+    mass="mass of rod {j}",
+    joint="platform joint {j} from the platform's origin, platform axes",
+)
+
+
+def declare(m: Machine) -> None:
+    """Declare the hexaglide."""
+    platform = platform_that_turns(m)
+    m.add_gravity()
+    axes = rails.declare_axes(m, 6, WORDS)
+    m.add_frame()
+
+    p = m.platform_pose("p", "platform's origin in the base frame", "p")
+    x, theta = rails.coordinates(m, 6)
+    lever = m.vectors("B", "m", "platform joint {j} from the platform's origin, base frame", "B_{j}")
+    for names, joint in zip(lever, axes.b, strict=True):
+        m.fixed_in_platform(names, joint)
+    distance2 = rails.close(m, axes, x, p, lever)
+
+    m.platform = p
+    m.body(platform.mass, platform.centre, platform.inertia, platform.products)
+    rails.bodies(m, axes, x, p, lever)
+    draw(m, rails.belts(m, axes, x, theta, lever), parallelograms=False)
+
+    rotation_margin(m)
+    rails.conditions(m, axes, distance2, "distance of the platform joints from the platform's origin")
+    m.sample = SAMPLE

@@ -1,0 +1,1 @@
+"""Parts of machines with carriages on rails."""

@@ -1,0 +1,3 @@
+"""Generated model of the mechanism hexaglide: see `model`."""
+
+from .model import *  # noqa: F403
