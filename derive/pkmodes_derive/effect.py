@@ -183,9 +183,7 @@ class Effect:
         parts = self.parts(machine)
         numbers = [str(number) for number in range(1, len(parts) + 1)]
         parameters = [
-            p.on(machine).at(place)
-            for p in self.parameters
-            for place in _places(p, machine, numbers)
+            p.on(machine).at(place) for p in self.parameters for place in _places(p, machine, numbers)
         ]
         places: tuple[str, ...] = ()
         if self.released:

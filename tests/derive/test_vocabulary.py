@@ -6,7 +6,7 @@ from functools import cache
 
 import pint
 import pytest
-from sympy import Abs, Add, Expr, Mul, Number, Pow, Symbol, atan2, cos, sin, sympify
+from sympy import Abs, Add, Expr, Mul, Number, NumberSymbol, Pow, Symbol, atan2, cos, sin, sympify
 
 from pkmodes_derive import mechanisms
 from pkmodes_derive.functions import Function, Model
@@ -85,7 +85,7 @@ def dimension(expression: Expr, v: Vocabulary) -> dict | None:
     """Return the dimension of an expression, None for a bare number; an inconsistent sum raises."""
     if isinstance(expression, Symbol):
         return dict(unit(v[expression].unit).dimensionality)
-    if isinstance(expression, Number):
+    if isinstance(expression, Number | NumberSymbol):
         return None
     if isinstance(expression, Add):
         found = [dimension(term, v) for term in expression.args]

@@ -116,7 +116,8 @@ def _named_mass(machine: Machine, second: implicit.SecondDerivatives) -> implici
 def _momentum(machine: Machine, i: int, k: int, value: Expr) -> Expr:
     if value.is_number or value.is_Symbol:
         return value
-    unit = "kg" if i < len(machine.directions) else "kg m"
+    turns = i >= len(machine.directions)
+    unit = machine.unit_by(machine.all_coordinates[k], *(("kg m", "kg m^2") if turns else ("kg", "kg m")))
     what = "momentum of the platform along {i} per unit rate of coordinate {k}"
     place = {"i": machine.components[i], "k": machine.all_coordinates[k].name}
     name = machine.vocabulary.declare("h_{i}_{k}", unit, what, "h_{{{i},{k}}}", **place)

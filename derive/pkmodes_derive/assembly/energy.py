@@ -252,12 +252,12 @@ def _jacobian_rate(machine: Machine, kinematics: Kinematics) -> tuple[tuple[Expr
         for m in range(len(link.vector)):
             rates = (chain.derivative(link.vector[m], q[k]) * q_dot[k] for k in range(n))
             machine.define(s_dot[j][m], Add(*rates))
-    unit = machine.unit_by(q[0], "1/s", "m/s")
+    units = machine.unit_by(q[0], "1/s", "m/s"), machine.unit_by(q[0], "1/(m s)", "1/s")
     names = tuple(
         tuple(
             v.declare(
                 "D_p_dot_{i}_{k}",
-                unit,
+                units[axis not in machine.directions],
                 f"time derivative of dp_{{i}}/d{machine.stem}_{{k}}",
                 r"(\dot{{D}}_p)_{{{i}{k}}}",
                 i=axis,

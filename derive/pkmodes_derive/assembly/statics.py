@@ -233,7 +233,7 @@ def _hessian_in_blocks(
             return value
         what = "force on the platform along {i} per unit of coordinate {k}"
         place = {"i": names[i], "k": kinematics.independent[k].name}
-        unit = "N/m" if i < first else "N"
+        unit = machine.unit_by(kinematics.independent[k], *(("N/m", "N") if i < first else ("N", "N m")))
         return machine.define(v.declare("f_{i}_{k}", unit, what, "f_{{{i},{k}}}", **place), value)
 
     independent = second.independent.xreplace(kinematics.reference)

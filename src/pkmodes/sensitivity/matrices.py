@@ -243,7 +243,9 @@ class MatrixDerivatives:
             )
             M, K_el, K_g = generated.extended_matrices(self._p)
             for entries, matrix, out in zip(of, (M, K_el + K_g), values, strict=True):
-                rates = np.broadcast_to(np.imag(matrix) / STEP, (len(block), len(self._p), *matrix.shape[-2:]))
+                rates = np.broadcast_to(
+                    np.imag(matrix) / STEP, (len(block), len(self._p), *matrix.shape[-2:])
+                )
                 for k, slot in enumerate(block):
                     some = np.flatnonzero(entries.slot == slot)
                     out[:, some] = rates[k][:, entries.row[some], entries.column[some]]
