@@ -37,12 +37,14 @@ def problems(description: Description) -> Iterator[str]:
     yield from _repeated("drives", [drive.name for drive in d.drives])
     yield from _unknown("independent", d.independent, names)
     yield from _unknown("directions", d.directions, pose)
-    yield from _unknown("rotations", [f"r{axis}" for axis in d.rotations], pose)
+    yield from _unknown("rotations", d.components[len(d.directions) :], pose)
     yield from _unknown("scales", [scale.coordinate for scale in d.scales], [*names, *released])
     yield from _unknown("the units of pose", [component.unit for component in d.pose], ("m", "rad"))
     yield from _repeated("independent", d.independent)
     yield from _repeated("directions", d.directions)
     yield from _repeated("rotations", d.rotations)
+    if d.rotations and tuple(pose) != d.components:
+        yield f"the pose is {', '.join(pose)}, expected {', '.join(d.components)}: directions, then rotations"
     if d.rigid_modes > len(names):
         yield f"there are {d.rigid_modes} rigid modes of {len(names)} coordinates"
     yield from _tables(d)

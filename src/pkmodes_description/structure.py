@@ -367,6 +367,11 @@ class Description(Part, frozen=True, omit_defaults=True):
     rotations: tuple[Axis, ...] = ()
 
     @property
+    def components(self) -> tuple[Name, ...]:
+        """The pose components that say where the platform is and how it is turned, in the order of `platform`."""
+        return (*self.directions, *(f"r{axis}" for axis in self.rotations))
+
+    @property
     def platform(self) -> tuple[Named, ...]:
         """The components of the platform's motion, the rows of its Jacobian: displacements, then small rotations."""
         return (

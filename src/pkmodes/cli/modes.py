@@ -1,4 +1,4 @@
-"""``pkmodes modes``: frequencies, shapes, end-effector directions and static torques at a pose."""
+"""``pkmodes modes``: frequencies, shapes, the end effector's motion and static torques at a pose."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, ro
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, HELD
+from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
@@ -42,7 +43,10 @@ class _AtPose(Document, frozen=True):
     robot: Annotated[str, Meta(description="Name of the robot.")]
     pose: Annotated[
         list[float],
-        Meta(description="The components of the mechanism's pose: the platform centre [m]."),
+        Meta(
+            description="The components of the mechanism's pose: the platform centre [m] and, where the platform "
+            "turns, its rotation vector [rad]."
+        ),
     ]
     coordinates: Annotated[
         list[str],
@@ -59,7 +63,8 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
     (
         "static_torques",
         list[float],
-        "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m].",
+        "Torque of each drive that holds the pose against gravity, positive with its coordinate [N m]; its force [N] "
+        "where that is a length.",
     ),
     (
         "poles",
@@ -107,10 +112,11 @@ def _type_of(field: Field) -> Any:
 @mechanism_option
 @json_option
 def modes(robot: Path, pose: str, drives: str, json_file: str | None) -> None:
-    """Compute frequencies, mode shapes, end-effector directions and static torques at a pose.
+    """Compute frequencies, mode shapes, the end effector's motion and static torques at a pose.
 
     Mode shapes are mass-normalised.  The table scales them to their largest component and, if the other coordinates
-    are angles, divides lengths by a radius, as in the paper.
+    are angles, divides lengths by a radius, as in the paper.  The end effector's motion is a unit vector; rotations
+    count times its characteristic length.
     """
     check_targets(json_file, [robot])
     model = load(robot)
@@ -175,16 +181,16 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
         scaled[:, k] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
         symbols[scale.coordinate] = f"/{scale.symbol}"
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
-    size = np.linalg.norm(result.platform_shapes, axis=1, keepdims=True)
-    directions = result.platform_shapes / np.where(size > 0.0, size, 1.0)
+    moved = result.platform_shapes * lengths_of(model.mechanism, model.robot.parameters)
+    size = np.linalg.norm(moved, axis=1, keepdims=True)
     names = [f"{name}{symbols.get(name, '')}" for name in result.coordinates]
-    names += [f"p_{name}" for name in model.mechanism.directions]
-    components = np.concatenate([scaled, directions], axis=1).T
+    names += [f"{one.name}{'*L' if one.unit == 'rad' else ''}" for one in model.mechanism.platform]
+    components = np.concatenate([scaled, moved / np.where(size > 0.0, size, 1.0)], axis=1).T
     rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
     terminal.block(Table("", columns, [list(map(Cell, row)) for row in rows]))
     terminal.line()
-    terminal.line("p: direction in which the platform moves, a unit vector in the base frame")
+    terminal.line(_of_platform(model))
     if sigmas is not None:
         terminal.line("+-: one standard deviation, from those that the robot file states")
     for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest):
@@ -193,11 +199,21 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     drive = model.mechanism.drives[0].unit
     for label, values, unit in (
         (model.mechanism.independent_are, result.joint_positions, units[model.mechanism.independent[0]]),
-        ("static torques", statics.torques, drive),
+        ("static forces" if drive == "N" else "static torques", statics.torques, drive),
     ):
         terminal.line(f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}")
     for note in notes:
         terminal.line(note)
+
+
+def _of_platform(model: Model) -> str:
+    """Say what the rows of the platform are."""
+    if not model.mechanism.rotations:
+        return "p: direction in which the platform moves, a unit vector in the base frame"
+    return (
+        "p, r*L: how the platform moves and turns about base axes, a unit vector; "
+        f"L = {model.characteristic_length:.4g} m, the rms distance of its joints from its origin"
+    )
 
 
 def _rigid(frequencies: Array, zero: float) -> Iterator[str]:

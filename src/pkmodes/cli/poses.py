@@ -69,33 +69,39 @@ def pose_of(model: Model, text: str) -> list[float]:
     Raises
     ------
     PoseError
-        As `parse_pose`, and if the robot could reach it if its bare lengths, some of them large, were in millimetres.
+        As `parse_pose`, and if the robot could reach it if its bare lengths, some of them large, were in millimetres,
+        or its bare angles in degrees.
     """
     point = parse_pose(text, model.mechanism)
-    _check_metres(model, text, point)
+    _check_units(model, text, point)
     return point
 
 
-def _check_metres(model: Model, text: str, point: list[float]) -> None:
-    """Reject a pose that could be reached if its bare lengths, some of them large, were in millimetres.
+def _check_units(model: Model, text: str, point: list[float]) -> None:
+    """Reject a pose that could be reached if bare numbers, some of them large, were in other units.
 
     Raises
     ------
     PoseError
         Other poses that cannot be reached are left to the model to reject.
     """
-    from pkmodes.core.mechanism.poses import LARGE
+    from pkmodes.core.mechanism.poses import MEANT
 
-    lengths = [component.unit == "m" for component in model.mechanism.pose]
-    smaller = [c / 1e3 if length else c for c, length in zip(point, lengths, strict=True)]
-    large = any(length and abs(c) >= LARGE for c, length in zip(point, lengths, strict=True))
-    bare = large and not any(c.isalpha() for c in re.sub(r"\d[eE]", "", text))
-    if bare and not model.check(point).valid and model.check(smaller).valid:
+    units = [component.unit for component in model.mechanism.pose]
+    if any(c.isalpha() for c in re.sub(r"\d[eE]", "", text)) or model.check(point).valid:
+        return
+    large = {
+        unit for c, unit in zip(point, units, strict=True) if unit in MEANT and abs(c) >= MEANT[unit].size
+    }
+    smaller = [c * MEANT[unit].factor if unit in large else c for c, unit in zip(point, units, strict=True)]
+    if large and model.check(smaller).valid:
         parts = [part.strip() for part in text.split(",")]
         given = ",".join(
-            f"{part} mm" if length else part for part, length in zip(parts, lengths, strict=True)
+            f"{part} {MEANT[unit].unit}" if unit in large else part
+            for part, unit in zip(parts, units, strict=True)
         )
-        remedy = f'the numbers look like millimetres: write --pose "{given}"'
+        looks = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large)
+        remedy = f'the numbers look like {looks}: write --pose "{given}"'
         raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
 
 

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError, PoseError, shown
 from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.length import characteristic_length, lengths_of
 from pkmodes.core.mechanism.poses import (
     CHUNK,
     MAX_CONDITION,
@@ -111,6 +112,14 @@ class Model:
     def system(self) -> Evaluation:
         """M, K and statics of the robot, motors free."""
         return evaluation(self.robot)
+
+    @cached_property
+    def characteristic_length(self) -> float:
+        """Length that makes the platform's rotations comparable with displacements [m] (docs/model.md).
+
+        1 where the platform does not turn.
+        """
+        return characteristic_length(self.mechanism, self.robot.parameters)
 
     @cached_property
     def dissipation(self) -> Dissipation:
@@ -318,7 +327,7 @@ class Model:
         )
 
     def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
-        """Compute the platform Jacobian D_p = dp/dq (equation 15).
+        """Compute the platform Jacobian D_p = dp/dq (equation 15); rotations are small ones about base axes.
 
         Parameters
         ----------
@@ -338,6 +347,8 @@ class Model:
     def condition(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the condition number of the platform Jacobian D_p: its largest singular value over its smallest.
 
+        Rotations count times the characteristic length of the platform (docs/model.md).
+
         Parameters
         ----------
         poses : array_like, shape (d,) or (..., d)
@@ -350,8 +361,13 @@ class Model:
         ndarray, shape (...)
             At least 1; 1 where the platform moves equally far in every direction.
         """
-        function = self._generated.platform_jacobian
-        (condition,) = self.evaluated(lambda p: condition_number(function(p)), self.checked(poses, on_error))
+        function, lengths = (
+            self._generated.platform_jacobian,
+            lengths_of(self.mechanism, self.robot.parameters),
+        )
+        (condition,) = self.evaluated(
+            lambda p: condition_number(function(p), lengths), self.checked(poses, on_error)
+        )
         return condition
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:

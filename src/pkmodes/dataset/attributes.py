@@ -48,10 +48,14 @@ def labels_of(mechanism: Mechanism, modes: int, coordinates: tuple[str, ...]) ->
     numbers = np.arange(FIRST, FIRST + modes)
     return {
         MODE: (MODE, numbers, {"units": "1", "long_name": "vibration mode, rigid-body modes left out"}),
-        DIRECTION: (DIRECTION, np.array(mechanism.directions), _named("direction of the platform's motion")),
+        DIRECTION: (DIRECTION, np.array(mechanism.components), _named(_component_of(mechanism))),
         COORDINATE: (COORDINATE, np.array(coordinates), _named("generalised coordinate")),
         DRIVE: (DRIVE, np.array([d.name for d in mechanism.drives]), _named("drive")),
     }
+
+
+def _component_of(mechanism: Mechanism) -> str:
+    return f"{'component' if mechanism.rotations else 'direction'} of the platform's motion"
 
 
 def _named(what: str) -> dict[str, str]:

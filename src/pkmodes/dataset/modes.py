@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, MODE, Field, conditions_of, of_maps
+from pkmodes.core.solve.fields import FIELDS, INDEPENDENT, LINEAR, MODE, Field, conditions_of, of_maps
 from pkmodes.core.solve.results import Modes
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
 from pkmodes.dataset.table import table_of
@@ -110,9 +110,15 @@ def to_table(modes: Modes) -> pandas.DataFrame:
 
 
 def _along(field: Field, values: NDArray[Any], mechanism: Mechanism, shown: Sequence[str]) -> NDArray[Any]:
-    """Return values along the axis of the coordinates that are shown, NaN at those that are not independent."""
-    if INDEPENDENT not in field.dims:
+    """Return values along the axis that a map has, NaN at entries that the field does not have.
+
+    These are coordinates that are not independent, and rotations.
+    """
+    if not {INDEPENDENT, LINEAR} & {*field.dims}:
         return values
-    spread = np.full((*values.shape[:-1], len(shown)), np.nan)
-    spread[..., [shown.index(name) for name in mechanism.independent]] = values
+    of_coordinates = INDEPENDENT in field.dims
+    every = shown if of_coordinates else mechanism.components
+    own = mechanism.independent if of_coordinates else mechanism.directions
+    spread = np.full((*values.shape[:-1], len(every)), np.nan)
+    spread[..., [every.index(name) for name in own]] = values
     return spread

@@ -5,7 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.solve.fields import COORDINATE, INDEPENDENT, MODE, SHAPES, Field, of_maps
+from pkmodes.core.solve.fields import (
+    COORDINATE,
+    DIRECTION,
+    INDEPENDENT,
+    LINEAR,
+    MODE,
+    SHAPES,
+    Field,
+    of_maps,
+)
 
 #: The axis of poses that are not on a grid.
 LIST = "pose"
@@ -13,6 +22,8 @@ LIST = "pose"
 EVENTS = {"crossing": 1, "veering": 2, "uncertain": 4}
 #: Mode numbers start at the first vibration mode.
 FIRST = 1
+#: Axes of fields whose values are entries of another axis in a map.
+WITHIN = {INDEPENDENT: COORDINATE, LINEAR: DIRECTION}
 
 
 @dataclass(frozen=True)
@@ -81,13 +92,15 @@ def dims_of_poses(axes: int) -> tuple[str, ...]:
 
 def dims_of(field: Field) -> tuple[str, ...]:
     """Return the axes of a field in a map, after those of the poses."""
-    return tuple(COORDINATE if dim == INDEPENDENT else dim for dim in field.dims)
+    return tuple(WITHIN.get(dim, dim) for dim in field.dims)
 
 
 def _variable(field: Field, mechanism: Mechanism, normal: str | None, shapes: bool) -> Variable:
     comment = field.comment
     if shapes and INDEPENDENT in field.dims:
         comment = "NaN for coordinates that do not follow from the pose"
+    if mechanism.rotations and LINEAR in field.dims:
+        comment = f"{comment}; NaN for rotations"
     return Variable(
         field.variable,
         dims_of(field),
@@ -96,6 +109,7 @@ def _variable(field: Field, mechanism: Mechanism, normal: str | None, shapes: bo
             plane=" and ".join(name for name in mechanism.directions if name != normal),
             normal=normal or "no other direction",
             independent=mechanism.independent_are,
+            effort="force" if mechanism.drives[0].unit == "N" else "torque",
         ),
         comment,
     )

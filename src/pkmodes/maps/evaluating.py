@@ -24,7 +24,9 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import USABLE
 from pkmodes.core.solve.fields import (
     COORDINATE,
+    DIRECTION,
     INDEPENDENT,
+    LINEAR,
     MODE,
     SHAPES,
     Field,
@@ -78,6 +80,7 @@ def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
     sizes = sizes_of(robot.mechanism, layout.modes, coordinates, independent)
+    sizes[LINEAR] = sizes[DIRECTION]
     fields = {field.variable: (tail(field, sizes), field.dtype) for field in of_maps(layout.conditions)}
     return {**fields, "code": ((), "i1")}
 
@@ -199,5 +202,7 @@ def _place(
         independent = model.robot.mechanism.independent
         shown = layout.coordinates if layout.shapes else independent
         array[..., [shown.index(name) for name in independent]] = values
+    elif LINEAR in field.dims:
+        array[..., : values.shape[-1]] = values
     else:
         array[...] = values

@@ -118,7 +118,8 @@ def _functions(mechanism: Mechanism) -> Iterator[str]:
     yield from _wrong("the number of independent coordinates", len(mechanism.independent), len(positions))
     yield from _wrong("the shape of the platform Jacobian", (len(pose), len(positions)), np.shape(jacobian))
     motion = np.shape(effects.extended_platform_motion(pose))
-    yield from _wrong("the number of directions", len(mechanism.directions), motion[0])
+    what = "the number of directions and rotations" if mechanism.rotations else "the number of directions"
+    yield from _wrong(what, len(mechanism.platform), motion[0])
     torques = model.static_equilibrium(pose)[0]
     yield from _wrong("the number of drives", len(mechanism.drives), len(torques))
     motors = np.shape(effects.motor_motion())

@@ -7,6 +7,7 @@ compares them with their bounds and formats the messages.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -31,9 +32,25 @@ CHUNK = 2048
 
 #: The condition checked before the mechanism's margins: its code and what violating it means.
 FINITE = ("finite", "a coordinate is NaN or infinite")
-#: A bare length from here on, in metres, may well have been meant in millimetres.
-LARGE = 10.0
 IN_WORDS = {"m": "metres", "rad": "radians"}
+
+
+class Meant(NamedTuple):
+    """The unit in which bare numbers may well have been meant from a size on: factor to SI, name, plural."""
+
+    size: float
+    factor: float
+    unit: str
+    plural: str
+
+
+#: By SI unit.
+MEANT = {
+    "m": Meant(10.0, 1e-3, "mm", "millimetres"),
+    "rad": Meant(np.pi / 2, np.pi / 180, "deg", "degrees"),
+}
+#: A bare length from here on, in metres.
+LARGE = MEANT["m"].size
 
 
 def reasons(mechanism: Mechanism) -> dict[str, str]:
@@ -236,20 +253,17 @@ def as_points(
 
 
 def placed(mechanism: Mechanism, point: Sequence[float] | Array, digits: str = ".6g") -> str:
-    """Format a pose for messages and tables, such as ``[0.6, 0, -0.245] m``."""
-    numbers = [format(float(value), digits) for value in point]
-    units = [component.unit for component in mechanism.pose]
-    if len(set(units)) == 1:
-        return f"[{', '.join(numbers)}] {units[0]}"
-    return f"[{', '.join(f'{number} {unit}' for number, unit in zip(numbers, units, strict=True))}]"
+    """Format a pose for messages and tables: ``[0.6, 0, -0.245] m``, or ``[0, 0, 0.5] m, [0.02, 0, 0] rad``."""
+    numbers = iter([format(float(value), digits) for value in point])
+    units = groupby(component.unit for component in mechanism.pose)
+    return ", ".join(f"[{', '.join(next(numbers) for _ in alike)}] {unit}" for unit, alike in units)
 
 
 def _in_words(mechanism: Mechanism) -> str:
     """Describe the components of a pose, for a remedy."""
-    units = {component.unit for component in mechanism.pose}
+    units = [IN_WORDS.get(unit, "SI units") for unit in dict.fromkeys(c.unit for c in mechanism.pose)]
     names = ", ".join(component.name for component in mechanism.pose)
-    unit = IN_WORDS.get(units.pop(), "SI units") if len(units) == 1 else "SI units"
-    return f"poses [{names}] in {unit}: {mechanism.pose_is}"
+    return f"poses [{names}] in {' and '.join(dict.fromkeys(units))}: {mechanism.pose_is}"
 
 
 def margin_of(generated: Generated, margin: Margin, points: Array) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.stiffness_parts import StiffnessParts, stiffness_parts
@@ -64,12 +65,12 @@ class RobotAtPoses:
 
     @cached_property
     def platform_motion(self) -> Array:
-        """Absolute motion of the platform per unit of each coordinate, (N, directions, n)."""
+        """Absolute motion of the platform per unit of each coordinate, (N, components, n)."""
         return self.system.platform_motion(self.points)
 
     @cached_property
     def static_torques(self) -> Array:
-        """Torques that hold the poses, (N, drives) [N m]."""
+        """Torques or forces of the drives that hold the poses, (N, drives)."""
         return self.system.statics(self.points)[0]
 
     @cached_property
@@ -84,8 +85,13 @@ class RobotAtPoses:
 
     @property
     def directions(self) -> tuple[str, ...]:
-        """Names of the directions of the platform's motion."""
+        """Names of the directions of the platform's motion, which come first among its components."""
         return tuple(self.system.mechanism.directions)
+
+    @cached_property
+    def lengths(self) -> Array:
+        """What makes a length of each component of the platform's motion, (components,)."""
+        return lengths_of(self.system.mechanism, self.system.parameters)
 
     @property
     def _kinematics(self) -> Generated:

@@ -68,8 +68,8 @@ class CompiledSolver(Solver):
             raise UnavailableError(
                 f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
             ) from None
-        directions = len(mechanism.directions)
-        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition, directions), system)
+        components = len(mechanism.platform)
+        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition, components), system)
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""

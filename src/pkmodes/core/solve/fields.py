@@ -21,9 +21,10 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
 
 Array = NDArray[Any]
-#: Axes after those of the poses.  In maps, modes are those of vibration, and independent coordinates are entries of
-#: the axis of all coordinates.
-MODE, DIRECTION, COORDINATE, DRIVE, INDEPENDENT = "mode", "direction", "coordinate", "drive", "independent"
+#: Axes after those of the poses.  In maps, modes are those of vibration; independent coordinates are entries of the
+#: axis of all coordinates, and linear directions of that of all components of the platform's motion.
+MODE, DIRECTION, COORDINATE, DRIVE = "mode", "direction", "coordinate", "drive"
+INDEPENDENT, LINEAR = "independent", "linear"
 NORMALISED = "mass-normalised, phi^T M phi = 1: displacements in 1/sqrt(kg), rotations in 1/(sqrt(kg) m)"
 PER_MODE = "of the platform in each vibration mode"
 #: Conditions under which maps have a field: mode shapes are kept, a robot dissipates, the motors are held.
@@ -56,7 +57,7 @@ class Field:
     units : str or callable
         In maps; of a mechanism.
     text : str
-        What it is, for maps; {plane}, {normal} and {independent} are replaced.
+        What it is, for maps; {plane}, {normal}, {independent} and {effort} are replaced.
     symbol : str
         Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
     only : {"", "shapes", "dissipation", "held"}
@@ -124,17 +125,21 @@ def _vibration_amplitudes(
     points: Array,
     rigid_modes: int,
     strain_free_motions: Callable[[Array], Array],
+    directions: Sequence[str],
 ) -> Array:
-    momenta = mass_matrix @ strain_free_motions(points)
-    amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes, momenta)
+    linear = slice(len(directions))
+    momenta = mass_matrix @ strain_free_motions(points)[..., linear]
+    amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes[..., linear], momenta)
     amplitudes[:, :rigid_modes] = np.nan
     return amplitudes
 
 
-def _softest_stiffness(stiffness_matrix: Array, platform_motion: Array, kept: Array | None) -> Array:
+def _softest_stiffness(
+    stiffness_matrix: Array, platform_motion: Array, kept: Array | None, directions: Sequence[str]
+) -> Array:
     if kept is None:
         return np.full(len(stiffness_matrix), np.nan)
-    return softest(kept.T @ stiffness_matrix @ kept, platform_motion @ kept)
+    return softest(kept.T @ stiffness_matrix @ kept, platform_motion[..., : len(directions), :] @ kept)
 
 
 def _platform_shapes(shapes: Array, platform_motion: Array) -> Array:
@@ -152,9 +157,15 @@ def _out_of_plane(motion: Array, directions: Sequence[str], normal: str | None) 
     return np.abs(motion[..., list(directions).index(normal)])
 
 
-def condition_number(jacobians: Array) -> Array:
-    """Return the ratio of the largest to the smallest singular value of matrices, (N, d, k)."""
-    singular = np.linalg.svd(jacobians, compute_uv=False)
+def condition_number(jacobians: Array, lengths: Array) -> Array:
+    """Return the ratio of the largest to the smallest singular value of matrices, (N, d, k).
+
+    Parameters
+    ----------
+    lengths : ndarray, shape (d,)
+        By which their rows are multiplied: rotations become lengths.
+    """
+    singular = np.linalg.svd(jacobians * lengths[:, None], compute_uv=False)
     with np.errstate(divide="ignore"):
         return np.asarray(singular[..., 0] / singular[..., -1])
 
@@ -216,14 +227,14 @@ FIELDS: dict[str, Field] = {
             variable="platform_shape",
             key="platform_shapes",
             key_text="For each mode the motion of the platform centre along the linear components of the "
-            "pose, with the scale of the shape.",
+            "pose and, where the platform turns, its small rotations about base axes, with the scale of the shape.",
             text=f"motion {PER_MODE}",
             comment=NORMALISED,
             signed=True,
         ),
         Field(
             name="vibration_amplitudes",
-            dims=(MODE, DIRECTION),
+            dims=(MODE, LINEAR),
             needs=(
                 "eigenvalues",
                 "shapes",
@@ -232,6 +243,7 @@ FIELDS: dict[str, Field] = {
                 "points",
                 "rigid_modes",
                 "strain_free_motions",
+                "directions",
             ),
             of=_vibration_amplitudes,
             variable="vibration_amplitude",
@@ -307,12 +319,12 @@ FIELDS: dict[str, Field] = {
             in_modes=False,
             variable="static_torque",
             units=lambda mechanism: mechanism.drives[0].unit,
-            text="torque that holds the pose against gravity",
+            text="{effort} that holds the pose against gravity",
         ),
         Field(
             name="condition",
             dims=(),
-            needs=("platform_jacobian",),
+            needs=("platform_jacobian", "lengths"),
             of=condition_number,
             in_modes=False,
             variable="condition",
@@ -321,7 +333,7 @@ FIELDS: dict[str, Field] = {
         Field(
             name="softest_stiffness",
             dims=(),
-            needs=("stiffness_matrix", "platform_motion", "kept"),
+            needs=("stiffness_matrix", "platform_motion", "kept", "directions"),
             of=_softest_stiffness,
             in_modes=False,
             variable="softest_stiffness",
@@ -384,7 +396,8 @@ def sizes_of(
     return {
         MODE: modes,
         COORDINATE: coordinates,
-        DIRECTION: len(mechanism.directions),
+        DIRECTION: len(mechanism.platform),
+        LINEAR: len(mechanism.directions),
         DRIVE: len(mechanism.drives),
         INDEPENDENT: len(mechanism.independent) if independent is None else independent,
     }

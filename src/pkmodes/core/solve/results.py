@@ -156,13 +156,15 @@ class Modes(ChosenFields):
     shapes : ndarray, shape (..., m, n)
         ``shapes[..., i, :]`` is mode i, mass-normalised (phi^T M phi = 1) with a deterministic sign.  A held motor
         has no motion in it.
-    platform_shapes : ndarray, shape (..., m, directions)
+    platform_shapes : ndarray, shape (..., m, components)
         Absolute motion of the platform centre in each mode, in the base frame, by the linear pose components: D_p
-        times the independent coordinates' components, plus the motion of released joints and the frame.
+        times the independent coordinates' components, plus the motion of released joints and the frame.  Where the
+        platform turns, its small rotations about base axes follow.
     vibration_amplitudes : ndarray, shape (..., m, directions)
         With held motors, how the platform rings after a step of its acceleration of 1 m/s^2 along each linear pose
         component d [s^2]: ``|J_p phi_i| |phi_i^T M r_d| / omega_i^2``, with the motion r_d of all coordinates, motors
-        included, that moves the platform by 1 along d and strains nothing; the norm is over all directions.  NaN for
+        included, that moves the platform by 1 along d without turning it and strains nothing; the norm is over all
+        directions, which are lengths.  NaN for
         rigid-body modes, and with free motors.  In a group of equal frequencies it depends on the shapes that stand
         for the group.
     joint_positions : ndarray, shape (..., k)
@@ -229,16 +231,18 @@ class Modes(ChosenFields):
 
 @dataclass(frozen=True, eq=False)
 class Statics(AtPoses):
-    """Static equilibrium at each pose (equation 44): torques and rotations that hold the platform against gravity.
+    """Static equilibrium at each pose (equation 44): what holds the platform against gravity.
 
     Attributes
     ----------
     poses : ndarray, shape (..., d)
         Pose components of the mechanism, in SI units.
     torques : ndarray, shape (..., drives)
-        Drive torques in the order of the drives [N m], positive in the direction of each drive's coordinate.
+        What the drives exert, in their order, positive in the direction of each drive's coordinate: torques [N m], or
+        forces [N] where that coordinate is a length; ``mechanism.drives`` has the units.
     rotations : ndarray, shape (..., n - k)
-        Rotations of the dependent coordinates from the unstrained transmissions [rad], in their order.
+        Displacements of the dependent coordinates from the unstrained transmissions, in their order: rotations
+        [rad], or lengths [m].
     robot : Robot
         The robot that they hold.
     valid : ndarray of bool, shape (...)

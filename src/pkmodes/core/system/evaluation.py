@@ -79,9 +79,9 @@ class Evaluation:
         return np.zeros(len(self.coordinates), dtype=bool)
 
     def platform_motion(self, p: Array) -> Array:
-        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+        """Return the absolute platform motion per unit of each coordinate, (N, components, n)."""
         pose = [component.name for component in self.mechanism.pose]
-        rows = [pose.index(name) for name in self.mechanism.directions]
+        rows = [pose.index(name) for name in self.mechanism.components]
         columns = [self.coordinates.index(name) for name in self.mechanism.independent]
         motion = np.zeros((*p.shape[:-1], len(rows), len(self.coordinates)))
         motion[..., columns] = self.generated.platform_jacobian(p)[..., rows, :]
@@ -193,11 +193,11 @@ class ExtendedSystem(Evaluation):
         return none
 
     def platform_motion(self, p: Array) -> Array:
-        """Return the absolute platform motion per unit of each coordinate, (N, directions, n)."""
+        """Return the absolute platform motion per unit of each coordinate, (N, components, n)."""
         return self.motion_of_all(p)[..., self.free]
 
     def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
-        """Return the same for all coordinates, (N, directions, e), optionally with other parameters."""
+        """Return the same for all coordinates, (N, components, e), optionally with other parameters."""
         given = self.parameters if parameters is None else parameters
         motion = np.asarray(Generated(self.mechanism.extended, given).extended_platform_motion(p))
         return motion if self.basis is None else motion @ self.basis

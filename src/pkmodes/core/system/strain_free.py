@@ -12,10 +12,10 @@ Array = NDArray[np.float64]
 
 
 def strain_free_motions(system: Evaluation, points: Array) -> Array:
-    """Return the motions that move the platform by 1 along each linear component of the pose and strain nothing.
+    """Return the motions that move the platform by 1 along each direction, or turn it by 1, and strain nothing.
 
     They are those of rigid links, belts, reducers and joints: released joints do not move, and springs to ground
-    count as no strain.  Other components of the pose, such as angles, do not change.
+    count as no strain.  The other components of the platform's motion are 0.
 
     Parameters
     ----------
@@ -25,7 +25,7 @@ def strain_free_motions(system: Evaluation, points: Array) -> Array:
 
     Returns
     -------
-    ndarray, shape (N, n, directions)
+    ndarray, shape (N, n, components)
         In all n coordinates, motors included.
     """
     mechanism, extended = system.mechanism, system.mechanism.extended
@@ -36,7 +36,7 @@ def strain_free_motions(system: Evaluation, points: Array) -> Array:
     else:
         _, elastic, _ = Generated(extended, system.parameters, extended.Effects()).extended_matrices(points)
     jacobian = model.platform_jacobian(points)
-    rates = np.linalg.pinv(jacobian)[..., [pose.index(name) for name in mechanism.directions]]
+    rates = np.linalg.pinv(jacobian)[..., [pose.index(name) for name in mechanism.components]]
     given = [names.index(name) for name in mechanism.independent]
     follows = np.setdiff1d(np.arange(len(names)), given)
     motions = np.zeros((len(points), len(system.coordinates), rates.shape[-1]))

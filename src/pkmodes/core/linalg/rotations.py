@@ -1,0 +1,67 @@
+r"""Rotations as rotation vectors r, with :math:`R = \exp([r]_\times)`.
+
+A small rotation :math:`\omega` about base axes turns R into :math:`\exp([\omega]_\times) R`, and changes the rotation
+vector by :math:`J(r)^{-1} \omega`, where
+
+.. math:: J(r) = I + \frac{1 - \cos\vartheta}{\vartheta^2} [r]_\times
+    + \frac{\vartheta - \sin\vartheta}{\vartheta^3} [r]_\times^2 , \qquad \vartheta = |r| .
+
+Chirikjian, *Stochastic Models, Information Theory, and Lie Groups*, vol. 2 (2012), section 10.8.6.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+AXES = ("x", "y", "z")
+#: Angles below which the series of the coefficients are exact to rounding [rad].
+SMALL = 1e-3
+
+
+def about(axes: Sequence[str], angles: Array) -> Array:
+    """Return rotation vectors, (..., 3), from their components about some axes, (..., k)."""
+    vectors = np.zeros((*angles.shape[:-1], 3))
+    vectors[..., [AXES.index(axis) for axis in axes]] = angles
+    return vectors
+
+
+def matrix_of(vectors: Array) -> Array:
+    """Return the rotation matrices of rotation vectors, (..., 3) to (..., 3, 3): Rodrigues' formula."""
+    cross, first, second, _ = _parts(vectors)
+    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross))
+
+
+def vector_of(matrices: Array) -> Array:
+    """Return the rotation vectors of rotations of less than half a turn, (..., 3, 3) to (..., 3)."""
+    twice = np.stack(
+        [matrices[..., (i + 2) % 3, (i + 1) % 3] - matrices[..., (i + 1) % 3, (i + 2) % 3] for i in range(3)],
+        axis=-1,
+    )
+    sine = 0.5 * np.linalg.norm(twice, axis=-1)
+    angle = np.arctan2(sine, 0.5 * (np.trace(matrices, axis1=-2, axis2=-1) - 1.0))
+    small = sine < SMALL
+    factor = np.where(small, 1.0 + sine**2 / 6.0, angle / np.where(small, 1.0, sine))
+    return np.asarray(0.5 * factor[..., None] * twice)
+
+
+def rates_of(vectors: Array) -> Array:
+    """Return J, the small rotation about base axes per change of the rotation vector, (..., 3, 3)."""
+    cross, _, first, second = _parts(vectors)
+    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross))
+
+
+def _parts(vectors: Array) -> tuple[Any, ...]:
+    """Return [r], sin(t)/t, (1 - cos t)/t^2 and (t - sin t)/t^3, with trailing axes for matrices."""
+    angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
+    small = angle < SMALL
+    t = np.where(small, 1.0, angle)
+    square = angle**2
+    first = np.where(small, 1.0 - square / 6.0, np.sin(t) / t)
+    second = np.where(small, 0.5 - square / 24.0, 2.0 * (np.sin(0.5 * t) / t) ** 2)
+    third = np.where(small, 1.0 / 6.0 - square / 120.0, (t - np.sin(t)) / t**3)
+    return np.cross(np.eye(3), vectors[..., None, :]), first, second, third

@@ -1,0 +1,68 @@
+"""The characteristic length of a platform that turns: it makes rotations comparable with displacements.
+
+It is the root mean square distance of the points of the platform that are drawn, such as its joints, from its origin.
+A rotation times this length is about how far these points move.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.linalg.rotations import about, matrix_of
+from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.regular import sample
+
+Array = NDArray[np.float64]
+#: A pose from which to see which points move with the platform: displacement [m] and rotation [rad].
+MOVED, TURNED = (0.011, -0.017, 0.013), (0.13, -0.19, 0.11)
+#: Points that move with the platform do so to this part of their distance from it.
+SAME = 1e-9
+
+
+def characteristic_length(mechanism: Mechanism, parameters: Any) -> float:
+    """Return the characteristic length of a robot [m]; 1 for a platform that is drawn as a point or does not turn."""
+    places = list(_of_platform(mechanism))
+    if not places:
+        return 1.0
+    points = _drawn(mechanism, parameters, np.zeros(len(mechanism.pose)))[places]
+    return float(np.sqrt((points**2).sum(axis=-1).mean()))
+
+
+def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
+    """Return what turns each component of the platform's motion into a length: 1, or the characteristic length."""
+    turning = len(mechanism.rotations)
+    length = characteristic_length(mechanism, parameters) if turning else 1.0
+    return np.array([1.0] * len(mechanism.directions) + [length] * turning)
+
+
+@cache
+def _of_platform(mechanism: Mechanism) -> tuple[int, ...]:
+    """Return the drawn points that move with the platform, except those at its origin."""
+    if not mechanism.rotations:
+        return ()
+    names = [component.name for component in mechanism.pose]
+    size = len(mechanism.directions)
+    pose, offset = np.zeros(len(names)), np.zeros(3)
+    offset[["xyz".index(axis) for axis in mechanism.directions]] = MOVED[:size]
+    angles = np.array(TURNED[: len(mechanism.rotations)])
+    pose[[names.index(name) for name in mechanism.components]] = [*MOVED[:size], *angles]
+    plain = sample(mechanism)
+    first = _drawn(mechanism, plain, np.zeros(len(names)))
+    turned = first @ matrix_of(about(mechanism.rotations, angles)).T + offset
+    distance = np.linalg.norm(first, axis=-1)
+    away = np.linalg.norm(turned - _drawn(mechanism, plain, pose), axis=-1)
+    size_of_all = float(np.nanmax(distance))
+    return tuple(np.flatnonzero((away <= SAME * size_of_all) & (distance > SAME * size_of_all)).tolist())
+
+
+def _drawn(mechanism: Mechanism, parameters: Any, pose: Array) -> Array:
+    """Return the drawn points at a pose, (points, 3); NaN where the machine cannot be there."""
+    uprights = mechanism.drawing.uprights
+    up = (np.tile([0.0, 0.0, 1.0], uprights),) if uprights else ()
+    with np.errstate(all="ignore"):
+        return np.asarray(Generated(mechanism.drawn, parameters).drawing_points(pose, *up), dtype=float)
