@@ -18,7 +18,7 @@ from pkmodes.cli.options import drives_option, json_option, mechanism_option, ro
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
 from pkmodes.core.base.drives import DRIVES, HELD
-from pkmodes.core.mechanism.length import lengths_of
+from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO, SOLVERS
@@ -181,11 +181,10 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
         scaled[:, k] /= np.asarray(getattr(model.robot.parameters, scale.field))[scale.index]
         symbols[scale.coordinate] = f"/{scale.symbol}"
     scaled /= np.abs(scaled).max(axis=1, keepdims=True)
-    moved = result.platform_shapes * lengths_of(model.mechanism, model.robot.parameters)
-    size = np.linalg.norm(moved, axis=1, keepdims=True)
+    moved = unit_vectors(result.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     names = [f"{name}{symbols.get(name, '')}" for name in result.coordinates]
-    names += [f"{one.name}{'*L' if one.unit == 'rad' else ''}" for one in model.mechanism.platform]
-    components = np.concatenate([scaled, moved / np.where(size > 0.0, size, 1.0)], axis=1).T
+    names += headings(model.mechanism)
+    components = np.concatenate([scaled, moved], axis=1).T
     rows += [[name, *map(_fixed, row)] for name, row in zip(names, components, strict=True)]
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
     terminal.block(Table("", columns, [list(map(Cell, row)) for row in rows]))

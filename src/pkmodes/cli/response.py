@@ -65,13 +65,15 @@ class ResponseDocument(Document, frozen=True):
     "--inputs",
     metavar="NAME,...",
     required=True,
-    help="torque_1 of a free motor, the prescribed angle motor_1 of a held one, force_x on the platform.",
+    help="torque_1 of a free motor, the prescribed angle motor_1 of a held one, force_x on the platform, moment_x on "
+    "one that turns.",
 )
 @click.option(
     "--outputs",
     metavar="NAME,...",
     required=True,
-    help="p_x of the platform, another direction of it such as nozzle=1:1:0, motor_1, or any coordinate.",
+    help="p_x of the platform, r_x of one that turns, another direction of it such as nozzle=1:1:0, motor_1, or any "
+    "coordinate.",
 )
 @click.option(
     "--frequencies",

@@ -431,10 +431,12 @@ class Model:
     @property
     def has_assemblies(self) -> bool:
         """Whether the mechanism has several assembly branches: see `assembly`."""
-        return self._generated.has("direct_kinematics")
+        return self._generated.has("direct_kinematics") or bool(self.mechanism.rotations)
 
     def assembly(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the assembly branch of each pose: the sign of det D_l (equation 15).
+
+        Where the platform turns, it is the sign of det D_p.
 
         Parameters
         ----------
@@ -453,6 +455,10 @@ class Model:
         PkmodesError
             If the mechanism has only one assembly branch.
         """
+        if self.mechanism.rotations:
+            (D_p,) = self._at(poses, on_error, "platform_jacobian")
+            with np.errstate(invalid="ignore"):
+                return np.asarray(np.sign(np.linalg.det(D_p)))
         self._function("direct_kinematics")
         determinant, _ = self._at(poses, on_error, "jacobian_condition")
         return np.sign(determinant)

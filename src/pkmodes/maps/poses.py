@@ -114,7 +114,8 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
     Parameters
     ----------
     given : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
-        Ascending values, or one number, for each component of the pose; or poses one after the other.
+        Ascending values, or one number, for each component of the pose, rotations 0 where they are not given; or
+        poses one after the other.
 
     Raises
     ------
@@ -131,6 +132,7 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
         if name not in names:
             what = f"expected values of {', '.join(names)}, found {shown(name)}"
             raise PoseError(what, "grid", EXAMPLE)
+    given = {**dict.fromkeys(mechanism.components[len(mechanism.directions) :], 0.0), **given}
     missing = [name for name in names if name not in given]
     if missing:
         what = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"

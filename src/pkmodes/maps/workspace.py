@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.length import platform_points
 from pkmodes.core.mechanism.poses import LARGE
 from pkmodes.core.mechanism.regular import drawn_poses
 from pkmodes.core.mechanism.rods import singular_angles
@@ -40,19 +41,41 @@ DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
 #: Part of the length of the box by which it is extended on each side before the next round.
 BEYOND = 0.1
 SEED = 20260105
+#: Part of its characteristic length by which the origin of a platform is to one side of its joints.
+BESIDE = 0.01
 #: Usable poses after which the ends of the box around them are known well enough.
 ENOUGH = 5_000
 #: Poses of the grid, about, and along one component at most, about.
 POSES, LONGEST = 50_000, 1_000
 
 
-def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
+def resting(model: Model, pose: Array | None = None) -> dict[int, float]:
+    """Return the components of a pose that stay as they are in a workspace, by index: the rotations of the platform.
+
+    Parameters
+    ----------
+    pose : ndarray, shape (d,), optional
+        A pose in it; by default rotations are 0, or the nearest value within the usable limits.
+    """
+    mechanism = model.mechanism
+    names = [component.name for component in mechanism.pose]
+    still = [names.index(name) for name in mechanism.components[len(mechanism.directions) :]]
+    low, high = limits_of(mechanism, model.robot.usable)
+    values = np.clip(0.0, low, high) if pose is None else pose
+    return {i: float(values[i]) for i in still}
+
+
+def box_of(
+    model: Model, pose: Array | None = None, still: Mapping[int, float] | None = None
+) -> tuple[Array, Array]:
     """Return the box around the poses that can be evaluated, on one assembly branch.
 
     Parameters
     ----------
     pose : ndarray, shape (d,), optional
         A pose on the branch; by default the branch whose platform hangs lower.
+    still : mapping of int to float, optional
+        Components that stay as they are, by index; by default the rotations of the platform, see `resting`.
 
     Returns
     -------
@@ -64,7 +87,8 @@ def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
         If no pose was found.
     """
     rng = np.random.default_rng(SEED)
-    reached = _drawn_and_reached(model, rng)
+    still = resting(model, pose) if still is None else still
+    reached = _drawn_and_reached(model, rng, still)
     if pose is None:
         pose = hanging(model, _some(model, reached))[0]
     of_branch = on_branch(model, pose)
@@ -73,6 +97,7 @@ def box_of(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     for _ in range(ROUNDS):
         size = np.where(high > low, high - low, 1e-3)
         drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
+        drawn[:, list(still)] = list(still.values())
         more = drawn[of_branch(drawn)]
         if not len(more):
             break
@@ -95,6 +120,9 @@ def on_branch(model: Model, pose: Array) -> Inside:
 def hanging(model: Model, poses: Array) -> Array:
     """Return the poses of the assembly branch that hangs lower: with the lower mean potential of gravity.
 
+    A platform that turns and whose origin lies to one side of its joints is on this side of the other branch: legs
+    that push against it from below carry it.
+
     Parameters
     ----------
     poses : ndarray, shape (N, d)
@@ -103,11 +131,23 @@ def hanging(model: Model, poses: Array) -> Array:
     if not model.has_assemblies:
         return poses
     sides = model.assembly(poses)
-    potential = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(poses)
-    chosen: Array = poses[
-        sides == min(np.unique(sides), key=lambda side: float(potential[sides == side].mean()))
-    ]
+    beside = _beside_joints(model)
+    if beside is None:
+        rank = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(poses)
+    else:
+        rank = -poses[:, : len(beside)] @ beside
+    chosen: Array = poses[sides == min(np.unique(sides), key=lambda side: float(rank[sides == side].mean()))]
     return chosen
+
+
+def _beside_joints(model: Model) -> Array | None:
+    """Return the direction from the middle of a platform's joints to its origin; None if it is in the middle."""
+    mechanism = model.mechanism
+    points = platform_points(mechanism, model.robot.parameters)
+    if not len(points):
+        return None
+    beside = -points.mean(axis=0)[["xyz".index(axis) for axis in mechanism.directions]]
+    return beside if np.linalg.norm(beside) > BESIDE * model.characteristic_length else None
 
 
 def _workspace_in_words(model: Model) -> str:
@@ -118,12 +158,13 @@ def _workspace_in_words(model: Model) -> str:
     return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
 
 
-def _drawn_and_reached(model: Model, rng: np.random.Generator) -> Array:
-    """Draw poses, and return those that can be evaluated, (N, d), on any branch."""
+def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[int, float]) -> Array:
+    """Draw poses, some components of which are given, and return those that can be evaluated, (N, d)."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
         drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
     drawn = drawn[np.isfinite(drawn).all(axis=-1)]
+    drawn[:, list(still)] = list(still.values())
     return drawn[model.check(drawn).valid] if len(drawn) else drawn
 
 
@@ -202,6 +243,24 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     return np.where(ends[0] - low > most, ends[0], low), np.where(high - ends[1] > most, ends[1], high)
 
 
+def turning_box(model: Model, pose: Array) -> tuple[Array, Array]:
+    """Return the box around the rotations that a platform can have where it is, within the usable limits.
+
+    Parameters
+    ----------
+    pose : ndarray, shape (d,)
+        That can be evaluated.
+
+    Returns
+    -------
+    low, high : ndarray, shape (d,)
+        The other components are those of the pose.
+    """
+    turning = resting(model, pose)
+    still = {i: float(value) for i, value in enumerate(pose) if i not in turning}
+    return _clipped(model, *box_of(model, pose, still))
+
+
 def usable_poses(model: Model) -> Array:
     """Return some poses, (N, d), of any branch, that can be evaluated and are within the usable limits.
 
@@ -211,7 +270,7 @@ def usable_poses(model: Model) -> Array:
         If none was found.
     """
     rng, usable = np.random.default_rng(SEED), within(model)
-    reached = _some(model, _drawn_and_reached(model, rng))
+    reached = _some(model, _drawn_and_reached(model, rng, resting(model)))
     if usable(reached).any():
         return reached[usable(reached)]
     ends = reached.min(axis=0), reached.max(axis=0)
@@ -259,7 +318,8 @@ def reachable(model: Model, poses: int = POSES) -> Grid:
     -------
     Grid
         Round values with the same step for all components of one unit.  Of several separate assemblies, such as the
-        platform above and below the rails, the one that hangs lower is mapped.
+        platform above and below the rails, the one that hangs lower is mapped.  A platform that can turn does not:
+        see `resting`.
 
     Raises
     ------
@@ -279,13 +339,16 @@ def reachable_by(models: Sequence[Model], poses: int = POSES) -> Grid:
     limits = np.min([one[0] for one in every], axis=0), np.max([one[1] for one in every], axis=0)
     names = [component.name for component in mechanism.pose]
     units = [component.unit for component in mechanism.pose]
-    size = np.where(high > low, high - low, 1e-3)
+    size, still = np.where(high > low, high - low, 1e-3), resting(models[0])
     # The same step for components of one unit; components of another unit are divided as finely.
     per_unit = {unit: max(size[[u == unit for u in units]]) for unit in units}
-    relative = size / np.array([per_unit[unit] for unit in units])
-    divisions = min((poses / np.prod(relative)) ** (1 / len(names)), LONGEST)
+    relative = np.delete(size / np.array([per_unit[unit] for unit in units]), list(still))
+    divisions = min((poses / np.prod(relative)) ** (1 / len(relative)), LONGEST)
     axes = {}
     for i, name in enumerate(names):
+        if i in still:
+            axes[name] = np.array([still[i]])
+            continue
         step = _round(per_unit[units[i]] / divisions)
         first, last = np.ceil(low[i] / step - 1e-9), np.floor(high[i] / step + 1e-9)
         if last < first:  # narrower than a step

@@ -100,7 +100,8 @@ def of_move(move: Move) -> str:
         ends = [f"{move.poses[k, i]:.6g} {component.unit}" for k in (0, -1)]
         largest = [f"{1e6 * move.deviation[at, i] + 0.0:.4g}", f"{move.time[at]:.6g}"]
         rows.append([Cell(text) for text in (component.name, *ends, *largest)])
-    columns = [Column(title) for title in ("", "from", "to", "largest deviation [\u00b5m]", "at [s]")]
+    small = "\u00b5m, \u00b5rad" if move.robot.mechanism.rotations else "\u00b5m"
+    columns = [Column(title) for title in ("", "from", "to", f"largest deviation [{small}]", "at [s]")]
     lasts = move.time[-1] - move.time[0]
     note = f"Largest distance {1e6 * move.largest():.4g} \u00b5m; {len(move.time):,} times in {lasts:.6g} s."
     return _html(Table(f"{move.robot.name}: a move with held motors", columns, rows, note=note))

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
 from pkmodes.core.mechanism.poses import placed
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.plots.labels import MINUS
 from pkmodes.plots.responses import responses
@@ -125,8 +127,12 @@ def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> 
     reason = f"{response.quantity.capitalize()} at {at}, {motors_in_words(model.robot, response.drives)}."
     if len(drawn.model) > 1:
         which = "measured channels" if measured else "channels"
-        reason += f" Of the {which} in {unit(drawn.units[name])} this one has the largest response."
-    if meanings := [f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one))]:
+        named = unit(drawn.units[name])
+        alike = f"{which} in {named}" if named else f"dimensionless {which}"
+        reason += f" Of the {alike} this one has the largest response."
+    if meanings := [
+        f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one, model.mechanism))
+    ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(
         subject=clean(model.robot.name),
@@ -150,16 +156,19 @@ def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
         yield f"No response in {clean(', '.join(drawn.silent), None)}."
 
 
-def _meaning(port: str) -> str:
+def _meaning(port: str, mechanism: Mechanism) -> str:
     """Return what an input or output is; empty for one whose name says it, or that has none."""
     kind, _, which = port.partition("_")
-    if kind in ("p", "force") and which not in ("x", "y", "z"):
+    if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
         return ""  # a direction that the user named
+    moved, exerted = ("length", "force") if mechanism.drives[0].unit == "N" else ("angle", "torque")
     return {
         "p": f"the motion of the platform along {which}",
+        "r": f"the rotation of the platform about {which}",
         "force": f"a force on the platform along {which}",
-        "motor": f"the angle of motor {which}",
-        "torque": f"the torque of motor {which}",
+        "moment": f"a moment on the platform about {which}",
+        "motor": f"the {moved} of motor {which}",
+        "torque": f"the {exerted} of motor {which}",
     }.get(kind, "")
 
 
@@ -244,22 +253,24 @@ def _modes(model: Model, response: FrequencyResponse) -> Block:
     modes = model.modes(pose, drives=response.drives)
     sigmas, rigid = spread_of(model, pose, response.drives), modes.rigid_modes
     columns = [Column("mode"), Column("f [Hz]"), Column("damping [%]")]
-    columns += [Column(f"p_{name}") for name in model.mechanism.directions]
+    columns += map(Column, headings(model.mechanism))
+    moved = unit_vectors(modes.platform_shapes, lengths_of(model.mechanism, model.robot.parameters))
     rows = []
     for i in range(rigid, len(modes.frequencies)):
-        f, direction = float(modes.frequencies[i]), modes.platform_shapes[i]
-        direction = direction / max(float(np.linalg.norm(direction)), np.finfo(float).tiny)
+        f = float(modes.frequencies[i])
         sigma = 0.0 if sigmas is None else float(sigmas[i])
         rows.append(
             [
                 Cell(str(i + 1 - rigid)),
                 uncertain(f, sigma) if sigma > 0.0 else hertz(f),
                 three_digits(float(modes.damping_ratios[i]), scale=100.0),
-                *(number(float(part) + 0.0, ".3f") for part in direction),
+                *(number(float(part) + 0.0, ".3f") for part in moved[i]),
             ]
         )
     caption = (
         f"{plural(len(rows), 'vibration mode')} at this pose: undamped natural frequency, damping ratio, and the "
         "direction in which the platform moves."
     )
+    if model.mechanism.rotations:
+        caption += f" Rotations are times L = {model.characteristic_length:.4g} m."
     return table(caption, columns, rows)

@@ -31,7 +31,8 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
     Returns
     -------
     ndarray, shape (..., d, d)
-        In m/N: displacement (rows) per force (columns), of the whole potential energy, gravity included.
+        In m/N: displacement (rows) per force (columns), of the whole potential energy, gravity included.  Where the
+        platform turns, its rotations [rad] and the moments on it [N m] about base axes follow.
 
     Examples
     --------
@@ -54,7 +55,7 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
 
 
 def platform_compliance(system: Evaluation, held: Evaluation, points: Array) -> Array:
-    """Return the displacement of the platform per force [m/N] at N poses, (N, d, d).
+    """Return the displacement of the platform per force [m/N] at N poses, (N, components, components).
 
     Parameters
     ----------

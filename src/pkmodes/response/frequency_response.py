@@ -178,11 +178,12 @@ def frequency_response(
     frequencies : array_like, shape (F,)
         In Hz; 0 only where no rigid mode exists.
     inputs : sequence of str
-        ``torque_j`` of a free motor [N m], the prescribed angle ``motor_j`` of a held one [rad], and
-        ``force_<component>`` on the platform [N].
+        ``torque_j`` of a free motor [N m], the prescribed angle ``motor_j`` of a held one [rad],
+        ``force_<direction>`` on the platform [N], and ``moment_<axis>`` on one that turns [N m].  Of a motor that
+        moves a length, ``torque_j`` is the force [N] and ``motor_j`` the length [m].
     outputs : sequence of str or mapping
-        ``p_<component>``, ``{"name": [dx, dy, dz]}`` for another direction of the platform, ``motor_j``, and
-        every coordinate of the robot.
+        ``p_<direction>``, ``r_<axis>`` of a platform that turns, ``{"name": [dx, dy, dz]}`` for another direction of
+        the platform, ``motor_j``, and every coordinate of the robot.
     drives : {"free", "held"}
         As for `modes`.
     quantity : {"displacement", "velocity", "acceleration"}

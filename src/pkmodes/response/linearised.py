@@ -131,7 +131,7 @@ class LinearisedRobot:
 
     @cached_property
     def platform(self) -> Array:
-        """Absolute motion of the platform per unit of each of the n coordinates, (N, directions, n)."""
+        """Absolute motion of the platform per unit of each of the n coordinates, (N, components, n)."""
         return self.model.system.platform_motion(self.points)
 
 

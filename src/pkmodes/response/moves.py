@@ -20,7 +20,8 @@ from pkmodes.shaping.arguments import checked_impulses
 from pkmodes.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
-#: Longest step between two poses whose matrices are evaluated [m]: errors below 0.1 % of the vibration.
+#: Longest step between two poses whose matrices are evaluated [m], rotations times the characteristic length: errors
+#: below 0.1 % of the vibration.
 STEP = 3e-3
 RATIO = Constraint(
     "a damping ratio of at least 0 and below 1", lambda value: is_number(value) and 0.0 <= value < 1.0
@@ -38,7 +39,8 @@ class Move:
     poses : ndarray, shape (T, d)
         What the motors follow: the command, after the shaper.  The platform is at ``poses + deviation``.
     deviation : ndarray, shape (T, d)
-        Of the platform from `poses` [m].  Static sag under gravity is not part of it.
+        Of the platform from `poses` [m]; where it turns, by small rotations about base axes [rad].  Static sag under
+        gravity is not part of it.
     robot : Robot
         The robot that moves.
     """
@@ -52,7 +54,9 @@ class Move:
 
     def largest(self, after: float = -np.inf) -> float:
         """Return the largest distance of the platform from `poses` [m], from a time [s] on."""
-        distance = np.linalg.norm(self.deviation[self.time >= after], axis=-1)
+        mechanism = self.robot.mechanism
+        linear = [i for i, component in enumerate(mechanism.pose) if component.name in mechanism.directions]
+        distance = np.linalg.norm(self.deviation[self.time >= after][:, linear], axis=-1)
         return float(distance.max(initial=0.0))
 
 
@@ -77,7 +81,7 @@ def simulate(
         Ascending [s].  Before the first sample the machine is at rest; between samples the command is a straight
         line, so sample it as the controller does.
     poses : array_like, shape (T, d)
-        The command, in SI units.  Components that are not lengths stay constant.
+        The command, in SI units.
     shaper : Shaper, optional
         With which the command is convolved: one, amplitudes and delays (n,), or one for each time, (T, n), which
         splits what the command moves up to this time: `shaper` designs them for the commanded poses.
@@ -88,7 +92,7 @@ def simulate(
     -------
     Move
         ``poses``, which the motors follow: the command after the shaper; and ``deviation``, how far the platform
-        is from them [m], both (T, d).
+        is from them [m, rad], both (T, d).
 
     Raises
     ------
@@ -110,7 +114,7 @@ def simulate(
     t = _times(time)
     command = _command(model, poses, t)
     shaped = command if shaper is None else shaped_command(t, command, shaper)
-    fine, path, given = _refined(t, shaped)
+    fine, path, given = _refined(t, shaped, model)
     _check_path(model, fine, path)
     if damping is not None:
         model = _with_ratio(model, damping)
@@ -190,16 +194,18 @@ def _command(model: Model, poses: ArrayLike, time: Array) -> Array:
     if p.shape != (len(time), len(names)):
         what = f"expected poses of shape ({len(time)}, {len(names)}), one for each time, found {p.shape}"
         raise PkmodesError(what, "poses", remedy)
-    turning = [i for i, name in enumerate(names) if name not in mechanism.directions]
-    if turning and np.ptp(p[:, turning], axis=0).any():
-        what = f"{names[turning[0]]} changes along the move; only {', '.join(mechanism.directions)} may"
+    still = [i for i, name in enumerate(names) if name not in mechanism.components]
+    if still and np.ptp(p[:, still], axis=0).any():
+        what = f"{names[still[0]]} changes along the move; only {', '.join(mechanism.components)} may"
         raise PkmodesError(what, "poses", "keep the other components constant")
     return p
 
 
-def _refined(time: Array, poses: Array) -> tuple[Array, Array, NDArray[np.intp]]:
+def _refined(time: Array, poses: Array, model: Model) -> tuple[Array, Array, NDArray[np.intp]]:
     """Divide long steps, along which the machine changes, and return where the given times are."""
-    distance = np.linalg.norm(np.diff(poses, axis=0), axis=1)
+    length = model.characteristic_length
+    lengths = [length if component.unit == "rad" else 1.0 for component in model.mechanism.pose]
+    distance = np.linalg.norm(np.diff(poses * lengths, axis=0), axis=1)
     pieces = np.maximum(1, np.ceil(distance / STEP)).astype(np.intp)
     given = np.concatenate([[0], np.cumsum(pieces)])
     at = np.arange(given[-1] + 1)

@@ -1,7 +1,7 @@
 r"""Vibrations along a path: integration of the modes of held motors while the pose changes.
 
 The motors are held to the command.  The platform then follows its commanded pose p but for a deviation delta, which
-the modes make: with the motion r of all coordinates that moves the platform by 1 and strains nothing,
+the modes make: with the motion r of all coordinates that moves or turns the platform by 1 and strains nothing,
 
 .. math:: \ddot\eta + D \dot\eta + \Lambda \eta = -\Phi^T M r \, \ddot p - \Phi^T C_v r \, \dot p , \qquad
     \delta = J_p \Phi \eta ,
@@ -9,6 +9,8 @@ the modes make: with the motion r of all coordinates that moves the platform by 
 where :math:`\Lambda`, :math:`\Phi`, M, r and D are those of the commanded pose of the moment.  D has the viscous
 friction, the damping ratio, and the loss factors as in `pkmodes.core.linalg.damping`.  Ratio and loss factors damp
 the vibration alone, friction resists the move too.  Forces that grow with the square of the speed are left out.
+Where the platform turns, the velocity has the angular velocity about base axes, and the deviation small rotations
+about them.
 
 Between samples the command is a straight line, so that its acceleration is a jump of the velocity at each sample.
 Every sample's matrices hold for half an interval before and after it; in between, displacements
@@ -25,6 +27,8 @@ from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from pkmodes.core.base.drives import HELD
+from pkmodes.core.linalg.rotations import AXES, about, matrix_of, vector_of
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.system.strain_free import strain_free_motions
@@ -50,13 +54,15 @@ def deviation_along(model: Model, time: Array, poses: Array) -> Array:
     time : ndarray, shape (T,)
         Ascending [s].
     poses : ndarray, shape (T, d)
-        The command, in the workspace; only its linear components change.
+        The command, in the workspace; only components of the platform's motion change.
     """
     mechanism = model.robot.mechanism
-    linear = [i for i, component in enumerate(mechanism.pose) if component.name in mechanism.directions]
+    names = [component.name for component in mechanism.pose]
+    moving = [names.index(name) for name in mechanism.components]
     steps = _evened(np.diff(time))
-    still = np.zeros((1, len(linear)))
-    velocity = np.vstack([still, np.diff(poses[:, linear], axis=0) / steps[:, None]])  # before each sample
+    still = np.zeros((1, len(moving)))
+    moved = _moved(poses[:, moving], mechanism)
+    velocity = np.vstack([still, moved / steps[:, None]])  # before each sample
     jumps = np.diff(velocity, axis=0, append=velocity[-1:])
     deviation, state = np.zeros_like(poses), None
     for start in range(0, len(time), PART):
@@ -71,8 +77,25 @@ def deviation_along(model: Model, time: Array, poses: Array) -> Array:
             state = step @ state + drag
             seen[i] = state[: at.modes]
             state[at.modes :] += kicks[i]
-        deviation[first + 1 : stop, linear] = np.einsum("sdm,sm->sd", at.seen[1:], seen[1:])
+        deviation[first + 1 : stop, moving] = np.einsum("sdm,sm->sd", at.seen[1:], seen[1:])
     return deviation
+
+
+def _moved(path: Array, mechanism: Mechanism) -> Array:
+    """Return how the platform moves between samples: displacements, and rotations about base axes, (T - 1, d).
+
+    Parameters
+    ----------
+    path : ndarray, shape (T, d)
+        The components of the platform's motion in its pose: those of a rotation vector come last.
+    """
+    moved = np.diff(path, axis=0)
+    if mechanism.rotations:
+        first = len(mechanism.directions)
+        turned = matrix_of(about(mechanism.rotations, path[:, first:]))
+        between = vector_of(turned[1:] @ np.swapaxes(turned[:-1], -1, -2))
+        moved[:, first:] = between[:, [AXES.index(axis) for axis in mechanism.rotations]]
+    return moved
 
 
 def _evened(steps: Array) -> Array:
@@ -98,7 +121,7 @@ class _Steps(NamedTuple):
 
 
 class _Vibration:
-    """The vibration at S samples, in m modes, with j linear components of the pose.
+    """The vibration at S samples, in m modes, with j components of the motion of the platform.
 
     Attributes
     ----------

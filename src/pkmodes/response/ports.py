@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import FREE, HELD
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.response.directions import unit_direction
 from pkmodes.response.linearised import LinearisedRobot
+from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-TORQUE, MOTOR, FORCE, PLATFORM = "torque_", "motor_", "force_", "p_"
+TORQUE, MOTOR, FORCE, MOMENT = "torque_", "motor_", "force_", "moment_"
 #: An output as the caller gives it: a name, or directions of the platform, ``{"name": [dx, dy, dz]}``.
 Output = str | Mapping[str, Sequence[float]]
 #: What a quantity multiplies a displacement by: powers of i omega.
@@ -35,11 +37,12 @@ class Port:
     ----------
     name, unit : str
     kind : str
-        ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.
+        ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.  A ``torque`` is the force of a drive that
+        moves a length; a ``force`` on the platform is a moment for one of its rotations.
     index : int
-        Of the drive, the direction or the coordinate.
+        Of the drive, the component of the platform's motion or the coordinate.
     direction : tuple of float
-        For an output of kind ``platform``: unit vector along the linear components of the pose.
+        For an output of kind ``platform``: unit vector along the components of the platform's motion.
     """
 
     name: str
@@ -60,10 +63,12 @@ def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ..
     mechanism = model.robot.mechanism
     known: dict[str, Port] = {}
     for j, drive in enumerate(mechanism.drives):
-        known[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", "N m", "torque", j)
-        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", "rad", "motor", j)
-    for k, name in enumerate(mechanism.directions):
-        known[f"{FORCE}{name}"] = Port(f"{FORCE}{name}", "N", "force", k)
+        known[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", drive.unit, "torque", j)
+        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
+    for k, axis in enumerate((*mechanism.directions, *mechanism.rotations)):
+        turns = k >= len(mechanism.directions)
+        name = f"{MOMENT if turns else FORCE}{axis}"
+        known[name] = Port(name, "N m" if turns else "N", "force", k)
     chosen = _chosen("inputs", names, known)
     for port in chosen:
         if port.kind == "torque" and drives == HELD:
@@ -88,14 +93,13 @@ def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[
         If a name is unknown or repeated, or a direction is not one.
     """
     mechanism, system = model.robot.mechanism, model.system
-    units = {component.name: component.unit for component in mechanism.pose}
-    count = len(mechanism.directions)
     known: dict[str, Port] = {}
-    for k, name in enumerate(mechanism.directions):
-        axis = tuple(float(i == k) for i in range(count))
-        known[f"{PLATFORM}{name}"] = Port(f"{PLATFORM}{name}", units[name], "platform", direction=axis)
+    for component, axis in zip(mechanism.platform, np.eye(len(mechanism.platform)), strict=True):
+        known[component.name] = Port(
+            component.name, component.unit, "platform", direction=tuple(axis.tolist())
+        )
     for j, drive in enumerate(mechanism.drives):
-        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", "rad", "motor", j)
+        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
     extended = mechanism.extended
     every = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
     for i, name in enumerate(system.coordinates):
@@ -105,7 +109,7 @@ def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[
         if isinstance(one, Mapping):
             for name, direction in one.items():
                 _check_name(name, known)
-                known[name] = _direction(name, direction, mechanism.directions, units)
+                known[name] = _direction(name, direction, mechanism)
                 given.append(name)
         else:
             given.append(one)
@@ -122,9 +126,15 @@ def _check_name(name: Any, known: Mapping[str, Port]) -> None:
         raise PkmodesError(what, "outputs", "use letters, digits, and any of _ . + -")
 
 
-def _direction(name: str, given: Any, directions: Sequence[str], units: Mapping[str, str]) -> Port:
-    unit = unit_direction(given, directions, f"outputs: {name}")
-    return Port(name, units[directions[0]], "platform", direction=tuple(unit.tolist()))
+def _direction(name: str, given: Any, mechanism: Mechanism) -> Port:
+    unit = unit_direction(given, mechanism.directions, f"outputs: {name}")
+    still = (0.0,) * len(mechanism.rotations)
+    return Port(name, mechanism.platform[0].unit, "platform", direction=(*unit.tolist(), *still))
+
+
+def _driven(drive: Named) -> str:
+    """Return the unit of what a drive moves."""
+    return "m" if drive.unit == "N" else "rad"
 
 
 def _several(where: str, names: Any) -> list[Any]:

@@ -198,7 +198,7 @@ class CompiledDerivatives(MatrixDerivatives):
         return change, norm
 
     def motions(self, shapes: Array) -> Array | None:
-        """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, directions)."""
+        """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, components)."""
         return self._of_modes.motions
 
 

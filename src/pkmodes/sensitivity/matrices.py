@@ -358,7 +358,7 @@ class MatrixDerivatives:
         return change, norm
 
     def motions(self, shapes: Array) -> Array | None:
-        """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, directions), if known."""
+        """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, components), if known."""
         return None
 
     def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:

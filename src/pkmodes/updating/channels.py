@@ -8,32 +8,28 @@ from __future__ import annotations
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.diagnosis.problem import Sensor
 
-#: Prefix of the channels of the platform's absolute motion.
-PLATFORM = "p_"
-
 
 def channels(mechanism: Mechanism) -> dict[str, str]:
     """Return the shape components of a robot with their units: all coordinates, released or not, and the platform."""
-    units = {component.name: component.unit for component in mechanism.pose}
     extended = mechanism.extended
     coordinates = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
-    return coordinates | {f"{PLATFORM}{name}": units[name] for name in mechanism.directions}
+    return coordinates | {component.name: component.unit for component in mechanism.platform}
 
 
 def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
     """Return the sensors with several axes: on the platform, and on parts that an effect moves in all directions.
 
+    One on the platform may measure displacements, another one rotations.
     The coordinates of such a part are those of one effect, one for each direction of the platform's motion, of the
     same unit and in the same order: the displacements of a frame.
     """
     axes = mechanism.directions
+    place = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
+    every = tuple(component.name for component in mechanism.platform)
+    of_platform = (axes, every[: len(axes)]), (mechanism.rotations, every[len(axes) :])
+    found = [Sensor(place, channels, along) for along, channels in of_platform if len(along) > 1]
     if len(axes) < 2:
-        return ()
-    units = {component.name: component.unit for component in mechanism.pose}
-    found = []
-    if len({units[axis] for axis in axes}) == 1:
-        place = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
-        found.append(Sensor(place, tuple(f"{PLATFORM}{axis}" for axis in axes), axes))
+        return tuple(found)
     for effect in mechanism.effects_in_order:
         names = tuple(coordinate.name for coordinate in effect.coordinates)
         stem = names[0].removesuffix(axes[0]) if names else ""

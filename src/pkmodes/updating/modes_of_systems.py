@@ -125,7 +125,7 @@ class ModesOfSystems(NamedTuple):
     eigenvalues : ndarray, shape (B n, m)
         NaN if the matrices are not those of a machine.
     shapes : ndarray, shape (B n, m, n)
-    motions : ndarray, shape (B n, m, directions)
+    motions : ndarray, shape (B n, m, components)
         Of the platform.
     matrices : tuple of ndarray, or None
         M and K in all coordinates, if they were evaluated.
@@ -186,7 +186,7 @@ def _by_solvers(
     if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
         return None
     n, m, each = len(system.coordinates), number_of_modes(system), len(points) // len(systems)
-    tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.directions))}
+    tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.platform))}
     arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
     codes = np.empty(len(points), dtype=np.int8)
     filled = {name: array for name, array in arrays.items() if name in solver.fields}

@@ -186,22 +186,22 @@ def _channel_rates(
 ) -> Array:
     """Return the derivatives of the shapes at the channels along paths, (N, m, C, T)."""
     mechanism = at.system.mechanism
-    directions, geometry = len(mechanism.directions), geometry_of(mechanism)
+    components, geometry = len(mechanism.platform), geometry_of(mechanism)
     motion = partial(at.system.motion_of_all, at.points)
     changes = shape_derivatives(
-        derivatives, at.eigenvalues, at.shapes, at.channels[..., -directions:], motion
+        derivatives, at.eigenvalues, at.shapes, at.channels[..., -components:], motion
     )
     rates = np.ascontiguousarray(np.moveaxis(changes, 1, -1))
     moved = derivatives.motions(at.shapes)
     if moved is not None:
-        rates[..., -directions:, :] += np.moveaxis(moved, 1, -1)
+        rates[..., -components:, :] += np.moveaxis(moved, 1, -1)
         return rates
     for robot, some, part in _alike(at, paths):
         for t, path in enumerate(some):
             # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
-                rates[part, :, -directions:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
+                rates[part, :, -components:, t] += at.shapes[part] @ np.swapaxes(rate, -1, -2)
     return rates
 
 
@@ -224,7 +224,7 @@ def _alike(
 
 
 def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: ParameterPath) -> Array:
-    """Differentiate the platform's Jacobian along a path by complex step, (P, directions, e)."""
+    """Differentiate the platform's Jacobian along a path by complex step, (P, components, e)."""
     shift = np.zeros(points.shape[-1])
     values: dict[str, NDArray[np.complex128]] = {}
     for (field, index), weight in path.weights.items():

@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.drives import FREE
+from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.model import Model
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.report_fields import head_of
@@ -116,6 +117,8 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
         title=mechanism.title,
         pose=mechanism.pose,
         directions=mechanism.directions,
+        platform=mechanism.platform,
+        lengths=lengths_of(mechanism, model.robot.parameters),
         coordinates=coordinates,
         independent=mechanism.independent,
         elements=tuple(

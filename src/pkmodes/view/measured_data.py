@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.updating.channels import PLATFORM
 from pkmodes.view.measured_modes import MeasuredMode, scale_factor, weights_of
 from pkmodes.view.scene import Scene
 
@@ -39,12 +38,12 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
 def components(scene: Scene, pose: int) -> Array:
     """Return the shapes of all modes at the channels, (m, C); 0 for a coordinate that the model locks."""
     found = np.zeros((scene.frequencies.shape[1], len(scene.channels)))
+    platform = [component.name for component in scene.platform]
     for k, channel in enumerate(scene.channels):
         if channel.name in scene.coordinates:
             found[:, k] = scene.shapes[pose, :, scene.coordinates.index(channel.name)]
-        elif channel.name.removeprefix(PLATFORM) in scene.directions:
-            axis = scene.directions.index(channel.name.removeprefix(PLATFORM))
-            found[:, k] = scene.platform_shapes[pose, :, axis]
+        elif channel.name in platform:
+            found[:, k] = scene.platform_shapes[pose, :, platform.index(channel.name)]
     return found
 
 
@@ -76,12 +75,12 @@ def _mode(scene: Scene, one: MeasuredMode) -> dict[str, Any]:
 def _drawn(scene: Scene, pose: int, scaled: Array) -> tuple[list[Any], list[Any]]:
     """Return displacements as [point, x, y, z], and rotations as [element, angle], of the measured components."""
     platform, arrows, turns = np.zeros(3), [], []
+    linear = [component.name for component in scene.platform if component.unit == "m"]
     for channel, value in zip(scene.channels, scaled.tolist(), strict=True):
         if np.isnan(value):
             continue
-        axis = channel.name.removeprefix(PLATFORM)
-        if axis in scene.directions:
-            platform["xyz".index(axis)] = value
+        if channel.name in linear:
+            platform["xyz".index(channel.name[-1])] = value
         elif wheels := [i for i, e in enumerate(scene.elements) if e.turns and e.turns == channel.name]:
             turns += [[i, round(value, DIGITS)] for i in wheels]
         elif (place := _place(scene, pose, channel.name)) is not None:

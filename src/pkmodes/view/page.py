@@ -186,7 +186,7 @@ def _title(scene: Scene) -> str:
         )
         where = f"each of {', '.join(others)} and {last}" if others else last
         held = f"{100 * most:.0f} % of the strain energy in {where}"
-    moves = zip(scene.directions, platform_directions(scene)[pose, mode], strict=True)
+    moves = zip(scene.moves, platform_directions(scene)[pose, mode], strict=True)
     along = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
     )
@@ -267,13 +267,14 @@ def _table(scene: Scene, key: str) -> str:
         for m in modes
     )
     rows = [f'<tr><th scope="row">Frequency</th>{frequencies}</tr>']
-    for k, component in enumerate(scene.directions):
+    for k, component in enumerate(scene.moves):
         cells = "".join(
             f'<td data-column="{m}" data-part="direction" data-mode="{m}" data-component="{k}">'
             f"{round(moves[m, k], 2) + 0.0:.2f}</td>"
             for m in modes
         )
-        rows.append(f'<tr><th scope="row">Platform along {escape(component)}</th>{cells}</tr>')
+        which = component if component.startswith("about") else f"along {component}"
+        rows.append(f'<tr><th scope="row">Platform {escape(which)}</th>{cells}</tr>')
     for k, spring in enumerate(scene.springs):
         cells = "".join(
             f'<td data-column="{m}" data-part="share" data-mode="{m}" data-spring="{k}"'
@@ -287,10 +288,17 @@ def _table(scene: Scene, key: str) -> str:
         )
     caption = (
         f"<b>What rings with {scene.doing}:</b> share of every spring in the strain energy of each mode, and the"
-        " direction of the platform&#8217;s motion,"
+        f" direction of the platform&#8217;s motion{_turning(scene)},"
         f' at <span data-part="place">{_place(scene, i)}</span>'
     )
     return numbers_table(f"{key}-caption", caption, heads, rows)
+
+
+def _turning(scene: Scene) -> str:
+    """Say how rotations of the platform count."""
+    if not (scene.lengths != 1.0).any():
+        return ""
+    return f" (rotations times {1e3 * float(scene.lengths[-1]):.4g} mm)"
 
 
 def _percent(share: float) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.length import unit_vectors
 from pkmodes.view.interpolation import largest_around
 from pkmodes.view.measured_data import measured_data
 from pkmodes.view.scene import AMPLITUDE, Scene
@@ -28,7 +29,7 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "amplitude": AMPLITUDE,
         "vertical": _rounded(scene.vertical, 6),
         "pose": [{"name": c.name, "unit": c.unit} for c in scene.pose],
-        "components": list(scene.directions),
+        "components": list(scene.moves),
         "elements": [
             {
                 "shape": element.shape,
@@ -67,10 +68,8 @@ def as_data(scene: Scene) -> dict[str, Any]:
 
 
 def platform_directions(scene: Scene) -> Array:
-    """Return the unit vectors of the platform's motion, (N, m, directions); zero where it does not move."""
-    size = np.linalg.norm(scene.platform_shapes, axis=-1, keepdims=True)
-    unit_vectors: Array = scene.platform_shapes / np.where(size > 0.0, size, 1.0)
-    return unit_vectors
+    """Return the unit vectors of the platform's motion, (N, m, components); zero where it does not move."""
+    return unit_vectors(scene.platform_shapes, scene.lengths)
 
 
 def embedded(data: dict[str, Any]) -> str:

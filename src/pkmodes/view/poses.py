@@ -12,7 +12,7 @@ from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.model import Model
-from pkmodes.maps.workspace import hanging, usable_box, usable_poses, used, within
+from pkmodes.maps.workspace import hanging, resting, turning_box, usable_box, usable_poses, used, within
 from pkmodes.view.evaluating import scene
 from pkmodes.view.interpolation import FINE, deviations
 from pkmodes.view.pairing import paired_modes
@@ -90,6 +90,9 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     first = np.asarray(pose, dtype=float)
     scene(model, first, drives=drives)  # its errors are those of this pose
     inside, (low, high) = used(model, first), usable_box(model, first)
+    if turning := list(resting(model, first)):
+        for end, of_rotations in zip((low, high), turning_box(model, first), strict=True):
+            end[turning] = of_rotations[turning]
     count = LEVELS.get(len(first), 3)
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
@@ -117,7 +120,9 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
 
 
 def _levels(low: float, high: float, value: float, count: int) -> Array:
-    """Return evenly spaced values inside a range; the nearest is replaced by the given value."""
+    """Return evenly spaced values inside a range; the nearest is replaced by the given value, else the only one."""
+    if high <= low:
+        return np.array([value])
     step = (high - low) / (count + 1)
     digits = int(np.ceil(-np.log10(0.02 * step)))
     levels = np.linspace(low + step, high - step, count).round(digits) + 0.0

@@ -33,6 +33,10 @@ class Scene:
         Components of a pose.
     directions : tuple of str
         Linear pose components, in which the platform moves.
+    platform : tuple of Named
+        Components of the platform's motion: displacements, then small rotations about base axes.
+    lengths : ndarray, shape (components,)
+        What makes lengths of them: 1, or the characteristic length for rotations [m].
     coordinates, independent : tuple of str
         All of them, and those that the others follow from.
     elements : tuple of Element
@@ -51,7 +55,7 @@ class Scene:
         Hz; the rigid-body modes first.
     shapes : ndarray, shape (N, m, n)
         Mass-normalised.
-    platform_shapes : ndarray, shape (N, m, directions)
+    platform_shapes : ndarray, shape (N, m, components)
     energies : ndarray, shape (N, m, S)
         k (g . phi)^2 / 2 of every spring [J], for the mass-normalised shape.
     rigid_modes : int
@@ -96,6 +100,8 @@ class Scene:
     title: str
     pose: tuple[Named, ...]
     directions: tuple[str, ...]
+    platform: tuple[Named, ...]
+    lengths: Array
     coordinates: tuple[str, ...]
     independent: tuple[str, ...]
     elements: tuple[Element, ...]
@@ -146,6 +152,11 @@ class Scene:
             shares: Array = self.energies / total
         shares[:, : self.rigid_modes] = np.nan
         return shares
+
+    @property
+    def moves(self) -> tuple[str, ...]:
+        """What the platform does along each component of its motion, after "along": "x", or "about x"."""
+        return tuple(f"about {one.name[-1]}" if one.unit == "rad" else one.name[-1] for one in self.platform)
 
     def displacements(self, pose: int, mode: int) -> Array:
         """Return the displacements of the points in a mode.

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.model import Model
-from pkmodes.maps.workspace import Inside, on_branch
+from pkmodes.maps.workspace import Inside, on_branch, resting
 
 Array = NDArray[np.float64]
 #: Cells of the grid along each component, and part of the box by which the grid extends beyond it on each side.
@@ -31,7 +31,7 @@ class Surface:
     Attributes
     ----------
     vertices : ndarray, shape (V, d)
-        Poses on the boundary.
+        Poses on the boundary, without rotations of the platform.
     faces : ndarray of int, shape (F, 4) or (F, 2)
         Quadrilaterals in space, segments in a plane.
     """
@@ -43,7 +43,7 @@ class Surface:
 def workspace(
     model: Model, pose: Array, box: tuple[Array, Array], inside: Inside | None = None
 ) -> Surface | None:
-    """Find the boundary of the part of the workspace that contains a pose.
+    """Find the boundary of the part of the workspace that contains a pose; the platform stays turned as it is.
 
     Parameters
     ----------
@@ -57,16 +57,23 @@ def workspace(
     Returns
     -------
     Surface or None
-        None if the pose has angles, or other than two or three components.
+        None if the pose has other angles, or other than two or three components besides rotations.
     """
-    if len(pose) not in CELLS or any(component.unit != "m" for component in model.mechanism.pose):
+    moving = [i for i in range(len(pose)) if i not in resting(model, pose)]
+    if len(moving) not in CELLS or any(model.mechanism.pose[i].unit != "m" for i in moving):
         return None
-    inside = on_branch(model, pose) if inside is None else inside
-    room = AROUND * (box[1] - box[0])
-    ends = zip(box[0] - room, box[1] + room, strict=True)
-    steps = [np.linspace(low, high, CELLS[len(pose)] + 1) for low, high in ends]
-    mask = _component(inside, steps, pose)
-    return _contour(inside, steps, mask) if mask.any() else None
+    every = on_branch(model, pose) if inside is None else inside
+
+    def within(points: Array) -> NDArray[np.bool_]:
+        poses = np.tile(pose, (len(points), 1))
+        poses[:, moving] = points
+        return every(poses)
+
+    low, high = (end[moving] for end in box)
+    room = AROUND * (high - low)
+    steps = [np.linspace(*ends, CELLS[len(moving)] + 1) for ends in zip(low - room, high + room, strict=True)]
+    mask = _component(within, steps, pose[moving])
+    return _contour(within, steps, mask) if mask.any() else None
 
 
 def _component(inside: Inside, steps: list[Array], pose: Array) -> NDArray[np.bool_]:

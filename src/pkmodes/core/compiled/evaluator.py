@@ -33,8 +33,8 @@ class Evaluator:
         Without effects; with them `lanes` says how many there are.
     largest_condition : float
         Poses with a larger condition number are singular.
-    directions : int
-        Directions of the platform's motion, for `along`.
+    components : int
+        Components of the platform's motion, for `along`.
 
     Attributes
     ----------
@@ -43,12 +43,12 @@ class Evaluator:
     """
 
     def __init__(
-        self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float, directions: int = 0
+        self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float, components: int = 0
     ) -> None:
         self.coordinates = coordinates
         self.modes = coordinates - int(lanes.massless.sum())
         self._library, self._lanes = library, lanes  # the arrays live as long as their addresses are used
-        self._robots, self._directions = lanes.robots, directions
+        self._robots, self._components = lanes.robots, components
         self._request = Request(
             robots=self._robots,
             parameter_count=lanes.parameters.shape[-1],
@@ -151,7 +151,7 @@ class Evaluator:
         request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in given)
         request.modes, request.path_count = m, terms.first.shape[-1] - 1
         request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0
-        tails = {"changes": (m, n), "mode_rates": (m,), "norms": (m,), "motions": (m, self._directions)}
+        tails = {"changes": (m, n), "mode_rates": (m,), "norms": (m,), "motions": (m, self._components)}
         arrays = {name: np.empty((count, request.path_count, *tail)) for name, tail in tails.items()}
         codes = np.empty(count, dtype=np.int8)
         self._part(request, points, arrays, codes, None)

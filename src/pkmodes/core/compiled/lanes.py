@@ -116,7 +116,7 @@ class Along(NamedTuple):
         phi^T (dK - lambda dM) phi.
     norms : ndarray, shape (N, T, m)
         phi^T dM phi.
-    motions : ndarray, shape (N, T, m, directions)
+    motions : ndarray, shape (N, T, m, components)
         dJ phi, J the motion of the platform.
     """
 

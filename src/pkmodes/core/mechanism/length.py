@@ -26,11 +26,16 @@ SAME = 1e-9
 
 def characteristic_length(mechanism: Mechanism, parameters: Any) -> float:
     """Return the characteristic length of a robot [m]; 1 for a platform that is drawn as a point or does not turn."""
+    points = platform_points(mechanism, parameters)
+    return float(np.sqrt((points**2).sum(axis=-1).mean())) if len(points) else 1.0
+
+
+def platform_points(mechanism: Mechanism, parameters: Any) -> Array:
+    """Return the drawn points of a platform that turns, from its origin in platform axes, (k, 3) [m]."""
     places = list(_of_platform(mechanism))
-    if not places:
-        return 1.0
-    points = _drawn(mechanism, parameters, np.zeros(len(mechanism.pose)))[places]
-    return float(np.sqrt((points**2).sum(axis=-1).mean()))
+    return (
+        _drawn(mechanism, parameters, np.zeros(len(mechanism.pose)))[places] if places else np.empty((0, 3))
+    )
 
 
 def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
@@ -38,6 +43,29 @@ def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
     turning = len(mechanism.rotations)
     length = characteristic_length(mechanism, parameters) if turning else 1.0
     return np.array([1.0] * len(mechanism.directions) + [length] * turning)
+
+
+def headings(mechanism: Mechanism) -> list[str]:
+    """Return the headings of `unit_vectors` in tables: L is the characteristic length."""
+    return [f"{one.name}*L" if one.unit == "rad" else one.name for one in mechanism.platform]
+
+
+def unit_vectors(motions: Array, lengths: Array) -> Array:
+    """Return motions of the platform, (..., components), as unit vectors, rotations times the characteristic length.
+
+    Parameters
+    ----------
+    lengths : ndarray, shape (components,)
+        From `lengths_of`.
+
+    Returns
+    -------
+    ndarray
+        0 where the platform does not move.
+    """
+    moved = motions * lengths
+    size = np.linalg.norm(moved, axis=-1, keepdims=True)
+    return np.asarray(moved / np.where(size > 0.0, size, 1.0))
 
 
 @cache

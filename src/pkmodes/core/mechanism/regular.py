@@ -22,6 +22,10 @@ DRAWS = (500, 2_000, 8_000, 32_000, 128_000, 512_000)
 SEED = 20220101
 #: Range in which rotations of a pose are drawn [rad].
 TURNED = 0.5
+#: Rounds in which the box of a platform that turns is narrowed, poses of each, and those that the next box surrounds.
+ROUNDS, TRIED, BEST = 12, 2_000, 100
+#: Part of the length of a box by which the next one is wider on each side, and part of the poses that is enough.
+ROOM, ENOUGH = 0.2, 0.1
 
 
 def sample(mechanism: Mechanism) -> Any:
@@ -89,6 +93,9 @@ def drawn_poses(
 ) -> Array:
     """Draw poses: from the limits of the independent coordinates, or in a box that contains the workspace.
 
+    Where the platform turns, the box is narrowed to poses that nearly meet all conditions: in six dimensions hardly
+    any pose of a wide one does.
+
     Parameters
     ----------
     generated : Generated
@@ -111,4 +118,38 @@ def drawn_poses(
         return np.asarray(generated.direct_kinematics(q, assembly))
     reach = extent(mechanism, parameters)
     size = np.array([reach if component.unit == "m" else TURNED for component in mechanism.pose])
-    return rng.uniform(-size, size, size=(count, len(size)))
+    low, high = _narrowed(generated, mechanism, rng, size) if mechanism.rotations else (-size, size)
+    return rng.uniform(low, high, size=(count, len(size)))
+
+
+def _narrowed(
+    generated: Generated, mechanism: Mechanism, rng: np.random.Generator, size: Array
+) -> tuple[Array, Array]:
+    """Return the ends of a box, within that of a half size (d,), in which more poses meet all conditions.
+
+    Round by round, it surrounds the poses that lack least (the cross-entropy method; Rubinstein, 1999).
+    """
+    low, high = -size, size
+    for _ in range(ROUNDS):
+        p = rng.uniform(low, high, size=(TRIED, len(size)))
+        lacking = _lacking(generated, mechanism, p)
+        good = p[lacking == 0.0]
+        if len(good) >= ENOUGH * TRIED:
+            break
+        best = good if len(good) >= BEST else p[np.argsort(lacking, kind="stable")[:BEST]]
+        ends = best.min(axis=0), best.max(axis=0)
+        room = ROOM * (ends[1] - ends[0])
+        low, high = np.maximum(low, ends[0] - room), np.minimum(high, ends[1] + room)
+    return low, high
+
+
+def _lacking(generated: Generated, mechanism: Mechanism, p: Array) -> Array:
+    """Return how much poses lack to meet all conditions, (N,): 0 where they do, infinite where one is NaN."""
+    lacking = np.zeros(len(p))
+    with np.errstate(all="ignore"):
+        for margin in mechanism.margins:
+            values = margin_of(generated, margin, p).reshape(len(p), -1)
+            short = np.log(values / REGULAR) if margin.rule == "at_most_limit" else -values
+            scale = np.nanmedian(np.abs(short)) or 1.0
+            lacking += np.maximum(short / scale, 0.0).sum(axis=-1)
+    return np.where(np.isnan(lacking), np.inf, lacking)
