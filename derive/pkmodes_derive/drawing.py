@@ -7,8 +7,8 @@ rods, point masses, arms and the platform.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 
 from sympy import Expr, Symbol, sympify
 
@@ -148,6 +148,13 @@ class Drawing:
     def ball(self, kind: str, name: str, centre: Sequence[object]) -> None:
         """Draw a body without a direction at a point."""
         self._add("ball", kind, name, (centre,))
+
+    def move(self, moved: Callable[[Vector], Vector]) -> None:
+        """Replace all positions of the elements by functions of them."""
+        self.elements = [
+            replace(one, points=tuple(replace(p, position=moved(p.position)) for p in one.points))
+            for one in self.elements
+        ]
 
     def _add(
         self,

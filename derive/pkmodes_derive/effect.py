@@ -20,6 +20,14 @@ from pkmodes_description import Effect as DescribedEffect
 from pkmodes_description import EffectParameter as DescribedParameter
 from pkmodes_description import Named, Requirement
 
+#: The parameter of an effect that releases coordinates: the compliance of all of their springs.
+COMPLIANCE = "compliance"
+
+
+def _letter(name: str) -> str:
+    """Return the letter of the index in a name, empty for none."""
+    return next((letter for letter in "ij" if f"{{{letter}}}" in name), "")
+
 
 @dataclass(frozen=True)
 class EffectParameter:
@@ -28,7 +36,8 @@ class EffectParameter:
     Attributes
     ----------
     name : str
-        As in the robot file, ``[effects.<effect>] <name> = ...``; with ``{j}`` there is one for each part.
+        As in the robot file, ``[effects.<effect>] <name> = ...``; with ``{j}`` there is one for each part, with
+        ``{i}`` for each direction.
     unit : str
         SI unit.
     description : str
@@ -43,6 +52,10 @@ class EffectParameter:
         Whether only a platform that turns has it, one for each direction with ``{i}`` for it.
     along_legs : tuple of str
         Unit and description where the drives move along legs; empty if these are the same.
+    in_place_of : str
+        The parameter that a robot file may have instead: of ``compliance``, for a single coordinate.
+    place : str
+        The part, number or direction, to which it belongs; empty for all, set by `at`.
     """
 
     name: str
@@ -53,6 +66,8 @@ class EffectParameter:
     greater_than: float | None = 0.0
     fitted: bool = True
     less_than: float | None = None
+    in_place_of: str = ""
+    place: str = ""
     along_legs: tuple[str, str] | None = None
     turning: bool = False
 
@@ -64,10 +79,12 @@ class EffectParameter:
         return replace(self, unit=unit, description=description)
 
     def at(self, place: str) -> EffectParameter:
-        """Return the parameter for one part."""
+        """Return the parameter for one part, if it exists once for each."""
+        if "{" not in self.name:
+            return self
         texts = (self.name, self.description, self.symbol, self.latex)
-        name, description, symbol, latex = (text.format(j=place, i=place) for text in texts)
-        return replace(self, name=name, description=description, symbol=symbol, latex=latex)
+        name, description, symbol, latex = (text.format(i=place, j=place) for text in texts)
+        return replace(self, name=name, description=description, symbol=symbol, latex=latex, place=place)
 
 
 @dataclass(frozen=True)
@@ -82,20 +99,27 @@ class Positive:
         The parameter that the error names.
     sentence, remedy : str
         Text of the error, with ``{value}``.
+    unit : str
+        Of the expression.
     """
 
     of: Callable[[Mapping[str, Symbol]], Expr]
     place: str
     sentence: str
     remedy: str
+    unit: str = "1"
 
 
 @dataclass(frozen=True)
 class Coordinate:
-    """A released coordinate, zero in the reference configuration, and its rate."""
+    """A released coordinate, zero in the reference configuration, and its rate.
+
+    `place` is its part, number or direction; empty for the only one of an effect.
+    """
 
     position: Symbol
     rate: Symbol
+    place: str = ""
 
 
 @dataclass(frozen=True)
@@ -105,7 +129,7 @@ class Released:
     Attributes
     ----------
     name, description, latex : str
-        With ``{j}`` for the number of a part, or ``{i}`` for a direction.
+        With ``{j}`` for the number of a part, or ``{i}`` for a direction; without either there is only one.
     order : int
         Position among the coordinates of other effects.
     """
@@ -118,8 +142,8 @@ class Released:
 
     @property
     def letter(self) -> str:
-        """Letter of the index."""
-        return "i" if "{i}" in self.name else "j"
+        """Letter of the index, empty for none."""
+        return _letter(self.name)
 
 
 @dataclass(frozen=True)
@@ -136,7 +160,8 @@ class Effect:
     parts : callable
         ``parts(machine)`` returns the parts it acts on; if there are none, it does not apply.
     parameters : tuple of EffectParameter
-        An effect that releases coordinates has a ``compliance``, used by their springs.
+        An effect that releases coordinates has a ``compliance``, used by their springs; each coordinate may have
+        one of its own ``in_place_of`` it.
     apply : callable
         ``apply(machine, parameters, released)`` adds the effect to a machine, with parameters by name and the
         released coordinates in order.
@@ -182,28 +207,43 @@ class Effect:
         """Return the effect with the parameters and coordinates it has on a machine."""
         parts = self.parts(machine)
         numbers = [str(number) for number in range(1, len(parts) + 1)]
-        parameters = [
-            p.on(machine).at(place) for p in self.parameters for place in _places(p, machine, numbers)
-        ]
-        places: tuple[str, ...] = ()
-        if self.released:
-            places = tuple(map(str, parts)) if self.released.letter == "i" else tuple(numbers)
-        return replace(self, parameters=tuple(parameters), places=places)
+        places = {"": ("",), "i": tuple(map(str, parts)), "j": tuple(numbers)}
+        own = [p.on(machine) for p in self.parameters if machine.turning is not None or not p.turning]
+        parameters = [p.at(place) for p in own for place in places[_letter(p.name)]]
+        released = places[_letter(self.released.name)] if self.released else ()
+        return replace(self, parameters=tuple(parameters), places=released)
+
+    def softening(self, place: str) -> tuple[EffectParameter, ...]:
+        """Return the compliances in series that one of its released coordinates has."""
+        return tuple(
+            p
+            for p in self.parameters
+            if p.name == COMPLIANCE or (p.in_place_of == COMPLIANCE and p.place == place)
+        )
 
     def data(self) -> DescribedEffect:
         """Return the data that the runtime needs."""
-        coordinates = []
+        coordinates = {}
         if (q := self.released) is not None:
             for place in self.places:
                 name, text = (t.format(i=place, j=place) for t in (q.name, q.description))
-                coordinates.append(Named(name, q.unit, text))
+                coordinates[place] = Named(name, q.unit, text)
         return DescribedEffect(
             self.name,
             self.sentence,
             self.grounds,
-            tuple(coordinates),
+            tuple(coordinates.values()),
             tuple(
-                DescribedParameter(p.name, p.unit, p.description, p.greater_than, p.fitted, p.less_than)
+                DescribedParameter(
+                    p.name,
+                    p.unit,
+                    p.description,
+                    p.greater_than,
+                    p.fitted,
+                    p.less_than,
+                    tuple(one.name for place, one in coordinates.items() if p in self.softening(place)),
+                    p.in_place_of,
+                )
                 for p in self.parameters
             ),
             self._requirements(),
@@ -216,14 +256,11 @@ class Effect:
         place = (f"effects.{self.name}.{self.needs.place}",)
         return (
             Requirement(
-                f"{self.name}_margin", "above_zero", place, self.needs.sentence, self.needs.remedy, "1"
+                f"{self.name}_margin",
+                "above_zero",
+                place,
+                self.needs.sentence,
+                self.needs.remedy,
+                self.needs.unit,
             ),
         )
-
-
-def _places(parameter: EffectParameter, machine: Any, numbers: Sequence[str]) -> Sequence[str]:
-    """Return the indices of a parameter on a machine: numbers of parts, or directions of a platform that turns."""
-    if parameter.turning:
-        directions: Sequence[str] = machine.directions if machine.turning is not None else ()
-        return directions
-    return numbers if "{j}" in parameter.name else numbers[:1]

@@ -2,47 +2,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
+from dataclasses import replace
 
-from sympy import Symbol
+from sympy import Add, Symbol
 
-from pkmodes_derive.effect import Coordinate, Effect
+from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.vocabulary import Field
 
 
-def apply_effects(machine: Machine, effects: Sequence[Effect]) -> None:
+def apply_effects(
+    machine: Machine, effects: Sequence[Effect], zeros: Set[tuple[str, int]] = frozenset()
+) -> None:
     """Apply effects that all apply to the machine.
 
     Parameters
     ----------
     machine : Machine
         Declared, and changed here.
+    zeros : set of (field, index)
+        Parameters that are zero for a robot: coordinates without any compliance stay locked.
     """
     if not effects:
         return
     machine.delta_p = machine.of_platform(
         "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
     )
-    machine.effects = tuple(effect.in_words_of(machine).on(machine) for effect in effects)
+    machine.effects = tuple(_free(effect.in_words_of(machine).on(machine), zeros) for effect in effects)
     # Two passes: each effect sees every released coordinate, whatever the order of application.
     prepared = [
         (effect, _parameters(machine, effect), _release(machine, effect)) for effect in machine.effects
     ]
-    for _, parameters, released in prepared:
-        if released:
-            machine.compliances += (parameters["compliance"],) * len(released)
+    for effect, parameters, released in prepared:
+        for coordinate in released:
+            softening = (parameters[p.name] for p in effect.softening(coordinate.place))
+            machine.compliances += (Add(*softening),)
     for effect, parameters, released in sorted(prepared, key=lambda item: not item[2]):
         effect.apply(machine, parameters, released)
         machine.elastic_of += [effect.name] * (len(machine.elastic) - len(machine.elastic_of))
+
+
+def _field(effect: Effect, parameter: EffectParameter) -> str:
+    return f"{effect.name}_{parameter.name}"
+
+
+def _free(effect: Effect, zeros: Set[tuple[str, int]]) -> Effect:
+    """Return an effect with only those coordinates that some compliance frees."""
+    locked = [
+        place
+        for place in effect.places
+        if all((_field(effect, p), 0) in zeros for p in effect.softening(place))
+    ]
+    return replace(effect, places=tuple(place for place in effect.places if place not in locked))
 
 
 def _parameters(machine: Machine, effect: Effect) -> dict[str, Symbol]:
     symbols = {}
     for p in effect.parameters:
         symbols[p.name] = machine.vocabulary.declare(p.symbol, p.unit, p.description, p.latex)
-        name = f"{effect.name}_{p.name}"
-        machine.effect_fields += (Field(name, (), (symbols[p.name],), p.unit, p.description),)
+        field = Field(_field(effect, p), (), (symbols[p.name],), p.unit, p.description)
+        machine.effect_fields += (field,)
     return symbols
 
 
@@ -52,13 +72,14 @@ def _release(machine: Machine, effect: Effect) -> tuple[Coordinate, ...]:
         return ()
     declare = machine.vocabulary.declare
     for place in effect.places:
-        index, latex = {q.letter: place}, q.latex
+        index, latex = ({q.letter: place} if q.letter else {}), q.latex
         stem = latex.removesuffix(f"_{{{q.letter}}}")
-        rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}"
+        rate = rf"\dot{{{{{stem}}}}}_{{{q.letter}}}" if index else rf"\dot{{{stem}}}"
         coordinates.append(
             Coordinate(
                 declare(q.name, q.unit, q.description, latex, **index),
                 declare(f"{q.name}_dot", f"{q.unit}/s", f"rate of change: {q.description}", rate, **index),
+                place,
             )
         )
     machine.released += tuple(coordinates)

@@ -17,6 +17,7 @@ from pkmodes_derive.effect import Coordinate, Effect
 from pkmodes_derive.functions import Argument, Output
 from pkmodes_derive.parts import (
     Arm,
+    Beam,
     Belt,
     Body,
     Carrier,
@@ -32,7 +33,7 @@ from pkmodes_derive.parts import (
     Rotor,
     Run,
 )
-from pkmodes_derive.tables import Tables
+from pkmodes_derive.tables import Declared, Tables
 from pkmodes_derive.turning import Turning
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 from pkmodes_description import Margin, ParameterGroup, Requirement, Scale
@@ -114,6 +115,8 @@ class Machine:
         Released coordinates of the frame, for each direction.
     v_p, delta_p : tuple of sympy.Symbol
         Absolute velocity and small displacement of the platform.
+    beam : Beam or None
+        The beam of a gantry, which may turn.
     rails : list of sympy.Symbol
         Coordinates of the bodies that slide along rails.
     kinetic, elastic : lists of sympy.Expr
@@ -124,8 +127,8 @@ class Machine:
         The effect that added each elastic energy.
     weights : list of (mass, position)
         Bodies on which gravity acts, added by effects.
-    compliances : tuple of sympy.Symbol
-        Spring compliance of each released coordinate.
+    compliances : tuple of sympy.Expr
+        Spring compliance of each released coordinate: a parameter, or the sum of several.
     effects : tuple of Effect
         Applied effects, with the parameters and coordinates they have on this machine.
     draw : Drawing
@@ -171,6 +174,7 @@ class Machine:
         self.frame: list[list[Coordinate]] = [[] for _ in self.directions]
         self.v_p: tuple[Symbol, ...] = ()
         self.delta_p: tuple[Symbol, ...] = ()
+        self.beam: Beam | None = None
         self.rails: list[Symbol] = []
         self.kinetic: list[Expr] = []
         self.dissipation: list[Expr] = []
@@ -178,7 +182,7 @@ class Machine:
         self.elastic_of: list[str] = []
         self.weights: list[tuple[Expr, Sequence[Expr]]] = []
         self.released: tuple[Coordinate, ...] = ()
-        self.compliances: tuple[Symbol, ...] = ()
+        self.compliances: tuple[Expr, ...] = ()
         self.effects: tuple[Effect, ...] = ()
         self.effect_fields: tuple[Field, ...] = ()
         self.parameter_groups: tuple[ParameterGroup, ...] = ()
@@ -225,6 +229,49 @@ class Machine:
         """Declare the mass of the frame, used only by the effect ``frame_compliance``."""
         what = "the frame; used only by the effect frame_compliance"
         self.tables.constant("frame", "mass", what, 50.0, "frame_compliance.mass")
+
+    def add_beam(
+        self, table: Declared, travel: str, body: PointMass, *, along: Symbol, across: Symbol
+    ) -> None:
+        """Declare a beam on two guides that carries the platform, and the keys that only ``gantry_racking`` uses.
+
+        Parameters
+        ----------
+        table : Declared
+            The table of the beam, which receives these keys.
+        travel : str
+            Path of the platform's travel along the beam, whose middle is by default that of the beam.
+        body : PointMass
+            The mass of the beam.
+        along, across : sympy.Symbol
+            Coordinates along x, in which the platform moves on the beam, and along y, in which it moves with it.
+
+        Raises
+        ------
+        DeclarationError
+            If there is one already, or the platform does not move along x and y with these coordinates.
+        """
+        if self.beam is not None:
+            raise DeclarationError("there are two beams", "declare the one that carries the platform")
+        if tuple(self.platform[:2]) != (along, across):
+            what = f"the platform moves along x and y by {', '.join(map(str, self.platform[:2]))}"
+            raise DeclarationError(what, "declare a beam after the platform, with these coordinates")
+        what = "; used only by the effect gantry_racking"
+        table.constant(
+            "inertia",
+            "moment of inertia",
+            f"moment of inertia of the {table.name} about its middle{what}",
+            "gantry_racking.inertia",
+            above=0.0,
+        )
+        table.constant(
+            "center",
+            "length",
+            f"position of the middle of the {table.name} along it{what}",
+            "gantry_racking.center",
+            middle_of=travel,
+        )
+        self.beam = Beam(body, along, across)
 
     def vector(
         self, name: str, unit: str, description: str, latex: str, **index: object
@@ -427,17 +474,25 @@ class Machine:
 
     def rate(self, form: Form, clamp: Clamp | None = None) -> Expr:
         """Return the rate of a linear form."""
-        return self._evaluated(form, self.velocities, [c.rate for c in clamp.released] if clamp else [])
+        return self._evaluated(form, self.velocities, clamp, lambda c: c.rate)
 
     def displacement(self, form: Form, clamp: Clamp | None = None) -> Expr:
         """Return a linear form in small displacements."""
-        return self._evaluated(
-            form, self.displacements, [c.position for c in clamp.released] if clamp else []
-        )
+        return self._evaluated(form, self.displacements, clamp, lambda c: c.position)
 
-    def _evaluated(self, form: Form, values: Sequence[Symbol], released: Sequence[Symbol]) -> Expr:
+    def _evaluated(
+        self,
+        form: Form,
+        values: Sequence[Symbol],
+        clamp: Clamp | None,
+        of_released: Callable[[Coordinate], Symbol],
+    ) -> Expr:
         of = dict(zip(self.coordinates, values, strict=True))
-        return Add(*(factor * of[q] for q, factor in form.items()), *released)
+        moved = [factor * of[q] for q, factor in form.items()]
+        beam = self.beam
+        if beam is not None and beam.along in form:  # the end of a belt on what slides along the beam
+            moved += [form.get(beam.across, 0) * beam.lever * of_released(c) for c in beam.released]
+        return Add(*moved, *(of_released(c) for c in (clamp.released if clamp else ())))
 
     def rotation(self, rotor: Rotor) -> Symbol:
         """Return the small rotation of a rotor from the reference configuration [rad]."""
@@ -470,6 +525,31 @@ class Machine:
     def platform_position(self) -> tuple[Expr, ...]:
         """Absolute position of the platform, including the displacement of the frame."""
         return tuple(Add(c, u) for c, u in zip(self.platform, self.frame_position, strict=True))
+
+    @property
+    def moving(self) -> tuple[Coordinate, ...]:
+        """Released coordinates on which positions depend: elongations of links, and the rotation of a beam."""
+        of_links = (c for link in self.links for c in link.elongation)
+        return (*of_links, *(self.beam.released if self.beam else ()))
+
+    def turn_beam(self, coordinate: Coordinate, middle: Expr) -> None:
+        """Turn the beam by a released coordinate, with the platform, bodies and points of the drawing on it."""
+        assert self.beam is not None
+        beam = self.beam
+        beam.released.append(coordinate)
+        beam.middle = middle
+        what = "distance of what slides along the beam from the beam's middle"
+        beam.lever = self.define(self.vocabulary.declare("b", "m", what, "b"), beam.along - middle)
+
+        def moved(position: Sequence[Expr]) -> tuple[Expr, ...]:
+            on_beam = any(self.chain.derivative(component, beam.across) != 0 for component in position)
+            return beam.turned(position) if on_beam else tuple(position)
+
+        self.platform = moved(self.platform)
+        for body in self.points:
+            if body is not beam.body:
+                body.position = moved(body.position)
+        self.draw.move(moved)
 
     def add_kinetic(self, energy: Expr) -> None:
         """Add kinetic energy, a quadratic form in rates."""

@@ -63,6 +63,41 @@ class Arm:
     centre: Position
 
 
+@dataclass(eq=False)
+class Beam:
+    """A beam on two guides, along which something slides: it may turn about the vertical through its middle.
+
+    What moves with the beam lies on it, and turns with it.
+
+    Attributes
+    ----------
+    body : PointMass
+        The beam itself, whose centre of mass is its middle: it turns on the spot.
+    along : sympy.Symbol
+        Coordinate of what slides along the beam, which is parallel to x.
+    across : sympy.Symbol
+        Coordinate of the beam, which moves along y.
+    released : list of Coordinate
+        Released coordinates by which it turns [rad], positive from x to y.
+    middle, lever : sympy.Expr
+        Position of its middle along x [m], and that of what slides along it, from there.
+    """
+
+    body: PointMass
+    along: Symbol
+    across: Symbol
+    released: list[Coordinate] = field(default_factory=list)
+    middle: Expr = S.Zero
+    lever: Expr = S.Zero
+
+    def turned(self, position: Position) -> tuple[Expr, ...]:
+        """Return a position on the beam, displaced by psi x (r - r_c): to first order in the angle psi."""
+        x, y, z = position
+        psi = Add(*(c.position for c in self.released))
+        lever = self.lever if x == self.along else x - self.middle
+        return x - psi * (y - self.across), y + psi * lever, z
+
+
 @dataclass
 class Body:
     """A body that turns with the platform.

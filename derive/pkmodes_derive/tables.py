@@ -67,19 +67,9 @@ class Tables:
         return self._added(Repeated(self, name, description, count, ""))
 
     def constant(self, table: str, key: str, description: str, default: float, effect: str) -> None:
-        """Declare a mass that only an effect uses, with a default."""
-        mass = Key(
-            key,
-            "quantity",
-            "",
-            "mass",
-            description,
-            above=0.0,
-            default=default,
-            effect=effect,
-            suspected=False,
-        )
-        self._added(Declared(self, table, description, 0, "")).keys.append(mass)
+        """Declare a table of a mass that only an effect uses, with a default."""
+        added = self._added(Declared(self, table, description, 0, ""))
+        added.constant(key, "mass", description, effect, default=default, above=0.0)
 
     @property
     def numbers(self) -> range:
@@ -205,6 +195,37 @@ class Declared:
             )
         )
         return symbols
+
+    def constant(
+        self,
+        key: str,
+        dimension: str,
+        description: str,
+        effect: str,
+        *,
+        default: float = 0.0,
+        middle_of: str = "",
+        above: float | None = None,
+    ) -> None:
+        """Declare a quantity that only an effect uses, ``<effect>.<parameter>``.
+
+        Without it the value is the default, or the middle of the pair with the path `middle_of`.
+        """
+        self.keys.append(
+            Key(
+                key,
+                "quantity",
+                "",
+                dimension,
+                description,
+                above=above,
+                default=default,
+                effect=effect,
+                signed=above is None,
+                suspected=False,
+                middle_of=middle_of,
+            )
+        )
 
     def ranges(
         self, keys: Sequence[str], symbol: str, description: str, latex: str

@@ -81,9 +81,16 @@ def _tables(d: Description) -> Iterator[str]:
         if table.count and table.shared_by:
             yield f"the table {table.name} is both repeated and shared"
         yield from _repeated(table.name, [key.name for key in table.keys])
+        middles = filter(None, (key.middle_of for key in table.keys))
+        yield from _unknown(f"middle_of in {table.name}", middles, _pairs(d))
         for key in table.keys:
             for problem in _key(key, parameters):
                 yield f"{table.name}.{key.name}: {problem}"
+
+
+def _pairs(d: Description) -> list[str]:
+    """Return the paths of the pairs of single tables."""
+    return [f"{t.name}.{key.name}" for t in d.tables if not t.count for key in t.keys if key.kind == "pair"]
 
 
 def _key(key: Key, parameters: Iterable[str]) -> Iterator[str]:
@@ -142,6 +149,11 @@ def _effects(d: Description) -> Iterator[str]:
         yield from _unknown(
             f"the units of {effect.name}", (parameter.unit for parameter in effect.parameters), UNITS.values()
         )
+        own, names = [q.name for q in effect.coordinates], [parameter.name for parameter in effect.parameters]
+        for parameter in effect.parameters:
+            yield from _unknown(f"what {effect.name}.{parameter.name} releases", parameter.releases, own)
+            others = filter(None, [parameter.in_place_of])
+            yield from _unknown(f"in_place_of of {effect.name}.{parameter.name}", others, names)
         for requirement in effect.requirements:
             yield from _unknown(f"the places of {requirement.function}", requirement.places, paths)
             yield from _requirement(requirement, paths)

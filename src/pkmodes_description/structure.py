@@ -79,6 +79,8 @@ class Key(Part, frozen=True):
         Whether a quantity may have either sign or be zero.
     suspected : bool
         Whether a quantity without a standard deviation is a diagnosis candidate; one of a `ParameterGroup` is not.
+    middle_of : str
+        Path of the pair whose middle is the default, in place of `default`; empty for none.
     """
 
     name: Name
@@ -97,6 +99,7 @@ class Key(Part, frozen=True):
     effect: str = ""
     signed: bool = False
     suspected: bool = True
+    middle_of: str = ""
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -217,7 +220,15 @@ class Requirement(Part, frozen=True):
 
 
 class EffectParameter(Part, frozen=True):
-    """A parameter of an effect: 0 for no effect, otherwise within its bounds, if it has any."""
+    """A parameter of an effect: 0 for no effect, otherwise within its bounds, if it has any.
+
+    Attributes
+    ----------
+    releases : tuple of str
+        Coordinates of the effect whose springs have this compliance.
+    in_place_of : str
+        The parameter that a robot file may have instead, but not as well; empty for none.
+    """
 
     name: Name
     unit: Name
@@ -225,6 +236,8 @@ class EffectParameter(Part, frozen=True):
     greater_than: float | None
     fitted: bool
     less_than: float | None = None
+    releases: tuple[Name, ...] = ()
+    in_place_of: str = ""
 
 
 class Effect(Part, frozen=True):
@@ -256,6 +269,17 @@ class Effect(Part, frozen=True):
     def fitted(self) -> tuple[EffectParameter, ...]:
         """Parameters that can be estimated from measurements."""
         return tuple(parameter for parameter in self.parameters if parameter.fitted)
+
+    @property
+    def forms(self) -> dict[str, tuple[EffectParameter, ...]]:
+        """What can be estimated at once, by name: the effect, and each parameter that stands in place of others."""
+        alone = {f"{self.name}.{p.name}": (p,) for p in self.fitted if p.in_place_of}
+        return {self.name: tuple(p for p in self.fitted if not p.in_place_of), **alone}
+
+    def excluded(self, name: str) -> tuple[EffectParameter, ...]:
+        """Return the parameters that a robot file cannot have together with a parameter of this name."""
+        (own,) = (p for p in self.parameters if p.name == name)
+        return tuple(p for p in self.parameters if p.in_place_of == name or p.name == own.in_place_of)
 
 
 class Element(Part, frozen=True):

@@ -56,7 +56,7 @@ def test_the_catalogue_has_the_effects_parameters_and_coordinates_of_the_contrac
         "gearbox_compliance": ["compliance"],
         "link_compliance": ["compliance"],
         "clamp_compliance": ["compliance"],
-        "frame_compliance": ["compliance", "mass"],
+        "frame_compliance": ["compliance", "mass", "compliance_x", "compliance_y", "compliance_z"],
         "belt_loss": ["loss_factor"],
         "reducer_loss": ["loss_factor"],
         "rail_friction": ["viscous"],

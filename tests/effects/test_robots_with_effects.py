@@ -61,7 +61,8 @@ def test_every_effect_of_the_catalogue_has_a_case_here() -> None:
 
 @pytest.mark.parametrize("name", list(VALUES))
 def test_null_values_are_the_base_model(tmp_path: Path, name: str) -> None:
-    nulls = {parameter.name: "0" for parameter in CATALOGUE[name].parameters if parameter.fitted}
+    given = [one for one in CATALOGUE[name].parameters if one.fitted and not one.in_place_of]
+    nulls = {parameter.name: "0" for parameter in given}
     rows = "".join(f"{key} = {value}\n" for key, value in nulls.items())
     found = load(tmp_path, f"\n[effects.{name}]\n{rows}").modes(POSE)
     expected = pkmodes.load(PUBLISHED).modes(POSE)
@@ -269,3 +270,44 @@ def test_another_machine_does_not_need_the_null_effects(tmp_path: Path) -> None:
     assert run(["generate", str(tmp_path / "robot.toml"), "--out", str(tmp_path / "base")]) == 0
     name = "linear_delta_2022.py"
     assert (tmp_path / "null" / name).read_bytes() == (tmp_path / "base" / name).read_bytes()
+
+
+# A frame by direction -------------------------------------------------------------------------------------------
+
+
+def test_a_frame_with_equal_directions_is_the_isotropic_one(tmp_path: Path) -> None:
+    found = load(tmp_path, table("frame_compliance", {f"compliance_{i}": "4e-8 m/N" for i in "xyz"})).modes(
+        POSE
+    )
+    expected = load(tmp_path, table("frame_compliance", {"compliance": "4e-8 m/N"})).modes(POSE)
+    np.testing.assert_array_equal(found.frequencies, expected.frequencies)
+    np.testing.assert_array_equal(found.shapes, expected.shapes)
+
+
+@pytest.mark.parametrize("drives", ["free", "held"])
+def test_a_direction_that_is_not_given_stays_locked(tmp_path: Path, drives: str) -> None:
+    """A direction with a compliance that hardly yields moves no more than one that is locked."""
+    one = load(tmp_path, table("frame_compliance", {"compliance_y": "4e-8 m/N"}))
+    stiff = {f"compliance_{i}": "4e-8 m/N" if i == "y" else "1e-20 m/N" for i in "xyz"}
+    all_three = load(tmp_path, table("frame_compliance", stiff))
+    assert one.coordinates[-2:] == ("theta_3_2", "u_y")
+    found, expected = (model.modes(POSE, drives=drives).frequencies for model in (one, all_three))
+    assert len(found) == len(expected) - 2
+    vibrations = found > 1.0
+    np.testing.assert_allclose(found[vibrations], expected[: len(found)][vibrations], rtol=1e-8)
+
+
+def test_a_frame_is_isotropic_or_given_by_direction(tmp_path: Path) -> None:
+    both = problem(
+        tmp_path, table("frame_compliance", {"compliance": "4e-8 m/N", "compliance_y": "4e-8 m/N"})
+    )
+    assert "expected compliance or compliance_y, found both" in both
+    assert "effects.frame_compliance.compliance)" in both
+    assert "keep compliance, or compliance_y in its place" in both
+    assert "the parameter compliance is missing" in problem(tmp_path, "\n[effects.frame_compliance]\n")
+    declared = load(tmp_path, table("frame_compliance", {"compliance_y": "4e-8 m/N"})).robot
+    assert "effects.frame_compliance.compliance" not in declared.quantities
+    softer = declared.with_values({"effects.frame_compliance.compliance_z": 1e-8})
+    assert softer.effects["frame_compliance.compliance_z"] == 1e-8
+    with pytest.raises(RobotFileError, match="found both"):
+        declared.with_values({"effects.frame_compliance.compliance": 1e-8})

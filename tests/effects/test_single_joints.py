@@ -106,9 +106,10 @@ def test_they_are_remote_and_joints_have_no_name_to_be_claimed_by() -> None:
         *(f"gearbox_compliance of psi_{j} alone" for j in (1, 2, 3)),
         *(f"link_compliance of delta_{j} alone" for j in (1, 2, 3)),
         *(f"clamp_compliance of eps_{j} alone" for j in (1, 2, 3)),
-        *(f"frame_compliance of u_{i} alone" for i in "xyz"),
         "frame_compliance with another frame.mass",
+        *(f"frame_compliance.compliance_{i} with another frame.mass" for i in "xyz"),
     }
+    assert {f"frame_compliance.compliance_{i}" for i in "xyz"} < {c.name for c in candidates if c.claimable}
     assert "parameter:axis.2.carriage.mass" in remote.keys() - joints
     assert not any(c.remote for c in suspects(robot, ["effects", "parameters"])[1] if c.nameable)
     assert suspects(robot, [])[1] == []

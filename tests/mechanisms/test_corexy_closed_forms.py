@@ -106,7 +106,7 @@ def _mirrored() -> np.ndarray:
     there = [c[:-2] + swap[c[-2:]] if c[-2:] in swap else c for c in COORDINATES]
     turn = np.zeros((len(COORDINATES),) * 2)
     for i, c in enumerate(there):
-        turn[i, COORDINATES.index(c)] = -1.0 if c in ("x", "u_x") else 1.0
+        turn[i, COORDINATES.index(c)] = -1.0 if c in ("x", "u_x", "psi_b") else 1.0
     return turn
 
 
@@ -114,7 +114,7 @@ def _mirrored() -> np.ndarray:
 def test_mirror_image_exchanges_the_belts(pose: tuple[float, float]) -> None:
     """The workspace ends at 0.3 m: position x becomes 0.3 m - x in the mirrored machine."""
     chosen = effects("corexy", ("",))._replace(
-        axis_belt_stiffness_factor_1=0.1, axis_belt_stiffness_factor_2=0.1
+        axis_belt_stiffness_factor_1=0.1, axis_belt_stiffness_factor_2=0.1, gantry_racking_center=0.15
     )
     here, there = symmetric(pose, False), symmetric((0.3 - pose[0], pose[1]), False)
     turn = _mirrored()

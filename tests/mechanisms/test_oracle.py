@@ -14,13 +14,13 @@ import pytest
 
 from helpers.references.coordinate_blocks import kinds, worst
 from helpers.references.high_precision_mechanisms import Compared, Reference
+from helpers.references.oracle_modes import free
 from helpers.robots.dissipating import dissipating
 from helpers.robots.sample_mechanisms import (
     NAMES,
     SEEDS,
     TOGETHER,
     TYPICAL,
-    description,
     effect_names,
     effects,
     extended,
@@ -29,6 +29,7 @@ from helpers.robots.sample_mechanisms import (
     reference,
     sample,
 )
+from pkmodes.core.mechanism.generated import Generated
 
 #: Relative rounding per unit of the condition number of the loops (7 to 11 here): a few units in the last
 #: place in each linkage vector, amplified in solving for the platform's motion, summed over some tens of terms.
@@ -68,7 +69,7 @@ def assert_extended_model(name: str, label: str, seed: int) -> None:
     for matrix in (M, K_el, K_g):
         np.testing.assert_array_equal(matrix, matrix.T)
 
-    motion = generated.extended_platform_motion(robot.pose, robot.parameters)
+    motion = Generated(generated, robot.parameters, chosen).extended_platform_motion(robot.pose)
     assert np.abs(motion - expected.platform).max() < tolerance * np.abs(expected.platform).max()
     torques, displacements = generated.extended_static_equilibrium(robot.pose, robot.parameters, chosen)
     assert np.abs(torques - expected.torques).max() < tolerance * np.abs(expected.torques).max()
@@ -131,10 +132,7 @@ def test_arms_that_lean_as_far_as_is_accepted(seed: int) -> None:
 def test_released_joints_are_springs_of_their_compliance(name: str) -> None:
     generated, base = extended(name), len(model(name).COORDINATES)
     chosen = effects(name, ("",))
-    compliance = {}
-    for effect in description(name)["effects"]:
-        for coordinate in effect["coordinates"]:
-            compliance[coordinate["name"]] = TYPICAL[f"{effect['name']}_compliance"]
+    compliance = free(name, chosen)
     assert list(compliance) == list(generated.COORDINATES[base:])
     stiffness, rate = generated.joint_stiffness(chosen)
     c = np.array(list(compliance.values()))
@@ -158,7 +156,7 @@ def test_names_are_those_of_the_contract(name: str) -> None:
         "corexy": {
             *("payload", "gearbox_inertia", "servo_stiffness", "cable_stiffness", "belt_end_compliance"),
             *("axis_belt_stiffness", "gearbox_compliance", "clamp_compliance", "frame_compliance"),
-            *("belt_mass", "belt_tension_stiffness"),
+            *("belt_mass", "belt_tension_stiffness", "gantry_racking"),
             *("belt_loss", "reducer_loss", "rail_friction", "drive_friction"),
         },
     }

@@ -83,9 +83,12 @@ def test_every_number_of_the_parameters_is_listed_once(name: str, label: str) ->
         left
         == {
             "rotary_delta": {"origin", "axis", "zero", "branch"}
-            | {"link_compliance_compliance", "frame_compliance_compliance"},
+            | {"link_compliance_compliance", "frame_compliance_compliance"}
+            | {f"frame_compliance_compliance_{i}" for i in "xyz"},
             "corexy": {"belt_path_direction"}
-            | {f"{joint}_compliance_compliance" for joint in ("gearbox", "clamp", "frame")},
+            | {f"{joint}_compliance_compliance" for joint in ("gearbox", "clamp", "frame")}
+            | {"frame_compliance_compliance_x", "frame_compliance_compliance_y"}
+            | {"gantry_racking_compliance"},
         }[name]
     )
     assert len(listed(name)) == len({tuple(entry[:2]) for entry in listed(name)})

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes_rig.engine import TrueModes
-from pkmodes_rig.rows import Rows, completed, without
+from pkmodes_rig.rows import Rows, completed, frame_compliance, without
 
 #: Length of the yawing beam [m], and position of its middle.
 BEAM, MIDDLE = 0.4, 0.15
@@ -41,10 +41,9 @@ def corexy(
         "psi": effects.get("gearbox_compliance.compliance", 0.0),
         "eps": effects.get("clamp_compliance.compliance", 0.0),
     }
-    frame = effects.get("frame_compliance.compliance", 0.0)
     names = ["x", "y", "theta_1", "theta_2", "psi_1", "psi_2", "eps_1", "eps_2", "u_x", "u_y"]
     names += ["absorber", "rack"]
-    lever = p[0] - MIDDLE
+    lever = p[0] - effects.get("gantry_racking.center", MIDDLE)
     head = np.zeros((2, len(names)))
     head[0, [0, 8]], head[1, [1, 9, 11]] = 1.0, (1.0, 1.0, lever)
     rows = Rows(names, head)
@@ -76,12 +75,11 @@ def corexy(
     locked = [f"{name}_{i + 1}" for name, compliance in released.items() if not compliance for i in BELTS]
     if outside.get("one_gearbox"):
         locked.remove("psi_1")
-    if racking := outside.get("racking_gantry"):
-        rows.inertia(rows.row(rack=1.0), q.gantry_mass * BEAM**2 / 12)
+    if racking := outside.get("racking_gantry") or effects.get("gantry_racking.compliance"):
+        rows.inertia(rows.row(rack=1.0), effects.get("gantry_racking.inertia", q.gantry_mass * BEAM**2 / 12))
         rows.spring(rows.row(rack=1.0), 1.0 / racking)
     else:
         locked.append("rack")
-    if not frame:
-        locked += ["u_x", "u_y"]
+    locked += [name for name in ("u_x", "u_y") if not frame_compliance(name, effects)]
     completed(rows, "theta", effects, outside)
     return rows.modes([*locked, *without(outside)], rows.motors("theta") if held else ())

@@ -14,7 +14,7 @@ import numpy as np
 
 from pkmodes_rig.engine import TrueModes
 from pkmodes_rig.mujoco_rotary_delta import Engine, arm_angles
-from pkmodes_rig.rows import Rows, completed, without
+from pkmodes_rig.rows import Rows, completed, frame_compliance, without
 
 AXES = range(3)
 #: Steps of the eighth-order differences in MuJoCo and of the fourth-order differences here [rad, m].
@@ -50,7 +50,7 @@ def rotary_delta(
         )
         rows.spring(rows.row(**{f"theta_{j + 1}": 1.0, f"phi_{j + 1}": -1.0}), stiffness)
     rows.spring(rows.row(theta_1=1.0), outside.get("arm_hose", 0.0))
-    locked = [] if effects.get("frame_compliance.compliance") else [*FRAME]
+    locked = [name for name in FRAME if not frame_compliance(name, effects)]
     if build is by_hand:
         for j, name in enumerate(DELTA):
             if compliance := links + (single if j == 0 else 0.0):

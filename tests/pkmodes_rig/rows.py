@@ -116,8 +116,8 @@ def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Map
     rows.spring(rows.platform, effects.get("cable_stiffness.stiffness", 0.0))
     along = ALONG[count] @ rows.platform
     rows.spring(along, outside.get("directional_cable", 0.0))
-    if compliance := effects.get("frame_compliance.compliance"):
-        for name in [name for name in rows.names if name.startswith("u_")]:
+    for name in [name for name in rows.names if name.startswith("u_")]:
+        if compliance := frame_compliance(name, effects):
             rows.spring(rows.row(**{name: 1.0}), 1.0 / compliance)
             rows.inertia(rows.row(**{name: 1.0}), effects["frame_compliance.mass"])
     if mass := outside.get("tuned_absorber"):
@@ -127,6 +127,12 @@ def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Map
         rows.inertia(along + own, mass)
         rows.spring(own, mass * (2 * np.pi * TUNED[count]) ** 2)
     return rows
+
+
+def frame_compliance(name: str, effects: Mapping[str, float]) -> float:
+    """Return the compliance of a displacement of the frame, ``u_x``: that of its direction, or the isotropic one."""
+    by_direction = effects.get(f"frame_compliance.compliance_{name.removeprefix('u_')}", 0.0)
+    return by_direction or effects.get("frame_compliance.compliance", 0.0)
 
 
 def without(outside: Mapping[str, float]) -> list[str]:

@@ -94,7 +94,7 @@ def _model(
             Output(
                 "r",
                 (len(points), 3),
-                flat([p.position for p in points]),
+                flat([[x.xreplace(d.kin.reference) for x in p.position] for p in points]),
                 "m",
                 "base frame; first the platform",
             ),

@@ -118,9 +118,8 @@ def _differentiate_motion(
 def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
     """Define velocity and, if effects need it, small displacement of the platform: D times the coordinates."""
     places = [machine.coordinates.index(q) for q in machine.independent]
-    elongations = [c for link in machine.links for c in link.elongation]
-    rates = [*(machine.velocities[i] for i in places), *(c.rate for c in elongations)]
-    small = [*(machine.displacements[i] for i in places), *(c.position for c in elongations)]
+    rates = [*(machine.velocities[i] for i in places), *(c.rate for c in machine.moving)]
+    small = [*(machine.displacements[i] for i in places), *(c.position for c in machine.moving)]
     for i in range(len(machine.directions)):
         row, frame = kinematics.D[i, :], machine.frame[i]
         moved = Add(*(d * rate for d, rate in zip(row, rates, strict=True)), *(c.rate for c in frame))
@@ -147,9 +146,11 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
             moved += [(w, cross(axis(name), lever)) for w, name in turned]
         return moved
     moved = []
-    for q in machine.independent:
-        rate = machine.velocities[machine.coordinates.index(q)]
-        along = tuple(machine.chain.derivative(component, q) for component in position)
+    racking = machine.beam.released if machine.beam else []
+    at_pose = dict.fromkeys((c.position for c in racking), Integer(0))
+    rates = {q: machine.velocities[machine.coordinates.index(q)] for q in machine.independent}
+    for q, rate in {**rates, **{c.position: c.rate for c in racking}}.items():
+        along = tuple(machine.chain.derivative(component, q).xreplace(at_pose) for component in position)
         if any(along):
             moved.append((rate, along))
     frame = zip(machine.frame_rate, BASIS, strict=True)

@@ -50,7 +50,7 @@ class Kinematics:
     P : tuple of sympy.Matrix
         Second derivatives of the platform position with respect to the machine's independent coordinates.
     independent : tuple of sympy.Symbol
-        Coordinates that move the closures: the machine's, then any released elongations.
+        Coordinates that move the platform: the machine's, then any released ones on which positions depend.
     right : sympy.Matrix
         -Phi_q for all of `independent`; its first columns are D_r.
     D : sympy.Matrix
@@ -94,17 +94,18 @@ class Kinematics:
 def derive(machine: Machine) -> Kinematics:
     """Derive the kinematics; the derivative rules for the platform and D_p are added to the machine's chain."""
     chain, partial = machine.chain, machine.chain.copy()
-    elongations = tuple(c.position for link in machine.links for c in link.elongation)
-    independent = (*machine.independent, *elongations)
-    reference: dict[Symbol, Expr] = dict.fromkeys(elongations, Integer(0))
+    moving = tuple(c.position for c in machine.moving)
+    independent = (*machine.independent, *moving)
+    reference: dict[Symbol, Expr] = dict.fromkeys(moving, Integer(0))
     n = len(machine.independent)
     if not machine.links:
         D = Matrix([[chain.derivative(c, q) for q in independent] for c in _components(machine)])
+        D = D.xreplace(reference)  # released coordinates are zero in the reference configuration
         empty = Matrix.zeros(0, n)
         zero = tuple(Matrix.zeros(n, n) for _ in machine.directions)
-        inverse = machine.inverse
+        inverse, D_p = machine.inverse, D[:, :n]
         return Kinematics(
-            chain, inverse, [], None, empty, empty, D, (), zero, independent, empty, D, reference, partial
+            chain, inverse, [], None, empty, empty, D_p, (), zero, independent, empty, D, reference, partial
         )
     closures = [
         _closure(link.vector, link.length, [c.position for c in link.elongation]) for link in machine.links

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence, Set
 
-from sympy import Add, Expr, Symbol, diff
+from sympy import Add, Expr, Symbol, default_sort_key, diff
 
 from pkmodes_derive.assembly import chapters, sensitivity
 from pkmodes_derive.assembly.condensed import Condensed
@@ -240,7 +240,9 @@ def _motors(d: Derived) -> Function:
 def _joints(d: Derived) -> Function:
     positions = [c.position for c in d.machine.released]
     stiffness = [diff(energy, q, q) for energy, q in zip(d.energies.V_r, positions, strict=True)]
-    rates = [diff(k, c) for k, c in zip(stiffness, d.machine.compliances, strict=True)]
+    # Compliances in series add up, so the derivatives with respect to all of them are equal.
+    first = [min(c.free_symbols, key=default_sort_key) for c in d.machine.compliances]
+    rates = [diff(k, c) for k, c in zip(stiffness, first, strict=True)]
     n = len(positions)
     return Function(
         "joint_stiffness",
@@ -265,7 +267,7 @@ def _needs(machine: Machine) -> list[Function]:
     for effect in machine.effects:
         if effect.needs is not None:
             of = effect.needs.of({p.name: symbols[f"{effect.name}_{p.name}"] for p in effect.parameters})
-            output = Output("margin", (1,), (of,), "1", "positive for physical parameters")
+            output = Output("margin", (1,), (of,), effect.needs.unit, "positive for physical parameters")
             summary = f"Condition on the parameters of the effect {effect.name}."
             conditions.append(
                 Function(

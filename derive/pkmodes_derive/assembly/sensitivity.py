@@ -31,7 +31,7 @@ def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:
     Directions, branches and driven pulleys are choices, not quantities.  The compliances of released joints are
     not in M and K but in the springs that are added to K.
     """
-    springs = set(machine.compliances)
+    springs = {symbol for compliance in machine.compliances for symbol in compliance.free_symbols}
     of_effects = (s for field in machine.effect_fields for s in field.symbols if s not in springs)
     return (*(s for s in _quantities(machine) if s not in moving), *of_effects)
 

@@ -68,8 +68,10 @@ def derive(machine: Machine, kinematics: Kinematics, energies: Energies) -> Stat
     mu = _force_densities(machine, kinematics, by_platform)
     if machine.turning is None:
         gravity = lagrangian.gradient(energies.V_g, machine.independent, chain)
+        gravity = [force.xreplace(kinematics.reference) for force in gravity]
+        jacobian = tuple(kinematics.D) if kinematics.closures else ()
         hessian = implicit.constrained_hessian(
-            energies.V_g, kinematics.closures, mu, kinematics.independent, tuple(kinematics.D), chain
+            energies.V_g, kinematics.closures, mu, kinematics.independent, jacobian, chain
         )
     else:
         gravity = [

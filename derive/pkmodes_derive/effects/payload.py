@@ -1,4 +1,7 @@
-"""Payload: a point mass at the platform centre, or elsewhere on a platform that turns, with its weight."""
+"""Payload: a point mass with its weight, on the body that carries payloads.
+
+It is at the centre of the platform, or elsewhere on one that turns.
+"""
 
 from collections.abc import Mapping, Sequence
 
@@ -6,20 +9,17 @@ from sympy import Symbol
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.vectors import cross, dot
+from pkmodes_derive.parts import PointMass
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
-    """Add the kinetic energy and the weight."""
-    mass, velocity, position = parameters["mass"], tuple(machine.v_p), machine.platform_position
+    """Add the body."""
+    position = machine.carries.position
     if machine.turning is not None:
         names = machine.vector("o_L", "m", "payload from the platform's origin, base frame", "o_L")
         lever = machine.fixed_in_platform(names, [parameters[f"offset_{i}"] for i in machine.directions])
-        turned = cross(machine.turning.spatial(machine.turning.rates), (*lever, 0, 0)[:3])
-        velocity = tuple(v + w for v, w in zip(velocity, turned, strict=False))
-        position = tuple(p + o for p, o in zip(position, (*lever, 0, 0), strict=False))
-    machine.add_kinetic(Rational(1, 2) * mass * dot(velocity, velocity))
-    machine.add_weight(mass, position)
+        position = tuple(a + b for a, b in zip(position, (*lever, 0)[:3], strict=True))
+    machine.loads.append(PointMass(parameters["mass"], position))
 
 
 EFFECT = Effect(
@@ -27,7 +27,7 @@ EFFECT = Effect(
     sentence="{carrier} carries a mass that is not declared",
     parts=lambda machine: machine.directions,
     parameters=(
-        EffectParameter("mass", "kg", "point mass at the platform centre", "m_L", "m_L"),
+        EffectParameter("mass", "kg", "point mass {on_carrier}", "m_L", "m_L"),
         EffectParameter(
             "offset_{i}",
             "m",

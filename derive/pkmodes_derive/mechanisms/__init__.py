@@ -29,6 +29,8 @@ from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing
 
 T = TypeVar("T")
+#: The field and the index of every parameter that is zero for a robot.
+Zeros = frozenset[tuple[str, int]]
 
 #: User-defined mechanisms by name: text and module of the definition.
 _added: dict[str, tuple[str, ModuleType]] = {}
@@ -73,15 +75,15 @@ def source(name: str) -> str | None:
     return _added[name][0] if name in _added else None
 
 
-def machine(name: str, effects: Sequence[Effect] = ()) -> Machine:
-    """Return the machine that a mechanism declares, with some effects."""
+def machine(name: str, effects: Sequence[Effect] = (), zeros: Zeros = frozenset()) -> Machine:
+    """Return the machine that a mechanism declares, with some effects; `zeros` are a robot's zero parameters."""
     if name not in _added:
-        return _machine(import_module(f"{__name__}.{name}"), name, effects)
+        return _machine(import_module(f"{__name__}.{name}"), name, effects, zeros)
     module = _added[name][1]
     with _reported(name):
         check_declared(_machine(module, name, ()))
     with _reported(name, f", with the effects {', '.join(e.name for e in effects)}" if effects else ""):
-        return _machine(module, name, effects)
+        return _machine(module, name, effects, zeros)
 
 
 def _reported(name: str, during: str = "") -> AbstractContextManager[None]:
@@ -91,11 +93,11 @@ def _reported(name: str, during: str = "") -> AbstractContextManager[None]:
     return as_definition_errors(str(_added[name][1].__file__), "fix the declaration", during)
 
 
-def _machine(module: ModuleType, name: str, effects: Sequence[Effect]) -> Machine:
+def _machine(module: ModuleType, name: str, effects: Sequence[Effect], zeros: Zeros = frozenset()) -> Machine:
     declared = Machine(name, module.TITLE, module.DIRECTIONS, getattr(module, "ROTATIONS", ()))
     module.declare(declared)
     declared.finish()
-    apply_effects(declared, effects)
+    apply_effects(declared, effects, zeros)
     return declared
 
 
@@ -152,18 +154,18 @@ def drawing(name: str) -> tuple[Model, Drawing]:
 
 
 @_once
-def single(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> Model:
+def single(name: str, chosen: tuple[str, ...], zeros: Zeros) -> Model:
     """Return the model of a mechanism with some effects, by name, for one robot; derived once per process.
 
     `zeros` are the (field, index) of the robot's zero parameters: a coordinate without inertia has no mode.
     """
-    return models.single(machine(name, _some(name, chosen)), zeros)
+    return models.single(machine(name, _some(name, chosen), zeros), zeros)
 
 
 @_once
-def held(name: str, chosen: tuple[str, ...], zeros: frozenset[tuple[str, int]]) -> HeldMotors:
+def held(name: str, chosen: tuple[str, ...], zeros: Zeros) -> HeldMotors:
     """Return a robot with some effects whose motors are held, for one robot; derived once per process."""
-    declared = machine(name, _some(name, chosen))
+    declared = machine(name, _some(name, chosen), zeros)
     with _reported(name, ", during the derivation with held motors"):
         return held_motors(declared, models.absent(declared, zeros))
 

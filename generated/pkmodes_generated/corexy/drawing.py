@@ -12,6 +12,7 @@ values.
 
 * l_f_j_s [m]: free length of run s of belt j
 * k_j_s [N/m]: stiffness of run s of belt j
+* b [m]: distance of what slides along the beam from the beam's middle
 """
 
 from math import prod
@@ -39,6 +40,7 @@ COORDINATES = (
     "eps_2",
     "u_x",
     "u_y",
+    "psi_b",
 )
 COORDINATE_UNITS = (
     "m",
@@ -51,6 +53,7 @@ COORDINATE_UNITS = (
     "m",
     "m",
     "m",
+    "rad",
 )
 
 
@@ -291,7 +294,7 @@ def drawing_points(p, parameters):
     return r_out
 
 
-def drawing_motion(p, parameters):
+def drawing_motion(p, parameters, effects):
     """Jacobians of these points with respect to every coordinate, one for points that move alike.
 
     Parameters
@@ -300,40 +303,132 @@ def drawing_motion(p, parameters):
         Tool head in the base frame.
     parameters : Parameters
         The robot's parameters.
+    effects : Effects
+        The robot's effects.
 
     Returns
     -------
-    J : array, shape (..., 5, 3, 10) [1, m]
+    J : array, shape (..., 19, 3, 11) [1, m]
         dr_i/dq_k, base frame.
 
     Notes
     -----
     The positions differentiated, with the contributions of released joints and the frame.
-    0 operations; 0 with every named value expanded.
+    36 operations; 176 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
-    g_1_1, _, g_2_1, _ = _entries(parameters.belt_path_direction, (2, 2))
-    batch, dtype = _batch(x, g_1_1)
-    J_out = np.zeros((*batch, 5, 3, 10), dtype)
+    g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
+    R_p_1, R_p_2 = _entries(parameters.pulley_radius, (2,))
+    travel_min_x, travel_max_x, _, _ = _entries(parameters.workspace, (2, 2))
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, g_1_1, R_p_1, travel_min_x, x_B)
+    b = x - x_B
+    t1 = 8*R_p_1
+    t2 = R_p_1*g_1_2
+    t3 = (1/2)*travel_max_x
+    t4 = (1/2)*travel_min_x
+    t5 = t1 + t3 - t4
+    t6 = g_1_1*t5
+    t7 = t3 + t4 - x_B
+    t8 = -t6 + t7
+    t9 = R_p_1*g_1_1
+    t10 = t8 + 2*t9
+    t11 = t6 + t7
+    t12 = R_p_2*g_2_2
+    t13 = R_p_2*g_2_1
+    t14 = g_2_1*t5
+    t15 = -t14 + t7
+    t16 = 2*t13 + t15
+    t17 = t14 + t7
+    J_out = np.zeros((*batch, 19, 3, 11), dtype)
     J_out[..., 0, 0, 0] = 1
     J_out[..., 0, 0, 8] = 1
     J_out[..., 0, 1, 1] = 1
     J_out[..., 0, 1, 9] = 1
+    J_out[..., 0, 1, 10] = b
     J_out[..., 1, 0, 8] = 1
     J_out[..., 1, 1, 9] = 1
     J_out[..., 2, 0, 8] = 1
     J_out[..., 2, 1, 1] = 1
     J_out[..., 2, 1, 9] = 1
-    J_out[..., 3, 0, 0] = 1
-    J_out[..., 3, 0, 6] = g_1_1
+    J_out[..., 2, 1, 10] = -t1 + travel_min_x - x_B
     J_out[..., 3, 0, 8] = 1
     J_out[..., 3, 1, 1] = 1
     J_out[..., 3, 1, 9] = 1
+    J_out[..., 3, 1, 10] = t1 + travel_max_x - x_B
     J_out[..., 4, 0, 0] = 1
-    J_out[..., 4, 0, 7] = g_2_1
     J_out[..., 4, 0, 8] = 1
     J_out[..., 4, 1, 1] = 1
     J_out[..., 4, 1, 9] = 1
+    J_out[..., 4, 1, 10] = 4*R_p_1 + b
+    J_out[..., 5, 0, 8] = 1
+    J_out[..., 5, 0, 10] = t2
+    J_out[..., 5, 1, 1] = 1
+    J_out[..., 5, 1, 9] = 1
+    J_out[..., 5, 1, 10] = t10
+    J_out[..., 6, 0, 8] = 1
+    J_out[..., 6, 0, 10] = -t2
+    J_out[..., 6, 1, 1] = 1
+    J_out[..., 6, 1, 9] = 1
+    J_out[..., 6, 1, 10] = t11
+    J_out[..., 7, 0, 0] = 1
+    J_out[..., 7, 0, 6] = g_1_1
+    J_out[..., 7, 0, 8] = 1
+    J_out[..., 7, 1, 1] = 1
+    J_out[..., 7, 1, 9] = 1
+    J_out[..., 7, 1, 10] = b
+    J_out[..., 8, 0, 8] = 1
+    J_out[..., 8, 1, 1] = 1
+    J_out[..., 8, 1, 9] = 1
+    J_out[..., 8, 1, 10] = t10
+    J_out[..., 9, 0, 8] = 1
+    J_out[..., 9, 0, 10] = t2
+    J_out[..., 9, 1, 1] = 1
+    J_out[..., 9, 1, 9] = 1
+    J_out[..., 9, 1, 10] = t8 + t9
+    J_out[..., 10, 0, 8] = 1
+    J_out[..., 10, 1, 1] = 1
+    J_out[..., 10, 1, 9] = 1
+    J_out[..., 10, 1, 10] = t11
+    J_out[..., 11, 0, 8] = 1
+    J_out[..., 11, 0, 10] = -t2
+    J_out[..., 11, 1, 1] = 1
+    J_out[..., 11, 1, 9] = 1
+    J_out[..., 11, 1, 10] = t11 + t9
+    J_out[..., 12, 0, 8] = 1
+    J_out[..., 12, 0, 10] = t12
+    J_out[..., 12, 1, 1] = 1
+    J_out[..., 12, 1, 9] = 1
+    J_out[..., 12, 1, 10] = t16
+    J_out[..., 13, 0, 8] = 1
+    J_out[..., 13, 0, 10] = -t12
+    J_out[..., 13, 1, 1] = 1
+    J_out[..., 13, 1, 9] = 1
+    J_out[..., 13, 1, 10] = t17
+    J_out[..., 14, 0, 0] = 1
+    J_out[..., 14, 0, 7] = g_2_1
+    J_out[..., 14, 0, 8] = 1
+    J_out[..., 14, 1, 1] = 1
+    J_out[..., 14, 1, 9] = 1
+    J_out[..., 14, 1, 10] = b
+    J_out[..., 15, 0, 8] = 1
+    J_out[..., 15, 1, 1] = 1
+    J_out[..., 15, 1, 9] = 1
+    J_out[..., 15, 1, 10] = t16
+    J_out[..., 16, 0, 8] = 1
+    J_out[..., 16, 0, 10] = t12
+    J_out[..., 16, 1, 1] = 1
+    J_out[..., 16, 1, 9] = 1
+    J_out[..., 16, 1, 10] = t13 + t15
+    J_out[..., 17, 0, 8] = 1
+    J_out[..., 17, 1, 1] = 1
+    J_out[..., 17, 1, 9] = 1
+    J_out[..., 17, 1, 10] = t17
+    J_out[..., 18, 0, 8] = 1
+    J_out[..., 18, 0, 10] = -t12
+    J_out[..., 18, 1, 1] = 1
+    J_out[..., 18, 1, 9] = 1
+    J_out[..., 18, 1, 10] = t13 + t17
     return J_out
 
 
@@ -353,13 +448,13 @@ def springs(p, parameters, effects):
     -------
     k : array, shape (..., 8) [N/m, N m/rad]
         Stiffness.
-    g : array, shape (..., 8, 10) [1, m, 1/m]
+    g : array, shape (..., 8, 11) [1, m, 1/m]
         The energy is the sum of k (g . q)^2 / 2.
 
     Notes
     -----
     Equation 38 with the effects' energies; the springs of released joints are not among them.
-    31 operations; 76 with every named value expanded.
+    34 operations; 85 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     g_1_1, g_1_2, g_2_1, g_2_2 = _entries(parameters.belt_path_direction, (2, 2))
@@ -374,7 +469,9 @@ def springs(p, parameters, effects):
     (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
     (k_C,) = _entries(effects.cable_stiffness_stiffness, ())
     (k_S,) = _entries(effects.servo_stiffness_stiffness, ())
-    batch, dtype = _batch(x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1, a_B_1, a_B_2, c_E, c_T, F_T, k_C, k_S)
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, g_1_1, l_0_1_1, k_sp_1, w_b_1, R_p_1, a_B_1, a_B_2, c_E, c_T, F_T, k_C, k_S, x_B)
+    b = x - x_B
     t1 = g_1_1*x + g_1_2*y
     l_f_1_1 = l_0_1_1 + t1
     t2 = F_T*c_T + 1
@@ -393,6 +490,8 @@ def springs(p, parameters, effects):
     k_2_1 = t10/(l_f_2_1 + t9)
     l_f_2_2 = l_0_2_2 - t7
     k_2_2 = t10/(l_f_2_2 + t9)
+    t11 = b*g_1_2
+    t12 = b*g_2_2
     k_out = np.empty((*batch, 8), dtype)
     k_out[..., 0] = k_1_1
     k_out[..., 1] = k_1_2
@@ -402,27 +501,32 @@ def springs(p, parameters, effects):
     k_out[..., 5] = k_C
     k_out[..., 6] = k_S
     k_out[..., 7] = k_S
-    g_out = np.zeros((*batch, 8, 10), dtype)
+    g_out = np.zeros((*batch, 8, 11), dtype)
     g_out[..., 0, 0] = g_1_1
     g_out[..., 0, 1] = g_1_2
     g_out[..., 0, 2] = R_p_1
     g_out[..., 0, 6] = 1
+    g_out[..., 0, 10] = t11
     g_out[..., 1, 0] = g_1_1
     g_out[..., 1, 1] = g_1_2
     g_out[..., 1, 2] = R_p_1
     g_out[..., 1, 6] = 1
+    g_out[..., 1, 10] = t11
     g_out[..., 2, 0] = g_2_1
     g_out[..., 2, 1] = g_2_2
     g_out[..., 2, 3] = R_p_2
     g_out[..., 2, 7] = 1
+    g_out[..., 2, 10] = t12
     g_out[..., 3, 0] = g_2_1
     g_out[..., 3, 1] = g_2_2
     g_out[..., 3, 3] = R_p_2
     g_out[..., 3, 7] = 1
+    g_out[..., 3, 10] = t12
     g_out[..., 4, 0] = 1
     g_out[..., 4, 8] = 1
     g_out[..., 5, 1] = 1
     g_out[..., 5, 9] = 1
+    g_out[..., 5, 10] = b
     g_out[..., 6, 2] = 1
     g_out[..., 6, 4] = 1
     g_out[..., 7, 3] = 1

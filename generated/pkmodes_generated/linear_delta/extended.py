@@ -431,6 +431,12 @@ class Effects(NamedTuple):
         Isotropic compliance of the frame.
     frame_compliance_mass : float or array, shape (...) [kg]
         Mass of the frame.
+    frame_compliance_compliance_x : float or array, shape (...) [m/N]
+        Compliance of the frame along x.
+    frame_compliance_compliance_y : float or array, shape (...) [m/N]
+        Compliance of the frame along y.
+    frame_compliance_compliance_z : float or array, shape (...) [m/N]
+        Compliance of the frame along z.
     """
 
     axis_belt_stiffness_factor_1: float = 0.0
@@ -453,6 +459,9 @@ class Effects(NamedTuple):
     clamp_compliance_compliance: float = 0.0
     frame_compliance_compliance: float = 0.0
     frame_compliance_mass: float = 0.0
+    frame_compliance_compliance_x: float = 0.0
+    frame_compliance_compliance_y: float = 0.0
+    frame_compliance_compliance_z: float = 0.0
 
 
 def _entries(array, shape):
@@ -1291,21 +1300,25 @@ def joint_stiffness(effects):
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    16 operations; 48 with every named value expanded.
+    27 operations; 54 with every named value expanded.
     """
     (c_G,) = _entries(effects.gearbox_compliance_compliance, ())
     (c_L,) = _entries(effects.link_compliance_compliance, ())
     (c_K,) = _entries(effects.clamp_compliance_compliance, ())
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
-    batch, dtype = _batch(c_G, c_L, c_K, c_F)
+    (c_F_x,) = _entries(effects.frame_compliance_compliance_x, ())
+    (c_F_y,) = _entries(effects.frame_compliance_compliance_y, ())
+    (c_F_z,) = _entries(effects.frame_compliance_compliance_z, ())
+    batch, dtype = _batch(c_G, c_L, c_K, c_F, c_F_x, c_F_y, c_F_z)
     t1 = 1.0/c_G
     t2 = 1.0/c_L
     t3 = 1.0/c_K
-    t4 = 1.0/c_F
-    t5 = -1/c_G**2
-    t6 = -1/c_L**2
-    t7 = -1/c_K**2
-    t8 = -1/c_F**2
+    t4 = c_F + c_F_x
+    t5 = c_F + c_F_y
+    t6 = c_F + c_F_z
+    t7 = -1/c_G**2
+    t8 = -1/c_L**2
+    t9 = -1/c_K**2
     kappa_out = np.empty((*batch, 12), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
@@ -1316,22 +1329,22 @@ def joint_stiffness(effects):
     kappa_out[..., 6] = t3
     kappa_out[..., 7] = t3
     kappa_out[..., 8] = t3
-    kappa_out[..., 9] = t4
-    kappa_out[..., 10] = t4
-    kappa_out[..., 11] = t4
+    kappa_out[..., 9] = 1.0/t4
+    kappa_out[..., 10] = 1.0/t5
+    kappa_out[..., 11] = 1.0/t6
     kappa_c_out = np.empty((*batch, 12), dtype)
-    kappa_c_out[..., 0] = t5
-    kappa_c_out[..., 1] = t5
-    kappa_c_out[..., 2] = t5
-    kappa_c_out[..., 3] = t6
-    kappa_c_out[..., 4] = t6
-    kappa_c_out[..., 5] = t6
-    kappa_c_out[..., 6] = t7
-    kappa_c_out[..., 7] = t7
-    kappa_c_out[..., 8] = t7
-    kappa_c_out[..., 9] = t8
-    kappa_c_out[..., 10] = t8
-    kappa_c_out[..., 11] = t8
+    kappa_c_out[..., 0] = t7
+    kappa_c_out[..., 1] = t7
+    kappa_c_out[..., 2] = t7
+    kappa_c_out[..., 3] = t8
+    kappa_c_out[..., 4] = t8
+    kappa_c_out[..., 5] = t8
+    kappa_c_out[..., 6] = t9
+    kappa_c_out[..., 7] = t9
+    kappa_c_out[..., 8] = t9
+    kappa_c_out[..., 9] = -1/t4**2
+    kappa_c_out[..., 10] = -1/t5**2
+    kappa_c_out[..., 11] = -1/t6**2
     return kappa_out, kappa_c_out
 
 

@@ -37,7 +37,7 @@
 #define LANES_DIRECTIONS 3
 #define LANES_BASE 9
 #define LANES_ALL 21
-#define LANES_GRADIENT 99
+#define LANES_GRADIENT 102
 #define LANES_MARGINS 13
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -1711,7 +1711,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_r_1_y = adjoint_a_1*n_1_y + adjoint_s_1_y + adjoint_w_1_y;
         const lane adjoint_r_1_x = adjoint_a_1*n_1_x + adjoint_s_1_x + adjoint_w_1_x;
         const lane t85 = (1.0/2.0)*adjoint_forward_t14;
-        lanes_clear(gradient, 99);
+        lanes_clear(gradient, 102);
         gradient[0] = LANES(adjoint_forward_t14 + adjoint_forward_t25);
         gradient[1] = LANES(adjoint_forward_t15*forward_t14);
         gradient[2] = LANES(adjoint_forward_t16*forward_t14);
@@ -1770,9 +1770,9 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[70] = LANES(adjoint_l_f_2_1 + adjoint_l_f_2_3);
         gradient[71] = LANES(-adjoint_l_f_3_1 - adjoint_l_f_3_2);
         gradient[72] = LANES(adjoint_l_f_3_1 + adjoint_l_f_3_3);
-        gradient[96] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[97] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[98] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[99] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[100] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[101] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -2903,7 +2903,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane t299 = adjoint_forward_t19*k_sp_1;
         const lane t300 = adjoint_forward_t23*k_sp_2;
         const lane t301 = adjoint_forward_t27*k_sp_3;
-        lanes_clear(gradient, 99);
+        lanes_clear(gradient, 102);
         gradient[0] = LANES(adjoint_forward_t34);
         gradient[1] = LANES(adjoint_forward_t36*forward_t35);
         gradient[2] = LANES(adjoint_forward_t37*forward_t35);
@@ -3009,9 +3009,9 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             LANES(adjoint_forward_t173*d_1_1 + adjoint_forward_t175*d_2_1 + adjoint_forward_t177*d_3_1
             + adjoint_forward_t179*d_1_2 + adjoint_forward_t180*d_2_2 + adjoint_forward_t181*d_3_2);
         gradient[95] = LANES(adjoint_forward_t124);
-        gradient[96] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[97] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[98] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[99] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[100] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[101] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -3511,18 +3511,18 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_88 = direction[87];
         const lane along_91 = direction[90];
         const lane along_96 = direction[95];
-        const lane along_97 = direction[96];
-        const lane along_98 = direction[97];
-        const lane along_99 = direction[98];
-        const lane tangent_r_1_x = along_23 - along_5 + along_97;
-        const lane tangent_r_1_y = along_24 - along_6 + along_98;
-        const lane tangent_r_1_z = along_25 - along_7 + along_99;
-        const lane tangent_r_2_x = along_26 - along_8 + along_97;
-        const lane tangent_r_2_y = along_27 - along_9 + along_98;
-        const lane tangent_r_2_z = -along_10 + along_28 + along_99;
-        const lane tangent_r_3_x = -along_11 + along_29 + along_97;
-        const lane tangent_r_3_y = -along_12 + along_30 + along_98;
-        const lane tangent_r_3_z = -along_13 + along_31 + along_99;
+        const lane along_100 = direction[99];
+        const lane along_101 = direction[100];
+        const lane along_102 = direction[101];
+        const lane tangent_r_1_x = along_100 + along_23 - along_5;
+        const lane tangent_r_1_y = along_101 + along_24 - along_6;
+        const lane tangent_r_1_z = along_102 + along_25 - along_7;
+        const lane tangent_r_2_x = along_100 + along_26 - along_8;
+        const lane tangent_r_2_y = along_101 + along_27 - along_9;
+        const lane tangent_r_2_z = -along_10 + along_102 + along_28;
+        const lane tangent_r_3_x = along_100 - along_11 + along_29;
+        const lane tangent_r_3_y = along_101 - along_12 + along_30;
+        const lane tangent_r_3_z = along_102 - along_13 + along_31;
         const lane tangent_a_1 = n_1_x*tangent_r_1_x + n_1_y*tangent_r_1_y + n_1_z*tangent_r_1_z;
         const lane tangent_w_1_x = -n_1_x*tangent_a_1 + tangent_r_1_x;
         const lane tangent_w_1_y = -n_1_y*tangent_a_1 + tangent_r_1_y;

@@ -104,6 +104,12 @@ typedef struct {
     pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
     pkmodes_real frame_compliance_mass;
+    /* [m/N] compliance of the frame along x */
+    pkmodes_real frame_compliance_compliance_x;
+    /* [m/N] compliance of the frame along y */
+    pkmodes_real frame_compliance_compliance_y;
+    /* [m/N] compliance of the frame along z */
+    pkmodes_real frame_compliance_compliance_z;
 } linear_delta_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -139,7 +145,7 @@ void linear_delta_extended_extended_platform_motion(const pkmodes_real p[3],
  *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 16 operations; 48 with every named value expanded.
+ * 27 operations; 54 with every named value expanded.
  */
 void linear_delta_extended_joint_stiffness(const linear_delta_effects *effects, pkmodes_real kappa[12],
     pkmodes_real kappa_c[12]);

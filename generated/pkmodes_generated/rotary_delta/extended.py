@@ -344,6 +344,12 @@ class Effects(NamedTuple):
         Isotropic compliance of the frame.
     frame_compliance_mass : float or array, shape (...) [kg]
         Mass of the frame.
+    frame_compliance_compliance_x : float or array, shape (...) [m/N]
+        Compliance of the frame along x.
+    frame_compliance_compliance_y : float or array, shape (...) [m/N]
+        Compliance of the frame along y.
+    frame_compliance_compliance_z : float or array, shape (...) [m/N]
+        Compliance of the frame along z.
     """
 
     axis_reducer_stiffness_factor_1: float = 0.0
@@ -358,6 +364,9 @@ class Effects(NamedTuple):
     link_compliance_compliance: float = 0.0
     frame_compliance_compliance: float = 0.0
     frame_compliance_mass: float = 0.0
+    frame_compliance_compliance_x: float = 0.0
+    frame_compliance_compliance_y: float = 0.0
+    frame_compliance_compliance_z: float = 0.0
 
 
 def _entries(array, shape):
@@ -1124,29 +1133,33 @@ def joint_stiffness(effects):
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    8 operations; 24 with every named value expanded.
+    19 operations; 30 with every named value expanded.
     """
     (c_L,) = _entries(effects.link_compliance_compliance, ())
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
-    batch, dtype = _batch(c_L, c_F)
+    (c_F_x,) = _entries(effects.frame_compliance_compliance_x, ())
+    (c_F_y,) = _entries(effects.frame_compliance_compliance_y, ())
+    (c_F_z,) = _entries(effects.frame_compliance_compliance_z, ())
+    batch, dtype = _batch(c_L, c_F, c_F_x, c_F_y, c_F_z)
     t1 = 1.0/c_L
-    t2 = 1.0/c_F
-    t3 = -1/c_L**2
-    t4 = -1/c_F**2
+    t2 = c_F + c_F_x
+    t3 = c_F + c_F_y
+    t4 = c_F + c_F_z
+    t5 = -1/c_L**2
     kappa_out = np.empty((*batch, 6), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t1
-    kappa_out[..., 3] = t2
-    kappa_out[..., 4] = t2
-    kappa_out[..., 5] = t2
+    kappa_out[..., 3] = 1.0/t2
+    kappa_out[..., 4] = 1.0/t3
+    kappa_out[..., 5] = 1.0/t4
     kappa_c_out = np.empty((*batch, 6), dtype)
-    kappa_c_out[..., 0] = t3
-    kappa_c_out[..., 1] = t3
-    kappa_c_out[..., 2] = t3
-    kappa_c_out[..., 3] = t4
-    kappa_c_out[..., 4] = t4
-    kappa_c_out[..., 5] = t4
+    kappa_c_out[..., 0] = t5
+    kappa_c_out[..., 1] = t5
+    kappa_c_out[..., 2] = t5
+    kappa_c_out[..., 3] = -1/t2**2
+    kappa_c_out[..., 4] = -1/t3**2
+    kappa_c_out[..., 5] = -1/t4**2
     return kappa_out, kappa_c_out
 
 

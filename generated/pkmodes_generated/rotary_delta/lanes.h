@@ -41,7 +41,7 @@
 #define LANES_DIRECTIONS 3
 #define LANES_BASE 6
 #define LANES_ALL 12
-#define LANES_GRADIENT 91
+#define LANES_GRADIENT 94
 #define LANES_MARGINS 13
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -1729,7 +1729,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_r_1_z = adjoint_A_1*z_1_z + adjoint_B_1*y_1_z + adjoint_s_1_z + r_1_z*t116;
         const lane adjoint_r_1_y = adjoint_A_1*z_1_y + adjoint_B_1*y_1_y + adjoint_s_1_y + r_1_y*t116;
         const lane adjoint_r_1_x = adjoint_A_1*z_1_x + adjoint_B_1*y_1_x + adjoint_s_1_x + r_1_x*t116;
-        lanes_clear(gradient, 91);
+        lanes_clear(gradient, 94);
         gradient[0] = LANES(adjoint_forward_t32 + adjoint_forward_t43);
         gradient[1] = LANES(adjoint_forward_t33*forward_t32 + d_1_x*t95 + d_2_x*t94 + d_3_x*t93);
         gradient[2] = LANES(adjoint_forward_t34*forward_t32 + d_1_y*t95 + d_2_y*t94 + d_3_y*t93);
@@ -1797,9 +1797,9 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[64] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
         gradient[65] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
         gradient[66] = LANES(2.0*I_m_3*adjoint_I_3*i_g_3);
-        gradient[88] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[89] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[90] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[91] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[92] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[93] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -2829,7 +2829,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_r_1_z = adjoint_A_1*z_1_z + adjoint_B_1*y_1_z + adjoint_s_1_z + r_1_z*t261;
         const lane adjoint_r_1_y = adjoint_A_1*z_1_y + adjoint_B_1*y_1_y + adjoint_s_1_y + r_1_y*t261;
         const lane adjoint_r_1_x = adjoint_A_1*z_1_x + adjoint_B_1*y_1_x + adjoint_s_1_x + r_1_x*t261;
-        lanes_clear(gradient, 91);
+        lanes_clear(gradient, 94);
         gradient[0] = LANES(adjoint_forward_t38);
         gradient[1] = LANES(adjoint_forward_t40*forward_t39 + d_1_x*t240 + d_2_x*t239 + d_3_x*t238);
         gradient[2] = LANES(adjoint_forward_t41*forward_t39 + d_1_y*t240 + d_2_y*t239 + d_3_y*t238);
@@ -2926,9 +2926,9 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[82] = LANES(adjoint_forward_t38);
         gradient[84] = LANES(t185 + t186 + t187);
         gradient[87] = LANES(adjoint_forward_t96);
-        gradient[88] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
-        gradient[89] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
-        gradient[90] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
+        gradient[91] = LANES(adjoint_r_1_x + adjoint_r_2_x + adjoint_r_3_x);
+        gradient[92] = LANES(adjoint_r_1_y + adjoint_r_2_y + adjoint_r_3_y);
+        gradient[93] = LANES(adjoint_r_1_z + adjoint_r_2_z + adjoint_r_3_z);
     }
 }
 
@@ -3422,18 +3422,18 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_83 = direction[82];
         const lane along_85 = direction[84];
         const lane along_88 = direction[87];
-        const lane along_89 = direction[88];
-        const lane along_90 = direction[89];
-        const lane along_91 = direction[90];
-        const lane tangent_r_1_x = along_32 - along_5 + along_89;
-        const lane tangent_r_1_y = along_33 - along_6 + along_90;
-        const lane tangent_r_1_z = along_34 - along_7 + along_91;
-        const lane tangent_r_2_x = along_35 - along_8 + along_89;
-        const lane tangent_r_2_y = along_36 - along_9 + along_90;
-        const lane tangent_r_2_z = -along_10 + along_37 + along_91;
-        const lane tangent_r_3_x = -along_11 + along_38 + along_89;
-        const lane tangent_r_3_y = -along_12 + along_39 + along_90;
-        const lane tangent_r_3_z = -along_13 + along_40 + along_91;
+        const lane along_92 = direction[91];
+        const lane along_93 = direction[92];
+        const lane along_94 = direction[93];
+        const lane tangent_r_1_x = along_32 - along_5 + along_92;
+        const lane tangent_r_1_y = along_33 - along_6 + along_93;
+        const lane tangent_r_1_z = along_34 - along_7 + along_94;
+        const lane tangent_r_2_x = along_35 - along_8 + along_92;
+        const lane tangent_r_2_y = along_36 - along_9 + along_93;
+        const lane tangent_r_2_z = -along_10 + along_37 + along_94;
+        const lane tangent_r_3_x = -along_11 + along_38 + along_92;
+        const lane tangent_r_3_y = -along_12 + along_39 + along_93;
+        const lane tangent_r_3_z = -along_13 + along_40 + along_94;
         const lane tangent_A_1 = tangent_r_1_x*z_1_x + tangent_r_1_y*z_1_y + tangent_r_1_z*z_1_z;
         const lane tangent_B_1 = tangent_r_1_x*y_1_x + tangent_r_1_y*y_1_y + tangent_r_1_z*y_1_z;
         const lane tangent_rho2_1 = 2.0*A_1*tangent_A_1 + 2.0*B_1*tangent_B_1;

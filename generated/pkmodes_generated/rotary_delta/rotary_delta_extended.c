@@ -774,22 +774,26 @@ void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, 
 {
     const pkmodes_real c_L = effects->link_compliance_compliance;
     const pkmodes_real c_F = effects->frame_compliance_compliance;
+    const pkmodes_real c_F_x = effects->frame_compliance_compliance_x;
+    const pkmodes_real c_F_y = effects->frame_compliance_compliance_y;
+    const pkmodes_real c_F_z = effects->frame_compliance_compliance_z;
     const pkmodes_real t1 = 1/c_L;
-    const pkmodes_real t2 = 1/c_F;
-    const pkmodes_real t3 = -1/(c_L*c_L);
-    const pkmodes_real t4 = -1/(c_F*c_F);
+    const pkmodes_real t2 = c_F + c_F_x;
+    const pkmodes_real t3 = c_F + c_F_y;
+    const pkmodes_real t4 = c_F + c_F_z;
+    const pkmodes_real t5 = -1/(c_L*c_L);
     kappa[0] = t1;
     kappa[1] = t1;
     kappa[2] = t1;
-    kappa[3] = t2;
-    kappa[4] = t2;
-    kappa[5] = t2;
-    kappa_c[0] = t3;
-    kappa_c[1] = t3;
-    kappa_c[2] = t3;
-    kappa_c[3] = t4;
-    kappa_c[4] = t4;
-    kappa_c[5] = t4;
+    kappa[3] = 1/t2;
+    kappa[4] = 1/t3;
+    kappa[5] = 1/t4;
+    kappa_c[0] = t5;
+    kappa_c[1] = t5;
+    kappa_c[2] = t5;
+    kappa_c[3] = -1/(t2*t2);
+    kappa_c[4] = -1/(t3*t3);
+    kappa_c[5] = -1/(t4*t4);
 }
 
 void rotary_delta_extended_extended_static_equilibrium(const pkmodes_real p[3],

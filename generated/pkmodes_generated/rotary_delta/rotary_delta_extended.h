@@ -79,6 +79,12 @@ typedef struct {
     pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
     pkmodes_real frame_compliance_mass;
+    /* [m/N] compliance of the frame along x */
+    pkmodes_real frame_compliance_compliance_x;
+    /* [m/N] compliance of the frame along y */
+    pkmodes_real frame_compliance_compliance_y;
+    /* [m/N] compliance of the frame along z */
+    pkmodes_real frame_compliance_compliance_z;
 } rotary_delta_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -114,7 +120,7 @@ void rotary_delta_extended_extended_platform_motion(const pkmodes_real p[3],
  *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 8 operations; 24 with every named value expanded.
+ * 19 operations; 30 with every named value expanded.
  */
 void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, pkmodes_real kappa[6],
     pkmodes_real kappa_c[6]);

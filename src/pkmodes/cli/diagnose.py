@@ -217,11 +217,8 @@ def _chosen(result: Diagnosis) -> list[str]:
 def _set_only(robot: Robot, result: Diagnosis) -> list[str]:
     """Return the constants of the causes found that only the load cases have, such as a belt tension."""
     in_loads = {path for row in result.rows for path in row.load}
-    causes = [
-        robot.mechanism.effects[effect.name]
-        for effect in result.effects
-        if effect.name in robot.mechanism.effects
-    ]
+    names = [effect.name.partition(".")[0] for effect in result.effects]
+    causes = [robot.mechanism.effects[name] for name in names if name in robot.mechanism.effects]
     paths = [
         f"effects.{effect.name}.{p.name}" for effect in causes for p in effect.parameters if not p.fitted
     ]

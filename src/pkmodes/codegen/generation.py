@@ -53,12 +53,19 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
         mechanism=robot.mechanism_name,
         robot_file=robot_file,
         fields={name: _plain(value) for name, value in robot.parameters._asdict().items()}
-        | {path.replace(".", "_"): value for path, value in robot.effects.items()},
+        | {name.replace(".", "_"): robot.effects.get(name, 0.0) for name in _effect_parameters(robot)},
         values=robot.declared,
         effects=active_effects(robot.mechanism, robot.effects),
         damping_ratio=robot.damping_ratio,
         definition=definition,
     )
+
+
+def _effect_parameters(robot: Robot) -> list[str]:
+    """Return the parameters of the declared effects, those that are not given included."""
+    declared = dict.fromkeys(path.partition(".")[0] for path in robot.effects)
+    catalogue = robot.mechanism.effects
+    return [f"{name}.{parameter.name}" for name in declared for parameter in catalogue[name].parameters]
 
 
 def specialised(specification: Any) -> dict[str, str]:

@@ -35,6 +35,7 @@ WHERE = {
     "cable_stiffness": "the cables and hoses at the platform: take them off, and measure again",
     "clamp_compliance": "the clamps of the belts: whether a belt gives in them",
     "frame_compliance": "the frame: its screws and corners, and what it stands on",
+    "gantry_racking": "the guides of the beam: whether it yields when its ends are pushed in opposite directions",
     "gearbox_compliance": "the gearboxes: hold a motor, load its pulley, and see how far the pulley turns",
     "gearbox_inertia": "the gearboxes: look up their moment of inertia",
     "link_compliance": "the linkages: whether their joints are tight, and their rods as stiff as they should be",

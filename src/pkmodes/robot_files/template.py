@@ -172,6 +172,7 @@ def _key(key: Key, path: str, given: Mapping[str, Any], known: str = "") -> Iter
     """Yield the comment of a key and its line; `known` is what the comment of its table says already."""
     what = key.name if key.description == known else key.description
     how = way_of(path, key.dimension).how
+    what += f"; by default the middle of {key.middle_of}" if key.middle_of else ""
     both = f"{what} [{_accepted(key)}]" + (f"; {how}" if how else "")
     yield from (
         _prose(both)
@@ -205,8 +206,9 @@ def _line(key: Key, raw: Any, default: Any = None) -> str:
     if raw is not None:
         return f"{key.name} = {_toml(raw)}"
     if default is None:
-        example = DIMENSIONS[key.dimension][1]
-        default = example if key.default is None else _si(key.default, key)
+        # The inertia of a beam has the default 0, with which it cannot turn: no value that a file may give.
+        given = None if key.middle_of or (key.effect and key.default == key.above) else key.default
+        default = DIMENSIONS[key.dimension][1] if given is None else _si(given, key)
     return f"#{key.name} = {_toml(default)}"
 
 
@@ -225,7 +227,8 @@ def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> I
             "quantity",
             "",
             dimension_of_effect(parameter.unit),
-            parameter.description,
+            parameter.description
+            + (f"; in place of {parameter.in_place_of}" if parameter.in_place_of else ""),
             above=parameter.greater_than,
             below=parameter.less_than,
             default=0.0,

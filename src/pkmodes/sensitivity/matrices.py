@@ -11,7 +11,7 @@ times that force.  The derivative is finite at c = 0, where the joint's stiffnes
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cache, cached_property
 from typing import Any, NamedTuple
 
@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.regular import regular_poses, sample
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.paths import ParameterPath
@@ -84,12 +85,14 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
     """Return the coordinates that each compliance, of all joints or a single one, releases in the extended model."""
     joints: dict[Slot, tuple[int, ...]] = {}
     for effect in mechanism.effects.values():
-        place = tuple(mechanism.extended.COORDINATES.index(q.name) for q in effect.coordinates)
-        compliance = f"{effect.name}.{effect.parameters[0].name}"
-        if place:
-            joints[compliance, ()] = place
-        for q, one in zip(effect.coordinates, place, strict=True):
-            joints[f"{compliance}.{q.name}", ()] = (one,)
+        place = {q.name: mechanism.extended.COORDINATES.index(q.name) for q in effect.coordinates}
+        for parameter in effect.parameters:
+            if parameter.releases:
+                joints[f"{effect.name}.{parameter.name}", ()] = tuple(
+                    place[name] for name in parameter.releases
+                )
+        for name, one in place.items():
+            joints[f"{effect.name}.{effect.parameters[0].name}.{name}", ()] = (one,)
     return joints
 
 
@@ -109,9 +112,21 @@ def _stepped(numbers: Any, names: Sequence[tuple[str, tuple[int, ...]]]) -> Any:
 
 
 def geometry_of(mechanism: Mechanism) -> frozenset[str]:
-    """Return the generated parameters that change the platform's motion with the coordinates."""
+    """Return the generated parameters and effects that change the platform's motion with the coordinates."""
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
-    return frozenset(fields | {field for field, other in mechanism.differences.items() if other in fields})
+    fields |= {field for field, other in mechanism.differences.items() if other in fields}
+    return frozenset(fields | set(_motion_moves(mechanism)))
+
+
+def _motion_moves(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the effect parameters, dotted, that change that motion of the sample robot at a regular pose."""
+    plain, extended = sample(mechanism), mechanism.extended
+    (p,) = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
+    for field, dotted in effect_fields(mechanism).items():
+        moved = extended.Effects(**{field: STEP * 1j})
+        motion = Generated(extended, plain, moved).extended_platform_motion(p)
+        if np.imag(motion).any():
+            yield dotted
 
 
 def locked_joints(

@@ -14,7 +14,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.robot.declaration import changeable
-from pkmodes.core.robot.layout import EFFECTS, Item, Slot, effect_parameters, items, takers
+from pkmodes.core.robot.layout import EFFECTS, Item, Slot, by_path, effect_parameters, items, lent, takers
 from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
 from pkmodes.core.robot.robot import Robot
 
@@ -128,7 +128,20 @@ def _value(robot: Robot, slot: Slot) -> float:
 
 def _known(robot: Robot) -> dict[str, Moves]:
     groups = {g.path: (g.unit, weights_of(robot, g)) for g in robot.mechanism.parameter_groups}
-    return {**_common(robot), **groups, **_of_entries(robot), **_of_effects(robot)}
+    common = _common(robot)
+    return {**common, **_with_middles(robot, common), **groups, **_of_entries(robot), **_of_effects(robot)}
+
+
+def _with_middles(robot: Robot, moves: Mapping[str, Moves]) -> dict[str, Moves]:
+    """Return the ends of pairs whose middle is the value of a key that the file does not give: it moves with them."""
+    changed: dict[str, Moves] = {}
+    for borrowed, own in lent(robot.mechanism).items():
+        pair = by_path(robot.mechanism)[own].key.middle_of
+        if pair and not {own, borrowed} & robot.quantities.keys():
+            for end in by_path(robot.mechanism)[pair].numbers:
+                unit, weights = {**moves, **changed}[end.path]
+                changed[end.path] = unit, {**weights, (borrowed.removeprefix(f"{EFFECTS}."), ()): 0.5}
+    return changed
 
 
 def _common(robot: Robot) -> dict[str, Moves]:

@@ -5,12 +5,13 @@ standard deviation of 0 is known.  The elements of a whole (``axis.span``) are s
 
 Candidates that concern one of several equal parts are remote: a value of one axis if the file gives one for all, and
 a compliance of the catalogue in a single joint, which has no name in the catalogue.  A compliance with a separate
-value in each joint is not a candidate either, but the general form against which the shared one is tested.
+value in each joint is not a candidate either, but the general form against which the shared one is tested.  An effect
+that a file may give joint by joint, such as a frame by direction, has a named candidate for each.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -27,7 +28,7 @@ from pkmodes.updating import frame
 from pkmodes.updating.kinds import with_kinds
 from pkmodes.updating.load_cases import LoadCases
 from pkmodes.updating.usual import usual
-from pkmodes_description import Effect, ParameterGroup
+from pkmodes_description import Effect, EffectParameter, ParameterGroup
 
 #: Prefix of suspected values as candidates.
 PREFIX = "parameter:"
@@ -74,9 +75,11 @@ def suspects(
         joints = {name: move for name, move in joints.items() if not loads.always(move)}
         candidates = _unknown(candidates, known, chosen or ())
     moves += joints.values()
+    named = {name for candidate in candidates for name in _released_alone(robot, candidate)}
     candidates += [
         Candidate(name, (move.path,), f"{name} yields", remote=True, nameable=False)
         for name, move in joints.items()
+        if name not in named
     ]
     candidates += _unlike(robot, candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
@@ -130,12 +133,19 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
     for borrowed, own in lent(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
         declared = robot.quantities.get(own)
-        if (declared is None or declared.sigma is None) and name in {c.name for c in candidates}:
-            effect = robot.mechanism.effects[name]
-            parameters = (*(f"{EFFECTS}{name}.{p.name}" for p in effect.fitted), borrowed)
-            sentence = f"{effect.sentence}, and its {constant} differs from the declared one"
+        if declared is not None and declared.sigma is not None:
+            continue
+        forms = robot.mechanism.effects[name].forms
+        for candidate in (one for one in candidates if one.name in forms):
+            sentence = f"{candidate.sentence}, and its {constant} differs from the declared one"
             with_constants.append(
-                Candidate(f"{name} with another {own}", parameters, sentence, remote=True, nameable=False)
+                Candidate(
+                    f"{candidate.name} with another {own}",
+                    (*candidate.parameters, borrowed),
+                    sentence,
+                    remote=True,
+                    nameable=False,
+                )
             )
     return with_constants
 
@@ -151,9 +161,14 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.mechanism.effects
-    if name in effects:
-        refuse_declared(f"the effect {name}", _sigmas(robot, _declared_parameters(robot, effects[name])))
     effect = name.removeprefix(EFFECTS).partition(".")[0]
+    if effect in effects and name in effects[effect].forms:
+        form = effects[effect].forms[name]
+        refuse_declared(f"the effect {name}", _sigmas(robot, _paths(effects[effect], form)))
+        excluding = [path for path in _excluding(effects[effect], form) if path in robot.quantities]
+        if excluding:
+            what = f"{name} is not suspected: the robot file declares {' and '.join(excluding)} in its place"
+            raise PkmodesError(what, "candidates", f"leave {name} out, or remove {' and '.join(excluding)}")
     if name.startswith(EFFECTS) and effect in effects:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
     if name == path or path not in paths(robot):
@@ -206,9 +221,20 @@ def _elements(robot: Robot, whole: ParameterGroup) -> list[str]:
     return [number.path for item in items_of(robot.mechanism, whole) for number in item.numbers]
 
 
-def _declared_parameters(robot: Robot, effect: Effect) -> list[str]:
-    names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
-    return [name for name in names if name in robot.quantities]
+def _paths(effect: Effect, parameters: Iterable[EffectParameter]) -> list[str]:
+    return [f"{EFFECTS}{effect.name}.{p.name}" for p in parameters]
+
+
+def _excluding(effect: Effect, form: Iterable[EffectParameter]) -> list[str]:
+    """Return the paths that a robot file cannot have together with some parameters."""
+    return [path for p in form for path in _paths(effect, effect.excluded(p.name))]
+
+
+def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
+    """Return the joints, by the names of their own candidates, that a candidate of the catalogue releases alone."""
+    effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
+    form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
+    return [_alone(effect.name, name) for p in form for name in p.releases] if effect is not None else []
 
 
 def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
@@ -217,13 +243,21 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     robots = (robot, *(case.robot for case in loads.cases))
     there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
     for effect in robot.mechanism.conservative_effects.values():
-        names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.fitted]
         # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
-        absent = [p for p in effect.parameters if not p.fitted and f"{effect.name}.{p.name}" not in there]
-        suspected = all(robot.quantities[n].sigma is None for n in _declared_parameters(robot, effect))
-        if suspected and not absent:
-            candidates[effect.name] = Candidate(effect.name, tuple(names), effect.sentence)
+        constants = [p.name for p in effect.parameters if not p.fitted and p.greater_than is not None]
+        absent = [name for name in constants if f"{effect.name}.{name}" not in there]
+        for name, form in effect.forms.items():
+            paths = _paths(effect, form)
+            suspected = all(sigma is None for sigma in _sigmas(robot, paths))
+            declared = any(path in robot.quantities for path in _excluding(effect, form))
+            if suspected and not absent and not declared:
+                candidates[name] = Candidate(name, tuple(paths), _sentence(effect, name, form))
     return candidates
+
+
+def _sentence(effect: Effect, name: str, form: Sequence[EffectParameter]) -> str:
+    """Return what an effect means for the machine, or one of its parameters that may stand alone."""
+    return effect.sentence if name == effect.name else f"{effect.sentence}: {form[0].description}"
 
 
 def _suspected(robot: Robot) -> dict[str, Candidate]:
@@ -276,8 +310,10 @@ def _joints(robot: Robot) -> dict[str, ParameterPath]:
     joints = {}
     for effect in robot.mechanism.effects.values():
         name, unit = f"{effect.name}.{effect.parameters[0].name}", effect.parameters[0].unit
-        declared = robot.quantities.get(f"{EFFECTS}{name}")
-        for q in effect.coordinates if declared is None or declared.sigma != 0.0 else ():
+        for q in effect.coordinates if len(effect.coordinates) > 1 else ():
+            releasing = _paths(effect, (p for p in effect.parameters if q.name in p.releases))
+            if 0.0 in _sigmas(robot, releasing):  # known exactly
+                continue
             slot = (f"{name}.{q.name}", ())
             path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
             joints[_alone(effect.name, q.name)] = path

@@ -19,6 +19,10 @@ KINDS: dict[str, dict[str, str]] = {
         "gearbox_compliance": "gearboxes",
         "belt_end_compliance": "belt ends",
     },
+    "a compliance of the frame": {
+        "frame_compliance": "in all directions",
+        **{f"frame_compliance.compliance_{name}": f"along {name}" for name in "xyz"},
+    },
     "another stiffness of the belt": {
         "parameter:belt.specific_stiffness": "specific stiffness",
         "parameter:belt.width": "width",

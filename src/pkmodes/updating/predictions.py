@@ -17,7 +17,14 @@ from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Prediction
 from pkmodes.sensitivity.compiled import derivatives_of
-from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives, geometry_of, locked_joints
+from pkmodes.sensitivity.matrices import (
+    POSE,
+    STEP,
+    MatrixDerivatives,
+    effect_fields,
+    geometry_of,
+    locked_joints,
+)
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reached, together
@@ -227,12 +234,17 @@ def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: Para
     """Differentiate the platform's Jacobian along a path by complex step, (P, components, e)."""
     shift = np.zeros(points.shape[-1])
     values: dict[str, NDArray[np.complex128]] = {}
+    effects = ExtendedSystem.of(robot).effects
+    dotted = {name: field for field, name in effect_fields(robot.mechanism).items()}
     for (field, index), weight in path.weights.items():
         if field == POSE:
             shift[index] = weight
         elif field in robot.parameters._fields:
             values.setdefault(field, np.array(getattr(robot.parameters, field), dtype=complex))
             values[field][index] += STEP * 1j * weight
+        elif field in dotted:
+            moved = getattr(effects, dotted[field]) + STEP * 1j * weight
+            effects = effects._replace(**{dotted[field]: moved})
     parameters = robot.parameters._replace(**values)
-    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters).imag / STEP
+    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters, effects).imag / STEP
     return rate

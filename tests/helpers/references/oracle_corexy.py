@@ -2,6 +2,8 @@
 
 Run 1 of belt i grows by g_i . (dx, dy) + eps_i at the tool head, its end at the pulley moves by -R dtheta_i; run 2
 moves as much the other way.  Belts and pulleys turn and strain relative to the frame, everything else is carried.
+The beam turns by psi_b about its middle: the head, at x + dx on it, is displaced by psi_b (x + dx - center) along y, and
+the belts with it.
 """
 
 from __future__ import annotations
@@ -24,9 +26,10 @@ from helpers.references.high_precision_mechanisms import (
 BELTS = range(2)
 COORDINATES = (
     *("x", "y", "theta_1", "theta_2"),
-    *("psi_1", "psi_2", "eps_1", "eps_2", "u_x", "u_y"),
+    *("psi_1", "psi_2", "eps_1", "eps_2", "u_x", "u_y", "psi_b"),
 )
 HEAD, THETA, PSI, EPS, FRAME = (slice(k, k + 2) for k in (0, 2, 4, 6, 8))
+BEAM = 10
 
 
 class CoreXY(HighPrecision):
@@ -38,7 +41,12 @@ class CoreXY(HighPrecision):
         self.q, self.effects, self.pose = values, effects, exact(pose)
 
     def platform(self, q: Vector) -> Vector:
-        return plus(plus(self.pose, q[HEAD]), q[FRAME])
+        return plus(plus(self.pose, self._head(q)), q[FRAME])
+
+    def _head(self, q: Vector) -> Vector:
+        """Displacement of the head from the pose, relative to the frame."""
+        lever = self.pose[0] + q[0] - self.effects["gantry_racking_center"]
+        return [q[0], q[1] + q[BEAM] * lever]
 
     def _gantry(self, q: Vector) -> Vector:
         """Somewhere on the beam: along x only the frame moves it."""
@@ -51,8 +59,12 @@ class CoreXY(HighPrecision):
         return first + grown, second - grown
 
     def _ends(self, i: int, q: Vector) -> tuple[Number, Number]:
-        """Displacement of run 1 at the tool head and at the pulley, in the direction in which it grows."""
-        head = dot(self.q["belt_path_direction"][i], q[HEAD]) + q[EPS][i]
+        """Displacement of run 1 at the tool head and at the pulley, in the direction in which it grows.
+
+        Belts strain in small displacements: the lever is that of the pose.
+        """
+        lever = self.pose[0] - self.effects["gantry_racking_center"]
+        head = dot(self.q["belt_path_direction"][i], [q[0], q[1] + q[BEAM] * lever]) + q[EPS][i]
         return head, -self.q["pulley_radius"][i] * q[THETA][i]
 
     def particles(self, q: Vector) -> list[Particle]:
@@ -73,8 +85,8 @@ class CoreXY(HighPrecision):
         return found
 
     def turning(self) -> list[Turning]:
-        """Pulleys with gear boxes at theta_i, motors at theta_i + psi_i."""
-        found = []
+        """Pulleys with gear boxes at theta_i, motors at theta_i + psi_i; and the beam."""
+        found = [Turning(self.effects["gantry_racking_inertia"], {BEAM: 1})]
         for i in BELTS:
             pulley = self.q["pulley_inertia"][i] + self.effects["gearbox_inertia_inertia"]
             motor = self.q["gear_ratio"][i] ** 2 * self.q["motor_inertia"][i]

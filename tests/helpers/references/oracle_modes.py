@@ -21,8 +21,11 @@ def free(name: str, chosen: Any) -> dict[str, float]:
     """Return the compliances of the joints that the chosen effects release, by coordinate."""
     found = {}
     for effect in description(name)["effects"]:
-        compliance = getattr(chosen, f"{effect['name']}_compliance", 0.0)
-        found |= {c["name"]: compliance for c in effect["coordinates"] if compliance}
+        for c in effect["coordinates"]:  # what yields in series adds up
+            own = f"compliance_{c['name'].removeprefix('u_')}"
+            fields = (f"{effect['name']}_{name}" for name in ("compliance", own))
+            compliance = sum(getattr(chosen, field, 0.0) for field in fields)
+            found |= {c["name"]: compliance} if compliance else {}
     return found
 
 
@@ -46,8 +49,9 @@ def model_of(name: str, robot: Sample, chosen: Any) -> pkmodes.Model:
     for effect in description(name)["effects"]:
         for parameter in effect["parameters"]:
             value = getattr(chosen, f"{effect['name']}_{parameter['name']}")
-            if (effect["name"], parameter["name"]) == ("frame_compliance", "mass"):
-                constants["frame_compliance.mass"] = value or 50.0
+            path = f"{effect['name']}.{parameter['name']}"
+            if not parameter["fitted"] and not path.startswith("belt_tension"):
+                constants[path] = value or {"frame_compliance.mass": 50.0}.get(path, 0.0)
             if value:
                 values[f"{effect['name']}.{parameter['name']}"] = value
     read = pkmodes.read_robot(ROBOTS / FILES[name])

@@ -38,12 +38,12 @@ TABLES = {
     "motor.inertia": "motor_inertia",
     "motor.gear_ratio": "gear_ratio",
 }
-#: Compliances of the released joints, and their coordinates.
+#: Compliances of the released joints, and their coordinates; those of the frame by direction are in series.
 JOINTS = {
     f"{effect.name}.{effect.parameters[0].name}": tuple(q.name for q in effect.coordinates)
     for effect in CATALOGUE.values()
     if effect.coordinates
-}
+} | {f"frame_compliance.compliance_{i}": (f"u_{i}",) for i in "xyz"}
 #: Derivative at 0 from values at multiples of a step, of fourth order; ahead where a quantity begins at zero.
 CENTRAL = {-2: 1 / 12, -1: -8 / 12, 1: 8 / 12, 2: -1 / 12}
 AHEAD = {0: -25 / 12, 1: 4.0, 2: -3.0, 3: 4 / 3, 4: -1 / 4}
@@ -161,7 +161,8 @@ def eigenvalues(frequencies: Array) -> Array:
 def is_locked(robot: Robot, path: ParameterPath) -> bool:
     """Whether a path is the compliance of a joint that the robot holds locked."""
     (field, _), *_ = path.weights
-    return field in JOINTS and robot.effects.get(field, 0.0) == 0.0
+    soft = {q for name, joints in JOINTS.items() if robot.effects.get(name, 0.0) for q in joints}
+    return field in JOINTS and not soft & set(JOINTS[field])
 
 
 def size(robot: Robot, path: ParameterPath, effects: dict[str, float]) -> float:
@@ -288,7 +289,7 @@ def _complex_matrices(pose: Pose, paths: Sequence[ParameterPath], steps: Array) 
     M, K_el, K_g = extended.extended_matrices(pose.poses[pose.index], parameters, chosen)
     c = np.zeros((T, M.shape[-1]), dtype=complex)
     for name, coordinates in JOINTS.items():
-        c[:, [extended.COORDINATES.index(q) for q in coordinates]] = fields[name][:, None]
+        c[:, [extended.COORDINATES.index(q) for q in coordinates]] += fields[name][:, None]
     return M, K_el + K_g, c
 
 

@@ -44,6 +44,12 @@ TYPICAL = {
     "link_compliance_compliance": 3e-7,
     "frame_compliance_compliance": 2e-6,
     "frame_compliance_mass": 40.0,
+    "frame_compliance_compliance_x": 5e-7,
+    "frame_compliance_compliance_y": 3e-6,
+    "frame_compliance_compliance_z": 8e-7,
+    "gantry_racking_compliance": 2e-4,
+    "gantry_racking_inertia": 0.013,
+    "gantry_racking_center": 0.11,
     "belt_loss_loss_factor": 0.02,
     "reducer_loss_loss_factor": 0.03,
     "rail_friction_viscous": 20.0,
@@ -56,6 +62,9 @@ TOGETHER = {
     "belts": ("belt_tension_stiffness", "belt_end_compliance", "axis_belt_stiffness"),
     "wind-up of a heavy gear box": ("gearbox_compliance", "gearbox_inertia", "servo_stiffness"),
     "long links on a frame": ("link_compliance", "frame_compliance", "payload"),
+    "a beam that turns, on a frame by direction": (
+        *("gantry_racking", "frame_compliance_mass", "frame_compliance_compliance_y", "payload", "belt_mass"),
+    ),
     "held to ground": ("cable_stiffness", "servo_stiffness", "frame_compliance"),
     "everything": ("",),
 }

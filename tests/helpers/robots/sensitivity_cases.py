@@ -39,6 +39,9 @@ LARGE = {
     "clamp_compliance.compliance": 1e-6,
     "frame_compliance.compliance": 1e-7,
     "frame_compliance.mass": 40.0,
+    "frame_compliance.compliance_x": 2e-8,
+    "frame_compliance.compliance_y": 7e-8,
+    "frame_compliance.compliance_z": 5e-8,
 }
 #: The same for the small printer, whose axes stay identical: at its centre it keeps its repeated eigenvalues.
 SMALL = {
@@ -58,6 +61,9 @@ SMALL = {
     "clamp_compliance.compliance": 1e-5,
     "frame_compliance.compliance": 1e-5,
     "frame_compliance.mass": 4.0,
+    "frame_compliance.compliance_x": 2e-6,
+    "frame_compliance.compliance_y": 2e-6,
+    "frame_compliance.compliance_z": 5e-6,
 }
 CLAMP = "clamp_compliance.compliance"
 GENERIC, MIRROR, CENTRE, ASIDE = (
@@ -91,7 +97,9 @@ class Case:
             parameters, poses = published().parameters, [GENERIC, MIRROR]
             poses += [CROSSING[name]] if name in CROSSING else []
         self.typical = SMALL if kind == "tower" else LARGE
-        effects = {"": {}, "active": self.typical, "clamp": {CLAMP: self.typical[CLAMP]}}[detail]
+        # A file has a frame by direction only in place of the isotropic one.
+        active = {path: value for path, value in self.typical.items() if ".compliance_" not in path}
+        effects = {"": {}, "active": active, "clamp": {CLAMP: self.typical[CLAMP]}}[detail]
         self.robot, self.poses = robot_of(parameters, effects), np.array(poses)
         self.names = [p for p in moving(self.robot) if p != "axis.joint_radius" or parameters.joint.any()]
         self.moves = [resolve(self.robot, path) for path in self.names]

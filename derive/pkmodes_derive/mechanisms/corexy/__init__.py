@@ -31,9 +31,8 @@ def declare(m: Machine) -> None:
     (m_h,) = m.tables.single("toolhead", "the tool head").quantity(
         "mass", "m_h", "mass", "mass of the tool head", above=0.0
     )
-    (m_g,) = m.tables.single("gantry", "the beam with its rail, which moves along y only").quantity(
-        "mass", "m_g", "mass", "mass of the gantry", at_least=0.0
-    )
+    gantry = m.tables.single("gantry", "the beam with its rail, which moves along y only")
+    (m_g,) = gantry.quantity("mass", "m_g", "mass", "mass of the gantry", at_least=0.0)
     m.add_gravity()
     path = m.tables.repeated("belt_path", 2, "one belt, from the tool head to its motor pulley and back")
     g = path.signs(
@@ -59,7 +58,9 @@ def declare(m: Machine) -> None:
     zero = Integer(0)
     m.platform = (x, y, zero)
     m.points.append(PointMass(m_h, m.platform))
-    m.points.append(PointMass(m_g, (zero, y, zero)))
+    beam = PointMass(m_g, (zero, y, zero))
+    m.points.append(beam)
+    m.add_beam(gantry, "workspace.x", beam, along=x, across=y)
     m.rail(x)
     m.rail(y)
 

@@ -63,7 +63,7 @@ def singular_angles(mechanism: Mechanism, parameters: Any, points: Array) -> Arr
     if not rods:
         return angles
     feet, ends, motions, coordinates = (list(column) for column in zip(*rods, strict=True))
-    generated = Generated(mechanism.drawn, parameters)
+    generated = Generated(mechanism.drawn, parameters, mechanism.extended.Effects())
     for start in range(0, len(points), CHUNK):
         p = points[start : start + CHUNK]
         with np.errstate(all="ignore"):
@@ -78,7 +78,7 @@ def singular_angles(mechanism: Mechanism, parameters: Any, points: Array) -> Arr
 
 def _motions(mechanism: Mechanism, parameters: Any, points: Array) -> Array:
     """Return the Jacobians of the drawn points with respect to the independent coordinates, (..., motions, 3, k)."""
-    generated = Generated(mechanism.drawn, parameters)
+    generated = Generated(mechanism.drawn, parameters, mechanism.extended.Effects())
     names = list(mechanism.drawn.COORDINATES)
     columns = [names.index(name) for name in mechanism.independent]
     motions = np.asarray(generated.drawing_motion(points, *_up(mechanism, points)), dtype=float)

@@ -142,17 +142,19 @@ class Tables:
         if not isinstance(raw, dict):
             self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return {}
-        values: dict[str, Quantity] = {}
+        values: dict[str, Quantity | None] = {}
         for path, own in lent(self.mechanism).items():
             _, effect, name = path.split(".")
             value, table = self.values.get(own), own.rpartition(".")[0]
-            given = raw.get(effect)
+            given, key = raw.get(effect), by_path(self.mechanism)[own].key
             if value is not None and isinstance(given, dict) and name in given:
                 what = f"the {name} of the {table} is declared twice"
                 self.problem(path, what, f"keep it in [{table}] and remove it here")
-            value = default_of(by_path(self.mechanism)[own].key) if value is None else value
+            value = default_of(key) if value is None else value
             if isinstance(value, Quantity):
                 values[path] = value
+            elif key.middle_of:  # it follows from another value: nothing declares it
+                values[path] = None
         quantities: dict[str, Quantity] = {}
         for name, table in raw.items():
             path = f"{EFFECTS}.{name}"
@@ -174,25 +176,34 @@ class Tables:
             self.problem(path, f"unknown effect {shown(name)}", nearest(name, own))
 
     def _effect(
-        self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity]
+        self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity | None]
     ) -> dict[str, Quantity]:
-        """Read the table of an effect; `declared` are values that other tables of the file declare, by path."""
+        """Read the table of an effect; `declared` are values that other tables of the file give, by path."""
         known = [parameter.name for parameter in effect.parameters]
         table = self._with_components(effect, table)
         for key in table:
             if key not in known:
                 place = f"{EFFECTS}.{effect.name}"
                 self.problem(place, f"unknown parameter {shown(key)}", nearest(key, known))
-        own = [name for name in known if f"{EFFECTS}.{effect.name}.{name}" not in declared]
+        alternatives = [p.name for p in effect.parameters if p.in_place_of]
+        lending = [name for name in known if f"{EFFECTS}.{effect.name}.{name}" in declared]
+        own = [name for name in known if name not in (*lending, *alternatives)]
         quantities: dict[str, Quantity] = {}
         for parameter in effect.parameters:
             path = f"{EFFECTS}.{effect.name}.{parameter.name}"
+            others = [p.name for p in effect.excluded(parameter.name) if p.name in table]
             if parameter.name in table:
                 value = self._read(table[parameter.name], path, partial(_of_effect, parameter=parameter))
                 if value is not None:
                     quantities[path] = value
+                if others and not parameter.in_place_of:
+                    what = f"expected {parameter.name} or {' and '.join(others)}, found both"
+                    self.problem(path, what, f"keep {parameter.name}, or {' and '.join(others)} in its place")
             elif path in declared:
-                quantities[path] = declared[path]
+                if (given := declared[path]) is not None:
+                    quantities[path] = given
+            elif others or parameter.in_place_of:
+                continue  # given by others, or not at all: zero
             elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
                 quantities[path] = Quantity(0.0, parameter.unit)
             else:
@@ -248,8 +259,8 @@ class Tables:
 
 
 def default_of(key: Key) -> schema.Value | None:
-    """Return the default of a quantity or vector, None if the file must give it."""
-    if key.default is None:
+    """Return the default of a quantity or vector; None if the file must give it, or it follows from another value."""
+    if key.default is None or key.middle_of:
         return None
     one = Quantity(key.default, DIMENSIONS[key.dimension][0])
     return one if key.kind == "quantity" else (one,) * len(key.elements)

@@ -52,13 +52,15 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     covariance = read_covariance(tables.covariance, mechanism, quantities, tables.problem)
     tables.raise_problems()
     constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(mechanism).items()}
+    present = {path.rpartition(".")[0] for path in tables.effects}
+    lending = {path: value for path, value in constants.items() if path.rpartition(".")[0] in present}
     return Declaration(
         name=tables.name,
         mechanism_name=mechanism.name,
         source=source,
         parameters=parameters,
         quantities=quantities,
-        effects=_by_effect(tables.effects),
+        effects=_by_effect({**tables.effects, **lending}),
         constants=_by_effect(constants),
         usable=tables.usable,
         report=tables.report,
@@ -74,6 +76,11 @@ def _merged(tables: Tables) -> dict[str, schema.Value]:
         value = given if given is not None else default_of(item.key)
         if value is not None:
             merged[item.path] = value
+    for item in items(tables.mechanism):
+        pair = merged.get(item.key.middle_of)
+        if item.path not in merged and isinstance(pair, tuple):
+            low, high = (_number(end) for end in pair)
+            merged[item.path] = Quantity((low + high) / 2.0, DIMENSIONS[item.key.dimension][0])
     for shared, own in takers(tables.mechanism).items():
         if any(item.path not in merged for item in own):
             key = own[0].key

@@ -196,10 +196,11 @@ class ExtendedSystem(Evaluation):
         """Return the absolute platform motion per unit of each coordinate, (N, components, n)."""
         return self.motion_of_all(p)[..., self.free]
 
-    def motion_of_all(self, p: Array, parameters: Any = None) -> Array:
-        """Return the same for all coordinates, (N, components, e), optionally with other parameters."""
+    def motion_of_all(self, p: Array, parameters: Any = None, effects: Any = None) -> Array:
+        """Return the same for all coordinates, (N, components, e), optionally with other parameters and effects."""
         given = self.parameters if parameters is None else parameters
-        motion = np.asarray(Generated(self.mechanism.extended, given).extended_platform_motion(p))
+        present = self.effects if effects is None else effects
+        motion = np.asarray(Generated(self.mechanism.extended, given, present).extended_platform_motion(p))
         return motion if self.basis is None else motion @ self.basis
 
     def statics(self, p: Array) -> tuple[Array, Array]:
