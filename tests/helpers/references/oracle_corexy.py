@@ -2,8 +2,8 @@
 
 Run 1 of belt i grows by g_i . (dx, dy) + eps_i at the tool head, its end at the pulley moves by -R dtheta_i; run 2
 moves as much the other way.  Belts and pulleys turn and strain relative to the frame, everything else is carried.
-The beam turns by psi_b about its middle: the head, at x + dx on it, is displaced by psi_b (x + dx - center) along y, and
-the belts with it.
+The beam turns by psi_b about its middle: the head, at x + dx, is displaced by psi_b (x + dx - center) along y, and so
+are the belts.
 """
 
 from __future__ import annotations

@@ -172,15 +172,17 @@ def band(machine: str) -> tuple[float, float]:
 def effects_of(name: str) -> list[str]:
     """Return the effects of a mechanism in the suites.
 
-    Left out are those that only dissipate, and that of belt tension, which does nothing where no tension is declared.
+    Left out are those that only dissipate, and those that do nothing where no tension and no inertia of a beam are
+    declared.
     """
-    return [effect for effect in mechanism(name).conservative_effects if effect != "belt_tension_stiffness"]
+    left_out = ("belt_tension_stiffness", "gantry_racking")
+    return [effect for effect in mechanism(name).conservative_effects if effect not in left_out]
 
 
 def with_effect(machine: str, effect: str, size: float, parts: Sequence[float] = UNEQUAL) -> Specimen:
     """Return a machine with one effect of the catalogue; the factors of a group have these parts of the size."""
     described = robot_of(machine).mechanism.effects[effect]
-    fitted = [p.name for p in described.parameters if p.fitted]
+    fitted = [p.name for p in described.forms[effect]]
     sizes = [size * part for part in parts] if len(fitted) > 1 else [size]
     return Specimen(machine, {f"{effect}.{name}": s for name, s in zip(fitted, sizes, strict=False)})
 
