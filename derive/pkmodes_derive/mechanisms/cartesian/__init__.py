@@ -28,9 +28,8 @@ def declare(m: Machine) -> None:
     (m_h,) = m.tables.single("toolhead", "the tool head").quantity(
         "mass", "m_h", "mass", "mass of the tool head", above=0.0
     )
-    (m_b,) = m.tables.single("beam", "the beam, which moves along y and carries the tool head").quantity(
-        "mass", "m_b", "mass", "mass of the beam", at_least=0.0
-    )
+    table = m.tables.single("beam", "the beam, which moves along y and carries the tool head")
+    (m_b,) = table.quantity("mass", "m_b", "mass", "mass of the beam", at_least=0.0)
     m.add_gravity()
     axis = m.tables.repeated("axis", 2, "one slide with its belt: x, then y")
     belt = belts.declare(axis, "free length of run {k} of belt {j} with its slide at 0")
@@ -49,7 +48,9 @@ def declare(m: Machine) -> None:
     zero = Integer(0)
     m.platform = (x, y, zero)
     m.points.append(PointMass(m_h, m.platform))
-    m.points.append(PointMass(m_b, (zero, y, zero)))
+    beam = PointMass(m_b, (zero, y, zero))
+    m.points.append(beam)
+    m.add_beam(table, "workspace.x", beam, along=x, across=y)
     m.rail(x)
     m.rail(y)
 
