@@ -15,7 +15,7 @@ from pkmodes.campaign.joining import joined
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.sensors import Place
-from pkmodes.campaign.shapes import by_channel
+from pkmodes.campaign.shapes import combined
 
 
 def test_neighbours_of_one_file_are_never_one_mode() -> None:
@@ -213,12 +213,12 @@ def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> N
         "s": 4.0,
         "help": 9.0,
     }
-    found = by_channel({name: complex(value) for name, value in shape.items()}, places)
+    found = combined({name: complex(value) for name, value in shape.items()}, places).values
     assert set(found) == {"p_x", "p_y", "p_z", "x_1"}
     np.testing.assert_allclose([found[f"p_{axis}"] for axis in "xyz"], p, rtol=0, atol=1e-14)
     assert found["x_1"] == pytest.approx(3.5)
     # One oblique sensor determines neither component.
-    assert set(by_channel({"u": 1 + 0j, "w": 1 + 0j}, places)) == {"p_z"}
+    assert set(combined({"u": 1 + 0j, "w": 1 + 0j}, places).values) == {"p_z"}
 
 
 @pytest.mark.parametrize(

@@ -81,6 +81,25 @@ MISTAKES = [
         HEAD + RECORD + SENSOR.replace('channel = "p_x"', "direction = [0, 0, 0]"),
         "expected a direction along x, y, z, found [0.0, 0.0, 0.0]",
     ),
+    (HEAD + RECORD + SENSOR + 'at = ["0 mm", "4 mm"]\n', "z of the platform, found 2 (c.toml: sensor.1.at)"),
+    (HEAD + RECORD + SENSOR + 'at = ["0 mm", "4 mm", "1 kg"]\n', "(c.toml: sensor.1.at)"),
+    (HEAD + RECORD + SENSOR + 'at = ["0 mm", "4 mm", 0]\n', "has no unit (c.toml: sensor.1.at)"),
+    (
+        HEAD + RECORD + SENSOR.replace("p_x", "x_1") + 'at = ["0 mm", "4 mm", "0 mm"]\n',
+        'the channel "x_1" is no motion of a platform, and has no place on one (c.toml: sensor.1.at)',
+    ),
+    (
+        HEAD + RECORD + SENSOR.replace("p_x", "none") + 'at = ["0 mm", "4 mm", "0 mm"]\n',
+        'the channel "none" is no motion of a platform',
+    ),
+    (
+        HEAD + RECORD + SENSOR.replace('channel = "p_x"', 'at = ["0 mm", "4 mm", "0 mm"]'),
+        "expected either a channel or a direction, found neither (c.toml: sensor.1)",
+    ),
+    (
+        HEAD + RECORD + '[[force]]\nname = "f"\nchannel = "theta_1_1"\nat = ["0 mm", "4 mm", "0 mm"]\n',
+        "has no place on one (c.toml: force.1.at)",
+    ),
     (HEAD + RECORD + '[[edit]]\npose = "P2"\n', 'no record has the label "P2" (c.toml: edit.1.pose)'),
     (HEAD.replace("robot", "channels", 1).replace(f'"{ROBOT}"', '["a"]') + RECORD, "has no positions"),
     (
@@ -102,6 +121,15 @@ def test_the_place_of_a_mistake_is_named(
                 read_campaign("c.toml")
             assert message in str(error.value)
             assert "c.toml" in str(error.value)
+
+
+def test_a_place_on_a_platform_that_translates_changes_nothing(tmp_path: Path) -> None:
+    blow = '[[force]]\nname = "f"\ndirection = [0.6, 0.8, 0]\n'
+    texts = [HEAD + RECORD + SENSOR + at + blow + at for at in ("", 'at = ["0 mm", "40 mm", "-5 mm"]\n')]
+    (tmp_path / "c.toml").write_text(texts[0], encoding="utf-8")
+    (tmp_path / "d.toml").write_text(texts[1], encoding="utf-8")
+    plain, placed = (read_campaign(tmp_path / name) for name in ("c.toml", "d.toml"))
+    assert (plain.sensors, plain.forces) == (placed.sensors, placed.forces)
 
 
 FAULTY_TABLES = [

@@ -20,6 +20,7 @@ from pkmodes.campaign.description import (
     share,
     uncertain,
 )
+from pkmodes.campaign.mounts import Platform
 from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.model import Model
@@ -130,6 +131,11 @@ class Campaign:
     report: Mapping[str, str] = field(default_factory=dict)
     signs_of_file: bool = False
 
+    @property
+    def platform(self) -> Platform:
+        """The axes along and about which the platform moves."""
+        return _platform(self.model)
+
     def sensors_in(self, setup: str) -> dict[str, Sensor]:
         """Return the sensors that hold in a setup, by name."""
         return {one.name: one for one in self.sensors if one.setup in (None, setup)}
@@ -142,10 +148,10 @@ class Campaign:
         """Return what the user asks of the modes of a record."""
         return self.edits.get(record.pose, NOTHING)
 
-    @property
-    def places(self) -> dict[str, Place]:
-        """Sensors and forces of all setups, by key."""
-        return {one.key: one for one in (*self.sensors, *self.forces)}
+    def places_at(self, record: Record) -> dict[str, Place]:
+        """Return sensors and forces of all setups, by key, as they are at the pose of a record."""
+        R = self.platform.rotation(record.point)
+        return {one.key: one.where_turned(R) for one in (*self.sensors, *self.forces)}
 
 
 def read_campaign(path: str | PathLike[str]) -> Campaign:
@@ -180,7 +186,6 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
     model = None if table.robot is None else Model(read_robot(folder / table.robot))
     _check_channels(table.channels or [], source)
     known = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
-    directions = () if model is None else model.mechanism.directions
     if not table.record:
         raise MeasurementError(
             "expected records, found none", f"{source}: record", "add [[record]] for each pose"
@@ -202,13 +207,17 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
             else share(table.repeatability, f"{source}: repeatability")
         ),
         tones=tuple(frequency(text, f"{source}: tones") for text in table.tones),
-        sensors=sensors_of(table.sensor, known, directions, used, source),
-        forces=forces_of(table.force, known, directions, used, source),
+        sensors=sensors_of(table.sensor, known, _platform(model), used, source),
+        forces=forces_of(table.force, known, _platform(model), used, source),
         records=records,
         edits=_edits(table.edit, records, source),
         report=_report(table, source),
         signs_of_file=table.signs is not None,
     )
+
+
+def _platform(model: Model | None) -> Platform:
+    return Platform() if model is None else Platform(model.mechanism.directions, model.mechanism.rotations)
 
 
 def _report(table: CampaignTable, source: str) -> dict[str, str]:

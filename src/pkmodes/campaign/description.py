@@ -44,6 +44,7 @@ class SensorTable(Part, frozen=True):
     name: str
     channel: str | None = None
     direction: list[float] | None = None
+    at: list[str | int | float] | None = None
     unit: str | None = None
     sensitivity: str | None = None
     setup: str | None = None
@@ -55,6 +56,7 @@ class ForceTable(Part, frozen=True):
     name: str
     channel: str | None = None
     direction: list[float] | None = None
+    at: list[str | int | float] | None = None
     setup: str | None = None
 
 

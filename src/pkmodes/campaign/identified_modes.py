@@ -16,7 +16,7 @@ import numpy as np
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Found, check_shape
 from pkmodes.campaign.grouping import APART
-from pkmodes.campaign.shapes import by_channel
+from pkmodes.campaign.shapes import blank, combined
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.columns import frequency_factor, parted
 from pkmodes.core.robot.units import QuantityError, base_units
@@ -56,18 +56,20 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
         raise MeasurementError(what, read.source, remedy)
     for mode in read.modes:
         _check(mode, read.source)
-    places = campaign.sensors_in(setup)
-    found = tuple(
-        Found(
-            mode.frequency,
-            np.nan if mode.damping is None else mode.damping,
-            by_channel({name: value for name, value in mode.shape.items() if name in places}, places),
-        )
+    turned = campaign.places_at(record)
+    places = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
+    shapes = [
+        combined({name: value for name, value in mode.shape.items() if name in places}, places)
         for mode in read.modes
+    ]
+    found = tuple(
+        Found(mode.frequency, np.nan if mode.damping is None else mode.damping, shape.values)
+        for mode, shape in zip(read.modes, shapes, strict=True)
     )
     _check_apart(found, read.source)
     seen = {name for mode in read.modes for name in mode.shape}
-    return FileModes(found, read.messages, frozenset(seen))
+    said = blank(read.source, [(mode.frequency, one.blank) for mode, one in zip(found, shapes, strict=True)])
+    return FileModes(found, (*read.messages, *said), frozenset(seen))
 
 
 def _check_apart(modes: Sequence[Found], source: str) -> None:

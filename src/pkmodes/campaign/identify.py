@@ -18,7 +18,7 @@ from pkmodes.campaign.missing import refuse_missing
 from pkmodes.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.sensors import Place
-from pkmodes.campaign.shapes import by_channel, turned_shape
+from pkmodes.campaign.shapes import Combined, blank, combined, turned_shape
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.identification.asked import NOTHING
 from pkmodes.identification.estimates import collinearity
@@ -85,7 +85,7 @@ def _check_some_left(measured: Sequence[Measured], source: str) -> None:
 
 def _result(measured: Measured, campaign: Campaign, repeatability: float) -> RecordResult:
     record, said = measured.record, list(measured.messages)
-    places = {} if KINDS[record.kind].by_channel else campaign.places
+    places = {} if KINDS[record.kind].by_channel else campaign.places_at(record)
     modes = [_mode(mean, places, repeatability) for mean in measured.means]
     added = [_mode(mean, places, repeatability, ADDED) for mean in measured.added]
     asked = campaign.asked(record) if measured.repeats else NOTHING
@@ -97,6 +97,7 @@ def _result(measured: Measured, campaign: Campaign, repeatability: float) -> Rec
             if not mode.shape
         ]
     kept = [one for mode in every if (one := _readable(mode, record.pose, said)) is not None]
+    said += blank(record.pose, [(mode.frequency, mode.blank) for mode in kept])
     reported = {mode.frequency for mode in kept}
     for mean in (*measured.means, *measured.added):
         if mean.mode.frequency in reported:
@@ -130,8 +131,10 @@ def _mode(
     mean: Mean, places: Mapping[str, Place], repeatability: float, edit: str | None = None
 ) -> IdentifiedMode:
     mode = mean.mode
-    shape = by_channel(mode.shape, places) if places else dict(mode.shape)
-    turned = turned_shape(shape)
+    of_shape = np.array([mean.shape_scatter, mode.sigma_shape])
+    sigma = float(np.sqrt(np.nansum(of_shape**2))) if np.nan_to_num(of_shape).any() else np.nan
+    found = combined(mode.shape, places, sigma) if places else Combined(dict(mode.shape))
+    shape, turned = found.values, turned_shape(found.values)
     parts = Parts(
         with_half(float(np.nan_to_num(mean.scatter)) * mode.frequency, mean.between),
         # Where a mode lies between two lines is the same in every repeat, and no number of them averages it out.
@@ -139,21 +142,19 @@ def _mode(
         repeatability * mode.frequency,
     )
     damping = float(np.hypot(np.nan_to_num(mean.damping_scatter) * mode.damping, mode.sigma_damping))
-    of_shape = np.array([mean.shape_scatter, mode.sigma_shape])
     return IdentifiedMode(
         frequency=mode.frequency,
         parts=parts,
         damping=mode.damping,
         sigma_damping=damping if damping > LEAST * mode.damping else np.nan,
         shape={name: value.real for name, value in turned.items()},
-        sigma_shape=float(np.sqrt(np.nansum(of_shape**2)))
-        if len(shape) > 1 and np.nan_to_num(of_shape).any()
-        else np.nan,
+        sigma_shape=sigma * found.growth if len(shape) > 1 else np.nan,
         complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
         found_in=mode.found_in,
         files=len(mean.files),
         edited=edit,
         complex_shape=turned,
+        blank=found.blank,
     )
 
 

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Self
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pkmodes.campaign.description import ForceTable, SensorTable
+from pkmodes.campaign.description import ForceTable, SensorTable, quantity
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
+from pkmodes.campaign.mounts import DISPLACEMENT, ORIGIN, ROTATION, Mount, Platform, Vector, along
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.response.directions import unit_direction
 from pkmodes.signals.functions import Function, Kind, computed
+from pkmodes.support.ordering import joined
 
 #: Channel of a sensor that helps to find modes but is in no shape.
 NONE = "none"
-PLATFORM = "p_"
+EXAMPLE_OF_AT = 'at = ["0 mm", "40 mm", "-5 mm"]'
 #: The name of a degree of freedom of a universal file along a negative direction.
 NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ]")
 
@@ -33,11 +37,18 @@ class Place:
         The only setup in which it holds; None for all.
     weights : mapping of str to float
         What it shows of the channels: one channel, or a unit direction of the platform; empty for none.
+    mount : Mount or None
+        How it is fixed to a platform that turns; `weights` are then those where it is not turned.
     """
 
     name: str
     setup: str | None
     weights: Mapping[str, float]
+    mount: Mount | None = field(default=None, kw_only=True)
+
+    def where_turned(self, R: NDArray[np.float64]) -> Self:
+        """Return it as it is where the platform's rotation is R, (3, 3)."""
+        return self if self.mount is None else replace(self, weights=self.mount.weights(R))
 
     @property
     def key(self) -> str:
@@ -61,7 +72,7 @@ class Sensor(Place):
 def sensors_of(
     given: Sequence[SensorTable],
     known: Mapping[str, str],
-    directions: Collection[str],
+    platform: Platform,
     setups: Collection[str],
     source: str,
 ) -> tuple[Sensor, ...]:
@@ -71,8 +82,7 @@ def sensors_of(
     ----------
     known : mapping of str to str
         Channels and their units, "" where it may be a length or an angle.
-    directions : collection of str
-        Linear components of the pose.
+    platform : Platform
     setups : collection of str
         Setups of the records.
 
@@ -84,8 +94,11 @@ def sensors_of(
     found = []
     for i, one in enumerate(given, start=1):
         where = f"{source}: sensor.{i}"
-        place = _place(one, known, directions, setups, where)
-        found.append(Sensor(place.name, place.setup, place.weights, _motion(one, place, known, where)))
+        of = _motion(one, where)
+        place = _place(one, known, platform, setups, where, angular=of is not None and of.angular)
+        if of is not None:
+            check_motion(of, place, known, f"{where}.unit")
+        found.append(Sensor(place.name, place.setup, place.weights, of, mount=place.mount))
     _check_names(found, f"{source}: sensor")
     return tuple(found)
 
@@ -93,13 +106,13 @@ def sensors_of(
 def forces_of(
     given: Sequence[ForceTable],
     known: Mapping[str, str],
-    directions: Collection[str],
+    platform: Platform,
     setups: Collection[str],
     source: str,
 ) -> tuple[Place, ...]:
     """Check the forces of a campaign: see `sensors_of`."""
     found = [
-        _place(one, known, directions, setups, f"{source}: force.{i}") for i, one in enumerate(given, start=1)
+        _place(one, known, platform, setups, f"{source}: force.{i}") for i, one in enumerate(given, start=1)
     ]
     _check_names(found, f"{source}: force")
     return tuple(found)
@@ -108,9 +121,11 @@ def forces_of(
 def _place(
     given: SensorTable | ForceTable,
     known: Mapping[str, str],
-    directions: Collection[str],
+    platform: Platform,
     setups: Collection[str],
     where: str,
+    *,
+    angular: bool = False,
 ) -> Place:
     if not given.name:
         raise MeasurementError("expected a name, found none", f"{where}.name", "give its name in the files")
@@ -127,46 +142,77 @@ def _place(
         remedy = f'for example: channel = "{next(iter(known), NONE)}", or direction = [0.6, 0.8, 0]'
         raise MeasurementError(what, where, remedy)
     if given.direction is not None:
-        return Place(given.name, given.setup, _direction(given.direction, directions, f"{where}.direction"))
+        unit = _direction(given.direction, platform, f"{where}.direction", angular=angular)
+        at = _at(given, f"{where}.at")
+        if platform.rotations:
+            mount = Mount(along(platform.directions, unit), True, at, angular, platform)
+            return _mounted(given, mount)
+        weights = {
+            f"{DISPLACEMENT}{name}": one for name, one in zip(platform.directions, unit, strict=True) if one
+        }
+        return Place(given.name, given.setup, weights)
     channel, sign = str(given.channel), 1.0
-    if channel == NONE:
-        return Place(given.name, given.setup, {})
-    if channel not in known and channel.startswith("-"):
+    if channel not in known and channel != NONE and channel.startswith("-"):
         channel, sign = channel[1:].lstrip(), -1.0
-    if channel not in known:
+    if channel not in known and channel != NONE:
         raise MeasurementError(
             f"unknown channel {shown(channel)}", f"{where}.channel", nearest(channel, known)
         )
-    return Place(given.name, given.setup, {channel: sign})
+    if given.at is not None and channel not in platform.components:
+        what = f"the channel {shown(channel)} is no motion of a platform, and has no place on one"
+        raise MeasurementError(
+            what, f"{where}.at", "leave it out, or give a direction or a channel of the platform"
+        )
+    at = _at(given, f"{where}.at")
+    if platform.rotations and channel in platform.components:
+        axis = along([channel[len(ROTATION) :]], [sign])
+        return _mounted(given, Mount(axis, False, at, channel.startswith(ROTATION), platform))
+    return Place(given.name, given.setup, {} if channel == NONE else {channel: sign})
 
 
-def _direction(given: Sequence[float], directions: Collection[str], where: str) -> dict[str, float]:
-    if not directions:
+def _mounted(given: SensorTable | ForceTable, mount: Mount) -> Place:
+    return Place(given.name, given.setup, mount.weights(np.eye(3)), mount=mount)
+
+
+def _at(given: SensorTable | ForceTable, where: str) -> Vector:
+    """Return where on the platform something is [m], its origin by default."""
+    if given.at is None:
+        return ORIGIN
+    if len(given.at) != len(ORIGIN):
+        what = f"expected three lengths, along x, y, z of the platform, found {len(given.at)}"
+        raise MeasurementError(what, where, f"for example: {EXAMPLE_OF_AT}")
+    x, y, z = (quantity(one, "m", where) for one in given.at)
+    return x, y, z
+
+
+def _direction(given: Sequence[float], platform: Platform, where: str, *, angular: bool) -> list[float]:
+    """Return a unit vector along the directions of a platform."""
+    if not platform.directions:
         what = "only a robot's platform has directions"
         raise MeasurementError(
             what, where, "give a channel, with a minus before it if against its direction; or the robot file"
         )
-    unit = unit_direction(given, directions, where, MeasurementError)
-    return {f"{PLATFORM}{name}": float(share) for name, share in zip(directions, unit, strict=True) if share}
+    if angular and platform.rotations and platform.rotations != platform.directions:
+        turns = joined([f"{ROTATION}{axis}" for axis in platform.rotations])
+        what = f"expected a channel of a sensor of rotation, found a direction along {', '.join(platform.directions)}"
+        raise MeasurementError(what, where, f"the platform turns by {turns} only: give that as its channel")
+    return [float(one) for one in unit_direction(given, platform.directions, where, MeasurementError)]
 
 
-def _motion(given: SensorTable, place: Place, known: Mapping[str, str], where: str) -> Motion | None:
+def _motion(given: SensorTable, where: str) -> Motion | None:
     if given.sensitivity is not None:
         if given.unit != "V":
             what = f'expected unit = "V" beside a sensitivity, found {shown(given.unit)}'
             raise MeasurementError(
                 what, f"{where}.unit", "give the unit of the numbers, or leave the sensitivity out"
             )
-        found = motion_of_voltage(given.sensitivity, f"{where}.sensitivity")
-    elif given.unit is None:
+        return motion_of_voltage(given.sensitivity, f"{where}.sensitivity")
+    if given.unit is None:
         return None
-    elif given.unit == "V":
+    if given.unit == "V":
         what = "expected a sensitivity beside volts, found none"
         raise MeasurementError(what, where, 'for example: sensitivity = "100 mV/g0"')
-    else:
-        found = motion(given.unit, f"{where}.unit")
-    check_motion(found, place, known, f"{where}.unit")
-    return found
+    return motion(given.unit, f"{where}.unit")
 
 
 def check_motion(found: Motion, place: Place, known: Mapping[str, str], where: str) -> None:
@@ -176,11 +222,13 @@ def check_motion(found: Motion, place: Place, known: Mapping[str, str], where: s
     ------
     MeasurementError
     """
-    for channel in place.weights:
+    for channel in place.weights if place.mount is None else place.mount.shows:
         unit = known[channel]
         if unit and (unit == "rad") != found.angular:
             kind = "an angular" if found.angular else "a linear"
             remedy = f"{channel} is {'an angle' if unit == 'rad' else 'a length'}: give such a unit"
+            if found.angular and place.mount is not None and place.mount.turns:
+                remedy = f"write unit = {shown(found.unit)} in the campaign: a direction is that of a rotation then"
             raise MeasurementError(f"{channel} cannot have {kind} motion", where, remedy)
 
 

@@ -1,19 +1,48 @@
-"""From what sensors show to the components of a mode shape: least squares over all sensors."""
+"""From what sensors show to the components of a mode shape: least squares over all sensors.
+
+On a platform that turns, metres and radians are made comparable by the spread of the sensors over it: a rotation
+counts as the displacement at that distance.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
+from pkmodes.campaign.mounts import ROTATION, spread
 from pkmodes.campaign.sensors import Place
 from pkmodes.identification.estimates import turned_real
+from pkmodes.support.ordering import joined
 
+Array = NDArray[np.float64]
 #: A component is undetermined if a motion that no sensor shows has more than this part in it.
 HIDDEN = 1e-6
 
 
-def by_channel(shape: Mapping[str, complex], places: Mapping[str, Place]) -> dict[str, complex]:
+@dataclass(frozen=True, eq=False)
+class Combined:
+    """A shape by channel.
+
+    Attributes
+    ----------
+    values : dict of str to complex
+        What the sensors determine; other channels are left out.
+    growth : float
+        How many times the relative standard deviation of the sensors that of the components is, for the least certain
+        one; 1 where no platform turns, whose components are as certain as its sensors.
+    blank : tuple of str
+        Components of a platform that turns which its sensors do not determine.
+    """
+
+    values: dict[str, complex]
+    growth: float = 1.0
+    blank: tuple[str, ...] = ()
+
+
+def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: float = np.nan) -> Combined:
     """Return a shape by channel.
 
     Parameters
@@ -21,19 +50,25 @@ def by_channel(shape: Mapping[str, complex], places: Mapping[str, Place]) -> dic
     shape : mapping of str to complex
         By sensor.
     places : mapping of str to Place
-        The sensors, by the same names; those without weights are in no shape.
-
-    Returns
-    -------
-    dict of str to complex
-        What the sensors determine; other channels are left out.
+        The sensors, by the same names, at the pose of the shape; those without weights are in no shape.
+    sigma : float, optional
+        Standard deviation of each sensor's component, relative to the largest; components of a platform that turns
+        which are known no better than to the largest one are left out.
     """
     used = [name for name in shape if places[name].weights]
     order = dict.fromkeys(channel for name in used for channel in places[name].weights)
     found: dict[str, complex] = {}
+    gains: dict[str, float] = {}
     for names in _together(used, places):
-        found |= _solved(names, shape, places)
-    return {channel: found[channel] for channel in order if channel in found}
+        solved = _solved(names, shape, places)
+        found |= solved[0]
+        gains |= solved[1]
+    values = {channel: found[channel] for channel in order if channel in found}
+    of_platform = {name for one in used if (mount := places[one].mount) for name in mount.platform.components}
+    if not of_platform:
+        return Combined(values)
+    values, growth = _known(values, gains, shape, sigma)
+    return Combined(values, growth, tuple(name for name in order if name in of_platform - values.keys()))
 
 
 def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str]]:
@@ -49,20 +84,65 @@ def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str
 
 def _solved(
     names: Sequence[str], shape: Mapping[str, complex], places: Mapping[str, Place]
-) -> dict[str, complex]:
-    """Return the channels that some sensors determine."""
+) -> tuple[dict[str, complex], dict[str, float]]:
+    """Return the channels that some sensors determine, and what an error of 1 of every sensor makes of each, rms."""
     channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
     A = np.array([[places[name].weights.get(channel, 0.0) for channel in channels] for name in names])
     values = np.array([shape[name] for name in names])
-    U, s, Vh = np.linalg.svd(A)
+    rows, columns = _lengths(names, channels, places)
+    U, s, Vh = np.linalg.svd(A * rows[:, None] / columns)
     rank = int((s > HIDDEN * s[0]).sum())
     hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
-    found = Vh[:rank].T @ ((U[:, :rank].T @ values) / s[:rank])
-    return {
-        channel: complex(found[i])
-        for i, channel in enumerate(channels)
-        if not hidden[i] and np.isfinite(found[i])
-    }
+    found = Vh[:rank].T @ ((U[:, :rank].T @ (values * rows)) / s[:rank]) / columns
+    gains = np.linalg.norm(Vh[:rank].T @ (U[:, :rank].T * rows / s[:rank, None]), axis=1) / columns
+    known = [i for i in range(len(channels)) if not hidden[i] and np.isfinite(found[i])]
+    return {channels[i]: complex(found[i]) for i in known}, {channels[i]: float(gains[i]) for i in known}
+
+
+def _lengths(
+    names: Sequence[str], channels: Sequence[str], places: Mapping[str, Place]
+) -> tuple[Array, Array]:
+    """Return what makes metres of the numbers of sensors and of channels; 1 but for rotations of a platform."""
+    mounts = [mount for name in names if (mount := places[name].mount) is not None]
+    if not mounts:
+        return np.ones(len(names)), np.ones(len(channels))
+    length = spread(mounts)
+    return (
+        np.array([length if mount.angular else 1.0 for mount in mounts]),
+        np.array([length if channel.startswith(ROTATION) else 1.0 for channel in channels]),
+    )
+
+
+def _known(
+    values: dict[str, complex], gains: Mapping[str, float], shape: Mapping[str, complex], sigma: float
+) -> tuple[dict[str, complex], float]:
+    """Return the components that are known better than to the largest of them, and the growth of their errors."""
+    error, size = sigma * _largest(shape), _largest(values)
+    while values and error * (most := max(gains[name] for name in values)) >= size > 0.0:
+        values = {name: value for name, value in values.items() if gains[name] < most}
+        size = _largest(values)
+    return values, max(gains[name] for name in values) * _largest(shape) / size if size > 0.0 else 1.0
+
+
+def _largest(shape: Mapping[str, complex]) -> float:
+    """Return the largest real part of a shape that is turned as real as possible."""
+    whole = np.array(list(shape.values()))
+    turned = np.linalg.norm(turned_real(whole)) if len(whole) else 0.0
+    return float(np.linalg.norm(whole) / turned) if turned > 0.0 else 0.0
+
+
+def blank(where: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
+    """Return sentences on components of the platform that are blank: those of each mode, with its frequency [Hz]."""
+    said: dict[tuple[str, ...], list[str]] = {}
+    for frequency, names in modes:
+        said.setdefault(tuple(names), []).append(f"{frequency:.4g}")
+    return [
+        f"{where}: what was measured on the platform does not tell {joined(names, 'or')}"
+        + (f" in the modes at {', '.join(those)} Hz" if len(said) > 1 else "")
+        + ": left blank; add a sensor at another place or in another direction"
+        for names, those in said.items()
+        if names
+    ]
 
 
 def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:

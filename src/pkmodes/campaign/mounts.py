@@ -1,0 +1,103 @@
+"""Sensors on a platform that turns, and blows on it: what each shows of the platform's motion.
+
+At a pose with the rotation R, a sensor at the point b of the platform and along the unit vector d of the base shows
+
+    d . (v + omega x R b) = d . v + (R b x d) . omega
+
+of the velocity v of the platform's origin and of its angular velocity omega, both along base axes.  By reciprocity
+these numbers, (d, R b x d), are also the generalised force of a force along d at b.  A gyroscope shows d . omega
+wherever it sits.
+
+What is screwed to the platform turns with it: `direction` and `at` of a campaign are along the platform's axes, so
+that one line describes a sensor at all poses.  The channels ``p_x`` and ``r_x`` are along base axes, as their columns
+are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float, float]
+AXES = "xyz"
+#: What the names of the platform's displacements and rotations begin with.
+DISPLACEMENT, ROTATION = "p_", "r_"
+ORIGIN = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Platform:
+    """The axes along which and about which a robot's platform moves; none of another structure."""
+
+    directions: tuple[str, ...] = ()
+    rotations: tuple[str, ...] = ()
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of the components of its motion."""
+        of = (DISPLACEMENT, self.directions), (ROTATION, self.rotations)
+        return tuple(f"{kind}{axis}" for kind, axes in of for axis in axes)
+
+    def rotation(self, point: Mapping[str, float]) -> Array:
+        """Return its rotation, (3, 3), at a pose whose components ``r`` + axis are a rotation vector [rad]."""
+        vector = along(self.rotations, [point[f"r{axis}"] for axis in self.rotations])
+        return np.asarray(Rotation.from_rotvec(vector).as_matrix())
+
+
+@dataclass(frozen=True)
+class Mount:
+    """How something is fixed to a platform that turns.
+
+    Attributes
+    ----------
+    direction : tuple of float
+        Unit vector.
+    turns : bool
+        Whether the direction is along the platform's axes, which turn, or along those of the base.
+    at : tuple of float
+        Its place in platform axes from the platform's origin [m].
+    angular : bool
+        Whether it shows a rotation about its direction, or is a torque.
+    platform : Platform
+    """
+
+    direction: Vector
+    turns: bool
+    at: Vector
+    angular: bool
+    platform: Platform
+
+    @property
+    def shows(self) -> tuple[str, ...]:
+        """The components of the platform's motion that have its unit."""
+        kind = ROTATION if self.angular else DISPLACEMENT
+        return tuple(name for name in self.platform.components if name.startswith(kind))
+
+    def weights(self, R: Array) -> dict[str, float]:
+        """Return what it shows of each component of the motion of a platform with the rotation R, (3, 3)."""
+        d = np.array(self.direction)
+        d = R @ d if self.turns else d
+        moved, turned = (np.zeros(3), d) if self.angular else (d, np.cross(R @ np.array(self.at), d))
+        of = {DISPLACEMENT: moved, ROTATION: turned}
+        return {name: float(of[name[:2]][AXES.index(name[2:])]) for name in self.platform.components}
+
+
+def along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
+    """Return the vector that has these numbers along these axes, and 0 along the others."""
+    found = dict.fromkeys(AXES, 0.0) | dict(zip(axes, numbers, strict=True))
+    return found["x"], found["y"], found["z"]
+
+
+def spread(mounts: Sequence[Mount]) -> float:
+    """Return the rms distance of sensors from their centre [m], 1 m if they all sit at one point.
+
+    It makes rotations comparable with displacements.
+    """
+    places = np.array([one.at for one in mounts if not one.angular] or [ORIGIN])
+    size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
+    return size if size > 0.0 else 1.0

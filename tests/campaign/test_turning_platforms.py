@@ -1,0 +1,221 @@
+"""Sensors and blows on a platform that turns, against the kinematics of a rigid body, written here."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.linalg import expm
+
+from pkmodes.campaign.description import ForceTable, SensorTable
+from pkmodes.campaign.mounts import Platform
+from pkmodes.campaign.sensors import Place, forces_of, sensors_of
+from pkmodes.campaign.shapes import blank, combined
+from pkmodes.core.base.errors import MeasurementError
+
+Array = NDArray[np.float64]
+PLATFORM = Platform(("x", "y", "z"), ("x", "y", "z"))
+PLANAR = Platform(("x", "y"), ("z",))
+TILT = np.array([0.3, -0.5, 0.2])
+#: Six accelerometers, skew enough to tell all six components: direction and place [mm].
+SIX: list[tuple[list[float], list[float]]] = [
+    ([0, 0, 1], [60, 0, -5]),
+    ([0, 0, 1], [-30, 52, -5]),
+    ([0.6, 0, 0.8], [-30, -52, -5]),
+    ([0, 1, 0], [60, 0, -5]),
+    ([0.8, -0.6, 0], [0, 40, 10]),
+    ([-0.5, -0.8, 0.1], [-30, -52, 15]),
+]
+
+
+def known(platform: Platform) -> dict[str, str]:
+    return {name: "m" if name.startswith("p_") else "rad" for name in platform.components} | {"s_1": "m"}
+
+
+def read(kind: str, platform: Platform, *tables: dict[str, Any]) -> dict[str, Place]:
+    numbered = [{"name": str(i)} | table for i, table in enumerate(tables)]
+    if kind == "force":
+        found: Sequence[Place] = forces_of(
+            msgspec.convert(numbered, list[ForceTable]), known(platform), platform, {""}, "c.toml"
+        )
+    else:
+        given = [{"unit": "m/s^2"} | table for table in numbered]
+        found = sensors_of(
+            msgspec.convert(given, list[SensorTable]), known(platform), platform, {""}, "c.toml"
+        )
+    return {one.name: one for one in found}
+
+
+def at(places: dict[str, Place], turn: Array, platform: Platform = PLATFORM) -> dict[str, Place]:
+    R = platform.rotation(dict(zip(("rx", "ry", "rz"), turn, strict=True)))
+    np.testing.assert_allclose(R, expm(cross(turn)), rtol=0, atol=1e-14)
+    return {name: one.where_turned(R) for name, one in places.items()}
+
+
+def cross(vector: Array) -> Array:
+    x, y, z = vector
+    return np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
+
+def velocity(b: Sequence[float], turn: Array, v: Array, omega: Array) -> Array:
+    """Return that of a point of the body [mm] by central differences of where it is."""
+    there = expm(cross(turn)) @ np.array(b) / 1e3
+
+    def where(t: float) -> Array:
+        return v * t + expm(cross(omega) * t) @ there
+
+    return (where(1e-4) - where(-1e-4)) / 2e-4
+
+
+def mounted(direction: Sequence[float], place: Sequence[float]) -> dict[str, Any]:
+    return {"direction": list(direction), "at": [f"{one} mm" for one in place]}
+
+
+V, OMEGA = np.array([0.4, -1.0, 0.3]), np.array([7.0, 2.0, -11.0])
+
+
+def shown(directions: Sequence[Array], places: Sequence[Sequence[float]], turn: Array) -> dict[str, complex]:
+    each = zip(directions, places, strict=True)
+    return {str(i): complex(d @ velocity(b, turn, V, OMEGA)) for i, (d, b) in enumerate(each)}
+
+
+@pytest.mark.parametrize("turn", [np.zeros(3), TILT])
+def test_six_accelerometers_that_turn_with_the_platform_give_its_motion_along_base_axes(turn: Array) -> None:
+    R = expm(cross(turn))
+    along = [R @ np.array(d) / np.linalg.norm(d) for d, _ in SIX]
+    places = at(read("sensor", PLATFORM, *(mounted(*one) for one in SIX)), turn)
+    found = combined(shown(along, [b for _, b in SIX], turn), places)
+    assert list(found.values) == ["p_x", "p_y", "p_z", "r_x", "r_y", "r_z"]
+    assert not found.blank
+    # Central differences leave |omega|^3 h^2 / 6, 4e-6 of what the lever arm moves.
+    np.testing.assert_allclose(list(found.values.values()), [*V, *OMEGA], rtol=0, atol=1e-4)
+
+
+def test_a_channel_of_the_platform_is_along_a_base_axis_wherever_the_platform_turns() -> None:
+    places = at(
+        read("sensor", PLATFORM, {"channel": "-p_y", "at": ["0 mm", "40 mm", "10 mm"]}, {"channel": "p_z"}),
+        TILT,
+    )
+    point = velocity([0, 40, 10], TILT, V, OMEGA)
+    for name, expected in (("0", -point[1]), ("1", V[2])):
+        weights = places[name].weights
+        assert sum(weights[c] * m for c, m in zip(PLATFORM.components, [*V, *OMEGA], strict=True)) == (
+            pytest.approx(expected, abs=1e-6)
+        )
+
+
+def test_gyroscopes_complete_accelerometers_wherever_they_sit() -> None:
+    """Along a direction of the platform, or by a channel about a base axis; three accelerometers stand together."""
+    b, R = [10, 40, -5], expm(cross(TILT))
+    axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+    gyro = {"unit": "rad/s"}
+    tables = [
+        *(mounted(d, b) for d in axes),
+        {"channel": "r_x", **gyro},
+        {"channel": "-r_y", "at": ["9 mm", "0 mm", "0 mm"], **gyro},
+        mounted([0.6, 0, 0.8], [60, 0, 0]) | {"unit": "deg/s"},
+    ]
+    places = at(read("sensor", PLATFORM, *tables), TILT)
+    shape = shown([R @ np.array(d, dtype=float) for d in axes], [b] * 3, TILT)
+    turned = [OMEGA[0], -OMEGA[1], R @ np.array([0.6, 0, 0.8]) @ OMEGA]
+    found = combined(shape | {str(3 + i): complex(one) for i, one in enumerate(turned)}, places)
+    np.testing.assert_allclose(list(found.values.values()), [*V, *OMEGA], rtol=0, atol=1e-4)
+
+
+def test_what_five_accelerometers_leave_open_is_blank_and_said() -> None:
+    """None of the five shows a rotation about z, of the platform; where it is turned, no base axis is without it."""
+    five = [
+        *((d, b) for d, b in SIX[:2]),
+        ([0, 0, 1], [-30, -52, -5]),
+        ([1, 0, 0], [0, 0, 9]),
+        ([0, 1, 0], [0, 0, 9]),
+    ]
+    places = read("sensor", PLATFORM, *(mounted(*one) for one in five))
+    level = combined(
+        shown([np.array(d, dtype=float) for d, _ in five], [b for _, b in five], np.zeros(3)), places
+    )
+    np.testing.assert_allclose(list(level.values.values()), [*V, *OMEGA[:2]], rtol=0, atol=1e-4)
+    assert level.blank == ("r_z",)
+    tilted = combined(dict.fromkeys(places, 1.0 + 0j), at(places, TILT))
+    assert set(tilted.values) == {"p_x", "p_y", "p_z"}
+    alone = combined(dict.fromkeys("012", 1.0 + 0j), places)
+    assert alone.blank == ("p_x", "p_y", "r_z")
+    said = blank("P1", [(50.0, level.blank), (60.0, ()), (70.123, level.blank)])
+    assert said == [
+        "P1: what was measured on the platform does not tell r_z in the modes at 50, 70.12 Hz: left blank; add a "
+        "sensor at another place or in another direction"
+    ]
+    assert blank("P1", [(50.0, ())]) == []
+
+
+def test_the_error_of_the_least_certain_component_is_that_of_the_row() -> None:
+    """Noise of the sensors is propagated as it scatters; what is no better known than to the largest is blank."""
+    rng = np.random.default_rng(3)
+    places = read("sensor", PLATFORM, *(mounted(*one) for one in SIX))
+    whole = shown([np.array(d) / np.linalg.norm(d) for d, _ in SIX], [b for _, b in SIX], np.zeros(3))
+    noise = 0.01 * max(abs(value) for value in whole.values())
+    found = [
+        list(
+            combined(
+                {name: value + noise * rng.normal() for name, value in whole.items()}, places
+            ).values.values()
+        )
+        for _ in range(2000)
+    ]
+    scatter = np.std(np.real(found), axis=0).max() / np.abs(OMEGA).max()
+    growth = combined(whole, places, 0.01).growth
+    assert 0.01 * growth == pytest.approx(scatter, rel=0.05)  # the scatter of 2000 is known to 2 %
+    rough = combined(whole, places, 1.01 / growth)
+    assert rough.blank
+    assert set(rough.values) >= {"p_x", "p_y"}
+
+
+def test_blows_at_other_places_give_the_motion_that_they_excite() -> None:
+    """A mode answers a blow by the work of its wrench, force and moment about the origin, on its motion."""
+    R = expm(cross(TILT))
+    places = at(read("force", PLATFORM, *(mounted(*one) for one in SIX)), TILT)
+    shape = {}
+    for i, (d, b) in enumerate(SIX):
+        force = R @ np.array(d) / np.linalg.norm(d)
+        moment = np.cross(R @ np.array(b) / 1e3, force)
+        shape[str(i)] = complex(force @ V + moment @ OMEGA)
+    found = combined(shape, places)
+    np.testing.assert_allclose(list(found.values.values()), [*V, *OMEGA], rtol=0, atol=1e-12)
+
+
+def test_a_plate_that_turns_in_its_plane_needs_three_sensors() -> None:
+    tables = [mounted([1, 0], [0, 30, 0]), mounted([1, 0], [0, -30, 0]), mounted([0, 1], [50, 0, 4])]
+    R = expm(cross(np.array([0, 0, 0.7])))
+    places = {
+        name: one.where_turned(PLANAR.rotation({"x": 1.0, "rz": 0.7}))
+        for name, one in read("sensor", PLANAR, *tables).items()
+    }
+    v, omega = np.array([0.4, -1.0, 0.0]), np.array([0.0, 0.0, 5.0])
+    shape = {
+        str(i): complex(R @ np.array([*t["direction"], 0.0]) @ velocity(b, np.array([0, 0, 0.7]), v, omega))
+        for i, (t, b) in enumerate(zip(tables, ([0, 30, 0], [0, -30, 0], [50, 0, 4]), strict=True))
+    }
+    found = combined(shape, places).values
+    assert list(found) == ["p_x", "p_y", "r_z"]
+    np.testing.assert_allclose(list(found.values()), [0.4, -1.0, 5.0], rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("platform", "table", "message"),
+    [
+        (PLATFORM, {"channel": "r_x"}, "r_x cannot have a linear motion (c.toml: sensor.1.unit)"),
+        (PLATFORM, {"channel": "s_1", "at": ["0 m"] * 3}, 'the channel "s_1" is no motion of a platform'),
+        (PLANAR, {"direction": [0, 1], "unit": "rad/s"}, "by r_z only: give that as its channel"),
+        (PLATFORM, {"direction": [0, 1]}, "expected a direction along x, y, z, found [0.0, 1.0]"),
+    ],
+)
+def test_sensors_that_no_turning_platform_has_are_refused(
+    platform: Platform, table: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(MeasurementError) as error:
+        read("sensor", platform, table)
+    assert message in str(error.value)
