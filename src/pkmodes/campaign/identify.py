@@ -94,7 +94,7 @@ def _result(measured: Measured, campaign: Campaign, repeatability: float) -> Rec
         said += [
             f"{record.pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out of the noise"
             for mode in every
-            if not mode.shape
+            if not mode.shape and not mode.blank
         ]
     kept = [one for mode in every if (one := _readable(mode, record.pose, said)) is not None]
     said += blank(record.pose, [(mode.frequency, mode.blank) for mode in kept])
