@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import csv
+import json
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -11,6 +14,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
+from campaign.structures import identify, write_frf
 from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.mounts import Platform
 from pkmodes.campaign.sensors import Place, forces_of, sensors_of
@@ -18,6 +22,7 @@ from pkmodes.campaign.shapes import blank, combined
 from pkmodes.core.base.errors import MeasurementError
 
 Array = NDArray[np.float64]
+ROBOT = Path(__file__).parents[2] / "robots/hexapod.toml"
 PLATFORM = Platform(("x", "y", "z"), ("x", "y", "z"))
 PLANAR = Platform(("x", "y"), ("z",))
 TILT = np.array([0.3, -0.5, 0.2])
@@ -202,6 +207,45 @@ def test_a_plate_that_turns_in_its_plane_needs_three_sensors() -> None:
     found = combined(shape, places).values
     assert list(found) == ["p_x", "p_y", "r_z"]
     np.testing.assert_allclose(list(found.values()), [0.4, -1.0, 5.0], rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["sensor", "force"])
+def test_a_campaign_of_a_hexapod_has_the_shapes_of_its_platform(tmp_path: Path, kind: str) -> None:
+    """Six accelerometers and one reference, or blows at these six places and one accelerometer that stays."""
+    turn, f = np.radians([3.0, -5.0, 6.0]), np.arange(60.0, 260.0, 0.25)
+    R, rng = expm(cross(turn)), np.random.default_rng(8)
+    modes = {
+        90.0: [1, 0.2, -0.4, 3, -2, 1],
+        150.0: [0.1, 0.3, 0.2, -9, 5, 12],
+        210.0: [-0.3, 1, 0.6, 8, 9, -3],
+    }
+    H = np.zeros((len(f), 6), dtype=complex)
+    for natural, motion in modes.items():
+        v, omega = np.array(motion[:3], dtype=float), np.array(motion[3:], dtype=float)
+        at_six = [R @ np.array(d) / np.linalg.norm(d) @ velocity(b, turn, v, omega) for d, b in SIX]
+        H += np.outer(f**2 / (f**2 - natural**2 - 0.02j * f * natural), at_six)
+    names = [f"{i}" if kind == "sensor" else f"acc/{i}" for i in range(6)]
+    for number in (0, 1):
+        write_frf(tmp_path / f"{number}.csv", f, dict(zip(names, H.T, strict=True)), 0.01, rng)
+    tables = "".join(
+        f'[[{kind}]]\nname = "{i}"\ndirection = {d}\nat = {json.dumps([f"{one} mm" for one in b])}\n'
+        + ('unit = "m/s^2"\n' if kind == "sensor" else "")
+        for i, (d, b) in enumerate(SIX)
+    )
+    head = f'format = 1\nrobot = {json.dumps(str(ROBOT))}\nband = ["70 Hz", "240 Hz"]\n'
+    stays = '[[sensor]]\nname = "acc"\nchannel = "none"\nunit = "m/s^2"\n' if kind == "force" else ""
+    pose = 'x = "4 mm", y = "-6 mm", z = "232 mm", rx = "3 deg", ry = "-5 deg", rz = "6 deg"'
+    record = f'[[record]]\npose = "P1"\nat = {{ {pose} }}\nkind = "frf"\nfiles = ["0.csv", "1.csv"]\n'
+    found = identify(tmp_path, head + tables + stays + record)
+    with found.file.open(encoding="utf-8") as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    assert [round(float(row["frequency"])) for row in rows] == list(modes)
+    for row, motion in zip(rows, modes.values(), strict=True):
+        shape = np.array([float(row[f"shape:{name}"]) for name in PLATFORM.components])
+        largest = np.argmax(np.abs(motion))
+        errors = shape - np.array(motion) / motion[largest]
+        assert np.abs(errors).max() < 3.0 * float(row["sigma_shape"]) < 0.2
+        assert [float(row[name]) for name in ("x", "rz")] == pytest.approx([0.004, np.radians(6.0)])
 
 
 @pytest.mark.parametrize(
