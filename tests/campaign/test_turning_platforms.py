@@ -16,8 +16,9 @@ from scipy.linalg import expm
 
 from campaign.structures import identify, write_frf
 from pkmodes.campaign.description import ForceTable, SensorTable
+from pkmodes.campaign.motion import motion
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import Place, forces_of, sensors_of
+from pkmodes.campaign.sensors import Place, check_motion, forces_of, sensors_of
 from pkmodes.campaign.shapes import blank, combined
 from pkmodes.core.base.errors import MeasurementError
 
@@ -220,8 +221,8 @@ def test_a_campaign_of_a_hexapod_has_the_shapes_of_its_platform(tmp_path: Path, 
         210.0: [-0.3, 1, 0.6, 8, 9, -3],
     }
     H = np.zeros((len(f), 6), dtype=complex)
-    for natural, motion in modes.items():
-        v, omega = np.array(motion[:3], dtype=float), np.array(motion[3:], dtype=float)
+    for natural, shape in modes.items():
+        v, omega = np.array(shape[:3], dtype=float), np.array(shape[3:], dtype=float)
         at_six = [R @ np.array(d) / np.linalg.norm(d) @ velocity(b, turn, v, omega) for d, b in SIX]
         H += np.outer(f**2 / (f**2 - natural**2 - 0.02j * f * natural), at_six)
     names = [f"{i}" if kind == "sensor" else f"acc/{i}" for i in range(6)]
@@ -240,10 +241,10 @@ def test_a_campaign_of_a_hexapod_has_the_shapes_of_its_platform(tmp_path: Path, 
     with found.file.open(encoding="utf-8") as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
     assert [round(float(row["frequency"])) for row in rows] == list(modes)
-    for row, motion in zip(rows, modes.values(), strict=True):
+    for row, true in zip(rows, modes.values(), strict=True):
         shape = np.array([float(row[f"shape:{name}"]) for name in PLATFORM.components])
-        largest = np.argmax(np.abs(motion))
-        errors = shape - np.array(motion) / motion[largest]
+        largest = np.argmax(np.abs(true))
+        errors = shape - np.array(true) / true[largest]
         assert np.abs(errors).max() < 3.0 * float(row["sigma_shape"]) < 0.2
         assert [float(row[name]) for name in ("x", "rz")] == pytest.approx([0.004, np.radians(6.0)])
 
@@ -263,3 +264,10 @@ def test_sensors_that_no_turning_platform_has_are_refused(
     with pytest.raises(MeasurementError) as error:
         read("sensor", platform, table)
     assert message in str(error.value)
+
+
+def test_a_gyroscope_whose_unit_only_the_file_says_is_refused_with_what_to_write() -> None:
+    place = read("sensor", PLATFORM, mounted([0, 0, 1], [0, 0, 0]))["0"]
+    with pytest.raises(MeasurementError) as error:
+        check_motion(motion("rad/s^2", "a.csv"), place, known(PLATFORM), "a.csv: 0")
+    assert 'write unit = "rad/s^2" in the campaign' in str(error.value)

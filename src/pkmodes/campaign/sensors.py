@@ -228,7 +228,7 @@ def check_motion(found: Motion, place: Place, known: Mapping[str, str], where: s
             kind = "an angular" if found.angular else "a linear"
             remedy = f"{channel} is {'an angle' if unit == 'rad' else 'a length'}: give such a unit"
             if found.angular and place.mount is not None and place.mount.turns:
-                remedy = f"write unit = {shown(found.unit)} in the campaign: a direction is that of a rotation then"
+                remedy = f"write unit = {shown(found.unit)} in the campaign: its direction is then an axis"
             raise MeasurementError(f"{channel} cannot have {kind} motion", where, remedy)
 
 
