@@ -19,7 +19,7 @@ from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.mounts import Platform
 from pkmodes.campaign.sensors import Place, check_motion, forces_of, sensors_of
-from pkmodes.campaign.shapes import blank, combined
+from pkmodes.campaign.shapes import UNDETERMINED, combined, left_blank
 from pkmodes.core.base.errors import MeasurementError
 
 Array = NDArray[np.float64]
@@ -150,12 +150,12 @@ def test_what_five_accelerometers_leave_open_is_blank_and_said() -> None:
     assert set(tilted.values) == {"p_x", "p_y", "p_z"}
     alone = combined(dict.fromkeys("012", 1.0 + 0j), places)
     assert alone.blank == ("p_x", "p_y", "r_z")
-    said = blank("P1", [(50.0, level.blank), (60.0, ()), (70.123, level.blank)])
+    said = left_blank("P1", UNDETERMINED, [(50.0, level.blank), (60.0, ()), (70.123, level.blank)])
     assert said == [
         "P1: what was measured on the platform does not tell r_z in the modes at 50, 70.12 Hz: left blank; add a "
         "sensor at another place or in another direction"
     ]
-    assert blank("P1", [(50.0, ())]) == []
+    assert left_blank("P1", UNDETERMINED, [(50.0, ())]) == []
 
 
 def test_the_error_of_the_least_certain_component_is_that_of_the_row() -> None:
@@ -176,7 +176,8 @@ def test_the_error_of_the_least_certain_component_is_that_of_the_row() -> None:
     growth = combined(whole, places, 0.01).growth
     assert 0.01 * growth == pytest.approx(scatter, rel=0.05)  # the scatter of 2000 is known to 2 %
     rough = combined(whole, places, 1.01 / growth)
-    assert rough.blank
+    assert not rough.blank
+    assert "r_z" in rough.uncertain
     assert set(rough.values) >= {"p_x", "p_y"}
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Found, check_shape
 from pkmodes.campaign.grouping import APART
-from pkmodes.campaign.shapes import blank, combined
+from pkmodes.campaign.shapes import UNDETERMINED, combined, left_blank
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.columns import frequency_factor, parted
 from pkmodes.core.robot.units import QuantityError, base_units
@@ -68,7 +68,8 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     )
     _check_apart(found, read.source)
     seen = {name for mode in read.modes for name in mode.shape}
-    said = blank(read.source, [(mode.frequency, one.blank) for mode, one in zip(found, shapes, strict=True)])
+    blank = [(mode.frequency, one.blank) for mode, one in zip(found, shapes, strict=True)]
+    said = left_blank(read.source, UNDETERMINED, blank)
     return FileModes(found, (*read.messages, *said), frozenset(seen))
 
 

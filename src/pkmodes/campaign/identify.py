@@ -18,7 +18,7 @@ from pkmodes.campaign.missing import refuse_missing
 from pkmodes.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.sensors import Place
-from pkmodes.campaign.shapes import Combined, blank, combined, turned_shape
+from pkmodes.campaign.shapes import UNCERTAIN, UNDETERMINED, Combined, combined, left_blank, turned_shape
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.identification.asked import NOTHING
 from pkmodes.identification.estimates import collinearity
@@ -94,10 +94,11 @@ def _result(measured: Measured, campaign: Campaign, repeatability: float) -> Rec
         said += [
             f"{record.pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out of the noise"
             for mode in every
-            if not mode.shape and not mode.blank
+            if not (mode.shape or mode.blank or mode.uncertain)
         ]
     kept = [one for mode in every if (one := _readable(mode, record.pose, said)) is not None]
-    said += blank(record.pose, [(mode.frequency, mode.blank) for mode in kept])
+    said += left_blank(record.pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in kept])
+    said += left_blank(record.pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in kept])
     reported = {mode.frequency for mode in kept}
     for mean in (*measured.means, *measured.added):
         if mean.mode.frequency in reported:
@@ -155,6 +156,7 @@ def _mode(
         edited=edit,
         complex_shape=turned,
         blank=found.blank,
+        uncertain=found.uncertain,
     )
 
 

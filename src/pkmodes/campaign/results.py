@@ -72,8 +72,8 @@ class IdentifiedMode:
         "added" if the user asked for it.
     complex_shape : mapping of str to complex
         The shape before its imaginary part was left out.
-    blank : tuple of str
-        Components of a platform that turns which its sensors do not determine.
+    blank, uncertain : tuple of str
+        Components of a platform that turns which are left out: see `Combined`.
     """
 
     frequency: float
@@ -88,6 +88,7 @@ class IdentifiedMode:
     edited: str | None = None
     complex_shape: Mapping[str, complex] = field(default_factory=dict)
     blank: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
 
     @property
     def sigma(self) -> float:

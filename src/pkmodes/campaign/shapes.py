@@ -20,6 +20,12 @@ from pkmodes.support.ordering import joined
 Array = NDArray[np.float64]
 #: A component is undetermined if a motion that no sensor shows has more than this part in it.
 HIDDEN = 1e-6
+#: Why a component is blank.
+UNDETERMINED = (
+    "what was measured on the platform does not tell {}: left blank; "
+    "add a sensor at another place or in another direction"
+)
+UNCERTAIN = "{} would be known no better than to the largest component: left blank"
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,13 +39,15 @@ class Combined:
     growth : float
         How many times the relative standard deviation of the sensors that of the components is, for the least certain
         one; 1 where no platform turns, whose components are as certain as its sensors.
-    blank : tuple of str
-        Components of a platform that turns which its sensors do not determine.
+    blank, uncertain : tuple of str
+        Components of a platform that turns which its sensors do not determine, and those known no better than to the
+        largest component.
     """
 
     values: dict[str, complex]
     growth: float = 1.0
     blank: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
 
 
 def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: float = np.nan) -> Combined:
@@ -52,8 +60,7 @@ def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: f
     places : mapping of str to Place
         The sensors, by the same names, at the pose of the shape; those without weights are in no shape.
     sigma : float, optional
-        Standard deviation of each sensor's component, relative to the largest; components of a platform that turns
-        which are known no better than to the largest one are left out.
+        Standard deviation of each sensor's component, relative to the largest.
     """
     used = [name for name in shape if places[name].weights]
     order = dict.fromkeys(channel for name in used for channel in places[name].weights)
@@ -67,8 +74,9 @@ def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: f
     of_platform = {name for one in used if (mount := places[one].mount) for name in mount.platform.components}
     if not of_platform:
         return Combined(values)
-    values, growth = _known(values, gains, shape, sigma)
-    return Combined(values, growth, tuple(name for name in order if name in of_platform - values.keys()))
+    better, growth = _known(values, gains, shape, sigma)
+    undetermined = tuple(name for name in order if name in of_platform - values.keys())
+    return Combined(better, growth, undetermined, tuple(name for name in values if name not in better))
 
 
 def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str]]:
@@ -131,18 +139,18 @@ def _largest(shape: Mapping[str, complex]) -> float:
     return float(np.linalg.norm(whole) / turned) if turned > 0.0 else 0.0
 
 
-def blank(where: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
-    """Return sentences on components of the platform that are blank: those of each mode, with its frequency [Hz]."""
+def left_blank(where: str, sentence: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
+    """Return sentences on the components that are blank in modes, each with its frequency [Hz]."""
     said: dict[tuple[str, ...], list[str]] = {}
     for frequency, names in modes:
         said.setdefault(tuple(names), []).append(f"{frequency:.4g}")
-    return [
-        f"{where}: what was measured on the platform does not tell {joined(names, 'or')}"
-        + (f" in the modes at {', '.join(those)} Hz" if len(said) > 1 else "")
-        + ": left blank; add a sensor at another place or in another direction"
-        for names, those in said.items()
-        if names
-    ]
+    found = []
+    for names, those in said.items():
+        in_modes = (
+            f" in the mode{'s' if len(those) > 1 else ''} at {', '.join(those)} Hz" if len(said) > 1 else ""
+        )
+        found += [f"{where}: {sentence.format(joined(names, 'or') + in_modes)}"] if names else []
+    return found
 
 
 def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:
