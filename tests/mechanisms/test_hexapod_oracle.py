@@ -49,6 +49,13 @@ def test_each_effect_by_itself(subtests: pytest.Subtests, tmp_path: Path) -> Non
                 assert by_diagonal(K, expected.K) < 1e-12
 
 
+def test_a_frame_that_yields_by_direction(tmp_path: Path) -> None:
+    case = MACHINES["hexapod"](2)
+    yields = {f"compliance_{axis}": c for axis, c in zip("xyz", (1e-7, 3e-7, 2e-8), strict=True)}
+    one = Case({**case.machine, "effects": {"frame_compliance": yields}}, case.pose)
+    assert not disagreements(errors(one, tmp_path))
+
+
 @pytest.mark.parametrize("weight", [False, True])
 def test_two_legs_along_each_axis(weight: bool, tmp_path: Path) -> None:
     case, by_hand = orthogonal(weight=weight)

@@ -68,7 +68,6 @@ def _drives(case: Case, chart: str) -> Any:
     "entry", json.loads(TABLE.read_text(encoding="utf-8")), ids=lambda e: e["machine"]["name"]
 )
 def test_frequencies_by_exudyn(entry: dict[str, Any]) -> None:
-    # measured over 200 machines of each kind by benchmarks/exudyn_six_legs.py: MEASURED
     found = result(entry["machine"], entry["pose"])
     np.testing.assert_allclose(modes(found.M, found.K).frequencies[6:], entry["free"], rtol=1e-11)
     held = modes(found.M, found.K, found.motors).frequencies
