@@ -28,7 +28,8 @@ grid_option = click.option(
     "--grid",
     metavar="X=START:STOP:COUNT,...",
     help="For each component of the pose start:stop:count, both ends included, or one value; in SI units or with "
-    "units.  By default the reachable workspace, within the [usable] limits of the robot file.",
+    "units.  Rotations that are not given are 0.  By default the reachable workspace, within the [usable] limits of "
+    "the robot file.",
 )
 
 poses_option = click.option(

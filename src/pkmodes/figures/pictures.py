@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import PkmodesError
+from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.figures.quantities import (
     coarser,
     median_spread,
@@ -104,6 +105,12 @@ class RobotPlane:
     drives: str
 
     @cached_property
+    def lengths(self) -> NDArray[Any] | None:
+        """What makes lengths of the components of the platform's motion, where it turns."""
+        model = self.model
+        return lengths_of(model.mechanism, model.robot.parameters) if model.mechanism.rotations else None
+
+    @cached_property
     def influences(self) -> tuple[list[str], NDArray[Any]]:
         """Parameters and the relative sensitivities to them, from `relative_sensitivities`."""
         return relative_sensitivities(self.model, self.plane, self.drives)
@@ -170,7 +177,10 @@ PICTURES = (
         "directions",
         "Directions of the platform's motion",
         "Lines show the direction in the plane, as long as its share of the motion.",
-        lambda robot: maps.directions(robot.plane),
+        lambda robot: maps.directions(robot.plane, robot.lengths),
+        more=lambda robot: (
+            "" if robot.lengths is None else f" Rotations take part times {1e3 * robot.lengths[-1]:.4g} mm."
+        ),
     ),
     PictureKind(
         "components",

@@ -82,28 +82,33 @@ def points_of(model: Model, plane: Plane) -> Array:
     along, across = np.meshgrid(
         plane.dataset[plane.along].values, plane.dataset[plane.across].values, indexing="ij"
     )
-    values = {plane.along: along, plane.across: across, plane.normal: np.full(along.shape, plane.at)}
+    values = {plane.along: along, plane.across: across}
+    constant = plane.rest if plane.normal is None else {plane.normal: plane.at, **plane.rest}
+    values |= {name: np.full(along.shape, value) for name, value in constant.items()}
     return np.stack([values[component.name] for component in model.mechanism.pose], axis=-1)
 
 
 def volume_of(model: Model, plane: Plane) -> Volume | None:
     """Return where the robot is used around a plane, or where it can be if the plane itself is beyond its limits.
 
-    None for a mechanism with two pose components.
+    None for a mechanism that moves in two directions, and for a plane in which the platform turns.
     """
     if plane.normal is None:
         return None
-    usable = within(model)
-    limited = bool(usable(points_of(model, plane)[plane.dataset["valid"].values]).all())
-    low, high = usable_box(model) if limited else box_of(model)
+    usable, here = within(model), points_of(model, plane)[plane.dataset["valid"].values]
+    limited = bool(usable(here).all())
+    pose = here[len(here) // 2] if plane.rest and len(here) else None
+    low, high = usable_box(model, pose) if limited else box_of(model, pose)
     names = [component.name for component in model.mechanism.pose]
     counts = {plane.normal: HEIGHTS, plane.along: FINE, plane.across: FINE}
     axes = {}
     for i, name in enumerate(names):
-        around = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
-        axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
+        if name in counts:
+            around = 0.03 * (high[i] - low[i]) if name != plane.normal else 0.0  # so that outlines are closed
+            axes[name] = np.linspace(low[i] - around, high[i] + around, counts[name])
     order = (plane.normal, plane.along, plane.across)
     grid = dict(zip(order, np.meshgrid(*(axes[name] for name in order), indexing="ij"), strict=True))
+    grid |= {name: np.full(grid[plane.along].shape, value) for name, value in plane.rest.items()}
     poses = np.stack([grid[name] for name in names], axis=-1)
     valid = model.check(poses).valid
     valid = valid & usable(poses) if limited else valid

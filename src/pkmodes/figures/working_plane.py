@@ -34,7 +34,7 @@ def working_plane(model: Model) -> Grid:
     -------
     Grid
         Perpendicular to the third direction of the platform's motion, among planes of at least half of the largest
-        area; the whole workspace of a mechanism with two pose components.
+        area; the whole workspace of a mechanism that moves in two directions.  A platform that can turn does not.
 
     Raises
     ------
@@ -44,17 +44,18 @@ def working_plane(model: Model) -> Grid:
         If the workspace is too narrow for a plane.
     """
     names = [component.name for component in model.mechanism.pose]
-    if len(names) <= 2:
+    turning = model.mechanism.components[len(model.mechanism.directions) :]
+    if len(names) - len(turning) <= 2:
         return reachable(model, POSES)
     volume = reachable(model, VOLUME)
     normal = model.mechanism.directions[2]
     coarse = map_of(model, volume)
-    others = [name for name in names if name != normal]
+    others = [name for name in names if name != normal and name not in turning]
     best = best_conditioned(coarse, normal)
     inside = coarse["valid"].sel({normal: best})
     ends = {}
     for name in others:
-        reached = np.flatnonzero(inside.any([other for other in others if other != name]).values)
+        reached = np.flatnonzero(inside.any([other for other in inside.dims if other != name]).values)
         ends[name] = volume.axes[name][reached[0]], volume.axes[name][reached[-1]]
     size = {name: float(high - low) for name, (low, high) in ends.items()}
     for name, extent in size.items():
@@ -64,6 +65,7 @@ def working_plane(model: Model) -> Grid:
     step = (np.prod(list(size.values())) / POSES) ** (1 / len(size))
     # An odd number of values: one of them lies on the centre line.
     axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
+    axes |= {name: volume.axes[name] for name in turning}
     return Grid({name: axes.get(name, np.array([best])) for name in names}, volume.used)
 
 

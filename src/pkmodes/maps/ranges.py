@@ -107,15 +107,16 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     Returns
     -------
     dict of str to ndarray
-        Values of each component, in the order of the mechanism.
+        Values of each component, in the order of the mechanism; a rotation of the platform may be left out.
 
     Raises
     ------
     PkmodesError
-        If a component is missing, unknown or repeated, or a range is invalid.
+        If another component is missing, unknown or repeated, or a range is invalid.
     """
     units = {component.name: component.unit for component in mechanism.pose}
-    example = f"write {where} {','.join(f'{name}=0.1:0.2:11' for name in units)}"
+    needed = [name for name in units if name not in mechanism.components[len(mechanism.directions) :]]
+    example = f"write {where} {','.join(f'{name}=0.1:0.2:11' for name in needed)}"
     axes: dict[str, Array] = {}
     for part in text.split(","):
         name, equals, values = (piece.strip() for piece in part.partition("="))
@@ -125,12 +126,12 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
         if name in axes:
             raise PkmodesError(f"{name} is given twice", where, "give each component once")
         axes[name] = parse_range(values, units[name], f"{where} {name}={values}")
-    missing = [name for name in units if name not in axes]
+    missing = [name for name in needed if name not in axes]
     if missing:
         raise PkmodesError(
             f"the grid does not say {' and '.join(missing)}", where, f"give every component: {example}"
         )
-    return {name: axes[name] for name in units}
+    return {name: axes[name] for name in units if name in axes}
 
 
 def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str) -> dict[str, Any]:

@@ -42,6 +42,8 @@ SHARED = 8
 APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
 #: Numbers on contours that are steeper stand upright: turned, 60 reads as 09 [degree].
 STEEP = 60.0
+#: What is said of a plane in which the platform turns.
+NO_DIRECTIONS = "The axes of this plane are not two directions of the platform's motion."
 #: Blues up to this part are so light that black lines on them can be seen, also in grey.
 LIGHT = 0.55
 
@@ -91,18 +93,25 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
     return Drawing(draw)
 
 
-def directions(plane: Plane) -> Drawing | str:
+def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     """Draw the direction of the platform's motion in each mode (figures 9 to 14).
 
     Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
-    sentence if no direction depends on the pose.
+    sentence if no direction depends on the pose, or the plane is not one of directions.
+
+    Parameters
+    ----------
+    lengths : ndarray, shape (components,), optional
+        What makes lengths of the components of the platform's motion, where it turns.
     """
-    motion = plane.dataset["platform_shape"].values
     names = plane.dataset["direction"].values.tolist()
+    if not plane.is_linear:
+        return NO_DIRECTIONS
+    motion = plane.dataset["platform_shape"].values * (1.0 if lengths is None else lengths)
     across, along = names.index(plane.across), names.index(plane.along)
     length = np.sqrt((motion**2).sum(axis=-1))
     unit = motion / np.where(length > 0.0, length, np.nan)[..., None]
-    modes = motion.shape[2]
+    modes, turning = motion.shape[2], lengths is not None
     # Directions have no sign: their squares and products tell them apart.
     if same_everywhere(unit[..., :, None] * unit[..., None, :], axes=(0, 1), scale=1.0):
         return "In each mode the platform moves in almost the same direction at every pose."
@@ -119,6 +128,8 @@ def directions(plane: Plane) -> Drawing | str:
             perpendicular = np.sqrt(
                 np.clip(1.0 - unit[:, :, mode, across] ** 2 - unit[:, :, mode, along] ** 2, 0.0, 1.0)
             )
+            if turning and plane.normal is not None:
+                perpendicular = np.abs(unit[:, :, mode, names.index(plane.normal)])
             if plane.normal is None:
                 perpendicular = np.where(np.isfinite(unit[:, :, mode, across]), 0.0, np.nan)
             mesh = plane.draw(panel, perpendicular, vmin=0.0, vmax=1.0, cmap=_light_blues())
@@ -134,8 +145,10 @@ def components(plane: Plane) -> Drawing | str:
     """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
 
     Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
-    sentence if none depends on the pose.
+    sentence if none depends on the pose, or the plane is not one of directions.
     """
+    if not plane.is_linear:
+        return NO_DIRECTIONS
     kinds = [("in_plane", "in plane")]
     if plane.normal is not None:
         kinds.append(("out_of_plane", f"along {plane.normal}"))

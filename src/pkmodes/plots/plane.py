@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -43,9 +43,12 @@ class Plane:
     across, along : str
         Components of the pose on the horizontal and the vertical axis, the longer one vertical.
     normal : str or None
-        The component that is constant, if any.
+        The direction of the platform's motion that is perpendicular to the plane, if any.
     at : float
         Its value [SI].
+    rest : mapping of str to float
+        The other components of the pose, which are constant [SI]: rotations of the platform, or the rest of a plane
+        in which these vary.
     """
 
     dataset: xarray.Dataset
@@ -53,6 +56,7 @@ class Plane:
     along: str
     normal: str | None
     at: float
+    rest: Mapping[str, float] = field(default_factory=dict)
 
     @classmethod
     def of(cls, dataset: xarray.Dataset, components: Sequence[str]) -> Plane:
@@ -73,7 +77,9 @@ class Plane:
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
         several = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
         single = [dim for dim in leading if dim not in several]
-        normal = next((dim for dim in single if dim in components), None)
+        constant = {dim: float(dataset[dim].values[0]) for dim in single if dim in components}
+        linear = all(dataset[dim].attrs["units"] == "m" for dim in several)
+        normal = next((dim for dim in constant if linear and dataset[dim].attrs["units"] == "m"), None)
         extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}
         same = len({dataset[dim].attrs["units"] for dim in several}) == 1
         across, along = several[1], several[0]
@@ -81,12 +87,21 @@ class Plane:
             across, along = along, across
         # Loaded first: text that is still in a file cannot be transposed.
         flat = dataset.isel(dict.fromkeys(single, 0)).load().transpose(along, across, ...)
-        return cls(flat, across, along, normal, 0.0 if normal is None else float(dataset[normal].values[0]))
+        return cls(flat, across, along, normal, constant.pop(normal, 0.0) if normal else 0.0, constant)
 
     @property
     def is_tall(self) -> bool:
         """Whether it is much higher than wide."""
         return self.height > TALL
+
+    @property
+    def is_linear(self) -> bool:
+        """Whether both components are lengths, or neither is a rotation of the platform."""
+        names = self.dataset["direction"].values.tolist() if "direction" in self.dataset.coords else []
+        return all(
+            self.dataset[name].attrs["units"] == "m" or name not in names
+            for name in (self.along, self.across)
+        )
 
     @property
     def height(self) -> float:
@@ -181,11 +196,17 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
 
 
 def where(plane: Plane) -> str:
-    """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components."""
-    if plane.normal is None:
-        return f"{plane.across} and {plane.along}"
-    unit, factor = plane.unit(plane.normal)
-    return f"{plane.normal} = {typeset(f'{plane.at * factor:.6g}')} {unit}"
+    """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components.
+
+    Rotations that are 0 are not among what it says.
+    """
+    constant = {} if plane.normal is None else {plane.normal: plane.at}
+    lengths = {name: value for name, value in plane.rest.items() if value or plane.unit(name)[0] != "deg"}
+    places = []
+    for name, value in (constant | lengths).items():
+        unit, factor = plane.unit(name)
+        places.append(f"{name} = {typeset(f'{value * factor:.6g}')} {unit}")
+    return ", ".join(places) or f"{plane.across} and {plane.along}"
 
 
 def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:

@@ -105,7 +105,7 @@ def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[S
 
 def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
     """Yield the picture of a map over a volume, and over nothing else."""
-    components = [component.name for component in model.mechanism.pose]
+    components = list(model.mechanism.directions)
     dims = dataset["frequency"].dims[:-1]
     if len(components) != 3 or {dim for dim in dims if dataset.sizes[dim] > 1} != {*components}:
         return

@@ -56,6 +56,12 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
     if len(several) == 2 and not listed:
         places = _thinned({name: dataset[name].values for name in names}, dataset)
         return places, "the plane of the map", OF_MAP
+    linear = [name for name in several if name in model.mechanism.directions]
+    if len(several) > 2 and not listed and len(linear) < 3:
+        shown = linear if len(linear) == 2 else several[:2]
+        axes = {name: dataset[name].values for name in names}
+        axes |= {name: nearest_to_zero(values) for name, values in axes.items() if name not in shown}
+        return _thinned(axes, dataset), f"the plane of {' and '.join(shown)} of the map", OF_MAP
     if len(several) > 2 and not listed:
         normal = model.mechanism.directions[2]
         found = None if varied else working_plane(model)
@@ -63,6 +69,7 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
         if found is None or not values[0] <= found.axes[normal][0] <= values[-1]:
             at = best_conditioned(dataset, normal)
             axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
+            axes |= {name: nearest_to_zero(dataset[name].values) for name in names if name not in linear}
             return _thinned(axes, dataset), f"the plane of the map {CHOSEN}", OF_MAP
         return found, f"the plane {CHOSEN} of the workspace", WORKING
     if not listed and (varied or not several):
@@ -73,6 +80,11 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
             OF_MAP,
         )
     return working_plane(model), f"the plane {CHOSEN} of the workspace", WORKING
+
+
+def nearest_to_zero(values: np.ndarray) -> np.ndarray:
+    """Return the value of an axis that is nearest to 0, (1,)."""
+    return values[[np.argmin(np.abs(values))]]
 
 
 def _thinned(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> Grid:

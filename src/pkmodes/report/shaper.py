@@ -272,7 +272,7 @@ def _plane(
 ) -> tuple[NDArray[np.bool_], dict[int, float]]:
     """Return the poses in the layer through one of them, and its place; all poses where they form no layers."""
     layer = np.asarray((np.abs(poses[:, others] - through[others]) < SAME).all(axis=1))
-    if layer.sum() < LAYER * len(poses) ** (2.0 / poses.shape[1]):
+    if layer.sum() < LAYER * len(poses) ** (2.0 / (2 + len(others))):
         return np.ones(len(poses), dtype=bool), {}
     return layer, {i: float(through[i]) for i in others}
 

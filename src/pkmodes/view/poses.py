@@ -54,6 +54,9 @@ def typical_pose(model: Model) -> Array:
     heights = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(lower)
     group = lower[heights <= np.median(heights)]
     central: Array = group[np.argmin(np.linalg.norm(group - group.mean(axis=0), axis=-1))]
+    level = central.copy()
+    level[list(resting(model))] = list(resting(model).values())
+    central = level if used(model, central)(level[None])[0] else central
     low, high = usable_box(model, central)
     digits = int(np.ceil(-np.log10(0.05 * (high - low).max())))
     for middle in (0.5 * (low + high), central):
