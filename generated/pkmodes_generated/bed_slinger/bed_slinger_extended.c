@@ -168,24 +168,26 @@ void bed_slinger_extended_joint_stiffness(const bed_slinger_effects *effects, pk
     const pkmodes_real c_G = effects->gearbox_compliance_compliance;
     const pkmodes_real c_K = effects->clamp_compliance_compliance;
     const pkmodes_real c_F = effects->frame_compliance_compliance;
+    const pkmodes_real c_F_x = effects->frame_compliance_compliance_x;
+    const pkmodes_real c_F_y = effects->frame_compliance_compliance_y;
     const pkmodes_real t1 = 1/c_G;
     const pkmodes_real t2 = 1/c_K;
-    const pkmodes_real t3 = 1/c_F;
-    const pkmodes_real t4 = -1/(c_G*c_G);
-    const pkmodes_real t5 = -1/(c_K*c_K);
-    const pkmodes_real t6 = -1/(c_F*c_F);
+    const pkmodes_real t3 = c_F + c_F_x;
+    const pkmodes_real t4 = c_F + c_F_y;
+    const pkmodes_real t5 = -1/(c_G*c_G);
+    const pkmodes_real t6 = -1/(c_K*c_K);
     kappa[0] = t1;
     kappa[1] = t1;
     kappa[2] = t2;
     kappa[3] = t2;
-    kappa[4] = t3;
-    kappa[5] = t3;
-    kappa_c[0] = t4;
-    kappa_c[1] = t4;
-    kappa_c[2] = t5;
-    kappa_c[3] = t5;
-    kappa_c[4] = t6;
-    kappa_c[5] = t6;
+    kappa[4] = 1/t3;
+    kappa[5] = 1/t4;
+    kappa_c[0] = t5;
+    kappa_c[1] = t5;
+    kappa_c[2] = t6;
+    kappa_c[3] = t6;
+    kappa_c[4] = -1/(t3*t3);
+    kappa_c[5] = -1/(t4*t4);
 }
 
 void bed_slinger_extended_extended_static_equilibrium(const pkmodes_real p[2],

@@ -89,6 +89,10 @@ typedef struct {
     pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
     pkmodes_real frame_compliance_mass;
+    /* [m/N] compliance of the frame along x */
+    pkmodes_real frame_compliance_compliance_x;
+    /* [m/N] compliance of the frame along y */
+    pkmodes_real frame_compliance_compliance_y;
 } bed_slinger_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -124,7 +128,7 @@ void bed_slinger_extended_extended_platform_motion(const pkmodes_real p[2],
  *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 12 operations; 24 with every named value expanded.
+ * 18 operations; 28 with every named value expanded.
  */
 void bed_slinger_extended_joint_stiffness(const bed_slinger_effects *effects, pkmodes_real kappa[6],
     pkmodes_real kappa_c[6]);

@@ -167,6 +167,10 @@ class Effects(NamedTuple):
         Isotropic compliance of the frame.
     frame_compliance_mass : float or array, shape (...) [kg]
         Mass of the frame.
+    frame_compliance_compliance_x : float or array, shape (...) [m/N]
+        Compliance of the frame along x.
+    frame_compliance_compliance_y : float or array, shape (...) [m/N]
+        Compliance of the frame along y.
     """
 
     axis_belt_stiffness_factor_1: float = 0.0
@@ -187,6 +191,8 @@ class Effects(NamedTuple):
     clamp_compliance_compliance: float = 0.0
     frame_compliance_compliance: float = 0.0
     frame_compliance_mass: float = 0.0
+    frame_compliance_compliance_x: float = 0.0
+    frame_compliance_compliance_y: float = 0.0
 
 
 def _entries(array, shape):
@@ -427,32 +433,34 @@ def joint_stiffness(effects):
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    12 operations; 24 with every named value expanded.
+    18 operations; 28 with every named value expanded.
     """
     (c_G,) = _entries(effects.gearbox_compliance_compliance, ())
     (c_K,) = _entries(effects.clamp_compliance_compliance, ())
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
-    batch, dtype = _batch(c_G, c_K, c_F)
+    (c_F_x,) = _entries(effects.frame_compliance_compliance_x, ())
+    (c_F_y,) = _entries(effects.frame_compliance_compliance_y, ())
+    batch, dtype = _batch(c_G, c_K, c_F, c_F_x, c_F_y)
     t1 = 1.0/c_G
     t2 = 1.0/c_K
-    t3 = 1.0/c_F
-    t4 = -1/c_G**2
-    t5 = -1/c_K**2
-    t6 = -1/c_F**2
+    t3 = c_F + c_F_x
+    t4 = c_F + c_F_y
+    t5 = -1/c_G**2
+    t6 = -1/c_K**2
     kappa_out = np.empty((*batch, 6), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t2
     kappa_out[..., 3] = t2
-    kappa_out[..., 4] = t3
-    kappa_out[..., 5] = t3
+    kappa_out[..., 4] = 1.0/t3
+    kappa_out[..., 5] = 1.0/t4
     kappa_c_out = np.empty((*batch, 6), dtype)
-    kappa_c_out[..., 0] = t4
-    kappa_c_out[..., 1] = t4
-    kappa_c_out[..., 2] = t5
-    kappa_c_out[..., 3] = t5
-    kappa_c_out[..., 4] = t6
-    kappa_c_out[..., 5] = t6
+    kappa_c_out[..., 0] = t5
+    kappa_c_out[..., 1] = t5
+    kappa_c_out[..., 2] = t6
+    kappa_c_out[..., 3] = t6
+    kappa_c_out[..., 4] = -1/t3**2
+    kappa_c_out[..., 5] = -1/t4**2
     return kappa_out, kappa_c_out
 
 

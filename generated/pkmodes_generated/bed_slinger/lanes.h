@@ -22,7 +22,7 @@
 #define LANES_DIRECTIONS 2
 #define LANES_BASE 4
 #define LANES_ALL 10
-#define LANES_GRADIENT 45
+#define LANES_GRADIENT 47
 #define LANES_MARGINS 4
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -324,7 +324,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_l_f_1_1 = -adjoint_forward_0*(forward_0*forward_0);
         const lane adjoint_I_2 = -eigenvalue*t1;
         const lane adjoint_I_1 = -eigenvalue*t3;
-        lanes_clear(gradient, 45);
+        lanes_clear(gradient, 47);
         gradient[0] = LANES(-eigenvalue*t9);
         gradient[1] = LANES(-eigenvalue*t5);
         gradient[5] = LANES(adjoint_l_f_1_1);
@@ -343,8 +343,8 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[18] = LANES(adjoint_I_2*(i_g_2*i_g_2));
         gradient[19] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
         gradient[20] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
-        gradient[43] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
-        gradient[44] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
+        gradient[45] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[46] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
     }
 }
 
@@ -515,7 +515,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane t46 = shape_9*t21;
         const lane t47 = adjoint_forward_t5*k_sp_1;
         const lane t48 = adjoint_forward_t8*k_sp_2;
-        lanes_clear(gradient, 45);
+        lanes_clear(gradient, 47);
         gradient[0] = LANES(adjoint_forward_t26 - eigenvalue*t46 - t34);
         gradient[1] = LANES(adjoint_forward_t21);
         gradient[5] = LANES(adjoint_l_f_1_1);
@@ -547,8 +547,8 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[35] = LANES(adjoint_forward_t21);
         gradient[38] = LANES(t25 + t28 + t42 + t43 + t44 + t45);
         gradient[42] = LANES(adjoint_forward_t26);
-        gradient[43] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
-        gradient[44] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
+        gradient[45] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[46] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
     }
 }
 
@@ -667,13 +667,13 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_36 = direction[35];
         const lane along_39 = direction[38];
         const lane along_43 = direction[42];
-        const lane along_44 = direction[43];
-        const lane along_45 = direction[44];
+        const lane along_46 = direction[45];
+        const lane along_47 = direction[46];
         const lane tangent_forward_t1 = 2.0*I_m_1*along_20*i_g_1 + along_18*(i_g_1*i_g_1);
         const lane tangent_I_1 = along_16 + along_35 + tangent_forward_t1;
         const lane tangent_forward_t2 = 2.0*I_m_2*along_21*i_g_2 + along_19*(i_g_2*i_g_2);
         const lane tangent_I_2 = along_17 + along_35 + tangent_forward_t2;
-        const lane tangent_l_f_1_1 = along_44 + along_6;
+        const lane tangent_l_f_1_1 = along_46 + along_6;
         const lane tangent_forward_t3 = F_T*along_31 + along_32*c_T;
         const lane tangent_forward_t4 = along_28*forward_t3 + c_E*tangent_forward_t3;
         const lane tangent_forward_t5 = along_10*t2 + along_12*k_sp_1*t1 + along_26*k_sp_1*w_b_1;
@@ -681,16 +681,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t7 = forward_t3*tangent_forward_t5 + forward_t5*tangent_forward_t3;
         const lane tangent_forward_0 = -t9*tangent_forward_t6 - t9*tangent_l_f_1_1;
         const lane tangent_k_1_1 = forward_0*tangent_forward_t7 + forward_t7*tangent_forward_0;
-        const lane tangent_l_f_1_2 = -along_44 + along_7;
+        const lane tangent_l_f_1_2 = -along_46 + along_7;
         const lane tangent_forward_1 = -t10*tangent_forward_t6 - t10*tangent_l_f_1_2;
         const lane tangent_k_1_2 = forward_1*tangent_forward_t7 + forward_t7*tangent_forward_1;
-        const lane tangent_l_f_2_1 = along_45 + along_8;
+        const lane tangent_l_f_2_1 = along_47 + along_8;
         const lane tangent_forward_t8 = along_11*t6 + along_13*k_sp_2*t5 + along_27*k_sp_2*w_b_2;
         const lane tangent_forward_t9 = forward_t4*tangent_forward_t8 + forward_t8*tangent_forward_t4;
         const lane tangent_forward_t10 = forward_t3*tangent_forward_t8 + forward_t8*tangent_forward_t3;
         const lane tangent_forward_2 = -t11*tangent_forward_t9 - t11*tangent_l_f_2_1;
         const lane tangent_k_2_1 = forward_2*tangent_forward_t10 + forward_t10*tangent_forward_2;
-        const lane tangent_l_f_2_2 = -along_45 + along_9;
+        const lane tangent_l_f_2_2 = -along_47 + along_9;
         const lane tangent_forward_3 = -t12*tangent_forward_t9 - t12*tangent_l_f_2_2;
         const lane tangent_k_2_2 = forward_3*tangent_forward_t10 + forward_t10*tangent_forward_3;
         const lane tangent_forward_t11 = (1.0/3.0)*along_30;

@@ -11,6 +11,7 @@
  *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
+ *   b [m]: distance of what slides along the beam from the beam's middle
  *   G_j [N]: gradient of the gravitational potential energy with respect to independent coordinate j
  *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */
@@ -31,13 +32,14 @@
 #endif
 
 void cartesian_extended_extended_matrices(const pkmodes_real p[2], const cartesian_parameters *parameters,
-    const cartesian_effects *effects, pkmodes_real M[10][10], pkmodes_real K_el[10][10],
-    pkmodes_real K_g[10][10])
+    const cartesian_effects *effects, pkmodes_real M[11][11], pkmodes_real K_el[11][11],
+    pkmodes_real K_g[11][11])
 {
     const pkmodes_real x = p[0];
     const pkmodes_real y = p[1];
     const pkmodes_real m_h = parameters->toolhead_mass;
     const pkmodes_real m_b = parameters->beam_mass;
+    const pkmodes_real g_y = parameters->gravity[1];
     const pkmodes_real l_0_1_1 = parameters->axis_lengths[0][0];
     const pkmodes_real l_0_1_2 = parameters->axis_lengths[0][1];
     const pkmodes_real l_0_2_1 = parameters->axis_lengths[1][0];
@@ -65,6 +67,9 @@ void cartesian_extended_extended_matrices(const pkmodes_real p[2], const cartesi
     const pkmodes_real m_L = effects->payload_mass;
     const pkmodes_real k_S = effects->servo_stiffness_stiffness;
     const pkmodes_real m_F = effects->frame_compliance_mass;
+    const pkmodes_real J_B = effects->gantry_racking_inertia;
+    const pkmodes_real x_B = effects->gantry_racking_center;
+    const pkmodes_real b = x - x_B;
     const pkmodes_real t1 = I_m_1*(i_g_1*i_g_1);
     const pkmodes_real I_1 = I_G + I_p_1 + t1;
     const pkmodes_real t2 = I_m_2*(i_g_2*i_g_2);
@@ -99,14 +104,17 @@ void cartesian_extended_extended_matrices(const pkmodes_real p[2], const cartesi
     const pkmodes_real t22 = m_b + t15;
     const pkmodes_real t23 = R_p_2*t16;
     const pkmodes_real t24 = -l_f_2_1*t23 - l_f_2_2*t23;
-    const pkmodes_real t25 = (R_p_1*R_p_1);
-    const pkmodes_real t26 = (R_p_2*R_p_2);
-    const pkmodes_real t27 = m_F + t22;
-    const pkmodes_real t28 = k_1_1 + k_1_2;
-    const pkmodes_real t29 = R_p_1*k_1_1 + R_p_1*k_1_2;
-    const pkmodes_real t30 = k_2_1 + k_2_2;
-    const pkmodes_real t31 = R_p_2*k_2_1 + R_p_2*k_2_2;
-    memset(M, 0, sizeof(pkmodes_real[10][10]));
+    const pkmodes_real t25 = b*t15;
+    const pkmodes_real t26 = (R_p_1*R_p_1);
+    const pkmodes_real t27 = (R_p_2*R_p_2);
+    const pkmodes_real t28 = m_F + t22;
+    const pkmodes_real t29 = (b*b);
+    const pkmodes_real t30 = k_1_1 + k_1_2;
+    const pkmodes_real t31 = R_p_1*k_1_1 + R_p_1*k_1_2;
+    const pkmodes_real t32 = k_2_1 + k_2_2;
+    const pkmodes_real t33 = R_p_2*k_2_1 + R_p_2*k_2_2;
+    const pkmodes_real t34 = b*k_C;
+    memset(M, 0, sizeof(pkmodes_real[11][11]));
     M[0][0] = t14 + t15;
     M[0][2] = M[2][0] = t18;
     M[0][6] = M[6][0] = t14;
@@ -115,78 +123,93 @@ void cartesian_extended_extended_matrices(const pkmodes_real p[2], const cartesi
     M[1][3] = M[3][1] = t24;
     M[1][7] = M[7][1] = t21;
     M[1][9] = M[9][1] = t22;
-    M[2][2] = I_1 + t12*t25 + t13*t25;
+    M[1][10] = M[10][1] = t25;
+    M[2][2] = I_1 + t12*t26 + t13*t26;
     M[2][4] = M[4][2] = t1;
     M[2][6] = M[6][2] = t18;
-    M[3][3] = I_2 + t19*t26 + t20*t26;
+    M[3][3] = I_2 + t19*t27 + t20*t27;
     M[3][5] = M[5][3] = t2;
     M[3][7] = M[7][3] = t24;
     M[4][4] = t1;
     M[5][5] = t2;
     M[6][6] = t14;
     M[7][7] = t21;
-    M[8][8] = t27;
-    M[9][9] = t27;
-    memset(K_el, 0, sizeof(pkmodes_real[10][10]));
-    K_el[0][0] = k_C + t28;
-    K_el[0][2] = K_el[2][0] = t29;
-    K_el[0][6] = K_el[6][0] = t28;
+    M[8][8] = t28;
+    M[9][9] = t28;
+    M[9][10] = M[10][9] = t25;
+    M[10][10] = J_B + 2*t29*((R(1.0)/R(2.0))*m_L + (R(1.0)/R(2.0))*m_h);
+    memset(K_el, 0, sizeof(pkmodes_real[11][11]));
+    K_el[0][0] = k_C + t30;
+    K_el[0][2] = K_el[2][0] = t31;
+    K_el[0][6] = K_el[6][0] = t30;
     K_el[0][8] = K_el[8][0] = k_C;
-    K_el[1][1] = k_C + t30;
-    K_el[1][3] = K_el[3][1] = t31;
-    K_el[1][7] = K_el[7][1] = t30;
+    K_el[1][1] = k_C + t32;
+    K_el[1][3] = K_el[3][1] = t33;
+    K_el[1][7] = K_el[7][1] = t32;
     K_el[1][9] = K_el[9][1] = k_C;
-    K_el[2][2] = k_1_1*t25 + k_1_2*t25 + k_S;
+    K_el[1][10] = K_el[10][1] = t34;
+    K_el[2][2] = k_1_1*t26 + k_1_2*t26 + k_S;
     K_el[2][4] = K_el[4][2] = k_S;
-    K_el[2][6] = K_el[6][2] = t29;
-    K_el[3][3] = k_2_1*t26 + k_2_2*t26 + k_S;
+    K_el[2][6] = K_el[6][2] = t31;
+    K_el[3][3] = k_2_1*t27 + k_2_2*t27 + k_S;
     K_el[3][5] = K_el[5][3] = k_S;
-    K_el[3][7] = K_el[7][3] = t31;
+    K_el[3][7] = K_el[7][3] = t33;
     K_el[4][4] = k_S;
     K_el[5][5] = k_S;
-    K_el[6][6] = t28;
-    K_el[7][7] = t30;
+    K_el[6][6] = t30;
+    K_el[7][7] = t32;
     K_el[8][8] = k_C;
     K_el[9][9] = k_C;
-    memset(K_g, 0, sizeof(pkmodes_real[10][10]));
+    K_el[9][10] = K_el[10][9] = t34;
+    K_el[10][10] = k_C*t29;
+    memset(K_g, 0, sizeof(pkmodes_real[11][11]));
+    K_g[0][10] = K_g[10][0] = -g_y*t15;
 }
 
 void cartesian_extended_extended_platform_motion(const pkmodes_real p[2],
-    const cartesian_parameters *parameters, pkmodes_real J_p[2][10])
+    const cartesian_parameters *parameters, const cartesian_effects *effects, pkmodes_real J_p[2][11])
 {
-    (void)p;
+    const pkmodes_real x = p[0];
     (void)parameters;
-    memset(J_p, 0, sizeof(pkmodes_real[2][10]));
+    const pkmodes_real x_B = effects->gantry_racking_center;
+    const pkmodes_real b = x - x_B;
+    memset(J_p, 0, sizeof(pkmodes_real[2][11]));
     J_p[0][0] = 1;
     J_p[0][8] = 1;
     J_p[1][1] = 1;
     J_p[1][9] = 1;
+    J_p[1][10] = b;
 }
 
-void cartesian_extended_joint_stiffness(const cartesian_effects *effects, pkmodes_real kappa[6],
-    pkmodes_real kappa_c[6])
+void cartesian_extended_joint_stiffness(const cartesian_effects *effects, pkmodes_real kappa[7],
+    pkmodes_real kappa_c[7])
 {
     const pkmodes_real c_G = effects->gearbox_compliance_compliance;
     const pkmodes_real c_K = effects->clamp_compliance_compliance;
     const pkmodes_real c_F = effects->frame_compliance_compliance;
+    const pkmodes_real c_F_x = effects->frame_compliance_compliance_x;
+    const pkmodes_real c_F_y = effects->frame_compliance_compliance_y;
+    const pkmodes_real c_B = effects->gantry_racking_compliance;
     const pkmodes_real t1 = 1/c_G;
     const pkmodes_real t2 = 1/c_K;
-    const pkmodes_real t3 = 1/c_F;
-    const pkmodes_real t4 = -1/(c_G*c_G);
-    const pkmodes_real t5 = -1/(c_K*c_K);
-    const pkmodes_real t6 = -1/(c_F*c_F);
+    const pkmodes_real t3 = c_F + c_F_x;
+    const pkmodes_real t4 = c_F + c_F_y;
+    const pkmodes_real t5 = -1/(c_G*c_G);
+    const pkmodes_real t6 = -1/(c_K*c_K);
     kappa[0] = t1;
     kappa[1] = t1;
     kappa[2] = t2;
     kappa[3] = t2;
-    kappa[4] = t3;
-    kappa[5] = t3;
-    kappa_c[0] = t4;
-    kappa_c[1] = t4;
-    kappa_c[2] = t5;
-    kappa_c[3] = t5;
-    kappa_c[4] = t6;
-    kappa_c[5] = t6;
+    kappa[4] = 1/t3;
+    kappa[5] = 1/t4;
+    kappa[6] = 1/c_B;
+    kappa_c[0] = t5;
+    kappa_c[1] = t5;
+    kappa_c[2] = t6;
+    kappa_c[3] = t6;
+    kappa_c[4] = -1/(t3*t3);
+    kappa_c[5] = -1/(t4*t4);
+    kappa_c[6] = -1/(c_B*c_B);
 }
 
 void cartesian_extended_extended_static_equilibrium(const pkmodes_real p[2],

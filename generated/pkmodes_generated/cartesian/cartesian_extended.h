@@ -19,6 +19,7 @@
  *   eps_2 [m]
  *   u_x [m]
  *   u_y [m]
+ *   psi_b [rad]
  */
 #ifndef CARTESIAN_EXTENDED_H
 #define CARTESIAN_EXTENDED_H
@@ -89,6 +90,16 @@ typedef struct {
     pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
     pkmodes_real frame_compliance_mass;
+    /* [m/N] compliance of the frame along x */
+    pkmodes_real frame_compliance_compliance_x;
+    /* [m/N] compliance of the frame along y */
+    pkmodes_real frame_compliance_compliance_y;
+    /* [rad/(N m)] compliance of the beam's guides in rotation */
+    pkmodes_real gantry_racking_compliance;
+    /* [kg m^2] moment of inertia of the beam about its middle */
+    pkmodes_real gantry_racking_inertia;
+    /* [m] position of the beam's middle along it */
+    pkmodes_real gantry_racking_center;
 } cartesian_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -99,11 +110,11 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
- * 84 operations; 819 with every named value expanded.
+ * 97 operations; 856 with every named value expanded.
  */
 void cartesian_extended_extended_matrices(const pkmodes_real p[2], const cartesian_parameters *parameters,
-    const cartesian_effects *effects, pkmodes_real M[10][10], pkmodes_real K_el[10][10],
-    pkmodes_real K_g[10][10]);
+    const cartesian_effects *effects, pkmodes_real M[11][11], pkmodes_real K_el[11][11],
+    pkmodes_real K_g[11][11]);
 
 /* Jacobian of the absolute motion of the platform centre.
  *
@@ -111,10 +122,10 @@ void cartesian_extended_extended_matrices(const pkmodes_real p[2], const cartesi
  *   out J_p [1, m]: dp_i/dq_k, base frame
  *
  * Source: equation 15, with the contributions of released joints and the frame.
- * 0 operations; 0 with every named value expanded.
+ * 1 operations; 1 with every named value expanded.
  */
 void cartesian_extended_extended_platform_motion(const pkmodes_real p[2],
-    const cartesian_parameters *parameters, pkmodes_real J_p[2][10]);
+    const cartesian_parameters *parameters, const cartesian_effects *effects, pkmodes_real J_p[2][11]);
 
 /* Stiffnesses of the released joints, to be added to the diagonal of K.
  *
@@ -124,10 +135,10 @@ void cartesian_extended_extended_platform_motion(const pkmodes_real p[2],
  *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 12 operations; 24 with every named value expanded.
+ * 22 operations; 32 with every named value expanded.
  */
-void cartesian_extended_joint_stiffness(const cartesian_effects *effects, pkmodes_real kappa[6],
-    pkmodes_real kappa_c[6]);
+void cartesian_extended_joint_stiffness(const cartesian_effects *effects, pkmodes_real kappa[7],
+    pkmodes_real kappa_c[7]);
 
 /* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *

@@ -12,6 +12,7 @@ values.
 
 * l_f_j_s [m]: free length of run s of belt j
 * k_j_s [N/m]: stiffness of run s of belt j
+* b [m]: distance of what slides along the beam from the beam's middle
 """
 
 from math import prod
@@ -39,6 +40,7 @@ COORDINATES = (
     "eps_2",
     "u_x",
     "u_y",
+    "psi_b",
 )
 COORDINATE_UNITS = (
     "m",
@@ -51,6 +53,7 @@ COORDINATE_UNITS = (
     "m",
     "m",
     "m",
+    "rad",
 )
 
 
@@ -189,7 +192,7 @@ def drawing_points(p, parameters):
     return r_out
 
 
-def drawing_motion(p, parameters):
+def drawing_motion(p, parameters, effects):
     """Jacobians of these points with respect to every coordinate, one for points that move alike.
 
     Parameters
@@ -198,38 +201,87 @@ def drawing_motion(p, parameters):
         Tool head in the base frame.
     parameters : Parameters
         The robot's parameters.
+    effects : Effects
+        The robot's effects.
 
     Returns
     -------
-    J : array, shape (..., 5, 3, 10) [1, m]
+    J : array, shape (..., 12, 3, 11) [1, m]
         dr_i/dq_k, base frame.
 
     Notes
     -----
     The positions differentiated, with the contributions of released joints and the frame.
-    0 operations; 0 with every named value expanded.
+    11 operations; 31 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
-    batch, dtype = _batch(x)
-    J_out = np.zeros((*batch, 5, 3, 10), dtype)
+    R_p_1, _ = _entries(parameters.pulley_radius, (2,))
+    travel_min_x, travel_max_x, _, _ = _entries(parameters.workspace, (2, 2))
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, R_p_1, travel_min_x, x_B)
+    b = x - x_B
+    t1 = 8*R_p_1
+    t2 = -t1 + travel_min_x - x_B
+    t3 = travel_max_x - x_B
+    t4 = t1 + t3
+    t5 = 2*R_p_1
+    J_out = np.zeros((*batch, 12, 3, 11), dtype)
     J_out[..., 0, 0, 0] = 1
     J_out[..., 0, 0, 8] = 1
     J_out[..., 0, 1, 1] = 1
     J_out[..., 0, 1, 9] = 1
+    J_out[..., 0, 1, 10] = b
     J_out[..., 1, 0, 8] = 1
     J_out[..., 1, 1, 9] = 1
     J_out[..., 2, 0, 8] = 1
     J_out[..., 2, 1, 1] = 1
     J_out[..., 2, 1, 9] = 1
-    J_out[..., 3, 0, 0] = 1
-    J_out[..., 3, 0, 6] = 1
+    J_out[..., 2, 1, 10] = t2
     J_out[..., 3, 0, 8] = 1
     J_out[..., 3, 1, 1] = 1
     J_out[..., 3, 1, 9] = 1
+    J_out[..., 3, 1, 10] = t4
+    J_out[..., 4, 0, 0] = 1
     J_out[..., 4, 0, 8] = 1
     J_out[..., 4, 1, 1] = 1
-    J_out[..., 4, 1, 7] = 1
     J_out[..., 4, 1, 9] = 1
+    J_out[..., 4, 1, 10] = 4*R_p_1 + b
+    J_out[..., 5, 0, 8] = 1
+    J_out[..., 5, 0, 10] = R_p_1
+    J_out[..., 5, 1, 1] = 1
+    J_out[..., 5, 1, 9] = 1
+    J_out[..., 5, 1, 10] = t2
+    J_out[..., 6, 0, 8] = 1
+    J_out[..., 6, 0, 10] = R_p_1
+    J_out[..., 6, 1, 1] = 1
+    J_out[..., 6, 1, 9] = 1
+    J_out[..., 6, 1, 10] = t4
+    J_out[..., 7, 0, 0] = 1
+    J_out[..., 7, 0, 6] = 1
+    J_out[..., 7, 0, 8] = 1
+    J_out[..., 7, 1, 1] = 1
+    J_out[..., 7, 1, 9] = 1
+    J_out[..., 7, 1, 10] = b
+    J_out[..., 8, 0, 8] = 1
+    J_out[..., 8, 0, 10] = R_p_1
+    J_out[..., 8, 1, 1] = 1
+    J_out[..., 8, 1, 9] = 1
+    J_out[..., 8, 1, 10] = 9*R_p_1 + t3
+    J_out[..., 9, 0, 8] = 1
+    J_out[..., 9, 0, 10] = t5
+    J_out[..., 9, 1, 1] = 1
+    J_out[..., 9, 1, 9] = 1
+    J_out[..., 9, 1, 10] = t4
+    J_out[..., 10, 0, 8] = 1
+    J_out[..., 10, 0, 10] = t5
+    J_out[..., 10, 1, 1] = 1
+    J_out[..., 10, 1, 9] = 1
+    J_out[..., 10, 1, 10] = t2
+    J_out[..., 11, 0, 8] = 1
+    J_out[..., 11, 1, 1] = 1
+    J_out[..., 11, 1, 7] = 1
+    J_out[..., 11, 1, 9] = 1
+    J_out[..., 11, 1, 10] = t2
     return J_out
 
 
@@ -249,13 +301,13 @@ def springs(p, parameters, effects):
     -------
     k : array, shape (..., 8) [N/m, N m/rad]
         Stiffness.
-    g : array, shape (..., 8, 10) [1, m, 1/m]
+    g : array, shape (..., 8, 11) [1, m, 1/m]
         The energy is the sum of k (g . q)^2 / 2.
 
     Notes
     -----
     Equation 38 with the effects' energies; the springs of released joints are not among them.
-    25 operations; 64 with every named value expanded.
+    26 operations; 65 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.axis_lengths, (2, 2))
@@ -269,7 +321,9 @@ def springs(p, parameters, effects):
     (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
     (k_C,) = _entries(effects.cable_stiffness_stiffness, ())
     (k_S,) = _entries(effects.servo_stiffness_stiffness, ())
-    batch, dtype = _batch(x, l_0_1_1, k_sp_1, w_b_1, R_p_1, a_B_1, a_B_2, c_E, c_T, F_T, k_C, k_S)
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, l_0_1_1, k_sp_1, w_b_1, R_p_1, a_B_1, a_B_2, c_E, c_T, F_T, k_C, k_S, x_B)
+    b = x - x_B
     l_f_1_1 = l_0_1_1 + x
     t1 = F_T*c_T + 1
     t2 = c_E*t1
@@ -295,7 +349,7 @@ def springs(p, parameters, effects):
     k_out[..., 5] = k_C
     k_out[..., 6] = k_S
     k_out[..., 7] = k_S
-    g_out = np.zeros((*batch, 8, 10), dtype)
+    g_out = np.zeros((*batch, 8, 11), dtype)
     g_out[..., 0, 0] = 1
     g_out[..., 0, 2] = R_p_1
     g_out[..., 0, 6] = 1
@@ -312,6 +366,7 @@ def springs(p, parameters, effects):
     g_out[..., 4, 8] = 1
     g_out[..., 5, 1] = 1
     g_out[..., 5, 9] = 1
+    g_out[..., 5, 10] = b
     g_out[..., 6, 2] = 1
     g_out[..., 6, 4] = 1
     g_out[..., 7, 3] = 1

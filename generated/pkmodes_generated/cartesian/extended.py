@@ -14,6 +14,7 @@ values.
 * I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
 * l_f_j_s [m]: free length of run s of belt j
 * k_j_s [N/m]: stiffness of run s of belt j
+* b [m]: distance of what slides along the beam from the beam's middle
 * G_j [N]: gradient of the gravitational potential energy with respect to independent coordinate j
 * theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
 """
@@ -34,6 +35,7 @@ __all__ = [
     "extended_matrices",
     "extended_platform_motion",
     "extended_static_equilibrium",
+    "gantry_racking_margin",
     "geometry_sensitivities",
     "joint_loss",
     "joint_stiffness",
@@ -53,6 +55,7 @@ COORDINATES = (
     "eps_2",
     "u_x",
     "u_y",
+    "psi_b",
 )
 COORDINATE_UNITS = (
     "m",
@@ -65,15 +68,17 @@ COORDINATE_UNITS = (
     "m",
     "m",
     "m",
+    "rad",
 )
 
 #: Parameters of the derivatives: field of Parameters or Effects, index in it, and (row, column) of the
 #: entries of M and of K, in the upper triangle, that depend on it.
 VALUE_SENSITIVITIES = (
-    ('toolhead_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9)), ()),
+    ('toolhead_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (1, 10), (8, 8), (9, 9), (9, 10), (10, 10)),
+     ((0, 10),)),
     ('beam_mass', (), ((1, 1), (1, 9), (8, 8), (9, 9)), ()),
     ('gravity', (0,), (), ()),
-    ('gravity', (1,), (), ()),
+    ('gravity', (1,), (), ((0, 10),)),
     ('gravity', (2,), (), ()),
     ('axis_lengths', (0, 0), ((0, 0), (0, 2), (0, 6), (2, 2), (2, 6), (6, 6)),
      ((0, 0), (0, 2), (0, 6), (2, 2), (2, 6), (6, 6))),
@@ -111,14 +116,18 @@ VALUE_SENSITIVITIES = (
      ((0, 0), (0, 2), (0, 6), (1, 1), (1, 3), (1, 7), (2, 2), (2, 6), (3, 3), (3, 7), (6, 6), (7, 7))),
     ('belt_tension_stiffness_tension', (), (),
      ((0, 0), (0, 2), (0, 6), (1, 1), (1, 3), (1, 7), (2, 2), (2, 6), (3, 3), (3, 7), (6, 6), (7, 7))),
-    ('cable_stiffness_stiffness', (), (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9))),
+    ('cable_stiffness_stiffness', (), (),
+     ((0, 0), (0, 8), (1, 1), (1, 9), (1, 10), (8, 8), (9, 9), (9, 10), (10, 10))),
     ('drive_friction_viscous', (), (), ()),
     ('gearbox_inertia_inertia', (), ((2, 2), (3, 3)), ()),
-    ('payload_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (8, 8), (9, 9)), ()),
+    ('payload_mass', (), ((0, 0), (0, 8), (1, 1), (1, 9), (1, 10), (8, 8), (9, 9), (9, 10), (10, 10)),
+     ((0, 10),)),
     ('rail_friction_viscous', (), (), ()),
     ('reducer_loss_loss_factor', (), (), ()),
     ('servo_stiffness_stiffness', (), (), ((2, 2), (2, 4), (3, 3), (3, 5), (4, 4), (5, 5))),
     ('frame_compliance_mass', (), ((8, 8), (9, 9)), ()),
+    ('gantry_racking_inertia', (), ((10, 10),), ()),
+    ('gantry_racking_center', (), ((1, 10), (9, 10), (10, 10)), ((1, 10), (9, 10), (10, 10))),
 )
 
 #: The same for `geometry_sensitivities`.
@@ -167,6 +176,16 @@ class Effects(NamedTuple):
         Isotropic compliance of the frame.
     frame_compliance_mass : float or array, shape (...) [kg]
         Mass of the frame.
+    frame_compliance_compliance_x : float or array, shape (...) [m/N]
+        Compliance of the frame along x.
+    frame_compliance_compliance_y : float or array, shape (...) [m/N]
+        Compliance of the frame along y.
+    gantry_racking_compliance : float or array, shape (...) [rad/(N m)]
+        Compliance of the beam's guides in rotation.
+    gantry_racking_inertia : float or array, shape (...) [kg m^2]
+        Moment of inertia of the beam about its middle.
+    gantry_racking_center : float or array, shape (...) [m]
+        Position of the beam's middle along it.
     """
 
     axis_belt_stiffness_factor_1: float = 0.0
@@ -187,6 +206,11 @@ class Effects(NamedTuple):
     clamp_compliance_compliance: float = 0.0
     frame_compliance_compliance: float = 0.0
     frame_compliance_mass: float = 0.0
+    frame_compliance_compliance_x: float = 0.0
+    frame_compliance_compliance_y: float = 0.0
+    gantry_racking_compliance: float = 0.0
+    gantry_racking_inertia: float = 0.0
+    gantry_racking_center: float = 0.0
 
 
 def _entries(array, shape):
@@ -231,21 +255,22 @@ def extended_matrices(p, parameters, effects):
 
     Returns
     -------
-    M : array, shape (..., 10, 10) [kg, kg m, kg m^2]
+    M : array, shape (..., 11, 11) [kg, kg m, kg m^2]
         Mass matrix; its leading block is that of the base model.
-    K_el : array, shape (..., 10, 10) [N/m, N, N m]
+    K_el : array, shape (..., 11, 11) [N/m, N, N m]
         Elastic stiffness with free joints.
-    K_g : array, shape (..., 10, 10) [N/m, N, N m]
+    K_g : array, shape (..., 11, 11) [N/m, N, N m]
         Hessian of the gravitational potential energy.
 
     Notes
     -----
     Equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
-    84 operations; 819 with every named value expanded.
+    97 operations; 856 with every named value expanded.
     """
     x, y = _entries(p, (2,))
     (m_h,) = _entries(parameters.toolhead_mass, ())
     (m_b,) = _entries(parameters.beam_mass, ())
+    g_x, g_y, _ = _entries(parameters.gravity, (3,))
     l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.axis_lengths, (2, 2))
     k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
     w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
@@ -264,8 +289,11 @@ def extended_matrices(p, parameters, effects):
     (m_L,) = _entries(effects.payload_mass, ())
     (k_S,) = _entries(effects.servo_stiffness_stiffness, ())
     (m_F,) = _entries(effects.frame_compliance_mass, ())
-    batch, dtype = _batch(x, m_h, m_b, l_0_1_1, k_sp_1, w_b_1, R_p_1, I_p_1, I_m_1, i_g_1, a_B_1, a_B_2, c_E,
-        rho_b, c_T, F_T, k_C, I_G, m_L, k_S, m_F)
+    (J_B,) = _entries(effects.gantry_racking_inertia, ())
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, m_h, m_b, g_x, l_0_1_1, k_sp_1, w_b_1, R_p_1, I_p_1, I_m_1, i_g_1, a_B_1, a_B_2,
+        c_E, rho_b, c_T, F_T, k_C, I_G, m_L, k_S, m_F, J_B, x_B)
+    b = x - x_B
     t1 = I_m_1*i_g_1**2
     I_1 = I_G + I_p_1 + t1
     t2 = I_m_2*i_g_2**2
@@ -300,14 +328,17 @@ def extended_matrices(p, parameters, effects):
     t22 = m_b + t15
     t23 = R_p_2*t16
     t24 = -l_f_2_1*t23 - l_f_2_2*t23
-    t25 = R_p_1**2
-    t26 = R_p_2**2
-    t27 = m_F + t22
-    t28 = k_1_1 + k_1_2
-    t29 = R_p_1*k_1_1 + R_p_1*k_1_2
-    t30 = k_2_1 + k_2_2
-    t31 = R_p_2*k_2_1 + R_p_2*k_2_2
-    M_out = np.zeros((*batch, 10, 10), dtype)
+    t25 = b*t15
+    t26 = R_p_1**2
+    t27 = R_p_2**2
+    t28 = m_F + t22
+    t29 = b**2
+    t30 = k_1_1 + k_1_2
+    t31 = R_p_1*k_1_1 + R_p_1*k_1_2
+    t32 = k_2_1 + k_2_2
+    t33 = R_p_2*k_2_1 + R_p_2*k_2_2
+    t34 = b*k_C
+    M_out = np.zeros((*batch, 11, 11), dtype)
     M_out[..., 0, 0] = t14 + t15
     M_out[..., 0, 2] = M_out[..., 2, 0] = t18
     M_out[..., 0, 6] = M_out[..., 6, 0] = t14
@@ -316,44 +347,51 @@ def extended_matrices(p, parameters, effects):
     M_out[..., 1, 3] = M_out[..., 3, 1] = t24
     M_out[..., 1, 7] = M_out[..., 7, 1] = t21
     M_out[..., 1, 9] = M_out[..., 9, 1] = t22
-    M_out[..., 2, 2] = I_1 + t12*t25 + t13*t25
+    M_out[..., 1, 10] = M_out[..., 10, 1] = t25
+    M_out[..., 2, 2] = I_1 + t12*t26 + t13*t26
     M_out[..., 2, 4] = M_out[..., 4, 2] = t1
     M_out[..., 2, 6] = M_out[..., 6, 2] = t18
-    M_out[..., 3, 3] = I_2 + t19*t26 + t20*t26
+    M_out[..., 3, 3] = I_2 + t19*t27 + t20*t27
     M_out[..., 3, 5] = M_out[..., 5, 3] = t2
     M_out[..., 3, 7] = M_out[..., 7, 3] = t24
     M_out[..., 4, 4] = t1
     M_out[..., 5, 5] = t2
     M_out[..., 6, 6] = t14
     M_out[..., 7, 7] = t21
-    M_out[..., 8, 8] = t27
-    M_out[..., 9, 9] = t27
-    K_el_out = np.zeros((*batch, 10, 10), dtype)
-    K_el_out[..., 0, 0] = k_C + t28
-    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = t29
-    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t28
+    M_out[..., 8, 8] = t28
+    M_out[..., 9, 9] = t28
+    M_out[..., 9, 10] = M_out[..., 10, 9] = t25
+    M_out[..., 10, 10] = J_B + 2*t29*((1/2)*m_L + (1/2)*m_h)
+    K_el_out = np.zeros((*batch, 11, 11), dtype)
+    K_el_out[..., 0, 0] = k_C + t30
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = t31
+    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t30
     K_el_out[..., 0, 8] = K_el_out[..., 8, 0] = k_C
-    K_el_out[..., 1, 1] = k_C + t30
-    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = t31
-    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t30
+    K_el_out[..., 1, 1] = k_C + t32
+    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = t33
+    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t32
     K_el_out[..., 1, 9] = K_el_out[..., 9, 1] = k_C
-    K_el_out[..., 2, 2] = k_1_1*t25 + k_1_2*t25 + k_S
+    K_el_out[..., 1, 10] = K_el_out[..., 10, 1] = t34
+    K_el_out[..., 2, 2] = k_1_1*t26 + k_1_2*t26 + k_S
     K_el_out[..., 2, 4] = K_el_out[..., 4, 2] = k_S
-    K_el_out[..., 2, 6] = K_el_out[..., 6, 2] = t29
-    K_el_out[..., 3, 3] = k_2_1*t26 + k_2_2*t26 + k_S
+    K_el_out[..., 2, 6] = K_el_out[..., 6, 2] = t31
+    K_el_out[..., 3, 3] = k_2_1*t27 + k_2_2*t27 + k_S
     K_el_out[..., 3, 5] = K_el_out[..., 5, 3] = k_S
-    K_el_out[..., 3, 7] = K_el_out[..., 7, 3] = t31
+    K_el_out[..., 3, 7] = K_el_out[..., 7, 3] = t33
     K_el_out[..., 4, 4] = k_S
     K_el_out[..., 5, 5] = k_S
-    K_el_out[..., 6, 6] = t28
-    K_el_out[..., 7, 7] = t30
+    K_el_out[..., 6, 6] = t30
+    K_el_out[..., 7, 7] = t32
     K_el_out[..., 8, 8] = k_C
     K_el_out[..., 9, 9] = k_C
-    K_g_out = np.zeros((*batch, 10, 10), dtype)
+    K_el_out[..., 9, 10] = K_el_out[..., 10, 9] = t34
+    K_el_out[..., 10, 10] = k_C*t29
+    K_g_out = np.zeros((*batch, 11, 11), dtype)
+    K_g_out[..., 0, 10] = K_g_out[..., 10, 0] = -g_y*t15
     return M_out, K_el_out, K_g_out
 
 
-def extended_platform_motion(p, parameters):
+def extended_platform_motion(p, parameters, effects):
     """Jacobian of the absolute motion of the platform centre.
 
     Parameters
@@ -362,24 +400,29 @@ def extended_platform_motion(p, parameters):
         Tool head in the base frame.
     parameters : Parameters
         The robot's parameters.
+    effects : Effects
+        The robot's effects.
 
     Returns
     -------
-    J_p : array, shape (..., 2, 10) [1, m]
+    J_p : array, shape (..., 2, 11) [1, m]
         dp_i/dq_k, base frame.
 
     Notes
     -----
     Equation 15, with the contributions of released joints and the frame.
-    0 operations; 0 with every named value expanded.
+    1 operations; 1 with every named value expanded.
     """
     x, _ = _entries(p, (2,))
-    batch, dtype = _batch(x)
-    J_p_out = np.zeros((*batch, 2, 10), dtype)
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, x_B)
+    b = x - x_B
+    J_p_out = np.zeros((*batch, 2, 11), dtype)
     J_p_out[..., 0, 0] = 1
     J_p_out[..., 0, 8] = 1
     J_p_out[..., 1, 1] = 1
     J_p_out[..., 1, 9] = 1
+    J_p_out[..., 1, 10] = b
     return J_p_out
 
 
@@ -391,7 +434,7 @@ def motor_motion():
 
     Returns
     -------
-    J_m : array, shape (..., 2, 10) [1]
+    J_m : array, shape (..., 2, 11) [1]
         d(motor angle)/dq_k.
 
     Notes
@@ -400,7 +443,7 @@ def motor_motion():
     0 operations; 0 with every named value expanded.
     """
     batch, dtype = _batch()
-    J_m_out = np.zeros((*batch, 2, 10), dtype)
+    J_m_out = np.zeros((*batch, 2, 11), dtype)
     J_m_out[..., 0, 2] = 1
     J_m_out[..., 0, 4] = 1
     J_m_out[..., 1, 3] = 1
@@ -420,40 +463,45 @@ def joint_stiffness(effects):
 
     Returns
     -------
-    kappa : array, shape (..., 6) [N/m, N m]
+    kappa : array, shape (..., 7) [N/m, N m]
         Stiffness of each released coordinate, in order.
-    kappa_c : array, shape (..., 6) [N^2/m^2, N^2 m^2]
+    kappa_c : array, shape (..., 7) [N^2/m^2, N^2 m^2]
         Derivatives d(kappa)/d(compliance).
 
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    12 operations; 24 with every named value expanded.
+    22 operations; 32 with every named value expanded.
     """
     (c_G,) = _entries(effects.gearbox_compliance_compliance, ())
     (c_K,) = _entries(effects.clamp_compliance_compliance, ())
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
-    batch, dtype = _batch(c_G, c_K, c_F)
+    (c_F_x,) = _entries(effects.frame_compliance_compliance_x, ())
+    (c_F_y,) = _entries(effects.frame_compliance_compliance_y, ())
+    (c_B,) = _entries(effects.gantry_racking_compliance, ())
+    batch, dtype = _batch(c_G, c_K, c_F, c_F_x, c_F_y, c_B)
     t1 = 1.0/c_G
     t2 = 1.0/c_K
-    t3 = 1.0/c_F
-    t4 = -1/c_G**2
-    t5 = -1/c_K**2
-    t6 = -1/c_F**2
-    kappa_out = np.empty((*batch, 6), dtype)
+    t3 = c_F + c_F_x
+    t4 = c_F + c_F_y
+    t5 = -1/c_G**2
+    t6 = -1/c_K**2
+    kappa_out = np.empty((*batch, 7), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
     kappa_out[..., 2] = t2
     kappa_out[..., 3] = t2
-    kappa_out[..., 4] = t3
-    kappa_out[..., 5] = t3
-    kappa_c_out = np.empty((*batch, 6), dtype)
-    kappa_c_out[..., 0] = t4
-    kappa_c_out[..., 1] = t4
-    kappa_c_out[..., 2] = t5
-    kappa_c_out[..., 3] = t5
-    kappa_c_out[..., 4] = t6
-    kappa_c_out[..., 5] = t6
+    kappa_out[..., 4] = 1.0/t3
+    kappa_out[..., 5] = 1.0/t4
+    kappa_out[..., 6] = 1.0/c_B
+    kappa_c_out = np.empty((*batch, 7), dtype)
+    kappa_c_out[..., 0] = t5
+    kappa_c_out[..., 1] = t5
+    kappa_c_out[..., 2] = t6
+    kappa_c_out[..., 3] = t6
+    kappa_c_out[..., 4] = -1/t3**2
+    kappa_c_out[..., 5] = -1/t4**2
+    kappa_c_out[..., 6] = -1/c_B**2
     return kappa_out, kappa_c_out
 
 
@@ -471,9 +519,9 @@ def extended_dissipation(p, parameters, effects):
 
     Returns
     -------
-    C_v : array, shape (..., 10, 10) [N s/m, N s, N m s]
+    C_v : array, shape (..., 11, 11) [N s/m, N s, N m s]
         Viscous damping matrix.
-    K_loss : array, shape (..., 10, 10) [N/m, N, N m]
+    K_loss : array, shape (..., 11, 11) [N/m, N, N m]
         Imaginary part of the elastic stiffness; the springs of released joints add theirs.
 
     Notes
@@ -526,7 +574,7 @@ def extended_dissipation(p, parameters, effects):
     t21 = R_p_2*t18 + R_p_2*t19
     t22 = R_p_1**2
     t23 = R_p_2**2
-    C_v_out = np.zeros((*batch, 10, 10), dtype)
+    C_v_out = np.zeros((*batch, 11, 11), dtype)
     C_v_out[..., 0, 0] = b_R
     C_v_out[..., 1, 1] = b_R
     C_v_out[..., 2, 2] = b_D
@@ -535,7 +583,7 @@ def extended_dissipation(p, parameters, effects):
     C_v_out[..., 3, 5] = C_v_out[..., 5, 3] = b_D
     C_v_out[..., 4, 4] = b_D
     C_v_out[..., 5, 5] = b_D
-    K_loss_out = np.zeros((*batch, 10, 10), dtype)
+    K_loss_out = np.zeros((*batch, 11, 11), dtype)
     K_loss_out[..., 0, 0] = t15
     K_loss_out[..., 0, 2] = K_loss_out[..., 2, 0] = t16
     K_loss_out[..., 0, 6] = K_loss_out[..., 6, 0] = t15
@@ -561,7 +609,7 @@ def joint_loss(effects):
 
     Returns
     -------
-    eta : array, shape (..., 6) [1]
+    eta : array, shape (..., 7) [1]
         Loss factor of each released coordinate, in order.
 
     Notes
@@ -571,7 +619,7 @@ def joint_loss(effects):
     """
     (eta_G,) = _entries(effects.reducer_loss_loss_factor, ())
     batch, dtype = _batch(eta_G)
-    eta_out = np.zeros((*batch, 6), dtype)
+    eta_out = np.zeros((*batch, 7), dtype)
     eta_out[..., 0] = eta_G
     eta_out[..., 1] = eta_G
     return eta_out
@@ -676,6 +724,31 @@ def belt_tension_stiffness_margin(effects):
     return margin_out
 
 
+def gantry_racking_margin(effects):
+    """Condition on the parameters of the effect gantry_racking.
+
+    Parameters
+    ----------
+    effects : Effects
+        The robot's effects.
+
+    Returns
+    -------
+    margin : array, shape (..., 1) [kg m^2]
+        Positive for physical parameters.
+
+    Notes
+    -----
+    The effect's definition.
+    0 operations; 0 with every named value expanded.
+    """
+    (J_B,) = _entries(effects.gantry_racking_inertia, ())
+    batch, dtype = _batch(J_B)
+    margin_out = np.empty((*batch, 1), dtype)
+    margin_out[..., 0] = J_B
+    return margin_out
+
+
 def value_sensitivities(p, parameters, effects):
     """Derivatives of M and K at a fixed pose with respect to parameters that move no coordinate.
 
@@ -692,17 +765,19 @@ def value_sensitivities(p, parameters, effects):
 
     Returns
     -------
-    M_theta : array, shape (..., 76) [unit of M / unit of the parameter]
+    M_theta : array, shape (..., 86) [unit of M / unit of the parameter]
         dM/dtheta.
-    K_theta : array, shape (..., 114) [unit of K / unit of the parameter]
+    K_theta : array, shape (..., 123) [unit of K / unit of the parameter]
         dK/dtheta.
 
     Notes
     -----
     Chain rule.
-    409 operations; 5954 with every named value expanded.
+    426 operations; 5987 with every named value expanded.
     """
     x, y = _entries(p, (2,))
+    (m_h,) = _entries(parameters.toolhead_mass, ())
+    g_x, g_y, _ = _entries(parameters.gravity, (3,))
     l_0_1_1, l_0_1_2, l_0_2_1, l_0_2_2 = _entries(parameters.axis_lengths, (2, 2))
     k_sp_1, k_sp_2 = _entries(parameters.belt_specific_stiffness, (2,))
     w_b_1, w_b_2 = _entries(parameters.belt_width, (2,))
@@ -715,7 +790,12 @@ def value_sensitivities(p, parameters, effects):
     (rho_b,) = _entries(effects.belt_mass_linear_density, ())
     (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
     (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
-    batch, dtype = _batch(x, l_0_1_1, k_sp_1, w_b_1, R_p_1, I_m_1, i_g_1, a_B_1, a_B_2, c_E, rho_b, c_T, F_T)
+    (k_C,) = _entries(effects.cable_stiffness_stiffness, ())
+    (m_L,) = _entries(effects.payload_mass, ())
+    (x_B,) = _entries(effects.gantry_racking_center, ())
+    batch, dtype = _batch(x, m_h, g_x, l_0_1_1, k_sp_1, w_b_1, R_p_1, I_m_1, i_g_1, a_B_1, a_B_2, c_E, rho_b,
+        c_T, F_T, k_C, m_L, x_B)
+    b = x - x_B
     l_f_1_1 = l_0_1_1 + x
     t1 = a_B_1 + 1
     t2 = F_T*c_T + 1
@@ -741,149 +821,152 @@ def value_sensitivities(p, parameters, effects):
     t16 = l_f_2_2 + t13
     t17 = 1.0/t16
     k_2_2 = k_sp_2*t11*t17
-    t18 = (1/3)*rho_b
-    t19 = (1/6)*rho_b
-    t20 = -R_p_1*t19
-    t21 = R_p_1**2
-    t22 = t18*t21
-    t23 = -R_p_2*t19
-    t24 = R_p_2**2
-    t25 = t18*t24
-    t26 = -l_f_1_1*t19 - l_f_1_2*t19
-    t27 = (2/3)*rho_b
-    t28 = R_p_1*t27
-    t29 = -l_f_2_1*t19 - l_f_2_2*t19
-    t30 = R_p_2*t27
-    t31 = i_g_1**2
-    t32 = i_g_2**2
-    t33 = 2*I_m_1*i_g_1
-    t34 = 2*I_m_2*i_g_2
-    t35 = (1/3)*l_f_1_1
-    t36 = (1/3)*l_f_1_2
-    t37 = t35 + t36
-    t38 = (1/6)*R_p_1
-    t39 = -l_f_1_1*t38 - l_f_1_2*t38
-    t40 = (1/3)*l_f_2_1
-    t41 = (1/3)*l_f_2_2
-    t42 = t40 + t41
-    t43 = (1/6)*R_p_2
-    t44 = -l_f_2_1*t43 - l_f_2_2*t43
-    t45 = 1.0/(t6**2)
-    t46 = t4*t45
-    t47 = -R_p_1*t46
-    t48 = 1.0/(t8**2)
-    t49 = t4*t48
-    t50 = -R_p_1*t49
-    t51 = 1.0/(t14**2)
-    t52 = t12*t51
-    t53 = -R_p_2*t52
-    t54 = 1.0/(t16**2)
-    t55 = t12*t54
-    t56 = -R_p_2*t55
-    t57 = c_E*t45
-    t58 = w_b_1**2
-    t59 = t1**2
-    t60 = t2**2
-    t61 = t58*t59*t60
-    t62 = k_sp_1*t61
-    t63 = -t1*t2*t7*w_b_1 + t57*t62
-    t64 = c_E*t48
-    t65 = -t1*t2*t9*w_b_1 + t62*t64
-    t66 = -t63 - t65
-    t67 = -R_p_1*t63 - R_p_1*t65
-    t68 = c_E*t51
-    t69 = w_b_2**2
-    t70 = t10**2
-    t71 = t60*t69*t70
-    t72 = k_sp_2*t71
-    t73 = -t10*t15*t2*w_b_2 + t68*t72
-    t74 = c_E*t54
-    t75 = -t10*t17*t2*w_b_2 + t72*t74
-    t76 = -t73 - t75
-    t77 = -R_p_2*t73 - R_p_2*t75
-    t78 = k_sp_1**2
-    t79 = t60*t78
-    t80 = t57*t79
-    t81 = t59*w_b_1
-    t82 = -k_sp_1*t1*t2*t7 + t80*t81
-    t83 = t64*t79
-    t84 = -k_sp_1*t1*t2*t9 + t81*t83
-    t85 = -t82 - t84
-    t86 = -R_p_1*t82 - R_p_1*t84
-    t87 = k_sp_2**2
-    t88 = t60*t87
-    t89 = t68*t88
-    t90 = t70*w_b_2
-    t91 = -k_sp_2*t10*t15*t2 + t89*t90
-    t92 = t74*t88
-    t93 = -k_sp_2*t10*t17*t2 + t90*t92
-    t94 = -t91 - t93
-    t95 = -R_p_2*t91 - R_p_2*t93
-    t96 = k_1_1 + k_1_2
-    t97 = 2*R_p_1
-    t98 = k_2_1 + k_2_2
-    t99 = 2*R_p_2
-    t100 = t1*t58
-    t101 = -k_sp_1*t2*t7*w_b_1 + t100*t80
-    t102 = -k_sp_1*t2*t9*w_b_1 + t100*t83
-    t103 = -t101 - t102
-    t104 = -R_p_1*t101 - R_p_1*t102
-    t105 = t10*t69
-    t106 = -k_sp_2*t15*t2*w_b_2 + t105*t89
-    t107 = -k_sp_2*t17*t2*w_b_2 + t105*t92
-    t108 = -t106 - t107
-    t109 = -R_p_2*t106 - R_p_2*t107
-    t110 = t61*t78
-    t111 = t110*t45
-    t112 = t110*t48
-    t113 = -t111 - t112
-    t114 = -R_p_1*t111 - R_p_1*t112
-    t115 = t71*t87
-    t116 = t115*t51
-    t117 = t115*t54
-    t118 = -t116 - t117
-    t119 = -R_p_2*t116 - R_p_2*t117
-    t120 = F_T*t2
-    t121 = t58*t59*t78
-    t122 = t120*t121
-    t123 = -F_T*k_sp_1*t1*t7*w_b_1 + t122*t57
-    t124 = -F_T*k_sp_1*t1*t9*w_b_1 + t122*t64
-    t125 = -t123 - t124
-    t126 = -R_p_1*t123 - R_p_1*t124
-    t127 = t69*t70*t87
-    t128 = t120*t127
-    t129 = -F_T*k_sp_2*t10*t15*w_b_2 + t128*t68
-    t130 = -F_T*k_sp_2*t10*t17*w_b_2 + t128*t74
-    t131 = -t129 - t130
-    t132 = -R_p_2*t129 - R_p_2*t130
-    t133 = c_T*t2
-    t134 = t121*t133
-    t135 = -c_T*k_sp_1*t1*t7*w_b_1 + t134*t57
-    t136 = -c_T*k_sp_1*t1*t9*w_b_1 + t134*t64
-    t137 = -t135 - t136
-    t138 = -R_p_1*t135 - R_p_1*t136
-    t139 = t127*t133
-    t140 = -c_T*k_sp_2*t10*t15*w_b_2 + t139*t68
-    t141 = -c_T*k_sp_2*t10*t17*w_b_2 + t139*t74
-    t142 = -t140 - t141
-    t143 = -R_p_2*t140 - R_p_2*t141
+    t18 = b**2
+    t19 = (1/3)*rho_b
+    t20 = (1/6)*rho_b
+    t21 = -R_p_1*t20
+    t22 = R_p_1**2
+    t23 = t19*t22
+    t24 = -R_p_2*t20
+    t25 = R_p_2**2
+    t26 = t19*t25
+    t27 = -l_f_1_1*t20 - l_f_1_2*t20
+    t28 = (2/3)*rho_b
+    t29 = R_p_1*t28
+    t30 = -l_f_2_1*t20 - l_f_2_2*t20
+    t31 = R_p_2*t28
+    t32 = i_g_1**2
+    t33 = i_g_2**2
+    t34 = 2*I_m_1*i_g_1
+    t35 = 2*I_m_2*i_g_2
+    t36 = (1/3)*l_f_1_1
+    t37 = (1/3)*l_f_1_2
+    t38 = t36 + t37
+    t39 = (1/6)*R_p_1
+    t40 = -l_f_1_1*t39 - l_f_1_2*t39
+    t41 = (1/3)*l_f_2_1
+    t42 = (1/3)*l_f_2_2
+    t43 = t41 + t42
+    t44 = (1/6)*R_p_2
+    t45 = -l_f_2_1*t44 - l_f_2_2*t44
+    t46 = -m_L - m_h
+    t47 = 1.0/(t6**2)
+    t48 = t4*t47
+    t49 = -R_p_1*t48
+    t50 = 1.0/(t8**2)
+    t51 = t4*t50
+    t52 = -R_p_1*t51
+    t53 = 1.0/(t14**2)
+    t54 = t12*t53
+    t55 = -R_p_2*t54
+    t56 = 1.0/(t16**2)
+    t57 = t12*t56
+    t58 = -R_p_2*t57
+    t59 = c_E*t47
+    t60 = w_b_1**2
+    t61 = t1**2
+    t62 = t2**2
+    t63 = t60*t61*t62
+    t64 = k_sp_1*t63
+    t65 = -t1*t2*t7*w_b_1 + t59*t64
+    t66 = c_E*t50
+    t67 = -t1*t2*t9*w_b_1 + t64*t66
+    t68 = -t65 - t67
+    t69 = -R_p_1*t65 - R_p_1*t67
+    t70 = c_E*t53
+    t71 = w_b_2**2
+    t72 = t10**2
+    t73 = t62*t71*t72
+    t74 = k_sp_2*t73
+    t75 = -t10*t15*t2*w_b_2 + t70*t74
+    t76 = c_E*t56
+    t77 = -t10*t17*t2*w_b_2 + t74*t76
+    t78 = -t75 - t77
+    t79 = -R_p_2*t75 - R_p_2*t77
+    t80 = k_sp_1**2
+    t81 = t62*t80
+    t82 = t59*t81
+    t83 = t61*w_b_1
+    t84 = -k_sp_1*t1*t2*t7 + t82*t83
+    t85 = t66*t81
+    t86 = -k_sp_1*t1*t2*t9 + t83*t85
+    t87 = -t84 - t86
+    t88 = -R_p_1*t84 - R_p_1*t86
+    t89 = k_sp_2**2
+    t90 = t62*t89
+    t91 = t70*t90
+    t92 = t72*w_b_2
+    t93 = -k_sp_2*t10*t15*t2 + t91*t92
+    t94 = t76*t90
+    t95 = -k_sp_2*t10*t17*t2 + t92*t94
+    t96 = -t93 - t95
+    t97 = -R_p_2*t93 - R_p_2*t95
+    t98 = k_1_1 + k_1_2
+    t99 = 2*R_p_1
+    t100 = k_2_1 + k_2_2
+    t101 = 2*R_p_2
+    t102 = t1*t60
+    t103 = -k_sp_1*t2*t7*w_b_1 + t102*t82
+    t104 = -k_sp_1*t2*t9*w_b_1 + t102*t85
+    t105 = -t103 - t104
+    t106 = -R_p_1*t103 - R_p_1*t104
+    t107 = t10*t71
+    t108 = -k_sp_2*t15*t2*w_b_2 + t107*t91
+    t109 = -k_sp_2*t17*t2*w_b_2 + t107*t94
+    t110 = -t108 - t109
+    t111 = -R_p_2*t108 - R_p_2*t109
+    t112 = t63*t80
+    t113 = t112*t47
+    t114 = t112*t50
+    t115 = -t113 - t114
+    t116 = -R_p_1*t113 - R_p_1*t114
+    t117 = t73*t89
+    t118 = t117*t53
+    t119 = t117*t56
+    t120 = -t118 - t119
+    t121 = -R_p_2*t118 - R_p_2*t119
+    t122 = F_T*t2
+    t123 = t60*t61*t80
+    t124 = t122*t123
+    t125 = -F_T*k_sp_1*t1*t7*w_b_1 + t124*t59
+    t126 = -F_T*k_sp_1*t1*t9*w_b_1 + t124*t66
+    t127 = -t125 - t126
+    t128 = -R_p_1*t125 - R_p_1*t126
+    t129 = t71*t72*t89
+    t130 = t122*t129
+    t131 = -F_T*k_sp_2*t10*t15*w_b_2 + t130*t70
+    t132 = -F_T*k_sp_2*t10*t17*w_b_2 + t130*t76
+    t133 = -t131 - t132
+    t134 = -R_p_2*t131 - R_p_2*t132
+    t135 = c_T*t2
+    t136 = t123*t135
+    t137 = -c_T*k_sp_1*t1*t7*w_b_1 + t136*t59
+    t138 = -c_T*k_sp_1*t1*t9*w_b_1 + t136*t66
+    t139 = -t137 - t138
+    t140 = -R_p_1*t137 - R_p_1*t138
+    t141 = t129*t135
+    t142 = -c_T*k_sp_2*t10*t15*w_b_2 + t141*t70
+    t143 = -c_T*k_sp_2*t10*t17*w_b_2 + t141*t76
+    t144 = -t142 - t143
+    t145 = -R_p_2*t142 - R_p_2*t143
     M_theta_out = _listed(batch, dtype, (
-        1, 1, 1, 1, 1, 1, 1, 1, 1, 1, t18, t20, t18, t22, t20, t18, t18, t20, t18, t22, t20, t18, t18, t23,
-        t18, t25, t23, t18, t18, t23, t18, t25, t23, t18, t26, l_f_1_1*t28 + l_f_1_2*t28, t26, t29,
-        l_f_2_1*t30 + l_f_2_2*t30, t29, 1, 1, t31, t31, t31, t32, t32, t32, t33, t33, t33, t34, t34, t34, t37,
-        t39, t37, t42, t44, t42, t21*t35 + t21*t36, t39, t24*t40 + t24*t41, t44, t37, t42, 1, 1, 1, 1, 1, 1,
-        1, 1, 1, 1,
+        1, 1, 1, 1, b, 1, 1, b, t18, 1, 1, 1, 1, t19, t21, t19, t23, t21, t19, t19, t21, t19, t23, t21, t19,
+        t19, t24, t19, t26, t24, t19, t19, t24, t19, t26, t24, t19, t27, l_f_1_1*t29 + l_f_1_2*t29, t27, t30,
+        l_f_2_1*t31 + l_f_2_2*t31, t30, 1, 1, t32, t32, t32, t33, t33, t33, t34, t34, t34, t35, t35, t35, t38,
+        t40, t38, t43, t45, t43, t22*t36 + t22*t37, t40, t25*t41 + t25*t42, t45, t38, t43, 1, 1, 1, 1, 1, 1,
+        b, 1, 1, b, t18, 1, 1, 1, t46, t46, -4*b*((1/2)*m_L + (1/2)*m_h),
     ))
     K_theta_out = _listed(batch, dtype, (
-        -t46, t47, -t46, -t21*t46, t47, -t46, -t49, t50, -t49, -t21*t49, t50, -t49, -t52, t53, -t52, -t24*t52,
-        t53, -t52, -t55, t56, -t55, -t24*t55, t56, -t55, t66, t67, t66, -t21*t63 - t21*t65, t67, t66, t76,
-        t77, t76, -t24*t73 - t24*t75, t77, t76, t85, t86, t85, -t21*t82 - t21*t84, t86, t85, t94, t95, t94,
-        -t24*t91 - t24*t93, t95, t94, t96, k_1_1*t97 + k_1_2*t97, t96, t98, k_2_1*t99 + k_2_2*t99, t98, t103,
-        t104, t103, -t101*t21 - t102*t21, t104, t103, t108, t109, t108, -t106*t24 - t107*t24, t109, t108,
-        t113, t114, t113, t118, t119, t118, -t111*t21 - t112*t21, t114, -t116*t24 - t117*t24, t119, t113,
-        t118, t125, t126, t125, t131, t132, t131, -t123*t21 - t124*t21, t126, -t129*t24 - t130*t24, t132,
-        t125, t131, t137, t138, t137, t142, t143, t142, -t135*t21 - t136*t21, t138, -t140*t24 - t141*t24,
-        t143, t137, t142, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,
+        -g_y, t46, -t48, t49, -t48, -t22*t48, t49, -t48, -t51, t52, -t51, -t22*t51, t52, -t51, -t54, t55,
+        -t54, -t25*t54, t55, -t54, -t57, t58, -t57, -t25*t57, t58, -t57, t68, t69, t68, -t22*t65 - t22*t67,
+        t69, t68, t78, t79, t78, -t25*t75 - t25*t77, t79, t78, t87, t88, t87, -t22*t84 - t22*t86, t88, t87,
+        t96, t97, t96, -t25*t93 - t25*t95, t97, t96, t98, k_1_1*t99 + k_1_2*t99, t98, t100,
+        k_2_1*t101 + k_2_2*t101, t100, t105, t106, t105, -t103*t22 - t104*t22, t106, t105, t110, t111, t110,
+        -t108*t25 - t109*t25, t111, t110, t115, t116, t115, t120, t121, t120, -t113*t22 - t114*t22, t116,
+        -t118*t25 - t119*t25, t121, t115, t120, t127, t128, t127, t133, t134, t133, -t125*t22 - t126*t22,
+        t128, -t131*t25 - t132*t25, t134, t127, t133, t139, t140, t139, t144, t145, t144,
+        -t137*t22 - t138*t22, t140, -t142*t25 - t143*t25, t145, t139, t144, 1, 1, 1, 1, b, 1, 1, b, t18, -g_y,
+        1, 1, 1, 1, 1, 1, -k_C, -k_C, -2*b*k_C,
     ))
     return M_theta_out, K_theta_out
 

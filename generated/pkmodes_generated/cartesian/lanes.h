@@ -12,6 +12,7 @@
  *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
+ *   b [m]: distance of what slides along the beam from the beam's middle
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
@@ -21,8 +22,8 @@
 #define LANES_INDEPENDENT 2
 #define LANES_DIRECTIONS 2
 #define LANES_BASE 4
-#define LANES_ALL 10
-#define LANES_GRADIENT 45
+#define LANES_ALL 11
+#define LANES_GRADIENT 50
 #define LANES_MARGINS 4
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -120,7 +121,7 @@ static inline void lanes_base(const lane *restrict pose, const double *restrict 
 /* Mass and stiffness matrices with all released joints free, and the motion of the platform.
  *
  * Source: extended_matrices and extended_platform_motion.
- * 84 operations; 819 with every named value expanded.
+ * 97 operations; 857 with every named value expanded.
  */
 static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
@@ -132,6 +133,7 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const lane y = pose[1];
     const double m_h = parameters[0];
     const double m_b = parameters[1];
+    const double g_y = parameters[3];
     const double l_0_1_1 = parameters[5];
     const double l_0_1_2 = parameters[6];
     const double l_0_2_1 = parameters[7];
@@ -159,6 +161,9 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double m_L = effects[10];
     const double k_S = effects[13];
     const double m_F = effects[17];
+    const double J_B = effects[21];
+    const double x_B = effects[22];
+    const lane b = x - x_B;
     const double t1 = I_m_1*(i_g_1*i_g_1);
     const double I_1 = I_G + I_p_1 + t1;
     const double t2 = I_m_2*(i_g_2*i_g_2);
@@ -193,60 +198,71 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double t22 = m_b + t15;
     const double t23 = R_p_2*t16;
     const lane t24 = -l_f_2_1*t23 - l_f_2_2*t23;
-    const double t25 = (R_p_1*R_p_1);
-    const double t26 = (R_p_2*R_p_2);
-    const double t27 = m_F + t22;
-    const lane t28 = k_1_1 + k_1_2;
-    const lane t29 = R_p_1*k_1_1 + R_p_1*k_1_2;
-    const lane t30 = k_2_1 + k_2_2;
-    const lane t31 = R_p_2*k_2_1 + R_p_2*k_2_2;
-    lanes_clear(M, 100);
+    const lane t25 = b*t15;
+    const double t26 = (R_p_1*R_p_1);
+    const double t27 = (R_p_2*R_p_2);
+    const double t28 = m_F + t22;
+    const lane t29 = (b*b);
+    const lane t30 = k_1_1 + k_1_2;
+    const lane t31 = R_p_1*k_1_1 + R_p_1*k_1_2;
+    const lane t32 = k_2_1 + k_2_2;
+    const lane t33 = R_p_2*k_2_1 + R_p_2*k_2_2;
+    const lane t34 = b*k_C;
+    lanes_clear(M, 121);
     M[0] = LANES(t14 + t15);
-    M[2] = M[20] = LANES(t18);
-    M[6] = M[60] = LANES(t14);
-    M[8] = M[80] = LANES(t15);
-    M[11] = LANES(t21 + t22);
-    M[13] = M[31] = LANES(t24);
-    M[17] = M[71] = LANES(t21);
-    M[19] = M[91] = LANES(t22);
-    M[22] = LANES(I_1 + t12*t25 + t13*t25);
-    M[24] = M[42] = LANES(t1);
-    M[26] = M[62] = LANES(t18);
-    M[33] = LANES(I_2 + t19*t26 + t20*t26);
-    M[35] = M[53] = LANES(t2);
-    M[37] = M[73] = LANES(t24);
-    M[44] = LANES(t1);
-    M[55] = LANES(t2);
-    M[66] = LANES(t14);
-    M[77] = LANES(t21);
-    M[88] = LANES(t27);
-    M[99] = LANES(t27);
-    lanes_clear(K, 100);
-    K[0] = LANES(k_C + t28);
-    K[2] = K[20] = LANES(t29);
-    K[6] = K[60] = LANES(t28);
-    K[8] = K[80] = LANES(k_C);
-    K[11] = LANES(k_C + t30);
-    K[13] = K[31] = LANES(t31);
-    K[17] = K[71] = LANES(t30);
-    K[19] = K[91] = LANES(k_C);
-    K[22] = LANES(k_1_1*t25 + k_1_2*t25 + k_S);
-    K[24] = K[42] = LANES(k_S);
-    K[26] = K[62] = LANES(t29);
-    K[33] = LANES(k_2_1*t26 + k_2_2*t26 + k_S);
-    K[35] = K[53] = LANES(k_S);
-    K[37] = K[73] = LANES(t31);
-    K[44] = LANES(k_S);
-    K[55] = LANES(k_S);
-    K[66] = LANES(t28);
-    K[77] = LANES(t30);
-    K[88] = LANES(k_C);
-    K[99] = LANES(k_C);
-    lanes_clear(J_p, 20);
+    M[2] = M[22] = LANES(t18);
+    M[6] = M[66] = LANES(t14);
+    M[8] = M[88] = LANES(t15);
+    M[12] = LANES(t21 + t22);
+    M[14] = M[34] = LANES(t24);
+    M[18] = M[78] = LANES(t21);
+    M[20] = M[100] = LANES(t22);
+    M[21] = M[111] = LANES(t25);
+    M[24] = LANES(I_1 + t12*t26 + t13*t26);
+    M[26] = M[46] = LANES(t1);
+    M[28] = M[68] = LANES(t18);
+    M[36] = LANES(I_2 + t19*t27 + t20*t27);
+    M[38] = M[58] = LANES(t2);
+    M[40] = M[80] = LANES(t24);
+    M[48] = LANES(t1);
+    M[60] = LANES(t2);
+    M[72] = LANES(t14);
+    M[84] = LANES(t21);
+    M[96] = LANES(t28);
+    M[108] = LANES(t28);
+    M[109] = M[119] = LANES(t25);
+    M[120] = LANES(J_B + 2.0*t29*((1.0/2.0)*m_L + (1.0/2.0)*m_h));
+    lanes_clear(K, 121);
+    K[0] = LANES(k_C + t30);
+    K[2] = K[22] = LANES(t31);
+    K[6] = K[66] = LANES(t30);
+    K[8] = K[88] = LANES(k_C);
+    K[10] = K[110] = LANES(-g_y*t15);
+    K[12] = LANES(k_C + t32);
+    K[14] = K[34] = LANES(t33);
+    K[18] = K[78] = LANES(t32);
+    K[20] = K[100] = LANES(k_C);
+    K[21] = K[111] = LANES(t34);
+    K[24] = LANES(k_1_1*t26 + k_1_2*t26 + k_S);
+    K[26] = K[46] = LANES(k_S);
+    K[28] = K[68] = LANES(t31);
+    K[36] = LANES(k_2_1*t27 + k_2_2*t27 + k_S);
+    K[38] = K[58] = LANES(k_S);
+    K[40] = K[80] = LANES(t33);
+    K[48] = LANES(k_S);
+    K[60] = LANES(k_S);
+    K[72] = LANES(t30);
+    K[84] = LANES(t32);
+    K[96] = LANES(k_C);
+    K[108] = LANES(k_C);
+    K[109] = K[119] = LANES(t34);
+    K[120] = LANES(k_C*t29);
+    lanes_clear(J_p, 22);
     J_p[0] = LANES(1.0);
     J_p[8] = LANES(1.0);
-    J_p[11] = LANES(1.0);
-    J_p[19] = LANES(1.0);
+    J_p[12] = LANES(1.0);
+    J_p[20] = LANES(1.0);
+    J_p[21] = LANES(b);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.
@@ -326,7 +342,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane adjoint_I_2 = -eigenvalue*t1;
         const lane adjoint_I_1 = -eigenvalue*t3;
         const lane t11 = eigenvalue*t5;
-        lanes_clear(gradient, 45);
+        lanes_clear(gradient, 50);
         gradient[0] = LANES(-eigenvalue*t9 - t11);
         gradient[1] = LANES(-t11);
         gradient[5] = LANES(adjoint_l_f_1_1);
@@ -345,15 +361,15 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[18] = LANES(adjoint_I_2*(i_g_2*i_g_2));
         gradient[19] = LANES(2.0*I_m_1*adjoint_I_1*i_g_1);
         gradient[20] = LANES(2.0*I_m_2*adjoint_I_2*i_g_2);
-        gradient[43] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
-        gradient[44] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
+        gradient[48] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[49] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
     }
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.
  *
  * Source: reverse accumulation through extended.
- * 248 operations; 2541 with every named value expanded.
+ * 286 operations; 2662 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
@@ -362,6 +378,8 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     (void)effects;
     const lane x = pose[0];
     const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double g_y = parameters[3];
     const double l_0_1_1 = parameters[5];
     const double l_0_1_2 = parameters[6];
     const double l_0_2_1 = parameters[7];
@@ -382,6 +400,10 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double rho_b = effects[4];
     const double c_T = effects[5];
     const double F_T = effects[6];
+    const double k_C = effects[7];
+    const double m_L = effects[10];
+    const double x_B = effects[22];
+    const lane b = x - x_B;
     const lane l_f_1_1 = l_0_1_1 + x;
     const double forward_t3 = F_T*c_T + 1.0;
     const double forward_t4 = c_E*forward_t3;
@@ -413,17 +435,19 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double forward_t11 = (1.0/3.0)*rho_b;
     const lane forward_t12 = forward_t11*l_f_1_1;
     const lane forward_t13 = forward_t11*l_f_1_2;
+    const double forward_t15 = m_L + m_h;
     const double forward_t16 = (1.0/6.0)*rho_b;
     const double forward_t17 = R_p_1*forward_t16;
     const lane forward_t19 = forward_t11*l_f_2_1;
     const lane forward_t20 = forward_t11*l_f_2_2;
     const double forward_t23 = R_p_2*forward_t16;
-    const double forward_t25 = (R_p_1*R_p_1);
-    const double forward_t26 = (R_p_2*R_p_2);
-    const lane t26 = k_2_1 + k_2_2;
-    const lane t29 = k_1_1 + k_1_2;
+    const double forward_t26 = (R_p_1*R_p_1);
+    const double forward_t27 = (R_p_2*R_p_2);
+    const lane forward_t29 = (b*b);
+    const lane t31 = k_2_1 + k_2_2;
+    const lane t34 = k_1_1 + k_1_2;
     for (int mode = 0; mode < modes; mode++) {
-        const lane *restrict shape = shapes + mode * 10;
+        const lane *restrict shape = shapes + mode * 11;
         const lane eigenvalue = eigenvalues[mode];
         lane *restrict gradient = gradients + mode * stride;
         const lane shape_1 = shape[0];
@@ -436,122 +460,140 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane shape_8 = shape[7];
         const lane shape_9 = shape[8];
         const lane shape_10 = shape[9];
-        const lane t9 = 2.0*shape_4;
-        const lane t10 = shape_8*t9;
+        const lane shape_11 = shape[10];
+        const lane t9 = 2.0*shape_11;
+        const lane t10 = shape_10*t9;
         const lane t11 = shape_2*t9;
-        const lane adjoint_forward_t31 = t10 + t11;
-        const lane t12 = (shape_2*shape_2);
-        const lane t13 = (shape_8*shape_8);
-        const lane t14 = 2.0*shape_2;
-        const lane t15 = shape_8*t14;
-        const lane adjoint_forward_t30 = t12 + t13 + t15;
-        const lane t16 = 2.0*shape_3;
-        const lane t17 = shape_1*t16;
-        const lane t18 = shape_7*t16;
-        const lane adjoint_forward_t29 = t17 + t18;
-        const lane t19 = (shape_1*shape_1);
-        const lane t20 = (shape_7*shape_7);
-        const lane t21 = 2.0*shape_1;
-        const lane t22 = shape_7*t21;
-        const lane adjoint_forward_t28 = t19 + t20 + t22;
-        const lane t23 = (shape_10*shape_10);
-        const lane t24 = (shape_9*shape_9);
-        const lane adjoint_forward_t27 = -eigenvalue*t23 - eigenvalue*t24;
-        const lane t25 = (shape_4*shape_4);
-        const lane t27 = eigenvalue*t25;
-        const lane adjoint_forward_t26 = t25*t26 - t27*(forward_t19 + forward_t20);
-        const lane t28 = (shape_3*shape_3);
-        const lane t30 = eigenvalue*t28;
-        const lane adjoint_forward_t25 = t28*t29 - t30*(forward_t12 + forward_t13);
-        const lane adjoint_forward_t24 = -eigenvalue*t10 - eigenvalue*t11;
+        const lane adjoint_forward_t34 = t10 + t11;
+        const lane t12 = 2.0*shape_4;
+        const lane t13 = shape_2*t12;
+        const lane t14 = shape_8*t12;
+        const lane adjoint_forward_t33 = t13 + t14;
+        const lane t15 = (shape_2*shape_2);
+        const lane t16 = (shape_8*shape_8);
+        const lane t17 = 2.0*shape_2;
+        const lane t18 = shape_8*t17;
+        const lane adjoint_forward_t32 = t15 + t16 + t18;
+        const lane t19 = 2.0*shape_3;
+        const lane t20 = shape_1*t19;
+        const lane t21 = shape_7*t19;
+        const lane adjoint_forward_t31 = t20 + t21;
+        const lane t22 = (shape_1*shape_1);
+        const lane t23 = (shape_7*shape_7);
+        const lane t24 = 2.0*shape_1;
+        const lane t25 = shape_7*t24;
+        const lane adjoint_forward_t30 = t22 + t23 + t25;
+        const lane t26 = (shape_11*shape_11);
+        const lane t27 = eigenvalue*t26;
+        const lane adjoint_forward_t29 = -forward_t15*t27 + k_C*t26;
+        const lane t28 = (shape_10*shape_10);
+        const lane t29 = (shape_9*shape_9);
+        const lane adjoint_forward_t28 = -eigenvalue*t28 - eigenvalue*t29;
+        const lane t30 = (shape_4*shape_4);
+        const lane t32 = eigenvalue*t30;
+        const lane adjoint_forward_t27 = t30*t31 - t32*(forward_t19 + forward_t20);
+        const lane t33 = (shape_3*shape_3);
+        const lane t35 = eigenvalue*t33;
+        const lane adjoint_forward_t26 = t33*t34 - t35*(forward_t12 + forward_t13);
+        const lane adjoint_forward_t25 = -eigenvalue*t10 - eigenvalue*t11;
+        const lane adjoint_forward_t24 = -eigenvalue*t13 - eigenvalue*t14;
         const lane adjoint_forward_t23 = adjoint_forward_t24*(-l_f_2_1 - l_f_2_2);
-        const lane t31 = eigenvalue*t12;
-        const lane t32 = shape_10*t14;
-        const lane adjoint_forward_t22 = adjoint_forward_t27 - eigenvalue*t32 - t31;
-        const lane adjoint_forward_t21 = -eigenvalue*t13 - eigenvalue*t15 - t31;
-        const lane t33 = forward_t26*t25;
-        const lane adjoint_forward_t20 = adjoint_forward_t21 - eigenvalue*t33;
-        const lane adjoint_forward_t18 = -eigenvalue*t17 - eigenvalue*t18;
+        const lane t36 = eigenvalue*t15;
+        const lane t37 = shape_10*t17;
+        const lane adjoint_forward_t22 = adjoint_forward_t28 - eigenvalue*t37 - t36;
+        const lane adjoint_forward_t21 = -eigenvalue*t16 - eigenvalue*t18 - t36;
+        const lane t38 = forward_t27*t30;
+        const lane adjoint_forward_t20 = adjoint_forward_t21 - eigenvalue*t38;
+        const lane adjoint_forward_t18 = -eigenvalue*t20 - eigenvalue*t21;
         const lane adjoint_forward_t17 = adjoint_forward_t18*(-l_f_1_1 - l_f_1_2);
         const lane adjoint_forward_t16 = R_p_1*adjoint_forward_t17 + R_p_2*adjoint_forward_t23;
-        const lane t34 = eigenvalue*t19;
-        const lane t35 = shape_9*t21;
-        const lane adjoint_forward_t15 = adjoint_forward_t22 - eigenvalue*t35 - t34;
-        const lane adjoint_forward_t14 = -eigenvalue*t20 - eigenvalue*t22 - t34;
-        const lane t36 = forward_t25*t28;
-        const lane adjoint_forward_t13 = adjoint_forward_t14 - eigenvalue*t36;
+        const lane t39 = eigenvalue*t22;
+        const lane t40 = shape_9*t24;
+        const lane t41 = shape_1*t9;
+        const lane adjoint_forward_t15 =
+            adjoint_forward_t22 + adjoint_forward_t25*b - eigenvalue*t40 - g_y*t41 - t39;
+        const lane adjoint_forward_t14 = -eigenvalue*t23 - eigenvalue*t25 - t39;
+        const lane t42 = forward_t26*t33;
+        const lane adjoint_forward_t13 = adjoint_forward_t14 - eigenvalue*t42;
         const lane adjoint_forward_t11 =
             adjoint_forward_t13*l_f_1_1 + adjoint_forward_t13*l_f_1_2 + adjoint_forward_t20*l_f_2_1
             + adjoint_forward_t20*l_f_2_2;
-        const lane adjoint_k_2_2 = R_p_2*adjoint_forward_t31 + adjoint_forward_t30 + t33;
+        const lane adjoint_k_2_2 = R_p_2*adjoint_forward_t33 + adjoint_forward_t32 + t38;
         const lane adjoint_forward_3 = adjoint_k_2_2*forward_t10;
-        const lane t37 = adjoint_forward_t24*forward_t23;
-        const lane t38 = adjoint_forward_3/(t8*t8);
-        const lane adjoint_l_f_2_2 = adjoint_forward_t20*forward_t11 - t37 - t38;
+        const lane t43 = adjoint_forward_t24*forward_t23;
+        const lane t44 = adjoint_forward_3/(t8*t8);
+        const lane adjoint_l_f_2_2 = adjoint_forward_t20*forward_t11 - t43 - t44;
         const lane adjoint_forward_2 = adjoint_k_2_2*forward_t10;
         const lane adjoint_forward_t10 = adjoint_k_2_2*forward_2 + adjoint_k_2_2*forward_3;
-        const lane t39 = adjoint_forward_2/(t7*t7);
-        const lane adjoint_forward_t9 = -t38 - t39;
+        const lane t45 = adjoint_forward_2/(t7*t7);
+        const lane adjoint_forward_t9 = -t44 - t45;
         const lane adjoint_forward_t8 = adjoint_forward_t10*forward_t3 + adjoint_forward_t9*forward_t4;
-        const lane adjoint_l_f_2_1 = adjoint_forward_t20*forward_t11 - t37 - t39;
-        const lane adjoint_k_1_2 = R_p_1*adjoint_forward_t29 + adjoint_forward_t28 + t36;
+        const lane adjoint_l_f_2_1 = adjoint_forward_t20*forward_t11 - t43 - t45;
+        const lane adjoint_k_1_2 = R_p_1*adjoint_forward_t31 + adjoint_forward_t30 + t42;
         const lane adjoint_forward_1 = adjoint_k_1_2*forward_t7;
-        const lane t40 = adjoint_forward_t18*forward_t17;
-        const lane t41 = adjoint_forward_1/(t4*t4);
-        const lane adjoint_l_f_1_2 = adjoint_forward_t13*forward_t11 - t40 - t41;
+        const lane t46 = adjoint_forward_t18*forward_t17;
+        const lane t47 = adjoint_forward_1/(t4*t4);
+        const lane adjoint_l_f_1_2 = adjoint_forward_t13*forward_t11 - t46 - t47;
         const lane adjoint_forward_0 = adjoint_k_1_2*forward_t7;
         const lane adjoint_forward_t7 = adjoint_k_1_2*forward_0 + adjoint_k_1_2*forward_1;
-        const lane t42 = adjoint_forward_0/(t3*t3);
-        const lane adjoint_forward_t6 = -t41 - t42;
+        const lane t48 = adjoint_forward_0/(t3*t3);
+        const lane adjoint_forward_t6 = -t47 - t48;
         const lane adjoint_forward_t5 = adjoint_forward_t6*forward_t4 + adjoint_forward_t7*forward_t3;
         const lane adjoint_forward_t4 = adjoint_forward_t6*forward_t5 + adjoint_forward_t9*forward_t8;
         const lane adjoint_forward_t3 =
             adjoint_forward_t10*forward_t8 + adjoint_forward_t4*c_E + adjoint_forward_t7*forward_t5;
-        const lane adjoint_l_f_1_1 = adjoint_forward_t13*forward_t11 - t40 - t42;
-        const lane adjoint_I_2 = -t27;
-        const lane t43 = (shape_6*shape_6);
-        const lane t44 = shape_6*t9;
-        const lane adjoint_forward_t2 = adjoint_I_2 - eigenvalue*t43 - eigenvalue*t44;
-        const lane adjoint_I_1 = -t30;
-        const lane t45 = (shape_5*shape_5);
-        const lane t46 = shape_5*t16;
-        const lane adjoint_forward_t1 = adjoint_I_1 - eigenvalue*t45 - eigenvalue*t46;
-        const lane t47 = adjoint_forward_t5*k_sp_1;
-        const lane t48 = adjoint_forward_t8*k_sp_2;
-        lanes_clear(gradient, 45);
-        gradient[0] = LANES(adjoint_forward_t15);
+        const lane adjoint_l_f_1_1 = adjoint_forward_t13*forward_t11 - t46 - t48;
+        const lane adjoint_I_2 = -t32;
+        const lane t49 = (shape_6*shape_6);
+        const lane t50 = shape_6*t12;
+        const lane adjoint_forward_t2 = adjoint_I_2 - eigenvalue*t49 - eigenvalue*t50;
+        const lane adjoint_I_1 = -t35;
+        const lane t51 = (shape_5*shape_5);
+        const lane t52 = shape_5*t19;
+        const lane adjoint_forward_t1 = adjoint_I_1 - eigenvalue*t51 - eigenvalue*t52;
+        const lane adjoint_b =
+            adjoint_forward_t25*forward_t15 + 2.0*adjoint_forward_t29*b + adjoint_forward_t34*k_C;
+        const lane t53 = forward_t29*t26;
+        const lane t54 = adjoint_forward_t15 - eigenvalue*t53;
+        const lane t55 = adjoint_forward_t5*k_sp_1;
+        const lane t56 = adjoint_forward_t8*k_sp_2;
+        lanes_clear(gradient, 50);
+        gradient[0] = LANES(t54);
         gradient[1] = LANES(adjoint_forward_t22);
+        gradient[3] = LANES(-forward_t15*t41);
         gradient[5] = LANES(adjoint_l_f_1_1);
         gradient[6] = LANES(adjoint_l_f_1_2);
         gradient[7] = LANES(adjoint_l_f_2_1);
         gradient[8] = LANES(adjoint_l_f_2_2);
         gradient[9] = LANES(adjoint_forward_t5*t2);
         gradient[10] = LANES(adjoint_forward_t8*t6);
-        gradient[11] = LANES(t1*t47);
-        gradient[12] = LANES(t48*t5);
+        gradient[11] = LANES(t1*t55);
+        gradient[12] = LANES(t5*t56);
         gradient[13] =
-            LANES(2.0*R_p_1*adjoint_forward_t25 + adjoint_forward_t17*forward_t16 + adjoint_forward_t29*t29);
+            LANES(2.0*R_p_1*adjoint_forward_t26 + adjoint_forward_t17*forward_t16 + adjoint_forward_t31*t34);
         gradient[14] =
-            LANES(2.0*R_p_2*adjoint_forward_t26 + adjoint_forward_t23*forward_t16 + adjoint_forward_t31*t26);
+            LANES(2.0*R_p_2*adjoint_forward_t27 + adjoint_forward_t23*forward_t16 + adjoint_forward_t33*t31);
         gradient[15] = LANES(adjoint_I_1);
         gradient[16] = LANES(adjoint_I_2);
         gradient[17] = LANES(adjoint_forward_t1*(i_g_1*i_g_1));
         gradient[18] = LANES(adjoint_forward_t2*(i_g_2*i_g_2));
         gradient[19] = LANES(2.0*I_m_1*adjoint_forward_t1*i_g_1);
         gradient[20] = LANES(2.0*I_m_2*adjoint_forward_t2*i_g_2);
-        gradient[25] = LANES(t47*w_b_1);
-        gradient[26] = LANES(t48*w_b_2);
+        gradient[25] = LANES(t55*w_b_1);
+        gradient[26] = LANES(t56*w_b_2);
         gradient[27] = LANES(adjoint_forward_t4*forward_t3);
         gradient[29] = LANES((1.0/3.0)*adjoint_forward_t11 + (1.0/6.0)*adjoint_forward_t16);
         gradient[30] = LANES(F_T*adjoint_forward_t3);
         gradient[31] = LANES(adjoint_forward_t3*c_T);
-        gradient[32] = LANES(t12 + t19 + t23 + t24 + t32 + t35);
+        gradient[32] = LANES(adjoint_forward_t34*b + t15 + t22 + t28 + t29 + t37 + t40 + t53);
         gradient[34] = LANES(adjoint_I_1 + adjoint_I_2);
-        gradient[35] = LANES(adjoint_forward_t15);
-        gradient[38] = LANES(t25 + t28 + t43 + t44 + t45 + t46);
-        gradient[42] = LANES(adjoint_forward_t27);
-        gradient[43] = LANES(adjoint_l_f_1_1 - adjoint_l_f_1_2);
-        gradient[44] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
+        gradient[35] = LANES(t54);
+        gradient[38] = LANES(t30 + t33 + t49 + t50 + t51 + t52);
+        gradient[42] = LANES(adjoint_forward_t28);
+        gradient[46] = LANES(-t27);
+        gradient[47] = LANES(-adjoint_b);
+        gradient[48] = LANES(adjoint_b + adjoint_l_f_1_1 - adjoint_l_f_1_2);
+        gradient[49] = LANES(adjoint_l_f_2_1 - adjoint_l_f_2_2);
     }
 }
 
@@ -564,7 +606,7 @@ static void lanes_take(const struct lanes_paths *paths, int path, const lane *re
 /* Derivatives of the matrices and of the motion of the platform along a direction.
  *
  * Source: forward accumulation through extended.
- * 214 operations; 4143 with every named value expanded.
+ * 239 operations; 4228 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int count,
@@ -573,6 +615,8 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     (void)effects;
     const lane x = pose[0];
     const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double g_y = parameters[3];
     const double l_0_1_1 = parameters[5];
     const double l_0_1_2 = parameters[6];
     const double l_0_2_1 = parameters[7];
@@ -593,6 +637,10 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double rho_b = effects[4];
     const double c_T = effects[5];
     const double F_T = effects[6];
+    const double k_C = effects[7];
+    const double m_L = effects[10];
+    const double x_B = effects[22];
+    const lane b = x - x_B;
     const lane l_f_1_1 = l_0_1_1 + x;
     const double forward_t3 = F_T*c_T + 1.0;
     const double forward_t4 = c_E*forward_t3;
@@ -624,13 +672,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double forward_t11 = (1.0/3.0)*rho_b;
     const lane forward_t12 = forward_t11*l_f_1_1;
     const lane forward_t13 = forward_t11*l_f_1_2;
+    const double forward_t15 = m_L + m_h;
     const double forward_t16 = (1.0/6.0)*rho_b;
     const double forward_t17 = R_p_1*forward_t16;
     const lane forward_t19 = forward_t11*l_f_2_1;
     const lane forward_t20 = forward_t11*l_f_2_2;
     const double forward_t23 = R_p_2*forward_t16;
-    const double forward_t25 = (R_p_1*R_p_1);
-    const double forward_t26 = (R_p_2*R_p_2);
+    const double forward_t26 = (R_p_1*R_p_1);
+    const double forward_t27 = (R_p_2*R_p_2);
+    const lane forward_t29 = (b*b);
     const lane t9 = 1.0/((t3*t3));
     const lane t10 = 1.0/((t4*t4));
     const lane t11 = 1.0/((t7*t7));
@@ -643,6 +693,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         lanes_direction(paths, path, direction);
         const lane along_1 = direction[0];
         const lane along_2 = direction[1];
+        const lane along_4 = direction[3];
         const lane along_6 = direction[5];
         const lane along_7 = direction[6];
         const lane along_8 = direction[7];
@@ -670,13 +721,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_36 = direction[35];
         const lane along_39 = direction[38];
         const lane along_43 = direction[42];
-        const lane along_44 = direction[43];
-        const lane along_45 = direction[44];
+        const lane along_47 = direction[46];
+        const lane along_48 = direction[47];
+        const lane along_49 = direction[48];
+        const lane along_50 = direction[49];
+        const lane tangent_b = -along_48 + along_49;
         const lane tangent_forward_t1 = 2.0*I_m_1*along_20*i_g_1 + along_18*(i_g_1*i_g_1);
         const lane tangent_I_1 = along_16 + along_35 + tangent_forward_t1;
         const lane tangent_forward_t2 = 2.0*I_m_2*along_21*i_g_2 + along_19*(i_g_2*i_g_2);
         const lane tangent_I_2 = along_17 + along_35 + tangent_forward_t2;
-        const lane tangent_l_f_1_1 = along_44 + along_6;
+        const lane tangent_l_f_1_1 = along_49 + along_6;
         const lane tangent_forward_t3 = F_T*along_31 + along_32*c_T;
         const lane tangent_forward_t4 = along_28*forward_t3 + c_E*tangent_forward_t3;
         const lane tangent_forward_t5 = along_10*t2 + along_12*k_sp_1*t1 + along_26*k_sp_1*w_b_1;
@@ -684,16 +738,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t7 = forward_t3*tangent_forward_t5 + forward_t5*tangent_forward_t3;
         const lane tangent_forward_0 = -t9*tangent_forward_t6 - t9*tangent_l_f_1_1;
         const lane tangent_k_1_1 = forward_0*tangent_forward_t7 + forward_t7*tangent_forward_0;
-        const lane tangent_l_f_1_2 = -along_44 + along_7;
+        const lane tangent_l_f_1_2 = -along_49 + along_7;
         const lane tangent_forward_1 = -t10*tangent_forward_t6 - t10*tangent_l_f_1_2;
         const lane tangent_k_1_2 = forward_1*tangent_forward_t7 + forward_t7*tangent_forward_1;
-        const lane tangent_l_f_2_1 = along_45 + along_8;
+        const lane tangent_l_f_2_1 = along_50 + along_8;
         const lane tangent_forward_t8 = along_11*t6 + along_13*k_sp_2*t5 + along_27*k_sp_2*w_b_2;
         const lane tangent_forward_t9 = forward_t4*tangent_forward_t8 + forward_t8*tangent_forward_t4;
         const lane tangent_forward_t10 = forward_t3*tangent_forward_t8 + forward_t8*tangent_forward_t3;
         const lane tangent_forward_2 = -t11*tangent_forward_t9 - t11*tangent_l_f_2_1;
         const lane tangent_k_2_1 = forward_2*tangent_forward_t10 + forward_t10*tangent_forward_2;
-        const lane tangent_l_f_2_2 = -along_45 + along_9;
+        const lane tangent_l_f_2_2 = -along_50 + along_9;
         const lane tangent_forward_3 = -t12*tangent_forward_t9 - t12*tangent_l_f_2_2;
         const lane tangent_k_2_2 = forward_3*tangent_forward_t10 + forward_t10*tangent_forward_3;
         const lane tangent_forward_t11 = (1.0/3.0)*along_30;
@@ -714,62 +768,74 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t24 =
             -forward_t23*tangent_l_f_2_1 - forward_t23*tangent_l_f_2_2 + tangent_forward_t23*(-l_f_2_1
             - l_f_2_2);
-        const lane tangent_forward_t25 = 2.0*R_p_1*along_14;
-        const lane tangent_forward_t26 = 2.0*R_p_2*along_15;
-        const lane tangent_forward_t27 = along_43 + tangent_forward_t22;
-        const lane tangent_forward_t28 = tangent_k_1_1 + tangent_k_1_2;
-        const lane tangent_forward_t29 = R_p_1*tangent_k_1_1 + R_p_1*tangent_k_1_2 + along_14*t13;
-        const lane tangent_forward_t30 = tangent_k_2_1 + tangent_k_2_2;
-        const lane tangent_forward_t31 = R_p_2*tangent_k_2_1 + R_p_2*tangent_k_2_2 + along_15*t14;
-        lanes_clear(mass_rate, 100);
+        const lane tangent_forward_t25 = b*tangent_forward_t15 + forward_t15*tangent_b;
+        const lane tangent_forward_t26 = 2.0*R_p_1*along_14;
+        const lane tangent_forward_t27 = 2.0*R_p_2*along_15;
+        const lane tangent_forward_t28 = along_43 + tangent_forward_t22;
+        const lane tangent_forward_t29 = 2.0*b*tangent_b;
+        const lane tangent_forward_t30 = tangent_k_1_1 + tangent_k_1_2;
+        const lane tangent_forward_t31 = R_p_1*tangent_k_1_1 + R_p_1*tangent_k_1_2 + along_14*t13;
+        const lane tangent_forward_t32 = tangent_k_2_1 + tangent_k_2_2;
+        const lane tangent_forward_t33 = R_p_2*tangent_k_2_1 + R_p_2*tangent_k_2_2 + along_15*t14;
+        const lane tangent_forward_t34 = along_33*b + k_C*tangent_b;
+        lanes_clear(mass_rate, 121);
         mass_rate[0] = LANES(tangent_forward_t14 + tangent_forward_t15);
-        mass_rate[2] = mass_rate[20] = LANES(tangent_forward_t18);
-        mass_rate[6] = mass_rate[60] = LANES(tangent_forward_t14);
-        mass_rate[8] = mass_rate[80] = LANES(tangent_forward_t15);
-        mass_rate[11] = LANES(tangent_forward_t21 + tangent_forward_t22);
-        mass_rate[13] = mass_rate[31] = LANES(tangent_forward_t24);
-        mass_rate[17] = mass_rate[71] = LANES(tangent_forward_t21);
-        mass_rate[19] = mass_rate[91] = LANES(tangent_forward_t22);
-        mass_rate[22] =
-            LANES(forward_t25*tangent_forward_t12 + forward_t25*tangent_forward_t13 + tangent_I_1
-            + tangent_forward_t25*(forward_t12 + forward_t13));
-        mass_rate[24] = mass_rate[42] = LANES(tangent_forward_t1);
-        mass_rate[26] = mass_rate[62] = LANES(tangent_forward_t18);
-        mass_rate[33] =
-            LANES(forward_t26*tangent_forward_t19 + forward_t26*tangent_forward_t20 + tangent_I_2
-            + tangent_forward_t26*(forward_t19 + forward_t20));
-        mass_rate[35] = mass_rate[53] = LANES(tangent_forward_t2);
-        mass_rate[37] = mass_rate[73] = LANES(tangent_forward_t24);
-        mass_rate[44] = LANES(tangent_forward_t1);
-        mass_rate[55] = LANES(tangent_forward_t2);
-        mass_rate[66] = LANES(tangent_forward_t14);
-        mass_rate[77] = LANES(tangent_forward_t21);
-        mass_rate[88] = LANES(tangent_forward_t27);
-        mass_rate[99] = LANES(tangent_forward_t27);
-        lanes_clear(stiffness_rate, 100);
-        stiffness_rate[0] = LANES(along_33 + tangent_forward_t28);
-        stiffness_rate[2] = stiffness_rate[20] = LANES(tangent_forward_t29);
-        stiffness_rate[6] = stiffness_rate[60] = LANES(tangent_forward_t28);
-        stiffness_rate[8] = stiffness_rate[80] = LANES(along_33);
-        stiffness_rate[11] = LANES(along_33 + tangent_forward_t30);
-        stiffness_rate[13] = stiffness_rate[31] = LANES(tangent_forward_t31);
-        stiffness_rate[17] = stiffness_rate[71] = LANES(tangent_forward_t30);
-        stiffness_rate[19] = stiffness_rate[91] = LANES(along_33);
-        stiffness_rate[22] =
-            LANES(along_39 + forward_t25*tangent_k_1_1 + forward_t25*tangent_k_1_2 + t13*tangent_forward_t25);
-        stiffness_rate[24] = stiffness_rate[42] = LANES(along_39);
-        stiffness_rate[26] = stiffness_rate[62] = LANES(tangent_forward_t29);
-        stiffness_rate[33] =
-            LANES(along_39 + forward_t26*tangent_k_2_1 + forward_t26*tangent_k_2_2 + t14*tangent_forward_t26);
-        stiffness_rate[35] = stiffness_rate[53] = LANES(along_39);
-        stiffness_rate[37] = stiffness_rate[73] = LANES(tangent_forward_t31);
-        stiffness_rate[44] = LANES(along_39);
-        stiffness_rate[55] = LANES(along_39);
-        stiffness_rate[66] = LANES(tangent_forward_t28);
-        stiffness_rate[77] = LANES(tangent_forward_t30);
-        stiffness_rate[88] = LANES(along_33);
-        stiffness_rate[99] = LANES(along_33);
-        lanes_clear(motion_rate, 20);
+        mass_rate[2] = mass_rate[22] = LANES(tangent_forward_t18);
+        mass_rate[6] = mass_rate[66] = LANES(tangent_forward_t14);
+        mass_rate[8] = mass_rate[88] = LANES(tangent_forward_t15);
+        mass_rate[12] = LANES(tangent_forward_t21 + tangent_forward_t22);
+        mass_rate[14] = mass_rate[34] = LANES(tangent_forward_t24);
+        mass_rate[18] = mass_rate[78] = LANES(tangent_forward_t21);
+        mass_rate[20] = mass_rate[100] = LANES(tangent_forward_t22);
+        mass_rate[21] = mass_rate[111] = LANES(tangent_forward_t25);
+        mass_rate[24] =
+            LANES(forward_t26*tangent_forward_t12 + forward_t26*tangent_forward_t13 + tangent_I_1
+            + tangent_forward_t26*(forward_t12 + forward_t13));
+        mass_rate[26] = mass_rate[46] = LANES(tangent_forward_t1);
+        mass_rate[28] = mass_rate[68] = LANES(tangent_forward_t18);
+        mass_rate[36] =
+            LANES(forward_t27*tangent_forward_t19 + forward_t27*tangent_forward_t20 + tangent_I_2
+            + tangent_forward_t27*(forward_t19 + forward_t20));
+        mass_rate[38] = mass_rate[58] = LANES(tangent_forward_t2);
+        mass_rate[40] = mass_rate[80] = LANES(tangent_forward_t24);
+        mass_rate[48] = LANES(tangent_forward_t1);
+        mass_rate[60] = LANES(tangent_forward_t2);
+        mass_rate[72] = LANES(tangent_forward_t14);
+        mass_rate[84] = LANES(tangent_forward_t21);
+        mass_rate[96] = LANES(tangent_forward_t28);
+        mass_rate[108] = LANES(tangent_forward_t28);
+        mass_rate[109] = mass_rate[119] = LANES(tangent_forward_t25);
+        mass_rate[120] =
+            LANES(along_1*forward_t29 + along_36*forward_t29 + along_47 + forward_t15*tangent_forward_t29);
+        lanes_clear(stiffness_rate, 121);
+        stiffness_rate[0] = LANES(along_33 + tangent_forward_t30);
+        stiffness_rate[2] = stiffness_rate[22] = LANES(tangent_forward_t31);
+        stiffness_rate[6] = stiffness_rate[66] = LANES(tangent_forward_t30);
+        stiffness_rate[8] = stiffness_rate[88] = LANES(along_33);
+        stiffness_rate[10] = stiffness_rate[110] = LANES(-along_4*forward_t15 - g_y*tangent_forward_t15);
+        stiffness_rate[12] = LANES(along_33 + tangent_forward_t32);
+        stiffness_rate[14] = stiffness_rate[34] = LANES(tangent_forward_t33);
+        stiffness_rate[18] = stiffness_rate[78] = LANES(tangent_forward_t32);
+        stiffness_rate[20] = stiffness_rate[100] = LANES(along_33);
+        stiffness_rate[21] = stiffness_rate[111] = LANES(tangent_forward_t34);
+        stiffness_rate[24] =
+            LANES(along_39 + forward_t26*tangent_k_1_1 + forward_t26*tangent_k_1_2 + t13*tangent_forward_t26);
+        stiffness_rate[26] = stiffness_rate[46] = LANES(along_39);
+        stiffness_rate[28] = stiffness_rate[68] = LANES(tangent_forward_t31);
+        stiffness_rate[36] =
+            LANES(along_39 + forward_t27*tangent_k_2_1 + forward_t27*tangent_k_2_2 + t14*tangent_forward_t27);
+        stiffness_rate[38] = stiffness_rate[58] = LANES(along_39);
+        stiffness_rate[40] = stiffness_rate[80] = LANES(tangent_forward_t33);
+        stiffness_rate[48] = LANES(along_39);
+        stiffness_rate[60] = LANES(along_39);
+        stiffness_rate[72] = LANES(tangent_forward_t30);
+        stiffness_rate[84] = LANES(tangent_forward_t32);
+        stiffness_rate[96] = LANES(along_33);
+        stiffness_rate[108] = LANES(along_33);
+        stiffness_rate[109] = stiffness_rate[119] = LANES(tangent_forward_t34);
+        stiffness_rate[120] = LANES(along_33*forward_t29 + k_C*tangent_forward_t29);
+        lanes_clear(motion_rate, 22);
+        motion_rate[21] = LANES(tangent_b);
         lanes_take(paths, path, mass_rate, stiffness_rate, motion_rate);
     }
 }

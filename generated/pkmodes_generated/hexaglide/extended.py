@@ -30,6 +30,7 @@ several values.
     carriage to pulley 1)
 * k_j_s [N/m]: stiffness of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
     carriage to pulley 1)
+* o_L_i [m]: payload from the platform's origin, base frame, component i
 * D_l_j_i [m^2]: moment of linkage vector j about the platform's origin, component i
 * D_r_j [m]: entry of D_r for axis j: component of linkage vector along the motion of its joint
 * A_i_j [m^8]: adjugate of D_l, entry i, j
@@ -643,6 +644,69 @@ VALUE_SENSITIVITIES = (
       (26, 28), (26, 29), (26, 36), (26, 37), (26, 38), (27, 27), (27, 28), (27, 29), (27, 36),
       (27, 37), (27, 38), (28, 28), (28, 29), (28, 36), (28, 37), (28, 38), (29, 29), (29, 36),
       (29, 37), (29, 38), (36, 36), (37, 37), (38, 38)),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
+      (0, 29), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28),
+      (1, 29), (2, 2), (2, 3), (2, 4), (2, 5), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
+      (3, 3), (3, 4), (3, 5), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (4, 4), (4, 5),
+      (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (5, 5), (5, 24), (5, 25), (5, 26), (5, 27),
+      (5, 28), (5, 29), (24, 24), (24, 25), (24, 26), (24, 27), (24, 28), (24, 29), (25, 25), (25, 26),
+      (25, 27), (25, 28), (25, 29), (26, 26), (26, 27), (26, 28), (26, 29), (27, 27), (27, 28),
+      (27, 29), (28, 28), (28, 29), (29, 29))),
+    ('payload_offset_x', (),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
+      (0, 29), (0, 36), (0, 37), (0, 38), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25),
+      (1, 26), (1, 27), (1, 28), (1, 29), (1, 36), (1, 37), (1, 38), (2, 2), (2, 3), (2, 4), (2, 5),
+      (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 36), (2, 37), (2, 38), (3, 3), (3, 4),
+      (3, 5), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (3, 36), (3, 37), (3, 38), (4, 4),
+      (4, 5), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 36), (4, 37), (4, 38), (5, 5),
+      (5, 24), (5, 25), (5, 26), (5, 27), (5, 28), (5, 29), (5, 36), (5, 37), (5, 38), (24, 24),
+      (24, 25), (24, 26), (24, 27), (24, 28), (24, 29), (24, 36), (24, 37), (24, 38), (25, 25),
+      (25, 26), (25, 27), (25, 28), (25, 29), (25, 36), (25, 37), (25, 38), (26, 26), (26, 27),
+      (26, 28), (26, 29), (26, 36), (26, 37), (26, 38), (27, 27), (27, 28), (27, 29), (27, 36),
+      (27, 37), (27, 38), (28, 28), (28, 29), (28, 36), (28, 37), (28, 38), (29, 29), (29, 36),
+      (29, 37), (29, 38)),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
+      (0, 29), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28),
+      (1, 29), (2, 2), (2, 3), (2, 4), (2, 5), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
+      (3, 3), (3, 4), (3, 5), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (4, 4), (4, 5),
+      (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (5, 5), (5, 24), (5, 25), (5, 26), (5, 27),
+      (5, 28), (5, 29), (24, 24), (24, 25), (24, 26), (24, 27), (24, 28), (24, 29), (25, 25), (25, 26),
+      (25, 27), (25, 28), (25, 29), (26, 26), (26, 27), (26, 28), (26, 29), (27, 27), (27, 28),
+      (27, 29), (28, 28), (28, 29), (29, 29))),
+    ('payload_offset_y', (),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
+      (0, 29), (0, 36), (0, 37), (0, 38), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25),
+      (1, 26), (1, 27), (1, 28), (1, 29), (1, 36), (1, 37), (1, 38), (2, 2), (2, 3), (2, 4), (2, 5),
+      (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 36), (2, 37), (2, 38), (3, 3), (3, 4),
+      (3, 5), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (3, 36), (3, 37), (3, 38), (4, 4),
+      (4, 5), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 36), (4, 37), (4, 38), (5, 5),
+      (5, 24), (5, 25), (5, 26), (5, 27), (5, 28), (5, 29), (5, 36), (5, 37), (5, 38), (24, 24),
+      (24, 25), (24, 26), (24, 27), (24, 28), (24, 29), (24, 36), (24, 37), (24, 38), (25, 25),
+      (25, 26), (25, 27), (25, 28), (25, 29), (25, 36), (25, 37), (25, 38), (26, 26), (26, 27),
+      (26, 28), (26, 29), (26, 36), (26, 37), (26, 38), (27, 27), (27, 28), (27, 29), (27, 36),
+      (27, 37), (27, 38), (28, 28), (28, 29), (28, 36), (28, 37), (28, 38), (29, 29), (29, 36),
+      (29, 37), (29, 38)),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
+      (0, 29), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28),
+      (1, 29), (2, 2), (2, 3), (2, 4), (2, 5), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
+      (3, 3), (3, 4), (3, 5), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (4, 4), (4, 5),
+      (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (5, 5), (5, 24), (5, 25), (5, 26), (5, 27),
+      (5, 28), (5, 29), (24, 24), (24, 25), (24, 26), (24, 27), (24, 28), (24, 29), (25, 25), (25, 26),
+      (25, 27), (25, 28), (25, 29), (26, 26), (26, 27), (26, 28), (26, 29), (27, 27), (27, 28),
+      (27, 29), (28, 28), (28, 29), (29, 29))),
+    ('payload_offset_z', (),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
+      (0, 29), (0, 36), (0, 37), (0, 38), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25),
+      (1, 26), (1, 27), (1, 28), (1, 29), (1, 36), (1, 37), (1, 38), (2, 2), (2, 3), (2, 4), (2, 5),
+      (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29), (2, 36), (2, 37), (2, 38), (3, 3), (3, 4),
+      (3, 5), (3, 24), (3, 25), (3, 26), (3, 27), (3, 28), (3, 29), (3, 36), (3, 37), (3, 38), (4, 4),
+      (4, 5), (4, 24), (4, 25), (4, 26), (4, 27), (4, 28), (4, 29), (4, 36), (4, 37), (4, 38), (5, 5),
+      (5, 24), (5, 25), (5, 26), (5, 27), (5, 28), (5, 29), (5, 36), (5, 37), (5, 38), (24, 24),
+      (24, 25), (24, 26), (24, 27), (24, 28), (24, 29), (24, 36), (24, 37), (24, 38), (25, 25),
+      (25, 26), (25, 27), (25, 28), (25, 29), (25, 36), (25, 37), (25, 38), (26, 26), (26, 27),
+      (26, 28), (26, 29), (26, 36), (26, 37), (26, 38), (27, 27), (27, 28), (27, 29), (27, 36),
+      (27, 37), (27, 38), (28, 28), (28, 29), (28, 36), (28, 37), (28, 38), (29, 29), (29, 36),
+      (29, 37), (29, 38)),
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 24), (0, 25), (0, 26), (0, 27), (0, 28),
       (0, 29), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (1, 24), (1, 25), (1, 26), (1, 27), (1, 28),
       (1, 29), (2, 2), (2, 3), (2, 4), (2, 5), (2, 24), (2, 25), (2, 26), (2, 27), (2, 28), (2, 29),
@@ -1751,6 +1815,12 @@ class Effects(NamedTuple):
         Extra inertia on every driven pulley.
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
+    payload_offset_x : float or array, shape (...) [m]
+        Component x of the payload's place from the platform's origin, platform axes.
+    payload_offset_y : float or array, shape (...) [m]
+        Component y of the payload's place from the platform's origin, platform axes.
+    payload_offset_z : float or array, shape (...) [m]
+        Component z of the payload's place from the platform's origin, platform axes.
     rail_friction_viscous : float or array, shape (...) [N s/m]
         Viscous friction of every body along its rail.
     reducer_loss_loss_factor : float or array, shape (...) [1]
@@ -1767,6 +1837,12 @@ class Effects(NamedTuple):
         Isotropic compliance of the frame.
     frame_compliance_mass : float or array, shape (...) [kg]
         Mass of the frame.
+    frame_compliance_compliance_x : float or array, shape (...) [m/N]
+        Compliance of the frame along x.
+    frame_compliance_compliance_y : float or array, shape (...) [m/N]
+        Compliance of the frame along y.
+    frame_compliance_compliance_z : float or array, shape (...) [m/N]
+        Compliance of the frame along z.
     """
 
     axis_belt_stiffness_factor_1: float = 0.0
@@ -1784,6 +1860,9 @@ class Effects(NamedTuple):
     drive_friction_viscous: float = 0.0
     gearbox_inertia_inertia: float = 0.0
     payload_mass: float = 0.0
+    payload_offset_x: float = 0.0
+    payload_offset_y: float = 0.0
+    payload_offset_z: float = 0.0
     rail_friction_viscous: float = 0.0
     reducer_loss_loss_factor: float = 0.0
     servo_stiffness_stiffness: float = 0.0
@@ -1792,6 +1871,9 @@ class Effects(NamedTuple):
     clamp_compliance_compliance: float = 0.0
     frame_compliance_compliance: float = 0.0
     frame_compliance_mass: float = 0.0
+    frame_compliance_compliance_x: float = 0.0
+    frame_compliance_compliance_y: float = 0.0
+    frame_compliance_compliance_z: float = 0.0
 
 
 def _entries(array, shape):
@@ -1836,7 +1918,7 @@ def extended_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
-    8142 operations; 403901717202 with every named value expanded.
+    8227 operations; 403938956322 with every named value expanded.
     """
     p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -1887,11 +1969,14 @@ def extended_matrices(p, parameters, effects):
     (k_C,) = _entries(effects.cable_stiffness_stiffness, ())
     (I_G,) = _entries(effects.gearbox_inertia_inertia, ())
     (m_L,) = _entries(effects.payload_mass, ())
+    (b_L_x,) = _entries(effects.payload_offset_x, ())
+    (b_L_y,) = _entries(effects.payload_offset_y, ())
+    (b_L_z,) = _entries(effects.payload_offset_z, ())
     (k_S,) = _entries(effects.servo_stiffness_stiffness, ())
     (m_F,) = _entries(effects.frame_compliance_mass, ())
     batch, dtype = _batch(p_x, m_p, c_p_x, I_p_x, I_p_xy, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1,
         l_t_1, k_sp_1, w_b_1, R_p_1, I_p_1, I_m_1, i_g_1, d_1_1, x_min_1, sigma_1, a_B_1, a_B_2, a_B_3, a_B_4,
-        a_B_5, a_B_6, c_E, rho_b, c_T, F_T, k_C, I_G, m_L, k_S, m_F)
+        a_B_5, a_B_6, c_E, rho_b, c_T, F_T, k_C, I_G, m_L, b_L_x, b_L_y, b_L_z, k_S, m_F)
     t1 = rot_x**2
     t2 = rot_y**2
     t3 = rot_z**2
@@ -2041,6 +2126,9 @@ def extended_matrices(p, parameters, effects):
     )
     t29 = 2*R_z_z
     J_z_z = I_p_x*R_z_x**2 + I_p_y*R_z_y**2 + I_p_z*R_z_z**2 + 2*R_z_y*t26 + t27*t29 + t28*t29
+    o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z
+    o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z
+    o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z
     D_l_1_rx = B_1_y*s_1_z - B_1_z*s_1_y
     D_l_1_ry = -B_1_x*s_1_z + B_1_z*s_1_x
     D_l_1_rz = B_1_x*s_1_y - B_1_y*s_1_x
@@ -2620,39 +2708,42 @@ def extended_matrices(p, parameters, effects):
     G_p_y = -g_y*t113
     G_p_z = -g_z*t113
     t114 = g_z*m_p
-    t115 = g_z*t106
-    t116 = g_z*t107
-    t117 = g_z*t108
-    t118 = g_z*t109
-    t119 = g_z*t110
-    t120 = g_z*t111
+    t115 = g_z*m_L
+    t116 = g_z*t106
+    t117 = g_z*t107
+    t118 = g_z*t108
+    t119 = g_z*t109
+    t120 = g_z*t110
+    t121 = g_z*t111
     G_p_rx = (
-        -B_1_y*t115 + (1/2)*B_1_z*g_y*m_d_1 - B_2_y*t116 + (1/2)*B_2_z*g_y*m_d_2 - B_3_y*t117
-        + (1/2)*B_3_z*g_y*m_d_3 - B_4_y*t118 + (1/2)*B_4_z*g_y*m_d_4 - B_5_y*t119 + (1/2)*B_5_z*g_y*m_d_5
-        - B_6_y*t120 + (1/2)*B_6_z*g_y*m_d_6 - c_y*t114 + c_z*g_y*m_p
+        -B_1_y*t116 + (1/2)*B_1_z*g_y*m_d_1 - B_2_y*t117 + (1/2)*B_2_z*g_y*m_d_2 - B_3_y*t118
+        + (1/2)*B_3_z*g_y*m_d_3 - B_4_y*t119 + (1/2)*B_4_z*g_y*m_d_4 - B_5_y*t120 + (1/2)*B_5_z*g_y*m_d_5
+        - B_6_y*t121 + (1/2)*B_6_z*g_y*m_d_6 - c_y*t114 + c_z*g_y*m_p + g_y*m_L*o_L_z - o_L_y*t115
     )
-    t121 = g_x*t106
-    t122 = g_x*t107
-    t123 = g_x*t108
-    t124 = g_x*t109
-    t125 = g_x*t110
-    t126 = g_x*t111
-    t127 = g_x*m_p
+    t122 = g_x*t106
+    t123 = g_x*t107
+    t124 = g_x*t108
+    t125 = g_x*t109
+    t126 = g_x*t110
+    t127 = g_x*t111
+    t128 = g_x*m_p
+    t129 = g_x*m_L
     G_p_ry = (
-        B_1_x*t115 - B_1_z*t121 + B_2_x*t116 - B_2_z*t122 + B_3_x*t117 - B_3_z*t123 + B_4_x*t118 - B_4_z*t124
-        + B_5_x*t119 - B_5_z*t125 + B_6_x*t120 - B_6_z*t126 + c_x*t114 - c_z*t127
+        B_1_x*t116 - B_1_z*t122 + B_2_x*t117 - B_2_z*t123 + B_3_x*t118 - B_3_z*t124 + B_4_x*t119 - B_4_z*t125
+        + B_5_x*t120 - B_5_z*t126 + B_6_x*t121 - B_6_z*t127 + c_x*t114 - c_z*t128 + o_L_x*t115 - o_L_z*t129
     )
-    t128 = g_y*m_p
-    t129 = g_y*t106
-    t130 = g_y*t107
-    t131 = g_y*t108
-    t132 = g_y*t109
-    t133 = g_y*t110
-    t134 = g_y*t111
+    t130 = g_y*m_p
+    t131 = g_y*m_L
+    t132 = g_y*t106
+    t133 = g_y*t107
+    t134 = g_y*t108
+    t135 = g_y*t109
+    t136 = g_y*t110
+    t137 = g_y*t111
     G_p_rz = (
-        -B_1_x*t129 + (1/2)*B_1_y*g_x*m_d_1 - B_2_x*t130 + (1/2)*B_2_y*g_x*m_d_2 - B_3_x*t131
-        + (1/2)*B_3_y*g_x*m_d_3 - B_4_x*t132 + (1/2)*B_4_y*g_x*m_d_4 - B_5_x*t133 + (1/2)*B_5_y*g_x*m_d_5
-        - B_6_x*t134 + (1/2)*B_6_y*g_x*m_d_6 - c_x*t128 + c_y*g_x*m_p
+        -B_1_x*t132 + (1/2)*B_1_y*g_x*m_d_1 - B_2_x*t133 + (1/2)*B_2_y*g_x*m_d_2 - B_3_x*t134
+        + (1/2)*B_3_y*g_x*m_d_3 - B_4_x*t135 + (1/2)*B_4_y*g_x*m_d_4 - B_5_x*t136 + (1/2)*B_5_y*g_x*m_d_5
+        - B_6_x*t137 + (1/2)*B_6_y*g_x*m_d_6 - c_x*t130 + c_y*g_x*m_p + g_x*m_L*o_L_y - o_L_x*t131
     )
     mu_1 = t30*(A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z)
     mu_2 = t30*(A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z)
@@ -2660,181 +2751,187 @@ def extended_matrices(p, parameters, effects):
     mu_4 = t30*(A_rx_4*G_p_rx + A_ry_4*G_p_ry + A_rz_4*G_p_rz + A_x_4*G_p_x + A_y_4*G_p_y + A_z_4*G_p_z)
     mu_5 = t30*(A_rx_5*G_p_rx + A_ry_5*G_p_ry + A_rz_5*G_p_rz + A_x_5*G_p_x + A_y_5*G_p_y + A_z_5*G_p_z)
     mu_6 = t30*(A_rx_6*G_p_rx + A_ry_6*G_p_ry + A_rz_6*G_p_rz + A_x_6*G_p_x + A_y_6*G_p_y + A_z_6*G_p_z)
-    g_4_x = -mu_1*s_1_x - t121
-    g_4_y = -mu_1*s_1_y - t129
-    g_4_z = -mu_1*s_1_z - t115
-    g_5_x = -mu_2*s_2_x - t122
-    g_5_y = -mu_2*s_2_y - t130
-    g_5_z = -mu_2*s_2_z - t116
-    g_6_x = -mu_3*s_3_x - t123
-    g_6_y = -mu_3*s_3_y - t131
-    g_6_z = -mu_3*s_3_z - t117
-    g_7_x = -mu_4*s_4_x - t124
-    g_7_y = -mu_4*s_4_y - t132
-    g_7_z = -mu_4*s_4_z - t118
-    g_8_x = -mu_5*s_5_x - t125
-    g_8_y = -mu_5*s_5_y - t133
-    g_8_z = -mu_5*s_5_z - t119
-    g_9_x = -mu_6*s_6_x - t126
-    g_9_y = -mu_6*s_6_y - t134
-    g_9_z = -mu_6*s_6_z - t120
-    g_10_x = -t127
-    g_10_y = -t128
+    g_4_x = -mu_1*s_1_x - t122
+    g_4_y = -mu_1*s_1_y - t132
+    g_4_z = -mu_1*s_1_z - t116
+    g_5_x = -mu_2*s_2_x - t123
+    g_5_y = -mu_2*s_2_y - t133
+    g_5_z = -mu_2*s_2_z - t117
+    g_6_x = -mu_3*s_3_x - t124
+    g_6_y = -mu_3*s_3_y - t134
+    g_6_z = -mu_3*s_3_z - t118
+    g_7_x = -mu_4*s_4_x - t125
+    g_7_y = -mu_4*s_4_y - t135
+    g_7_z = -mu_4*s_4_z - t119
+    g_8_x = -mu_5*s_5_x - t126
+    g_8_y = -mu_5*s_5_y - t136
+    g_8_z = -mu_5*s_5_z - t120
+    g_9_x = -mu_6*s_6_x - t127
+    g_9_y = -mu_6*s_6_y - t137
+    g_9_z = -mu_6*s_6_z - t121
+    g_10_x = -t128
+    g_10_y = -t130
     g_10_z = -t114
+    g_11_x = -t129
+    g_11_y = -t131
+    g_11_z = -t115
     L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6
-    t135 = B_1_z*mu_1
-    t136 = B_2_z*mu_2
-    t137 = B_3_z*mu_3
-    t138 = B_4_z*mu_4
-    t139 = B_5_z*mu_5
-    t140 = B_6_z*mu_6
-    L_y_rx = t135 + t136 + t137 + t138 + t139 + t140
+    t138 = B_1_z*mu_1
+    t139 = B_2_z*mu_2
+    t140 = B_3_z*mu_3
+    t141 = B_4_z*mu_4
+    t142 = B_5_z*mu_5
+    t143 = B_6_z*mu_6
+    L_y_rx = t138 + t139 + t140 + t141 + t142 + t143
     L_x_ry = -L_y_rx
-    t141 = B_1_y*mu_1
-    t142 = B_2_y*mu_2
-    t143 = B_3_y*mu_3
-    t144 = B_4_y*mu_4
-    t145 = B_5_y*mu_5
-    t146 = B_6_y*mu_6
-    L_x_rz = t141 + t142 + t143 + t144 + t145 + t146
-    t147 = B_1_x*mu_1
-    t148 = B_2_x*mu_2
-    t149 = B_3_x*mu_3
-    t150 = B_4_x*mu_4
-    t151 = B_5_x*mu_5
-    t152 = B_6_x*mu_6
-    L_z_ry = t147 + t148 + t149 + t150 + t151 + t152
+    t144 = B_1_y*mu_1
+    t145 = B_2_y*mu_2
+    t146 = B_3_y*mu_3
+    t147 = B_4_y*mu_4
+    t148 = B_5_y*mu_5
+    t149 = B_6_y*mu_6
+    L_x_rz = t144 + t145 + t146 + t147 + t148 + t149
+    t150 = B_1_x*mu_1
+    t151 = B_2_x*mu_2
+    t152 = B_3_x*mu_3
+    t153 = B_4_x*mu_4
+    t154 = B_5_x*mu_5
+    t155 = B_6_x*mu_6
+    L_z_ry = t150 + t151 + t152 + t153 + t154 + t155
     L_y_rz = -L_z_ry
     L_z_rx = -L_x_rz
-    t153 = B_1_z**2
-    t154 = B_2_z**2
-    t155 = B_3_z**2
-    t156 = B_4_z**2
-    t157 = B_5_z**2
-    t158 = B_6_z**2
-    t159 = (
+    t156 = B_1_z**2
+    t157 = B_2_z**2
+    t158 = B_3_z**2
+    t159 = B_4_z**2
+    t160 = B_5_z**2
+    t161 = B_6_z**2
+    t162 = (
         B_1_z*g_4_z + B_2_z*g_5_z + B_3_z*g_6_z + B_4_z*g_7_z + B_5_z*g_8_z + B_6_z*g_9_z + c_z*g_10_z
-        + mu_1*t153 + mu_2*t154 + mu_3*t155 + mu_4*t156 + mu_5*t157 + mu_6*t158
+        + g_11_z*o_L_z + mu_1*t156 + mu_2*t157 + mu_3*t158 + mu_4*t159 + mu_5*t160 + mu_6*t161
     )
-    t160 = B_1_y**2
-    t161 = B_2_y**2
-    t162 = B_3_y**2
-    t163 = B_4_y**2
-    t164 = B_5_y**2
-    t165 = B_6_y**2
-    t166 = (
+    t163 = B_1_y**2
+    t164 = B_2_y**2
+    t165 = B_3_y**2
+    t166 = B_4_y**2
+    t167 = B_5_y**2
+    t168 = B_6_y**2
+    t169 = (
         B_1_y*g_4_y + B_2_y*g_5_y + B_3_y*g_6_y + B_4_y*g_7_y + B_5_y*g_8_y + B_6_y*g_9_y + c_y*g_10_y
-        + mu_1*t160 + mu_2*t161 + mu_3*t162 + mu_4*t163 + mu_5*t164 + mu_6*t165
+        + g_11_y*o_L_y + mu_1*t163 + mu_2*t164 + mu_3*t165 + mu_4*t166 + mu_5*t167 + mu_6*t168
     )
-    L_rx_rx = -t159 - t166
-    t167 = (1/2)*B_1_x
-    t168 = (1/2)*g_4_x
-    t169 = (1/2)*B_2_x
-    t170 = (1/2)*g_5_x
-    t171 = (1/2)*B_3_x
-    t172 = (1/2)*g_6_x
-    t173 = (1/2)*B_4_x
-    t174 = (1/2)*g_7_x
-    t175 = (1/2)*B_5_x
-    t176 = (1/2)*g_8_x
-    t177 = (1/2)*B_6_x
-    t178 = (1/2)*g_9_x
-    t179 = (1/2)*c_x
-    t180 = (1/2)*g_10_x
+    L_rx_rx = -t162 - t169
+    t170 = (1/2)*B_1_x
+    t171 = (1/2)*g_4_x
+    t172 = (1/2)*B_2_x
+    t173 = (1/2)*g_5_x
+    t174 = (1/2)*B_3_x
+    t175 = (1/2)*g_6_x
+    t176 = (1/2)*B_4_x
+    t177 = (1/2)*g_7_x
+    t178 = (1/2)*B_5_x
+    t179 = (1/2)*g_8_x
+    t180 = (1/2)*B_6_x
+    t181 = (1/2)*g_9_x
+    t182 = (1/2)*c_x
+    t183 = (1/2)*g_10_x
+    t184 = (1/2)*g_11_x
+    t185 = (1/2)*o_L_x
     L_rx_ry = (
-        B_1_x*t141 + B_1_y*t168 + B_2_x*t142 + B_2_y*t170 + B_3_x*t143 + B_3_y*t172 + B_4_x*t144 + B_4_y*t174
-        + B_5_x*t145 + B_5_y*t176 + B_6_x*t146 + B_6_y*t178 + c_y*t180 + g_10_y*t179 + g_4_y*t167 + g_5_y*t169
-        + g_6_y*t171 + g_7_y*t173 + g_8_y*t175 + g_9_y*t177
+        B_1_x*t144 + B_1_y*t171 + B_2_x*t145 + B_2_y*t173 + B_3_x*t146 + B_3_y*t175 + B_4_x*t147 + B_4_y*t177
+        + B_5_x*t148 + B_5_y*t179 + B_6_x*t149 + B_6_y*t181 + c_y*t183 + g_10_y*t182 + g_11_y*t185
+        + g_4_y*t170 + g_5_y*t172 + g_6_y*t174 + g_7_y*t176 + g_8_y*t178 + g_9_y*t180 + o_L_y*t184
     )
     L_rx_rz = (
-        B_1_x*t135 + B_1_z*t168 + B_2_x*t136 + B_2_z*t170 + B_3_x*t137 + B_3_z*t172 + B_4_x*t138 + B_4_z*t174
-        + B_5_x*t139 + B_5_z*t176 + B_6_x*t140 + B_6_z*t178 + c_z*t180 + g_10_z*t179 + g_4_z*t167 + g_5_z*t169
-        + g_6_z*t171 + g_7_z*t173 + g_8_z*t175 + g_9_z*t177
+        B_1_x*t138 + B_1_z*t171 + B_2_x*t139 + B_2_z*t173 + B_3_x*t140 + B_3_z*t175 + B_4_x*t141 + B_4_z*t177
+        + B_5_x*t142 + B_5_z*t179 + B_6_x*t143 + B_6_z*t181 + c_z*t183 + g_10_z*t182 + g_11_z*t185
+        + g_4_z*t170 + g_5_z*t172 + g_6_z*t174 + g_7_z*t176 + g_8_z*t178 + g_9_z*t180 + o_L_z*t184
     )
-    t181 = B_1_x**2
-    t182 = B_2_x**2
-    t183 = B_3_x**2
-    t184 = B_4_x**2
-    t185 = B_5_x**2
-    t186 = B_6_x**2
-    t187 = (
+    t186 = B_1_x**2
+    t187 = B_2_x**2
+    t188 = B_3_x**2
+    t189 = B_4_x**2
+    t190 = B_5_x**2
+    t191 = B_6_x**2
+    t192 = (
         B_1_x*g_4_x + B_2_x*g_5_x + B_3_x*g_6_x + B_4_x*g_7_x + B_5_x*g_8_x + B_6_x*g_9_x + c_x*g_10_x
-        + mu_1*t181 + mu_2*t182 + mu_3*t183 + mu_4*t184 + mu_5*t185 + mu_6*t186
+        + g_11_x*o_L_x + mu_1*t186 + mu_2*t187 + mu_3*t188 + mu_4*t189 + mu_5*t190 + mu_6*t191
     )
-    L_ry_ry = -t159 - t187
+    L_ry_ry = -t162 - t192
     L_ry_rz = (
-        (1/2)*B_1_y*g_4_z + B_1_y*t135 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t136
-        + (1/2)*B_2_z*g_5_y + (1/2)*B_3_y*g_6_z + B_3_y*t137 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z
-        + B_4_y*t138 + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t139 + (1/2)*B_5_z*g_8_y
-        + (1/2)*B_6_y*g_9_z + B_6_y*t140 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y
+        (1/2)*B_1_y*g_4_z + B_1_y*t138 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t139
+        + (1/2)*B_2_z*g_5_y + (1/2)*B_3_y*g_6_z + B_3_y*t140 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z
+        + B_4_y*t141 + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t142 + (1/2)*B_5_z*g_8_y
+        + (1/2)*B_6_y*g_9_z + B_6_y*t143 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y
+        + (1/2)*g_11_y*o_L_z + (1/2)*g_11_z*o_L_y
     )
-    L_rz_rz = -t166 - t187
-    t188 = mu_1*n_1_x
-    f_x_x_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t188
-    t189 = mu_2*n_2_x
-    f_x_x_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t189
-    t190 = mu_3*n_3_x
-    f_x_x_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t190
-    t191 = mu_4*n_4_x
-    f_x_x_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t191
-    t192 = mu_5*n_5_x
-    f_x_x_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t192
-    t193 = mu_6*n_6_x
-    f_x_x_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t193
+    L_rz_rz = -t169 - t192
+    t193 = mu_1*n_1_x
+    f_x_x_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t193
+    t194 = mu_2*n_2_x
+    f_x_x_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t194
+    t195 = mu_3*n_3_x
+    f_x_x_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t195
+    t196 = mu_4*n_4_x
+    f_x_x_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t196
+    t197 = mu_5*n_5_x
+    f_x_x_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t197
+    t198 = mu_6*n_6_x
+    f_x_x_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t198
     f_x_delta_1 = D_delta_ry_1*L_x_ry + D_delta_rz_1*L_x_rz + D_delta_x_1*L_x_x
     f_x_delta_2 = D_delta_ry_2*L_x_ry + D_delta_rz_2*L_x_rz + D_delta_x_2*L_x_x
     f_x_delta_3 = D_delta_ry_3*L_x_ry + D_delta_rz_3*L_x_rz + D_delta_x_3*L_x_x
     f_x_delta_4 = D_delta_ry_4*L_x_ry + D_delta_rz_4*L_x_rz + D_delta_x_4*L_x_x
     f_x_delta_5 = D_delta_ry_5*L_x_ry + D_delta_rz_5*L_x_rz + D_delta_x_5*L_x_x
     f_x_delta_6 = D_delta_ry_6*L_x_ry + D_delta_rz_6*L_x_rz + D_delta_x_6*L_x_x
-    t194 = mu_1*n_1_y
-    f_y_x_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t194
-    t195 = mu_2*n_2_y
-    f_y_x_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t195
-    t196 = mu_3*n_3_y
-    f_y_x_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t196
-    t197 = mu_4*n_4_y
-    f_y_x_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t197
-    t198 = mu_5*n_5_y
-    f_y_x_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t198
-    t199 = mu_6*n_6_y
-    f_y_x_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t199
+    t199 = mu_1*n_1_y
+    f_y_x_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t199
+    t200 = mu_2*n_2_y
+    f_y_x_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t200
+    t201 = mu_3*n_3_y
+    f_y_x_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t201
+    t202 = mu_4*n_4_y
+    f_y_x_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t202
+    t203 = mu_5*n_5_y
+    f_y_x_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t203
+    t204 = mu_6*n_6_y
+    f_y_x_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t204
     f_y_delta_1 = D_delta_rx_1*L_y_rx + D_delta_rz_1*L_y_rz + D_delta_y_1*L_x_x
     f_y_delta_2 = D_delta_rx_2*L_y_rx + D_delta_rz_2*L_y_rz + D_delta_y_2*L_x_x
     f_y_delta_3 = D_delta_rx_3*L_y_rx + D_delta_rz_3*L_y_rz + D_delta_y_3*L_x_x
     f_y_delta_4 = D_delta_rx_4*L_y_rx + D_delta_rz_4*L_y_rz + D_delta_y_4*L_x_x
     f_y_delta_5 = D_delta_rx_5*L_y_rx + D_delta_rz_5*L_y_rz + D_delta_y_5*L_x_x
     f_y_delta_6 = D_delta_rx_6*L_y_rx + D_delta_rz_6*L_y_rz + D_delta_y_6*L_x_x
-    t200 = mu_1*n_1_z
-    f_z_x_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t200
-    t201 = mu_2*n_2_z
-    f_z_x_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t201
-    t202 = mu_3*n_3_z
-    f_z_x_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t202
-    t203 = mu_4*n_4_z
-    f_z_x_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t203
-    t204 = mu_5*n_5_z
-    f_z_x_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t204
-    t205 = mu_6*n_6_z
-    f_z_x_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t205
+    t205 = mu_1*n_1_z
+    f_z_x_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t205
+    t206 = mu_2*n_2_z
+    f_z_x_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t206
+    t207 = mu_3*n_3_z
+    f_z_x_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t207
+    t208 = mu_4*n_4_z
+    f_z_x_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t208
+    t209 = mu_5*n_5_z
+    f_z_x_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t209
+    t210 = mu_6*n_6_z
+    f_z_x_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t210
     f_z_delta_1 = D_delta_rx_1*L_z_rx + D_delta_ry_1*L_z_ry + D_delta_z_1*L_x_x
     f_z_delta_2 = D_delta_rx_2*L_z_rx + D_delta_ry_2*L_z_ry + D_delta_z_2*L_x_x
     f_z_delta_3 = D_delta_rx_3*L_z_rx + D_delta_ry_3*L_z_ry + D_delta_z_3*L_x_x
     f_z_delta_4 = D_delta_rx_4*L_z_rx + D_delta_ry_4*L_z_ry + D_delta_z_4*L_x_x
     f_z_delta_5 = D_delta_rx_5*L_z_rx + D_delta_ry_5*L_z_ry + D_delta_z_5*L_x_x
     f_z_delta_6 = D_delta_rx_6*L_z_rx + D_delta_ry_6*L_z_ry + D_delta_z_6*L_x_x
-    t206 = -n_1_y*t135 + n_1_z*t141
-    f_rx_x_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx + t206
-    t207 = -n_2_y*t136 + n_2_z*t142
-    f_rx_x_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx + t207
-    t208 = -n_3_y*t137 + n_3_z*t143
-    f_rx_x_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx + t208
-    t209 = -n_4_y*t138 + n_4_z*t144
-    f_rx_x_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx + t209
-    t210 = -n_5_y*t139 + n_5_z*t145
-    f_rx_x_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx + t210
-    t211 = -n_6_y*t140 + n_6_z*t146
-    f_rx_x_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx + t211
+    t211 = -n_1_y*t138 + n_1_z*t144
+    f_rx_x_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx + t211
+    t212 = -n_2_y*t139 + n_2_z*t145
+    f_rx_x_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx + t212
+    t213 = -n_3_y*t140 + n_3_z*t146
+    f_rx_x_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx + t213
+    t214 = -n_4_y*t141 + n_4_z*t147
+    f_rx_x_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx + t214
+    t215 = -n_5_y*t142 + n_5_z*t148
+    f_rx_x_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx + t215
+    t216 = -n_6_y*t143 + n_6_z*t149
+    f_rx_x_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx + t216
     f_rx_delta_1 = (
         D_delta_rx_1*L_rx_rx + D_delta_ry_1*L_rx_ry + D_delta_rz_1*L_rx_rz + D_delta_y_1*L_y_rx
         + D_delta_z_1*L_z_rx
@@ -2859,35 +2956,35 @@ def extended_matrices(p, parameters, effects):
         D_delta_rx_6*L_rx_rx + D_delta_ry_6*L_rx_ry + D_delta_rz_6*L_rx_rz + D_delta_y_6*L_y_rx
         + D_delta_z_6*L_z_rx
     )
-    t212 = n_1_z*t147
+    t217 = n_1_z*t150
     f_ry_x_1 = (
-        D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry + n_1_x*t135
-        - t212
-    )
-    t213 = n_2_z*t148
-    f_ry_x_2 = (
-        D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry + n_2_x*t136
-        - t213
-    )
-    t214 = n_3_z*t149
-    f_ry_x_3 = (
-        D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry + n_3_x*t137
-        - t214
-    )
-    t215 = n_4_z*t150
-    f_ry_x_4 = (
-        D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry + n_4_x*t138
-        - t215
-    )
-    t216 = n_5_z*t151
-    f_ry_x_5 = (
-        D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry + n_5_x*t139
-        - t216
-    )
-    t217 = n_6_z*t152
-    f_ry_x_6 = (
-        D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry + n_6_x*t140
+        D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry + n_1_x*t138
         - t217
+    )
+    t218 = n_2_z*t151
+    f_ry_x_2 = (
+        D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry + n_2_x*t139
+        - t218
+    )
+    t219 = n_3_z*t152
+    f_ry_x_3 = (
+        D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry + n_3_x*t140
+        - t219
+    )
+    t220 = n_4_z*t153
+    f_ry_x_4 = (
+        D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry + n_4_x*t141
+        - t220
+    )
+    t221 = n_5_z*t154
+    f_ry_x_5 = (
+        D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry + n_5_x*t142
+        - t221
+    )
+    t222 = n_6_z*t155
+    f_ry_x_6 = (
+        D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry + n_6_x*t143
+        - t222
     )
     f_ry_delta_1 = (
         D_delta_rx_1*L_rx_ry + D_delta_ry_1*L_ry_ry + D_delta_rz_1*L_ry_rz + D_delta_x_1*L_x_ry
@@ -2913,18 +3010,18 @@ def extended_matrices(p, parameters, effects):
         D_delta_rx_6*L_rx_ry + D_delta_ry_6*L_ry_ry + D_delta_rz_6*L_ry_rz + D_delta_x_6*L_x_ry
         + D_delta_z_6*L_z_ry
     )
-    t218 = -n_1_x*t141 + n_1_y*t147
-    f_rz_x_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz + t218
-    t219 = -n_2_x*t142 + n_2_y*t148
-    f_rz_x_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz + t219
-    t220 = -n_3_x*t143 + n_3_y*t149
-    f_rz_x_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz + t220
-    t221 = -n_4_x*t144 + n_4_y*t150
-    f_rz_x_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz + t221
-    t222 = -n_5_x*t145 + n_5_y*t151
-    f_rz_x_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz + t222
-    t223 = -n_6_x*t146 + n_6_y*t152
-    f_rz_x_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz + t223
+    t223 = -n_1_x*t144 + n_1_y*t150
+    f_rz_x_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz + t223
+    t224 = -n_2_x*t145 + n_2_y*t151
+    f_rz_x_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz + t224
+    t225 = -n_3_x*t146 + n_3_y*t152
+    f_rz_x_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz + t225
+    t226 = -n_4_x*t147 + n_4_y*t153
+    f_rz_x_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz + t226
+    t227 = -n_5_x*t148 + n_5_y*t154
+    f_rz_x_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz + t227
+    t228 = -n_6_x*t149 + n_6_y*t155
+    f_rz_x_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz + t228
     f_rz_delta_1 = (
         D_delta_rx_1*L_rx_rz + D_delta_ry_1*L_ry_rz + D_delta_rz_1*L_rz_rz + D_delta_x_1*L_x_rz
         + D_delta_y_1*L_y_rz
@@ -2949,169 +3046,180 @@ def extended_matrices(p, parameters, effects):
         D_delta_rx_6*L_rx_rz + D_delta_ry_6*L_ry_rz + D_delta_rz_6*L_rz_rz + D_delta_x_6*L_x_rz
         + D_delta_y_6*L_y_rz
     )
-    t224 = (1/3)*m_d_1
-    t225 = (1/3)*m_d_2
-    t226 = (1/3)*m_d_3
-    t227 = (1/3)*m_d_4
-    t228 = (1/3)*m_d_5
-    t229 = (1/3)*m_d_6
-    M_p_x_x = t105 + t224 + t225 + t226 + t227 + t228 + t229
-    t230 = c_z*m_p
-    t231 = B_1_z*t224
-    t232 = B_2_z*t225
-    t233 = B_3_z*t226
-    t234 = B_4_z*t227
-    t235 = B_5_z*t228
-    t236 = B_6_z*t229
-    M_p_x_ry = t230 + t231 + t232 + t233 + t234 + t235 + t236
-    t237 = c_y*m_p
-    t238 = B_1_y*t224
-    t239 = B_2_y*t225
-    t240 = B_3_y*t226
-    t241 = B_4_y*t227
-    t242 = B_5_y*t228
-    t243 = B_6_y*t229
-    M_p_z_rx = t237 + t238 + t239 + t240 + t241 + t242 + t243
+    t229 = (1/3)*m_d_1
+    t230 = (1/3)*m_d_2
+    t231 = (1/3)*m_d_3
+    t232 = (1/3)*m_d_4
+    t233 = (1/3)*m_d_5
+    t234 = (1/3)*m_d_6
+    M_p_x_x = t105 + t229 + t230 + t231 + t232 + t233 + t234
+    t235 = c_z*m_p
+    t236 = m_L*o_L_z
+    t237 = B_1_z*t229
+    t238 = B_2_z*t230
+    t239 = B_3_z*t231
+    t240 = B_4_z*t232
+    t241 = B_5_z*t233
+    t242 = B_6_z*t234
+    M_p_x_ry = t235 + t236 + t237 + t238 + t239 + t240 + t241 + t242
+    t243 = c_y*m_p
+    t244 = m_L*o_L_y
+    t245 = B_1_y*t229
+    t246 = B_2_y*t230
+    t247 = B_3_y*t231
+    t248 = B_4_y*t232
+    t249 = B_5_y*t233
+    t250 = B_6_y*t234
+    M_p_z_rx = t243 + t244 + t245 + t246 + t247 + t248 + t249 + t250
     M_p_x_rz = -M_p_z_rx
     M_p_y_rx = -M_p_x_ry
-    M_p_y_rz = B_1_x*t224 + B_2_x*t225 + B_3_x*t226 + B_4_x*t227 + B_5_x*t228 + B_6_x*t229 + c_x*m_p
+    M_p_y_rz = (
+        B_1_x*t229 + B_2_x*t230 + B_3_x*t231 + B_4_x*t232 + B_5_x*t233 + B_6_x*t234 + c_x*m_p + m_L*o_L_x
+    )
     M_p_z_ry = -M_p_y_rz
-    t244 = 2*t160
-    t245 = 2*t153
-    t246 = (1/6)*m_d_1
-    t247 = 2*t161
-    t248 = 2*t154
-    t249 = (1/6)*m_d_2
-    t250 = 2*t162
-    t251 = 2*t155
-    t252 = (1/6)*m_d_3
-    t253 = 2*t163
-    t254 = 2*t156
-    t255 = (1/6)*m_d_4
-    t256 = 2*t164
-    t257 = 2*t157
-    t258 = (1/6)*m_d_5
-    t259 = 2*t165
-    t260 = 2*t158
-    t261 = (1/6)*m_d_6
-    t262 = 2*c_y**2
-    t263 = 2*c_z**2
-    t264 = (1/2)*m_p
+    t251 = 2*o_L_y**2
+    t252 = 2*o_L_z**2
+    t253 = (1/2)*m_L
+    t254 = 2*t163
+    t255 = 2*t156
+    t256 = (1/6)*m_d_1
+    t257 = 2*t164
+    t258 = 2*t157
+    t259 = (1/6)*m_d_2
+    t260 = 2*t165
+    t261 = 2*t158
+    t262 = (1/6)*m_d_3
+    t263 = 2*t166
+    t264 = 2*t159
+    t265 = (1/6)*m_d_4
+    t266 = 2*t167
+    t267 = 2*t160
+    t268 = (1/6)*m_d_5
+    t269 = 2*t168
+    t270 = 2*t161
+    t271 = (1/6)*m_d_6
+    t272 = 2*c_y**2
+    t273 = 2*c_z**2
+    t274 = (1/2)*m_p
     M_p_rx_rx = (
-        J_x_x + t246*(t244 + t245) + t249*(t247 + t248) + t252*(t250 + t251) + t255*(t253 + t254) + t258*(t256
-        + t257) + t261*(t259 + t260) + t264*(t262 + t263)
+        J_x_x + t253*(t251 + t252) + t256*(t254 + t255) + t259*(t257 + t258) + t262*(t260 + t261) + t265*(t263
+        + t264) + t268*(t266 + t267) + t271*(t269 + t270) + t274*(t272 + t273)
     )
     M_p_rx_ry = (
-        -B_1_x*t238 - B_2_x*t239 - B_3_x*t240 - B_4_x*t241 - B_5_x*t242 - B_6_x*t243 + J_x_y - c_x*t237
+        -B_1_x*t245 - B_2_x*t246 - B_3_x*t247 - B_4_x*t248 - B_5_x*t249 - B_6_x*t250 + J_x_y - c_x*t243
+        - o_L_x*t244
     )
     M_p_rx_rz = (
-        -B_1_x*t231 - B_2_x*t232 - B_3_x*t233 - B_4_x*t234 - B_5_x*t235 - B_6_x*t236 + J_x_z - c_x*t230
+        -B_1_x*t237 - B_2_x*t238 - B_3_x*t239 - B_4_x*t240 - B_5_x*t241 - B_6_x*t242 + J_x_z - c_x*t235
+        - o_L_x*t236
     )
-    t265 = 2*t181
-    t266 = 2*t182
-    t267 = 2*t183
-    t268 = 2*t184
-    t269 = 2*t185
-    t270 = 2*t186
-    t271 = 2*c_x**2
+    t275 = 2*o_L_x**2
+    t276 = 2*t186
+    t277 = 2*t187
+    t278 = 2*t188
+    t279 = 2*t189
+    t280 = 2*t190
+    t281 = 2*t191
+    t282 = 2*c_x**2
     M_p_ry_ry = (
-        J_y_y + t246*(t245 + t265) + t249*(t248 + t266) + t252*(t251 + t267) + t255*(t254 + t268) + t258*(t257
-        + t269) + t261*(t260 + t270) + t264*(t263 + t271)
+        J_y_y + t253*(t252 + t275) + t256*(t255 + t276) + t259*(t258 + t277) + t262*(t261 + t278) + t265*(t264
+        + t279) + t268*(t267 + t280) + t271*(t270 + t281) + t274*(t273 + t282)
     )
     M_p_ry_rz = (
-        -B_1_y*t231 - B_2_y*t232 - B_3_y*t233 - B_4_y*t234 - B_5_y*t235 - B_6_y*t236 + J_y_z - c_y*t230
+        -B_1_y*t237 - B_2_y*t238 - B_3_y*t239 - B_4_y*t240 - B_5_y*t241 - B_6_y*t242 + J_y_z - c_y*t235
+        - o_L_y*t236
     )
     M_p_rz_rz = (
-        J_z_z + t246*(t244 + t265) + t249*(t247 + t266) + t252*(t250 + t267) + t255*(t253 + t268) + t258*(t256
-        + t269) + t261*(t259 + t270) + t264*(t262 + t271)
+        J_z_z + t253*(t251 + t275) + t256*(t254 + t276) + t259*(t257 + t277) + t262*(t260 + t278) + t265*(t263
+        + t279) + t268*(t266 + t280) + t271*(t269 + t281) + t274*(t272 + t282)
     )
-    t272 = n_1_x*t246
-    h_x_x_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x + t272
-    t273 = n_2_x*t249
-    h_x_x_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x + t273
-    t274 = n_3_x*t252
-    h_x_x_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x + t274
-    t275 = n_4_x*t255
-    h_x_x_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x + t275
-    t276 = n_5_x*t258
-    h_x_x_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x + t276
-    t277 = n_6_x*t261
-    h_x_x_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x + t277
+    t283 = n_1_x*t256
+    h_x_x_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x + t283
+    t284 = n_2_x*t259
+    h_x_x_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x + t284
+    t285 = n_3_x*t262
+    h_x_x_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x + t285
+    t286 = n_4_x*t265
+    h_x_x_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x + t286
+    t287 = n_5_x*t268
+    h_x_x_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x + t287
+    t288 = n_6_x*t271
+    h_x_x_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x + t288
     h_x_delta_1 = D_delta_ry_1*M_p_x_ry + D_delta_rz_1*M_p_x_rz + D_delta_x_1*M_p_x_x
     h_x_delta_2 = D_delta_ry_2*M_p_x_ry + D_delta_rz_2*M_p_x_rz + D_delta_x_2*M_p_x_x
     h_x_delta_3 = D_delta_ry_3*M_p_x_ry + D_delta_rz_3*M_p_x_rz + D_delta_x_3*M_p_x_x
     h_x_delta_4 = D_delta_ry_4*M_p_x_ry + D_delta_rz_4*M_p_x_rz + D_delta_x_4*M_p_x_x
     h_x_delta_5 = D_delta_ry_5*M_p_x_ry + D_delta_rz_5*M_p_x_rz + D_delta_x_5*M_p_x_x
     h_x_delta_6 = D_delta_ry_6*M_p_x_ry + D_delta_rz_6*M_p_x_rz + D_delta_x_6*M_p_x_x
-    t278 = t246 + t249 + t252 + t255 + t258 + t261
-    h_x_u_x = M_p_x_x + t278
-    t279 = n_1_y*t246
-    h_y_x_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x + t279
-    t280 = n_2_y*t249
-    h_y_x_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x + t280
-    t281 = n_3_y*t252
-    h_y_x_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x + t281
-    t282 = n_4_y*t255
-    h_y_x_4 = D_p_rx_4*M_p_y_rx + D_p_rz_4*M_p_y_rz + D_p_y_4*M_p_x_x + t282
-    t283 = n_5_y*t258
-    h_y_x_5 = D_p_rx_5*M_p_y_rx + D_p_rz_5*M_p_y_rz + D_p_y_5*M_p_x_x + t283
-    t284 = n_6_y*t261
-    h_y_x_6 = D_p_rx_6*M_p_y_rx + D_p_rz_6*M_p_y_rz + D_p_y_6*M_p_x_x + t284
+    t289 = t256 + t259 + t262 + t265 + t268 + t271
+    h_x_u_x = M_p_x_x + t289
+    t290 = n_1_y*t256
+    h_y_x_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x + t290
+    t291 = n_2_y*t259
+    h_y_x_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x + t291
+    t292 = n_3_y*t262
+    h_y_x_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x + t292
+    t293 = n_4_y*t265
+    h_y_x_4 = D_p_rx_4*M_p_y_rx + D_p_rz_4*M_p_y_rz + D_p_y_4*M_p_x_x + t293
+    t294 = n_5_y*t268
+    h_y_x_5 = D_p_rx_5*M_p_y_rx + D_p_rz_5*M_p_y_rz + D_p_y_5*M_p_x_x + t294
+    t295 = n_6_y*t271
+    h_y_x_6 = D_p_rx_6*M_p_y_rx + D_p_rz_6*M_p_y_rz + D_p_y_6*M_p_x_x + t295
     h_y_delta_1 = D_delta_rx_1*M_p_y_rx + D_delta_rz_1*M_p_y_rz + D_delta_y_1*M_p_x_x
     h_y_delta_2 = D_delta_rx_2*M_p_y_rx + D_delta_rz_2*M_p_y_rz + D_delta_y_2*M_p_x_x
     h_y_delta_3 = D_delta_rx_3*M_p_y_rx + D_delta_rz_3*M_p_y_rz + D_delta_y_3*M_p_x_x
     h_y_delta_4 = D_delta_rx_4*M_p_y_rx + D_delta_rz_4*M_p_y_rz + D_delta_y_4*M_p_x_x
     h_y_delta_5 = D_delta_rx_5*M_p_y_rx + D_delta_rz_5*M_p_y_rz + D_delta_y_5*M_p_x_x
     h_y_delta_6 = D_delta_rx_6*M_p_y_rx + D_delta_rz_6*M_p_y_rz + D_delta_y_6*M_p_x_x
-    h_y_u_y = M_p_x_x + t278
-    t285 = n_1_z*t246
-    h_z_x_1 = D_p_rx_1*M_p_z_rx + D_p_ry_1*M_p_z_ry + D_p_z_1*M_p_x_x + t285
-    t286 = n_2_z*t249
-    h_z_x_2 = D_p_rx_2*M_p_z_rx + D_p_ry_2*M_p_z_ry + D_p_z_2*M_p_x_x + t286
-    t287 = n_3_z*t252
-    h_z_x_3 = D_p_rx_3*M_p_z_rx + D_p_ry_3*M_p_z_ry + D_p_z_3*M_p_x_x + t287
-    t288 = n_4_z*t255
-    h_z_x_4 = D_p_rx_4*M_p_z_rx + D_p_ry_4*M_p_z_ry + D_p_z_4*M_p_x_x + t288
-    t289 = n_5_z*t258
-    h_z_x_5 = D_p_rx_5*M_p_z_rx + D_p_ry_5*M_p_z_ry + D_p_z_5*M_p_x_x + t289
-    t290 = n_6_z*t261
-    h_z_x_6 = D_p_rx_6*M_p_z_rx + D_p_ry_6*M_p_z_ry + D_p_z_6*M_p_x_x + t290
+    h_y_u_y = M_p_x_x + t289
+    t296 = n_1_z*t256
+    h_z_x_1 = D_p_rx_1*M_p_z_rx + D_p_ry_1*M_p_z_ry + D_p_z_1*M_p_x_x + t296
+    t297 = n_2_z*t259
+    h_z_x_2 = D_p_rx_2*M_p_z_rx + D_p_ry_2*M_p_z_ry + D_p_z_2*M_p_x_x + t297
+    t298 = n_3_z*t262
+    h_z_x_3 = D_p_rx_3*M_p_z_rx + D_p_ry_3*M_p_z_ry + D_p_z_3*M_p_x_x + t298
+    t299 = n_4_z*t265
+    h_z_x_4 = D_p_rx_4*M_p_z_rx + D_p_ry_4*M_p_z_ry + D_p_z_4*M_p_x_x + t299
+    t300 = n_5_z*t268
+    h_z_x_5 = D_p_rx_5*M_p_z_rx + D_p_ry_5*M_p_z_ry + D_p_z_5*M_p_x_x + t300
+    t301 = n_6_z*t271
+    h_z_x_6 = D_p_rx_6*M_p_z_rx + D_p_ry_6*M_p_z_ry + D_p_z_6*M_p_x_x + t301
     h_z_delta_1 = D_delta_rx_1*M_p_z_rx + D_delta_ry_1*M_p_z_ry + D_delta_z_1*M_p_x_x
     h_z_delta_2 = D_delta_rx_2*M_p_z_rx + D_delta_ry_2*M_p_z_ry + D_delta_z_2*M_p_x_x
     h_z_delta_3 = D_delta_rx_3*M_p_z_rx + D_delta_ry_3*M_p_z_ry + D_delta_z_3*M_p_x_x
     h_z_delta_4 = D_delta_rx_4*M_p_z_rx + D_delta_ry_4*M_p_z_ry + D_delta_z_4*M_p_x_x
     h_z_delta_5 = D_delta_rx_5*M_p_z_rx + D_delta_ry_5*M_p_z_ry + D_delta_z_5*M_p_x_x
     h_z_delta_6 = D_delta_rx_6*M_p_z_rx + D_delta_ry_6*M_p_z_ry + D_delta_z_6*M_p_x_x
-    h_z_u_z = M_p_x_x + t278
-    t291 = t246*(B_1_y*n_1_z - B_1_z*n_1_y)
+    h_z_u_z = M_p_x_x + t289
+    t302 = t256*(B_1_y*n_1_z - B_1_z*n_1_y)
     h_rx_x_1 = (
         D_p_rx_1*M_p_rx_rx + D_p_ry_1*M_p_rx_ry + D_p_rz_1*M_p_rx_rz + D_p_y_1*M_p_y_rx + D_p_z_1*M_p_z_rx
-        + t291
+        + t302
     )
-    t292 = t249*(B_2_y*n_2_z - B_2_z*n_2_y)
+    t303 = t259*(B_2_y*n_2_z - B_2_z*n_2_y)
     h_rx_x_2 = (
         D_p_rx_2*M_p_rx_rx + D_p_ry_2*M_p_rx_ry + D_p_rz_2*M_p_rx_rz + D_p_y_2*M_p_y_rx + D_p_z_2*M_p_z_rx
-        + t292
+        + t303
     )
-    t293 = t252*(B_3_y*n_3_z - B_3_z*n_3_y)
+    t304 = t262*(B_3_y*n_3_z - B_3_z*n_3_y)
     h_rx_x_3 = (
         D_p_rx_3*M_p_rx_rx + D_p_ry_3*M_p_rx_ry + D_p_rz_3*M_p_rx_rz + D_p_y_3*M_p_y_rx + D_p_z_3*M_p_z_rx
-        + t293
+        + t304
     )
-    t294 = t255*(B_4_y*n_4_z - B_4_z*n_4_y)
+    t305 = t265*(B_4_y*n_4_z - B_4_z*n_4_y)
     h_rx_x_4 = (
         D_p_rx_4*M_p_rx_rx + D_p_ry_4*M_p_rx_ry + D_p_rz_4*M_p_rx_rz + D_p_y_4*M_p_y_rx + D_p_z_4*M_p_z_rx
-        + t294
+        + t305
     )
-    t295 = t258*(B_5_y*n_5_z - B_5_z*n_5_y)
+    t306 = t268*(B_5_y*n_5_z - B_5_z*n_5_y)
     h_rx_x_5 = (
         D_p_rx_5*M_p_rx_rx + D_p_ry_5*M_p_rx_ry + D_p_rz_5*M_p_rx_rz + D_p_y_5*M_p_y_rx + D_p_z_5*M_p_z_rx
-        + t295
+        + t306
     )
-    t296 = t261*(B_6_y*n_6_z - B_6_z*n_6_y)
+    t307 = t271*(B_6_y*n_6_z - B_6_z*n_6_y)
     h_rx_x_6 = (
         D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx
-        + t296
+        + t307
     )
     h_rx_delta_1 = (
         D_delta_rx_1*M_p_rx_rx + D_delta_ry_1*M_p_rx_ry + D_delta_rz_1*M_p_rx_rz + D_delta_y_1*M_p_y_rx
@@ -3137,39 +3245,39 @@ def extended_matrices(p, parameters, effects):
         D_delta_rx_6*M_p_rx_rx + D_delta_ry_6*M_p_rx_ry + D_delta_rz_6*M_p_rx_rz + D_delta_y_6*M_p_y_rx
         + D_delta_z_6*M_p_z_rx
     )
-    t297 = B_1_z*t246 + B_2_z*t249 + B_3_z*t252 + B_4_z*t255 + B_5_z*t258 + B_6_z*t261
-    h_rx_u_y = M_p_y_rx - t297
-    t298 = B_1_y*t246 + B_2_y*t249 + B_3_y*t252 + B_4_y*t255 + B_5_y*t258 + B_6_y*t261
-    h_rx_u_z = M_p_z_rx + t298
-    t299 = t246*(-B_1_x*n_1_z + B_1_z*n_1_x)
+    t308 = B_1_z*t256 + B_2_z*t259 + B_3_z*t262 + B_4_z*t265 + B_5_z*t268 + B_6_z*t271
+    h_rx_u_y = M_p_y_rx - t308
+    t309 = B_1_y*t256 + B_2_y*t259 + B_3_y*t262 + B_4_y*t265 + B_5_y*t268 + B_6_y*t271
+    h_rx_u_z = M_p_z_rx + t309
+    t310 = t256*(-B_1_x*n_1_z + B_1_z*n_1_x)
     h_ry_x_1 = (
         D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry
-        + t299
+        + t310
     )
-    t300 = t249*(-B_2_x*n_2_z + B_2_z*n_2_x)
+    t311 = t259*(-B_2_x*n_2_z + B_2_z*n_2_x)
     h_ry_x_2 = (
         D_p_rx_2*M_p_rx_ry + D_p_ry_2*M_p_ry_ry + D_p_rz_2*M_p_ry_rz + D_p_x_2*M_p_x_ry + D_p_z_2*M_p_z_ry
-        + t300
+        + t311
     )
-    t301 = t252*(-B_3_x*n_3_z + B_3_z*n_3_x)
+    t312 = t262*(-B_3_x*n_3_z + B_3_z*n_3_x)
     h_ry_x_3 = (
         D_p_rx_3*M_p_rx_ry + D_p_ry_3*M_p_ry_ry + D_p_rz_3*M_p_ry_rz + D_p_x_3*M_p_x_ry + D_p_z_3*M_p_z_ry
-        + t301
+        + t312
     )
-    t302 = t255*(-B_4_x*n_4_z + B_4_z*n_4_x)
+    t313 = t265*(-B_4_x*n_4_z + B_4_z*n_4_x)
     h_ry_x_4 = (
         D_p_rx_4*M_p_rx_ry + D_p_ry_4*M_p_ry_ry + D_p_rz_4*M_p_ry_rz + D_p_x_4*M_p_x_ry + D_p_z_4*M_p_z_ry
-        + t302
+        + t313
     )
-    t303 = t258*(-B_5_x*n_5_z + B_5_z*n_5_x)
+    t314 = t268*(-B_5_x*n_5_z + B_5_z*n_5_x)
     h_ry_x_5 = (
         D_p_rx_5*M_p_rx_ry + D_p_ry_5*M_p_ry_ry + D_p_rz_5*M_p_ry_rz + D_p_x_5*M_p_x_ry + D_p_z_5*M_p_z_ry
-        + t303
+        + t314
     )
-    t304 = t261*(-B_6_x*n_6_z + B_6_z*n_6_x)
+    t315 = t271*(-B_6_x*n_6_z + B_6_z*n_6_x)
     h_ry_x_6 = (
         D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry
-        + t304
+        + t315
     )
     h_ry_delta_1 = (
         D_delta_rx_1*M_p_rx_ry + D_delta_ry_1*M_p_ry_ry + D_delta_rz_1*M_p_ry_rz + D_delta_x_1*M_p_x_ry
@@ -3195,38 +3303,38 @@ def extended_matrices(p, parameters, effects):
         D_delta_rx_6*M_p_rx_ry + D_delta_ry_6*M_p_ry_ry + D_delta_rz_6*M_p_ry_rz + D_delta_x_6*M_p_x_ry
         + D_delta_z_6*M_p_z_ry
     )
-    h_ry_u_x = M_p_x_ry + t297
-    t305 = B_1_x*t246 + B_2_x*t249 + B_3_x*t252 + B_4_x*t255 + B_5_x*t258 + B_6_x*t261
-    h_ry_u_z = M_p_z_ry - t305
-    t306 = t246*(B_1_x*n_1_y - B_1_y*n_1_x)
+    h_ry_u_x = M_p_x_ry + t308
+    t316 = B_1_x*t256 + B_2_x*t259 + B_3_x*t262 + B_4_x*t265 + B_5_x*t268 + B_6_x*t271
+    h_ry_u_z = M_p_z_ry - t316
+    t317 = t256*(B_1_x*n_1_y - B_1_y*n_1_x)
     h_rz_x_1 = (
         D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz
-        + t306
+        + t317
     )
-    t307 = t249*(B_2_x*n_2_y - B_2_y*n_2_x)
+    t318 = t259*(B_2_x*n_2_y - B_2_y*n_2_x)
     h_rz_x_2 = (
         D_p_rx_2*M_p_rx_rz + D_p_ry_2*M_p_ry_rz + D_p_rz_2*M_p_rz_rz + D_p_x_2*M_p_x_rz + D_p_y_2*M_p_y_rz
-        + t307
+        + t318
     )
-    t308 = t252*(B_3_x*n_3_y - B_3_y*n_3_x)
+    t319 = t262*(B_3_x*n_3_y - B_3_y*n_3_x)
     h_rz_x_3 = (
         D_p_rx_3*M_p_rx_rz + D_p_ry_3*M_p_ry_rz + D_p_rz_3*M_p_rz_rz + D_p_x_3*M_p_x_rz + D_p_y_3*M_p_y_rz
-        + t308
+        + t319
     )
-    t309 = t255*(B_4_x*n_4_y - B_4_y*n_4_x)
+    t320 = t265*(B_4_x*n_4_y - B_4_y*n_4_x)
     h_rz_x_4 = (
         D_p_rx_4*M_p_rx_rz + D_p_ry_4*M_p_ry_rz + D_p_rz_4*M_p_rz_rz + D_p_x_4*M_p_x_rz + D_p_y_4*M_p_y_rz
-        + t309
+        + t320
     )
-    t310 = t258*(B_5_x*n_5_y - B_5_y*n_5_x)
+    t321 = t268*(B_5_x*n_5_y - B_5_y*n_5_x)
     h_rz_x_5 = (
         D_p_rx_5*M_p_rx_rz + D_p_ry_5*M_p_ry_rz + D_p_rz_5*M_p_rz_rz + D_p_x_5*M_p_x_rz + D_p_y_5*M_p_y_rz
-        + t310
+        + t321
     )
-    t311 = t261*(B_6_x*n_6_y - B_6_y*n_6_x)
+    t322 = t271*(B_6_x*n_6_y - B_6_y*n_6_x)
     h_rz_x_6 = (
         D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz
-        + t311
+        + t322
     )
     h_rz_delta_1 = (
         D_delta_rx_1*M_p_rx_rz + D_delta_ry_1*M_p_ry_rz + D_delta_rz_1*M_p_rz_rz + D_delta_x_1*M_p_x_rz
@@ -3252,216 +3360,216 @@ def extended_matrices(p, parameters, effects):
         D_delta_rx_6*M_p_rx_rz + D_delta_ry_6*M_p_ry_rz + D_delta_rz_6*M_p_rz_rz + D_delta_x_6*M_p_x_rz
         + D_delta_y_6*M_p_y_rz
     )
-    h_rz_u_x = M_p_x_rz - t298
-    h_rz_u_y = M_p_y_rz + t305
-    t312 = (1/3)*rho_b
-    t313 = l_f_1_2*t312
-    t314 = l_f_1_3*t312
-    t315 = t313 + t314
-    t316 = (1/6)*rho_b
-    t317 = R_p_1*t316
-    t318 = l_f_1_3*t317
-    t319 = l_f_1_2*t317
-    t320 = l_f_2_2*t312
-    t321 = l_f_2_3*t312
-    t322 = t320 + t321
-    t323 = R_p_2*t316
-    t324 = l_f_2_3*t323
-    t325 = l_f_2_2*t323
-    t326 = l_f_3_2*t312
-    t327 = l_f_3_3*t312
-    t328 = t326 + t327
-    t329 = R_p_3*t316
-    t330 = l_f_3_3*t329
-    t331 = l_f_3_2*t329
-    t332 = l_f_4_2*t312
-    t333 = l_f_4_3*t312
-    t334 = t332 + t333
-    t335 = R_p_4*t316
-    t336 = l_f_4_3*t335
-    t337 = l_f_4_2*t335
-    t338 = l_f_5_2*t312
-    t339 = l_f_5_3*t312
-    t340 = t338 + t339
-    t341 = R_p_5*t316
-    t342 = l_f_5_3*t341
-    t343 = l_f_5_2*t341
-    t344 = l_f_6_2*t312
-    t345 = l_f_6_3*t312
-    t346 = t344 + t345
-    t347 = R_p_6*t316
-    t348 = l_f_6_3*t347
-    t349 = l_f_6_2*t347
-    t350 = R_p_1**2
-    t351 = l_f_1_1*t350
-    t352 = t312*t351
-    t353 = d_1_1*t67
-    t354 = R_p_2**2
-    t355 = l_f_2_1*t354
-    t356 = t312*t355
-    t357 = d_2_1*t69
-    t358 = R_p_3**2
-    t359 = l_f_3_1*t358
-    t360 = t312*t359
-    t361 = d_3_1*t71
-    t362 = R_p_4**2
-    t363 = l_f_4_1*t362
-    t364 = t312*t363
-    t365 = d_4_1*t73
-    t366 = R_p_5**2
-    t367 = l_f_5_1*t366
-    t368 = t312*t367
-    t369 = d_5_1*t75
-    t370 = R_p_6**2
-    t371 = l_f_6_1*t370
-    t372 = t312*t371
-    t373 = d_6_1*t77
-    t374 = d_1_2*t67
-    t375 = d_2_2*t69
-    t376 = d_3_2*t71
-    t377 = d_4_2*t73
-    t378 = d_5_2*t75
-    t379 = d_6_2*t77
-    t380 = m_F + m_t_1 + m_t_2 + m_t_3 + m_t_4 + m_t_5 + m_t_6 + t112
-    t381 = k_1_2 + k_1_3
-    t382 = D_p_x_1*k_C
-    t383 = D_p_y_1*k_C
-    t384 = D_p_z_1*k_C
-    t385 = -R_p_1*k_1_3
-    t386 = -R_p_1*k_1_2
-    t387 = k_2_2 + k_2_3
-    t388 = D_p_x_2*k_C
-    t389 = D_p_y_2*k_C
-    t390 = D_p_z_2*k_C
-    t391 = -R_p_2*k_2_3
-    t392 = -R_p_2*k_2_2
-    t393 = k_3_2 + k_3_3
-    t394 = D_p_x_3*k_C
-    t395 = D_p_y_3*k_C
-    t396 = D_p_z_3*k_C
-    t397 = -R_p_3*k_3_3
-    t398 = -R_p_3*k_3_2
-    t399 = k_4_2 + k_4_3
-    t400 = D_p_x_4*k_C
-    t401 = D_p_y_4*k_C
-    t402 = D_p_z_4*k_C
-    t403 = -R_p_4*k_4_3
-    t404 = -R_p_4*k_4_2
-    t405 = k_5_2 + k_5_3
-    t406 = D_p_x_5*k_C
-    t407 = D_p_y_5*k_C
-    t408 = D_p_z_5*k_C
-    t409 = -R_p_5*k_5_3
-    t410 = -R_p_5*k_5_2
-    t411 = k_6_2 + k_6_3
-    t412 = -R_p_6*k_6_3
-    t413 = -R_p_6*k_6_2
-    t414 = D_p_x_6*k_C
-    t415 = D_p_y_6*k_C
-    t416 = D_p_z_6*k_C
-    t417 = d_1_1*k_S
-    t418 = k_1_1*t350
-    t419 = d_2_1*k_S
-    t420 = k_2_1*t354
-    t421 = d_3_1*k_S
-    t422 = k_3_1*t358
-    t423 = d_4_1*k_S
-    t424 = k_4_1*t362
-    t425 = d_5_1*k_S
-    t426 = k_5_1*t366
-    t427 = d_6_1*k_S
-    t428 = k_6_1*t370
-    t429 = d_1_2*k_S
-    t430 = d_2_2*k_S
-    t431 = d_3_2*k_S
-    t432 = d_4_2*k_S
-    t433 = d_5_2*k_S
-    t434 = d_6_2*k_S
-    t435 = D_delta_x_1*k_C
-    t436 = D_delta_y_1*k_C
-    t437 = D_delta_z_1*k_C
-    t438 = D_delta_x_2*k_C
-    t439 = D_delta_y_2*k_C
-    t440 = D_delta_z_2*k_C
-    t441 = D_delta_x_3*k_C
-    t442 = D_delta_y_3*k_C
-    t443 = D_delta_z_3*k_C
-    t444 = D_delta_x_4*k_C
-    t445 = D_delta_y_4*k_C
-    t446 = D_delta_z_4*k_C
-    t447 = D_delta_x_5*k_C
-    t448 = D_delta_y_5*k_C
-    t449 = D_delta_z_5*k_C
-    t450 = B_1_z*mu_1*n_1_x - t212
-    t451 = B_2_z*mu_2*n_2_x - t213
-    t452 = B_3_z*mu_3*n_3_x - t214
-    t453 = B_4_z*mu_4*n_4_x - t215
-    t454 = B_5_z*mu_5*n_5_x - t216
-    t455 = B_6_z*mu_6*n_6_x - t217
+    h_rz_u_x = M_p_x_rz - t309
+    h_rz_u_y = M_p_y_rz + t316
+    t323 = (1/3)*rho_b
+    t324 = l_f_1_2*t323
+    t325 = l_f_1_3*t323
+    t326 = t324 + t325
+    t327 = (1/6)*rho_b
+    t328 = R_p_1*t327
+    t329 = l_f_1_3*t328
+    t330 = l_f_1_2*t328
+    t331 = l_f_2_2*t323
+    t332 = l_f_2_3*t323
+    t333 = t331 + t332
+    t334 = R_p_2*t327
+    t335 = l_f_2_3*t334
+    t336 = l_f_2_2*t334
+    t337 = l_f_3_2*t323
+    t338 = l_f_3_3*t323
+    t339 = t337 + t338
+    t340 = R_p_3*t327
+    t341 = l_f_3_3*t340
+    t342 = l_f_3_2*t340
+    t343 = l_f_4_2*t323
+    t344 = l_f_4_3*t323
+    t345 = t343 + t344
+    t346 = R_p_4*t327
+    t347 = l_f_4_3*t346
+    t348 = l_f_4_2*t346
+    t349 = l_f_5_2*t323
+    t350 = l_f_5_3*t323
+    t351 = t349 + t350
+    t352 = R_p_5*t327
+    t353 = l_f_5_3*t352
+    t354 = l_f_5_2*t352
+    t355 = l_f_6_2*t323
+    t356 = l_f_6_3*t323
+    t357 = t355 + t356
+    t358 = R_p_6*t327
+    t359 = l_f_6_3*t358
+    t360 = l_f_6_2*t358
+    t361 = R_p_1**2
+    t362 = l_f_1_1*t361
+    t363 = t323*t362
+    t364 = d_1_1*t67
+    t365 = R_p_2**2
+    t366 = l_f_2_1*t365
+    t367 = t323*t366
+    t368 = d_2_1*t69
+    t369 = R_p_3**2
+    t370 = l_f_3_1*t369
+    t371 = t323*t370
+    t372 = d_3_1*t71
+    t373 = R_p_4**2
+    t374 = l_f_4_1*t373
+    t375 = t323*t374
+    t376 = d_4_1*t73
+    t377 = R_p_5**2
+    t378 = l_f_5_1*t377
+    t379 = t323*t378
+    t380 = d_5_1*t75
+    t381 = R_p_6**2
+    t382 = l_f_6_1*t381
+    t383 = t323*t382
+    t384 = d_6_1*t77
+    t385 = d_1_2*t67
+    t386 = d_2_2*t69
+    t387 = d_3_2*t71
+    t388 = d_4_2*t73
+    t389 = d_5_2*t75
+    t390 = d_6_2*t77
+    t391 = m_F + m_t_1 + m_t_2 + m_t_3 + m_t_4 + m_t_5 + m_t_6 + t112
+    t392 = k_1_2 + k_1_3
+    t393 = D_p_x_1*k_C
+    t394 = D_p_y_1*k_C
+    t395 = D_p_z_1*k_C
+    t396 = -R_p_1*k_1_3
+    t397 = -R_p_1*k_1_2
+    t398 = k_2_2 + k_2_3
+    t399 = D_p_x_2*k_C
+    t400 = D_p_y_2*k_C
+    t401 = D_p_z_2*k_C
+    t402 = -R_p_2*k_2_3
+    t403 = -R_p_2*k_2_2
+    t404 = k_3_2 + k_3_3
+    t405 = D_p_x_3*k_C
+    t406 = D_p_y_3*k_C
+    t407 = D_p_z_3*k_C
+    t408 = -R_p_3*k_3_3
+    t409 = -R_p_3*k_3_2
+    t410 = k_4_2 + k_4_3
+    t411 = D_p_x_4*k_C
+    t412 = D_p_y_4*k_C
+    t413 = D_p_z_4*k_C
+    t414 = -R_p_4*k_4_3
+    t415 = -R_p_4*k_4_2
+    t416 = k_5_2 + k_5_3
+    t417 = D_p_x_5*k_C
+    t418 = D_p_y_5*k_C
+    t419 = D_p_z_5*k_C
+    t420 = -R_p_5*k_5_3
+    t421 = -R_p_5*k_5_2
+    t422 = k_6_2 + k_6_3
+    t423 = -R_p_6*k_6_3
+    t424 = -R_p_6*k_6_2
+    t425 = D_p_x_6*k_C
+    t426 = D_p_y_6*k_C
+    t427 = D_p_z_6*k_C
+    t428 = d_1_1*k_S
+    t429 = k_1_1*t361
+    t430 = d_2_1*k_S
+    t431 = k_2_1*t365
+    t432 = d_3_1*k_S
+    t433 = k_3_1*t369
+    t434 = d_4_1*k_S
+    t435 = k_4_1*t373
+    t436 = d_5_1*k_S
+    t437 = k_5_1*t377
+    t438 = d_6_1*k_S
+    t439 = k_6_1*t381
+    t440 = d_1_2*k_S
+    t441 = d_2_2*k_S
+    t442 = d_3_2*k_S
+    t443 = d_4_2*k_S
+    t444 = d_5_2*k_S
+    t445 = d_6_2*k_S
+    t446 = D_delta_x_1*k_C
+    t447 = D_delta_y_1*k_C
+    t448 = D_delta_z_1*k_C
+    t449 = D_delta_x_2*k_C
+    t450 = D_delta_y_2*k_C
+    t451 = D_delta_z_2*k_C
+    t452 = D_delta_x_3*k_C
+    t453 = D_delta_y_3*k_C
+    t454 = D_delta_z_3*k_C
+    t455 = D_delta_x_4*k_C
+    t456 = D_delta_y_4*k_C
+    t457 = D_delta_z_4*k_C
+    t458 = D_delta_x_5*k_C
+    t459 = D_delta_y_5*k_C
+    t460 = D_delta_z_5*k_C
+    t461 = B_1_z*mu_1*n_1_x - t217
+    t462 = B_2_z*mu_2*n_2_x - t218
+    t463 = B_3_z*mu_3*n_3_x - t219
+    t464 = B_4_z*mu_4*n_4_x - t220
+    t465 = B_5_z*mu_5*n_5_x - t221
+    t466 = B_6_z*mu_6*n_6_x - t222
     M_out = np.zeros((*batch, 39, 39), dtype)
     M_out[..., 0, 0] = (
-        D_p_rx_1*h_rx_x_1 + D_p_rx_1*t291 + D_p_ry_1*h_ry_x_1 + D_p_ry_1*t299 + D_p_rz_1*h_rz_x_1
-        + D_p_rz_1*t306 + D_p_x_1*h_x_x_1 + D_p_x_1*t272 + D_p_y_1*h_y_x_1 + D_p_y_1*t279 + D_p_z_1*h_z_x_1
-        + D_p_z_1*t285 + m_t_1 + t224 + t315
+        D_p_rx_1*h_rx_x_1 + D_p_rx_1*t302 + D_p_ry_1*h_ry_x_1 + D_p_ry_1*t310 + D_p_rz_1*h_rz_x_1
+        + D_p_rz_1*t317 + D_p_x_1*h_x_x_1 + D_p_x_1*t283 + D_p_y_1*h_y_x_1 + D_p_y_1*t290 + D_p_z_1*h_z_x_1
+        + D_p_z_1*t296 + m_t_1 + t229 + t326
     )
     M_out[..., 0, 1] = M_out[..., 1, 0] = (
-        D_p_rx_1*h_rx_x_2 + D_p_rx_2*t291 + D_p_ry_1*h_ry_x_2 + D_p_ry_2*t299 + D_p_rz_1*h_rz_x_2
-        + D_p_rz_2*t306 + D_p_x_1*h_x_x_2 + D_p_x_2*t272 + D_p_y_1*h_y_x_2 + D_p_y_2*t279 + D_p_z_1*h_z_x_2
-        + D_p_z_2*t285
+        D_p_rx_1*h_rx_x_2 + D_p_rx_2*t302 + D_p_ry_1*h_ry_x_2 + D_p_ry_2*t310 + D_p_rz_1*h_rz_x_2
+        + D_p_rz_2*t317 + D_p_x_1*h_x_x_2 + D_p_x_2*t283 + D_p_y_1*h_y_x_2 + D_p_y_2*t290 + D_p_z_1*h_z_x_2
+        + D_p_z_2*t296
     )
     M_out[..., 0, 2] = M_out[..., 2, 0] = (
-        D_p_rx_1*h_rx_x_3 + D_p_rx_3*t291 + D_p_ry_1*h_ry_x_3 + D_p_ry_3*t299 + D_p_rz_1*h_rz_x_3
-        + D_p_rz_3*t306 + D_p_x_1*h_x_x_3 + D_p_x_3*t272 + D_p_y_1*h_y_x_3 + D_p_y_3*t279 + D_p_z_1*h_z_x_3
-        + D_p_z_3*t285
+        D_p_rx_1*h_rx_x_3 + D_p_rx_3*t302 + D_p_ry_1*h_ry_x_3 + D_p_ry_3*t310 + D_p_rz_1*h_rz_x_3
+        + D_p_rz_3*t317 + D_p_x_1*h_x_x_3 + D_p_x_3*t283 + D_p_y_1*h_y_x_3 + D_p_y_3*t290 + D_p_z_1*h_z_x_3
+        + D_p_z_3*t296
     )
     M_out[..., 0, 3] = M_out[..., 3, 0] = (
-        D_p_rx_1*h_rx_x_4 + D_p_rx_4*t291 + D_p_ry_1*h_ry_x_4 + D_p_ry_4*t299 + D_p_rz_1*h_rz_x_4
-        + D_p_rz_4*t306 + D_p_x_1*h_x_x_4 + D_p_x_4*t272 + D_p_y_1*h_y_x_4 + D_p_y_4*t279 + D_p_z_1*h_z_x_4
-        + D_p_z_4*t285
+        D_p_rx_1*h_rx_x_4 + D_p_rx_4*t302 + D_p_ry_1*h_ry_x_4 + D_p_ry_4*t310 + D_p_rz_1*h_rz_x_4
+        + D_p_rz_4*t317 + D_p_x_1*h_x_x_4 + D_p_x_4*t283 + D_p_y_1*h_y_x_4 + D_p_y_4*t290 + D_p_z_1*h_z_x_4
+        + D_p_z_4*t296
     )
     M_out[..., 0, 4] = M_out[..., 4, 0] = (
-        D_p_rx_1*h_rx_x_5 + D_p_rx_5*t291 + D_p_ry_1*h_ry_x_5 + D_p_ry_5*t299 + D_p_rz_1*h_rz_x_5
-        + D_p_rz_5*t306 + D_p_x_1*h_x_x_5 + D_p_x_5*t272 + D_p_y_1*h_y_x_5 + D_p_y_5*t279 + D_p_z_1*h_z_x_5
-        + D_p_z_5*t285
+        D_p_rx_1*h_rx_x_5 + D_p_rx_5*t302 + D_p_ry_1*h_ry_x_5 + D_p_ry_5*t310 + D_p_rz_1*h_rz_x_5
+        + D_p_rz_5*t317 + D_p_x_1*h_x_x_5 + D_p_x_5*t283 + D_p_y_1*h_y_x_5 + D_p_y_5*t290 + D_p_z_1*h_z_x_5
+        + D_p_z_5*t296
     )
     M_out[..., 0, 5] = M_out[..., 5, 0] = (
-        D_p_rx_1*h_rx_x_6 + D_p_rx_6*t291 + D_p_ry_1*h_ry_x_6 + D_p_ry_6*t299 + D_p_rz_1*h_rz_x_6
-        + D_p_rz_6*t306 + D_p_x_1*h_x_x_6 + D_p_x_6*t272 + D_p_y_1*h_y_x_6 + D_p_y_6*t279 + D_p_z_1*h_z_x_6
-        + D_p_z_6*t285
+        D_p_rx_1*h_rx_x_6 + D_p_rx_6*t302 + D_p_ry_1*h_ry_x_6 + D_p_ry_6*t310 + D_p_rz_1*h_rz_x_6
+        + D_p_rz_6*t317 + D_p_x_1*h_x_x_6 + D_p_x_6*t283 + D_p_y_1*h_y_x_6 + D_p_y_6*t290 + D_p_z_1*h_z_x_6
+        + D_p_z_6*t296
     )
-    M_out[..., 0, 6] = M_out[..., 6, 0] = t318
-    M_out[..., 0, 12] = M_out[..., 12, 0] = t319
+    M_out[..., 0, 6] = M_out[..., 6, 0] = t329
+    M_out[..., 0, 12] = M_out[..., 12, 0] = t330
     M_out[..., 0, 24] = M_out[..., 24, 0] = (
-        D_delta_rx_1*t291 + D_delta_ry_1*t299 + D_delta_rz_1*t306 + D_delta_x_1*t272 + D_delta_y_1*t279
-        + D_delta_z_1*t285 + D_p_rx_1*h_rx_delta_1 + D_p_ry_1*h_ry_delta_1 + D_p_rz_1*h_rz_delta_1
+        D_delta_rx_1*t302 + D_delta_ry_1*t310 + D_delta_rz_1*t317 + D_delta_x_1*t283 + D_delta_y_1*t290
+        + D_delta_z_1*t296 + D_p_rx_1*h_rx_delta_1 + D_p_ry_1*h_ry_delta_1 + D_p_rz_1*h_rz_delta_1
         + D_p_x_1*h_x_delta_1 + D_p_y_1*h_y_delta_1 + D_p_z_1*h_z_delta_1
     )
     M_out[..., 0, 25] = M_out[..., 25, 0] = (
-        D_delta_rx_2*t291 + D_delta_ry_2*t299 + D_delta_rz_2*t306 + D_delta_x_2*t272 + D_delta_y_2*t279
-        + D_delta_z_2*t285 + D_p_rx_1*h_rx_delta_2 + D_p_ry_1*h_ry_delta_2 + D_p_rz_1*h_rz_delta_2
+        D_delta_rx_2*t302 + D_delta_ry_2*t310 + D_delta_rz_2*t317 + D_delta_x_2*t283 + D_delta_y_2*t290
+        + D_delta_z_2*t296 + D_p_rx_1*h_rx_delta_2 + D_p_ry_1*h_ry_delta_2 + D_p_rz_1*h_rz_delta_2
         + D_p_x_1*h_x_delta_2 + D_p_y_1*h_y_delta_2 + D_p_z_1*h_z_delta_2
     )
     M_out[..., 0, 26] = M_out[..., 26, 0] = (
-        D_delta_rx_3*t291 + D_delta_ry_3*t299 + D_delta_rz_3*t306 + D_delta_x_3*t272 + D_delta_y_3*t279
-        + D_delta_z_3*t285 + D_p_rx_1*h_rx_delta_3 + D_p_ry_1*h_ry_delta_3 + D_p_rz_1*h_rz_delta_3
+        D_delta_rx_3*t302 + D_delta_ry_3*t310 + D_delta_rz_3*t317 + D_delta_x_3*t283 + D_delta_y_3*t290
+        + D_delta_z_3*t296 + D_p_rx_1*h_rx_delta_3 + D_p_ry_1*h_ry_delta_3 + D_p_rz_1*h_rz_delta_3
         + D_p_x_1*h_x_delta_3 + D_p_y_1*h_y_delta_3 + D_p_z_1*h_z_delta_3
     )
     M_out[..., 0, 27] = M_out[..., 27, 0] = (
-        D_delta_rx_4*t291 + D_delta_ry_4*t299 + D_delta_rz_4*t306 + D_delta_x_4*t272 + D_delta_y_4*t279
-        + D_delta_z_4*t285 + D_p_rx_1*h_rx_delta_4 + D_p_ry_1*h_ry_delta_4 + D_p_rz_1*h_rz_delta_4
+        D_delta_rx_4*t302 + D_delta_ry_4*t310 + D_delta_rz_4*t317 + D_delta_x_4*t283 + D_delta_y_4*t290
+        + D_delta_z_4*t296 + D_p_rx_1*h_rx_delta_4 + D_p_ry_1*h_ry_delta_4 + D_p_rz_1*h_rz_delta_4
         + D_p_x_1*h_x_delta_4 + D_p_y_1*h_y_delta_4 + D_p_z_1*h_z_delta_4
     )
     M_out[..., 0, 28] = M_out[..., 28, 0] = (
-        D_delta_rx_5*t291 + D_delta_ry_5*t299 + D_delta_rz_5*t306 + D_delta_x_5*t272 + D_delta_y_5*t279
-        + D_delta_z_5*t285 + D_p_rx_1*h_rx_delta_5 + D_p_ry_1*h_ry_delta_5 + D_p_rz_1*h_rz_delta_5
+        D_delta_rx_5*t302 + D_delta_ry_5*t310 + D_delta_rz_5*t317 + D_delta_x_5*t283 + D_delta_y_5*t290
+        + D_delta_z_5*t296 + D_p_rx_1*h_rx_delta_5 + D_p_ry_1*h_ry_delta_5 + D_p_rz_1*h_rz_delta_5
         + D_p_x_1*h_x_delta_5 + D_p_y_1*h_y_delta_5 + D_p_z_1*h_z_delta_5
     )
     M_out[..., 0, 29] = M_out[..., 29, 0] = (
-        D_delta_rx_6*t291 + D_delta_ry_6*t299 + D_delta_rz_6*t306 + D_delta_x_6*t272 + D_delta_y_6*t279
-        + D_delta_z_6*t285 + D_p_rx_1*h_rx_delta_6 + D_p_ry_1*h_ry_delta_6 + D_p_rz_1*h_rz_delta_6
+        D_delta_rx_6*t302 + D_delta_ry_6*t310 + D_delta_rz_6*t317 + D_delta_x_6*t283 + D_delta_y_6*t290
+        + D_delta_z_6*t296 + D_p_rx_1*h_rx_delta_6 + D_p_ry_1*h_ry_delta_6 + D_p_rz_1*h_rz_delta_6
         + D_p_x_1*h_x_delta_6 + D_p_y_1*h_y_delta_6 + D_p_z_1*h_z_delta_6
     )
-    M_out[..., 0, 30] = M_out[..., 30, 0] = t315
+    M_out[..., 0, 30] = M_out[..., 30, 0] = t326
     M_out[..., 0, 36] = M_out[..., 36, 0] = (
         D_p_ry_1*h_ry_u_x + D_p_rz_1*h_rz_u_x + D_p_x_1*h_x_u_x + m_t_1*n_1_x + n_1_x*t106
     )
@@ -3472,63 +3580,63 @@ def extended_matrices(p, parameters, effects):
         D_p_rx_1*h_rx_u_z + D_p_ry_1*h_ry_u_z + D_p_z_1*h_z_u_z + m_t_1*n_1_z + n_1_z*t106
     )
     M_out[..., 1, 1] = (
-        D_p_rx_2*h_rx_x_2 + D_p_rx_2*t292 + D_p_ry_2*h_ry_x_2 + D_p_ry_2*t300 + D_p_rz_2*h_rz_x_2
-        + D_p_rz_2*t307 + D_p_x_2*h_x_x_2 + D_p_x_2*t273 + D_p_y_2*h_y_x_2 + D_p_y_2*t280 + D_p_z_2*h_z_x_2
-        + D_p_z_2*t286 + m_t_2 + t225 + t322
+        D_p_rx_2*h_rx_x_2 + D_p_rx_2*t303 + D_p_ry_2*h_ry_x_2 + D_p_ry_2*t311 + D_p_rz_2*h_rz_x_2
+        + D_p_rz_2*t318 + D_p_x_2*h_x_x_2 + D_p_x_2*t284 + D_p_y_2*h_y_x_2 + D_p_y_2*t291 + D_p_z_2*h_z_x_2
+        + D_p_z_2*t297 + m_t_2 + t230 + t333
     )
     M_out[..., 1, 2] = M_out[..., 2, 1] = (
-        D_p_rx_2*h_rx_x_3 + D_p_rx_3*t292 + D_p_ry_2*h_ry_x_3 + D_p_ry_3*t300 + D_p_rz_2*h_rz_x_3
-        + D_p_rz_3*t307 + D_p_x_2*h_x_x_3 + D_p_x_3*t273 + D_p_y_2*h_y_x_3 + D_p_y_3*t280 + D_p_z_2*h_z_x_3
-        + D_p_z_3*t286
+        D_p_rx_2*h_rx_x_3 + D_p_rx_3*t303 + D_p_ry_2*h_ry_x_3 + D_p_ry_3*t311 + D_p_rz_2*h_rz_x_3
+        + D_p_rz_3*t318 + D_p_x_2*h_x_x_3 + D_p_x_3*t284 + D_p_y_2*h_y_x_3 + D_p_y_3*t291 + D_p_z_2*h_z_x_3
+        + D_p_z_3*t297
     )
     M_out[..., 1, 3] = M_out[..., 3, 1] = (
-        D_p_rx_2*h_rx_x_4 + D_p_rx_4*t292 + D_p_ry_2*h_ry_x_4 + D_p_ry_4*t300 + D_p_rz_2*h_rz_x_4
-        + D_p_rz_4*t307 + D_p_x_2*h_x_x_4 + D_p_x_4*t273 + D_p_y_2*h_y_x_4 + D_p_y_4*t280 + D_p_z_2*h_z_x_4
-        + D_p_z_4*t286
+        D_p_rx_2*h_rx_x_4 + D_p_rx_4*t303 + D_p_ry_2*h_ry_x_4 + D_p_ry_4*t311 + D_p_rz_2*h_rz_x_4
+        + D_p_rz_4*t318 + D_p_x_2*h_x_x_4 + D_p_x_4*t284 + D_p_y_2*h_y_x_4 + D_p_y_4*t291 + D_p_z_2*h_z_x_4
+        + D_p_z_4*t297
     )
     M_out[..., 1, 4] = M_out[..., 4, 1] = (
-        D_p_rx_2*h_rx_x_5 + D_p_rx_5*t292 + D_p_ry_2*h_ry_x_5 + D_p_ry_5*t300 + D_p_rz_2*h_rz_x_5
-        + D_p_rz_5*t307 + D_p_x_2*h_x_x_5 + D_p_x_5*t273 + D_p_y_2*h_y_x_5 + D_p_y_5*t280 + D_p_z_2*h_z_x_5
-        + D_p_z_5*t286
+        D_p_rx_2*h_rx_x_5 + D_p_rx_5*t303 + D_p_ry_2*h_ry_x_5 + D_p_ry_5*t311 + D_p_rz_2*h_rz_x_5
+        + D_p_rz_5*t318 + D_p_x_2*h_x_x_5 + D_p_x_5*t284 + D_p_y_2*h_y_x_5 + D_p_y_5*t291 + D_p_z_2*h_z_x_5
+        + D_p_z_5*t297
     )
     M_out[..., 1, 5] = M_out[..., 5, 1] = (
-        D_p_rx_2*h_rx_x_6 + D_p_rx_6*t292 + D_p_ry_2*h_ry_x_6 + D_p_ry_6*t300 + D_p_rz_2*h_rz_x_6
-        + D_p_rz_6*t307 + D_p_x_2*h_x_x_6 + D_p_x_6*t273 + D_p_y_2*h_y_x_6 + D_p_y_6*t280 + D_p_z_2*h_z_x_6
-        + D_p_z_6*t286
+        D_p_rx_2*h_rx_x_6 + D_p_rx_6*t303 + D_p_ry_2*h_ry_x_6 + D_p_ry_6*t311 + D_p_rz_2*h_rz_x_6
+        + D_p_rz_6*t318 + D_p_x_2*h_x_x_6 + D_p_x_6*t284 + D_p_y_2*h_y_x_6 + D_p_y_6*t291 + D_p_z_2*h_z_x_6
+        + D_p_z_6*t297
     )
-    M_out[..., 1, 7] = M_out[..., 7, 1] = t324
-    M_out[..., 1, 13] = M_out[..., 13, 1] = t325
+    M_out[..., 1, 7] = M_out[..., 7, 1] = t335
+    M_out[..., 1, 13] = M_out[..., 13, 1] = t336
     M_out[..., 1, 24] = M_out[..., 24, 1] = (
-        D_delta_rx_1*t292 + D_delta_ry_1*t300 + D_delta_rz_1*t307 + D_delta_x_1*t273 + D_delta_y_1*t280
-        + D_delta_z_1*t286 + D_p_rx_2*h_rx_delta_1 + D_p_ry_2*h_ry_delta_1 + D_p_rz_2*h_rz_delta_1
+        D_delta_rx_1*t303 + D_delta_ry_1*t311 + D_delta_rz_1*t318 + D_delta_x_1*t284 + D_delta_y_1*t291
+        + D_delta_z_1*t297 + D_p_rx_2*h_rx_delta_1 + D_p_ry_2*h_ry_delta_1 + D_p_rz_2*h_rz_delta_1
         + D_p_x_2*h_x_delta_1 + D_p_y_2*h_y_delta_1 + D_p_z_2*h_z_delta_1
     )
     M_out[..., 1, 25] = M_out[..., 25, 1] = (
-        D_delta_rx_2*t292 + D_delta_ry_2*t300 + D_delta_rz_2*t307 + D_delta_x_2*t273 + D_delta_y_2*t280
-        + D_delta_z_2*t286 + D_p_rx_2*h_rx_delta_2 + D_p_ry_2*h_ry_delta_2 + D_p_rz_2*h_rz_delta_2
+        D_delta_rx_2*t303 + D_delta_ry_2*t311 + D_delta_rz_2*t318 + D_delta_x_2*t284 + D_delta_y_2*t291
+        + D_delta_z_2*t297 + D_p_rx_2*h_rx_delta_2 + D_p_ry_2*h_ry_delta_2 + D_p_rz_2*h_rz_delta_2
         + D_p_x_2*h_x_delta_2 + D_p_y_2*h_y_delta_2 + D_p_z_2*h_z_delta_2
     )
     M_out[..., 1, 26] = M_out[..., 26, 1] = (
-        D_delta_rx_3*t292 + D_delta_ry_3*t300 + D_delta_rz_3*t307 + D_delta_x_3*t273 + D_delta_y_3*t280
-        + D_delta_z_3*t286 + D_p_rx_2*h_rx_delta_3 + D_p_ry_2*h_ry_delta_3 + D_p_rz_2*h_rz_delta_3
+        D_delta_rx_3*t303 + D_delta_ry_3*t311 + D_delta_rz_3*t318 + D_delta_x_3*t284 + D_delta_y_3*t291
+        + D_delta_z_3*t297 + D_p_rx_2*h_rx_delta_3 + D_p_ry_2*h_ry_delta_3 + D_p_rz_2*h_rz_delta_3
         + D_p_x_2*h_x_delta_3 + D_p_y_2*h_y_delta_3 + D_p_z_2*h_z_delta_3
     )
     M_out[..., 1, 27] = M_out[..., 27, 1] = (
-        D_delta_rx_4*t292 + D_delta_ry_4*t300 + D_delta_rz_4*t307 + D_delta_x_4*t273 + D_delta_y_4*t280
-        + D_delta_z_4*t286 + D_p_rx_2*h_rx_delta_4 + D_p_ry_2*h_ry_delta_4 + D_p_rz_2*h_rz_delta_4
+        D_delta_rx_4*t303 + D_delta_ry_4*t311 + D_delta_rz_4*t318 + D_delta_x_4*t284 + D_delta_y_4*t291
+        + D_delta_z_4*t297 + D_p_rx_2*h_rx_delta_4 + D_p_ry_2*h_ry_delta_4 + D_p_rz_2*h_rz_delta_4
         + D_p_x_2*h_x_delta_4 + D_p_y_2*h_y_delta_4 + D_p_z_2*h_z_delta_4
     )
     M_out[..., 1, 28] = M_out[..., 28, 1] = (
-        D_delta_rx_5*t292 + D_delta_ry_5*t300 + D_delta_rz_5*t307 + D_delta_x_5*t273 + D_delta_y_5*t280
-        + D_delta_z_5*t286 + D_p_rx_2*h_rx_delta_5 + D_p_ry_2*h_ry_delta_5 + D_p_rz_2*h_rz_delta_5
+        D_delta_rx_5*t303 + D_delta_ry_5*t311 + D_delta_rz_5*t318 + D_delta_x_5*t284 + D_delta_y_5*t291
+        + D_delta_z_5*t297 + D_p_rx_2*h_rx_delta_5 + D_p_ry_2*h_ry_delta_5 + D_p_rz_2*h_rz_delta_5
         + D_p_x_2*h_x_delta_5 + D_p_y_2*h_y_delta_5 + D_p_z_2*h_z_delta_5
     )
     M_out[..., 1, 29] = M_out[..., 29, 1] = (
-        D_delta_rx_6*t292 + D_delta_ry_6*t300 + D_delta_rz_6*t307 + D_delta_x_6*t273 + D_delta_y_6*t280
-        + D_delta_z_6*t286 + D_p_rx_2*h_rx_delta_6 + D_p_ry_2*h_ry_delta_6 + D_p_rz_2*h_rz_delta_6
+        D_delta_rx_6*t303 + D_delta_ry_6*t311 + D_delta_rz_6*t318 + D_delta_x_6*t284 + D_delta_y_6*t291
+        + D_delta_z_6*t297 + D_p_rx_2*h_rx_delta_6 + D_p_ry_2*h_ry_delta_6 + D_p_rz_2*h_rz_delta_6
         + D_p_x_2*h_x_delta_6 + D_p_y_2*h_y_delta_6 + D_p_z_2*h_z_delta_6
     )
-    M_out[..., 1, 31] = M_out[..., 31, 1] = t322
+    M_out[..., 1, 31] = M_out[..., 31, 1] = t333
     M_out[..., 1, 36] = M_out[..., 36, 1] = (
         D_p_ry_2*h_ry_u_x + D_p_rz_2*h_rz_u_x + D_p_x_2*h_x_u_x + m_t_2*n_2_x + n_2_x*t107
     )
@@ -3539,58 +3647,58 @@ def extended_matrices(p, parameters, effects):
         D_p_rx_2*h_rx_u_z + D_p_ry_2*h_ry_u_z + D_p_z_2*h_z_u_z + m_t_2*n_2_z + n_2_z*t107
     )
     M_out[..., 2, 2] = (
-        D_p_rx_3*h_rx_x_3 + D_p_rx_3*t293 + D_p_ry_3*h_ry_x_3 + D_p_ry_3*t301 + D_p_rz_3*h_rz_x_3
-        + D_p_rz_3*t308 + D_p_x_3*h_x_x_3 + D_p_x_3*t274 + D_p_y_3*h_y_x_3 + D_p_y_3*t281 + D_p_z_3*h_z_x_3
-        + D_p_z_3*t287 + m_t_3 + t226 + t328
+        D_p_rx_3*h_rx_x_3 + D_p_rx_3*t304 + D_p_ry_3*h_ry_x_3 + D_p_ry_3*t312 + D_p_rz_3*h_rz_x_3
+        + D_p_rz_3*t319 + D_p_x_3*h_x_x_3 + D_p_x_3*t285 + D_p_y_3*h_y_x_3 + D_p_y_3*t292 + D_p_z_3*h_z_x_3
+        + D_p_z_3*t298 + m_t_3 + t231 + t339
     )
     M_out[..., 2, 3] = M_out[..., 3, 2] = (
-        D_p_rx_3*h_rx_x_4 + D_p_rx_4*t293 + D_p_ry_3*h_ry_x_4 + D_p_ry_4*t301 + D_p_rz_3*h_rz_x_4
-        + D_p_rz_4*t308 + D_p_x_3*h_x_x_4 + D_p_x_4*t274 + D_p_y_3*h_y_x_4 + D_p_y_4*t281 + D_p_z_3*h_z_x_4
-        + D_p_z_4*t287
+        D_p_rx_3*h_rx_x_4 + D_p_rx_4*t304 + D_p_ry_3*h_ry_x_4 + D_p_ry_4*t312 + D_p_rz_3*h_rz_x_4
+        + D_p_rz_4*t319 + D_p_x_3*h_x_x_4 + D_p_x_4*t285 + D_p_y_3*h_y_x_4 + D_p_y_4*t292 + D_p_z_3*h_z_x_4
+        + D_p_z_4*t298
     )
     M_out[..., 2, 4] = M_out[..., 4, 2] = (
-        D_p_rx_3*h_rx_x_5 + D_p_rx_5*t293 + D_p_ry_3*h_ry_x_5 + D_p_ry_5*t301 + D_p_rz_3*h_rz_x_5
-        + D_p_rz_5*t308 + D_p_x_3*h_x_x_5 + D_p_x_5*t274 + D_p_y_3*h_y_x_5 + D_p_y_5*t281 + D_p_z_3*h_z_x_5
-        + D_p_z_5*t287
+        D_p_rx_3*h_rx_x_5 + D_p_rx_5*t304 + D_p_ry_3*h_ry_x_5 + D_p_ry_5*t312 + D_p_rz_3*h_rz_x_5
+        + D_p_rz_5*t319 + D_p_x_3*h_x_x_5 + D_p_x_5*t285 + D_p_y_3*h_y_x_5 + D_p_y_5*t292 + D_p_z_3*h_z_x_5
+        + D_p_z_5*t298
     )
     M_out[..., 2, 5] = M_out[..., 5, 2] = (
-        D_p_rx_3*h_rx_x_6 + D_p_rx_6*t293 + D_p_ry_3*h_ry_x_6 + D_p_ry_6*t301 + D_p_rz_3*h_rz_x_6
-        + D_p_rz_6*t308 + D_p_x_3*h_x_x_6 + D_p_x_6*t274 + D_p_y_3*h_y_x_6 + D_p_y_6*t281 + D_p_z_3*h_z_x_6
-        + D_p_z_6*t287
+        D_p_rx_3*h_rx_x_6 + D_p_rx_6*t304 + D_p_ry_3*h_ry_x_6 + D_p_ry_6*t312 + D_p_rz_3*h_rz_x_6
+        + D_p_rz_6*t319 + D_p_x_3*h_x_x_6 + D_p_x_6*t285 + D_p_y_3*h_y_x_6 + D_p_y_6*t292 + D_p_z_3*h_z_x_6
+        + D_p_z_6*t298
     )
-    M_out[..., 2, 8] = M_out[..., 8, 2] = t330
-    M_out[..., 2, 14] = M_out[..., 14, 2] = t331
+    M_out[..., 2, 8] = M_out[..., 8, 2] = t341
+    M_out[..., 2, 14] = M_out[..., 14, 2] = t342
     M_out[..., 2, 24] = M_out[..., 24, 2] = (
-        D_delta_rx_1*t293 + D_delta_ry_1*t301 + D_delta_rz_1*t308 + D_delta_x_1*t274 + D_delta_y_1*t281
-        + D_delta_z_1*t287 + D_p_rx_3*h_rx_delta_1 + D_p_ry_3*h_ry_delta_1 + D_p_rz_3*h_rz_delta_1
+        D_delta_rx_1*t304 + D_delta_ry_1*t312 + D_delta_rz_1*t319 + D_delta_x_1*t285 + D_delta_y_1*t292
+        + D_delta_z_1*t298 + D_p_rx_3*h_rx_delta_1 + D_p_ry_3*h_ry_delta_1 + D_p_rz_3*h_rz_delta_1
         + D_p_x_3*h_x_delta_1 + D_p_y_3*h_y_delta_1 + D_p_z_3*h_z_delta_1
     )
     M_out[..., 2, 25] = M_out[..., 25, 2] = (
-        D_delta_rx_2*t293 + D_delta_ry_2*t301 + D_delta_rz_2*t308 + D_delta_x_2*t274 + D_delta_y_2*t281
-        + D_delta_z_2*t287 + D_p_rx_3*h_rx_delta_2 + D_p_ry_3*h_ry_delta_2 + D_p_rz_3*h_rz_delta_2
+        D_delta_rx_2*t304 + D_delta_ry_2*t312 + D_delta_rz_2*t319 + D_delta_x_2*t285 + D_delta_y_2*t292
+        + D_delta_z_2*t298 + D_p_rx_3*h_rx_delta_2 + D_p_ry_3*h_ry_delta_2 + D_p_rz_3*h_rz_delta_2
         + D_p_x_3*h_x_delta_2 + D_p_y_3*h_y_delta_2 + D_p_z_3*h_z_delta_2
     )
     M_out[..., 2, 26] = M_out[..., 26, 2] = (
-        D_delta_rx_3*t293 + D_delta_ry_3*t301 + D_delta_rz_3*t308 + D_delta_x_3*t274 + D_delta_y_3*t281
-        + D_delta_z_3*t287 + D_p_rx_3*h_rx_delta_3 + D_p_ry_3*h_ry_delta_3 + D_p_rz_3*h_rz_delta_3
+        D_delta_rx_3*t304 + D_delta_ry_3*t312 + D_delta_rz_3*t319 + D_delta_x_3*t285 + D_delta_y_3*t292
+        + D_delta_z_3*t298 + D_p_rx_3*h_rx_delta_3 + D_p_ry_3*h_ry_delta_3 + D_p_rz_3*h_rz_delta_3
         + D_p_x_3*h_x_delta_3 + D_p_y_3*h_y_delta_3 + D_p_z_3*h_z_delta_3
     )
     M_out[..., 2, 27] = M_out[..., 27, 2] = (
-        D_delta_rx_4*t293 + D_delta_ry_4*t301 + D_delta_rz_4*t308 + D_delta_x_4*t274 + D_delta_y_4*t281
-        + D_delta_z_4*t287 + D_p_rx_3*h_rx_delta_4 + D_p_ry_3*h_ry_delta_4 + D_p_rz_3*h_rz_delta_4
+        D_delta_rx_4*t304 + D_delta_ry_4*t312 + D_delta_rz_4*t319 + D_delta_x_4*t285 + D_delta_y_4*t292
+        + D_delta_z_4*t298 + D_p_rx_3*h_rx_delta_4 + D_p_ry_3*h_ry_delta_4 + D_p_rz_3*h_rz_delta_4
         + D_p_x_3*h_x_delta_4 + D_p_y_3*h_y_delta_4 + D_p_z_3*h_z_delta_4
     )
     M_out[..., 2, 28] = M_out[..., 28, 2] = (
-        D_delta_rx_5*t293 + D_delta_ry_5*t301 + D_delta_rz_5*t308 + D_delta_x_5*t274 + D_delta_y_5*t281
-        + D_delta_z_5*t287 + D_p_rx_3*h_rx_delta_5 + D_p_ry_3*h_ry_delta_5 + D_p_rz_3*h_rz_delta_5
+        D_delta_rx_5*t304 + D_delta_ry_5*t312 + D_delta_rz_5*t319 + D_delta_x_5*t285 + D_delta_y_5*t292
+        + D_delta_z_5*t298 + D_p_rx_3*h_rx_delta_5 + D_p_ry_3*h_ry_delta_5 + D_p_rz_3*h_rz_delta_5
         + D_p_x_3*h_x_delta_5 + D_p_y_3*h_y_delta_5 + D_p_z_3*h_z_delta_5
     )
     M_out[..., 2, 29] = M_out[..., 29, 2] = (
-        D_delta_rx_6*t293 + D_delta_ry_6*t301 + D_delta_rz_6*t308 + D_delta_x_6*t274 + D_delta_y_6*t281
-        + D_delta_z_6*t287 + D_p_rx_3*h_rx_delta_6 + D_p_ry_3*h_ry_delta_6 + D_p_rz_3*h_rz_delta_6
+        D_delta_rx_6*t304 + D_delta_ry_6*t312 + D_delta_rz_6*t319 + D_delta_x_6*t285 + D_delta_y_6*t292
+        + D_delta_z_6*t298 + D_p_rx_3*h_rx_delta_6 + D_p_ry_3*h_ry_delta_6 + D_p_rz_3*h_rz_delta_6
         + D_p_x_3*h_x_delta_6 + D_p_y_3*h_y_delta_6 + D_p_z_3*h_z_delta_6
     )
-    M_out[..., 2, 32] = M_out[..., 32, 2] = t328
+    M_out[..., 2, 32] = M_out[..., 32, 2] = t339
     M_out[..., 2, 36] = M_out[..., 36, 2] = (
         D_p_ry_3*h_ry_u_x + D_p_rz_3*h_rz_u_x + D_p_x_3*h_x_u_x + m_t_3*n_3_x + n_3_x*t108
     )
@@ -3601,53 +3709,53 @@ def extended_matrices(p, parameters, effects):
         D_p_rx_3*h_rx_u_z + D_p_ry_3*h_ry_u_z + D_p_z_3*h_z_u_z + m_t_3*n_3_z + n_3_z*t108
     )
     M_out[..., 3, 3] = (
-        D_p_rx_4*h_rx_x_4 + D_p_rx_4*t294 + D_p_ry_4*h_ry_x_4 + D_p_ry_4*t302 + D_p_rz_4*h_rz_x_4
-        + D_p_rz_4*t309 + D_p_x_4*h_x_x_4 + D_p_x_4*t275 + D_p_y_4*h_y_x_4 + D_p_y_4*t282 + D_p_z_4*h_z_x_4
-        + D_p_z_4*t288 + m_t_4 + t227 + t334
+        D_p_rx_4*h_rx_x_4 + D_p_rx_4*t305 + D_p_ry_4*h_ry_x_4 + D_p_ry_4*t313 + D_p_rz_4*h_rz_x_4
+        + D_p_rz_4*t320 + D_p_x_4*h_x_x_4 + D_p_x_4*t286 + D_p_y_4*h_y_x_4 + D_p_y_4*t293 + D_p_z_4*h_z_x_4
+        + D_p_z_4*t299 + m_t_4 + t232 + t345
     )
     M_out[..., 3, 4] = M_out[..., 4, 3] = (
-        D_p_rx_4*h_rx_x_5 + D_p_rx_5*t294 + D_p_ry_4*h_ry_x_5 + D_p_ry_5*t302 + D_p_rz_4*h_rz_x_5
-        + D_p_rz_5*t309 + D_p_x_4*h_x_x_5 + D_p_x_5*t275 + D_p_y_4*h_y_x_5 + D_p_y_5*t282 + D_p_z_4*h_z_x_5
-        + D_p_z_5*t288
+        D_p_rx_4*h_rx_x_5 + D_p_rx_5*t305 + D_p_ry_4*h_ry_x_5 + D_p_ry_5*t313 + D_p_rz_4*h_rz_x_5
+        + D_p_rz_5*t320 + D_p_x_4*h_x_x_5 + D_p_x_5*t286 + D_p_y_4*h_y_x_5 + D_p_y_5*t293 + D_p_z_4*h_z_x_5
+        + D_p_z_5*t299
     )
     M_out[..., 3, 5] = M_out[..., 5, 3] = (
-        D_p_rx_4*h_rx_x_6 + D_p_rx_6*t294 + D_p_ry_4*h_ry_x_6 + D_p_ry_6*t302 + D_p_rz_4*h_rz_x_6
-        + D_p_rz_6*t309 + D_p_x_4*h_x_x_6 + D_p_x_6*t275 + D_p_y_4*h_y_x_6 + D_p_y_6*t282 + D_p_z_4*h_z_x_6
-        + D_p_z_6*t288
+        D_p_rx_4*h_rx_x_6 + D_p_rx_6*t305 + D_p_ry_4*h_ry_x_6 + D_p_ry_6*t313 + D_p_rz_4*h_rz_x_6
+        + D_p_rz_6*t320 + D_p_x_4*h_x_x_6 + D_p_x_6*t286 + D_p_y_4*h_y_x_6 + D_p_y_6*t293 + D_p_z_4*h_z_x_6
+        + D_p_z_6*t299
     )
-    M_out[..., 3, 9] = M_out[..., 9, 3] = t336
-    M_out[..., 3, 15] = M_out[..., 15, 3] = t337
+    M_out[..., 3, 9] = M_out[..., 9, 3] = t347
+    M_out[..., 3, 15] = M_out[..., 15, 3] = t348
     M_out[..., 3, 24] = M_out[..., 24, 3] = (
-        D_delta_rx_1*t294 + D_delta_ry_1*t302 + D_delta_rz_1*t309 + D_delta_x_1*t275 + D_delta_y_1*t282
-        + D_delta_z_1*t288 + D_p_rx_4*h_rx_delta_1 + D_p_ry_4*h_ry_delta_1 + D_p_rz_4*h_rz_delta_1
+        D_delta_rx_1*t305 + D_delta_ry_1*t313 + D_delta_rz_1*t320 + D_delta_x_1*t286 + D_delta_y_1*t293
+        + D_delta_z_1*t299 + D_p_rx_4*h_rx_delta_1 + D_p_ry_4*h_ry_delta_1 + D_p_rz_4*h_rz_delta_1
         + D_p_x_4*h_x_delta_1 + D_p_y_4*h_y_delta_1 + D_p_z_4*h_z_delta_1
     )
     M_out[..., 3, 25] = M_out[..., 25, 3] = (
-        D_delta_rx_2*t294 + D_delta_ry_2*t302 + D_delta_rz_2*t309 + D_delta_x_2*t275 + D_delta_y_2*t282
-        + D_delta_z_2*t288 + D_p_rx_4*h_rx_delta_2 + D_p_ry_4*h_ry_delta_2 + D_p_rz_4*h_rz_delta_2
+        D_delta_rx_2*t305 + D_delta_ry_2*t313 + D_delta_rz_2*t320 + D_delta_x_2*t286 + D_delta_y_2*t293
+        + D_delta_z_2*t299 + D_p_rx_4*h_rx_delta_2 + D_p_ry_4*h_ry_delta_2 + D_p_rz_4*h_rz_delta_2
         + D_p_x_4*h_x_delta_2 + D_p_y_4*h_y_delta_2 + D_p_z_4*h_z_delta_2
     )
     M_out[..., 3, 26] = M_out[..., 26, 3] = (
-        D_delta_rx_3*t294 + D_delta_ry_3*t302 + D_delta_rz_3*t309 + D_delta_x_3*t275 + D_delta_y_3*t282
-        + D_delta_z_3*t288 + D_p_rx_4*h_rx_delta_3 + D_p_ry_4*h_ry_delta_3 + D_p_rz_4*h_rz_delta_3
+        D_delta_rx_3*t305 + D_delta_ry_3*t313 + D_delta_rz_3*t320 + D_delta_x_3*t286 + D_delta_y_3*t293
+        + D_delta_z_3*t299 + D_p_rx_4*h_rx_delta_3 + D_p_ry_4*h_ry_delta_3 + D_p_rz_4*h_rz_delta_3
         + D_p_x_4*h_x_delta_3 + D_p_y_4*h_y_delta_3 + D_p_z_4*h_z_delta_3
     )
     M_out[..., 3, 27] = M_out[..., 27, 3] = (
-        D_delta_rx_4*t294 + D_delta_ry_4*t302 + D_delta_rz_4*t309 + D_delta_x_4*t275 + D_delta_y_4*t282
-        + D_delta_z_4*t288 + D_p_rx_4*h_rx_delta_4 + D_p_ry_4*h_ry_delta_4 + D_p_rz_4*h_rz_delta_4
+        D_delta_rx_4*t305 + D_delta_ry_4*t313 + D_delta_rz_4*t320 + D_delta_x_4*t286 + D_delta_y_4*t293
+        + D_delta_z_4*t299 + D_p_rx_4*h_rx_delta_4 + D_p_ry_4*h_ry_delta_4 + D_p_rz_4*h_rz_delta_4
         + D_p_x_4*h_x_delta_4 + D_p_y_4*h_y_delta_4 + D_p_z_4*h_z_delta_4
     )
     M_out[..., 3, 28] = M_out[..., 28, 3] = (
-        D_delta_rx_5*t294 + D_delta_ry_5*t302 + D_delta_rz_5*t309 + D_delta_x_5*t275 + D_delta_y_5*t282
-        + D_delta_z_5*t288 + D_p_rx_4*h_rx_delta_5 + D_p_ry_4*h_ry_delta_5 + D_p_rz_4*h_rz_delta_5
+        D_delta_rx_5*t305 + D_delta_ry_5*t313 + D_delta_rz_5*t320 + D_delta_x_5*t286 + D_delta_y_5*t293
+        + D_delta_z_5*t299 + D_p_rx_4*h_rx_delta_5 + D_p_ry_4*h_ry_delta_5 + D_p_rz_4*h_rz_delta_5
         + D_p_x_4*h_x_delta_5 + D_p_y_4*h_y_delta_5 + D_p_z_4*h_z_delta_5
     )
     M_out[..., 3, 29] = M_out[..., 29, 3] = (
-        D_delta_rx_6*t294 + D_delta_ry_6*t302 + D_delta_rz_6*t309 + D_delta_x_6*t275 + D_delta_y_6*t282
-        + D_delta_z_6*t288 + D_p_rx_4*h_rx_delta_6 + D_p_ry_4*h_ry_delta_6 + D_p_rz_4*h_rz_delta_6
+        D_delta_rx_6*t305 + D_delta_ry_6*t313 + D_delta_rz_6*t320 + D_delta_x_6*t286 + D_delta_y_6*t293
+        + D_delta_z_6*t299 + D_p_rx_4*h_rx_delta_6 + D_p_ry_4*h_ry_delta_6 + D_p_rz_4*h_rz_delta_6
         + D_p_x_4*h_x_delta_6 + D_p_y_4*h_y_delta_6 + D_p_z_4*h_z_delta_6
     )
-    M_out[..., 3, 33] = M_out[..., 33, 3] = t334
+    M_out[..., 3, 33] = M_out[..., 33, 3] = t345
     M_out[..., 3, 36] = M_out[..., 36, 3] = (
         D_p_ry_4*h_ry_u_x + D_p_rz_4*h_rz_u_x + D_p_x_4*h_x_u_x + m_t_4*n_4_x + n_4_x*t109
     )
@@ -3658,48 +3766,48 @@ def extended_matrices(p, parameters, effects):
         D_p_rx_4*h_rx_u_z + D_p_ry_4*h_ry_u_z + D_p_z_4*h_z_u_z + m_t_4*n_4_z + n_4_z*t109
     )
     M_out[..., 4, 4] = (
-        D_p_rx_5*h_rx_x_5 + D_p_rx_5*t295 + D_p_ry_5*h_ry_x_5 + D_p_ry_5*t303 + D_p_rz_5*h_rz_x_5
-        + D_p_rz_5*t310 + D_p_x_5*h_x_x_5 + D_p_x_5*t276 + D_p_y_5*h_y_x_5 + D_p_y_5*t283 + D_p_z_5*h_z_x_5
-        + D_p_z_5*t289 + m_t_5 + t228 + t340
+        D_p_rx_5*h_rx_x_5 + D_p_rx_5*t306 + D_p_ry_5*h_ry_x_5 + D_p_ry_5*t314 + D_p_rz_5*h_rz_x_5
+        + D_p_rz_5*t321 + D_p_x_5*h_x_x_5 + D_p_x_5*t287 + D_p_y_5*h_y_x_5 + D_p_y_5*t294 + D_p_z_5*h_z_x_5
+        + D_p_z_5*t300 + m_t_5 + t233 + t351
     )
     M_out[..., 4, 5] = M_out[..., 5, 4] = (
-        D_p_rx_5*h_rx_x_6 + D_p_rx_6*t295 + D_p_ry_5*h_ry_x_6 + D_p_ry_6*t303 + D_p_rz_5*h_rz_x_6
-        + D_p_rz_6*t310 + D_p_x_5*h_x_x_6 + D_p_x_6*t276 + D_p_y_5*h_y_x_6 + D_p_y_6*t283 + D_p_z_5*h_z_x_6
-        + D_p_z_6*t289
+        D_p_rx_5*h_rx_x_6 + D_p_rx_6*t306 + D_p_ry_5*h_ry_x_6 + D_p_ry_6*t314 + D_p_rz_5*h_rz_x_6
+        + D_p_rz_6*t321 + D_p_x_5*h_x_x_6 + D_p_x_6*t287 + D_p_y_5*h_y_x_6 + D_p_y_6*t294 + D_p_z_5*h_z_x_6
+        + D_p_z_6*t300
     )
-    M_out[..., 4, 10] = M_out[..., 10, 4] = t342
-    M_out[..., 4, 16] = M_out[..., 16, 4] = t343
+    M_out[..., 4, 10] = M_out[..., 10, 4] = t353
+    M_out[..., 4, 16] = M_out[..., 16, 4] = t354
     M_out[..., 4, 24] = M_out[..., 24, 4] = (
-        D_delta_rx_1*t295 + D_delta_ry_1*t303 + D_delta_rz_1*t310 + D_delta_x_1*t276 + D_delta_y_1*t283
-        + D_delta_z_1*t289 + D_p_rx_5*h_rx_delta_1 + D_p_ry_5*h_ry_delta_1 + D_p_rz_5*h_rz_delta_1
+        D_delta_rx_1*t306 + D_delta_ry_1*t314 + D_delta_rz_1*t321 + D_delta_x_1*t287 + D_delta_y_1*t294
+        + D_delta_z_1*t300 + D_p_rx_5*h_rx_delta_1 + D_p_ry_5*h_ry_delta_1 + D_p_rz_5*h_rz_delta_1
         + D_p_x_5*h_x_delta_1 + D_p_y_5*h_y_delta_1 + D_p_z_5*h_z_delta_1
     )
     M_out[..., 4, 25] = M_out[..., 25, 4] = (
-        D_delta_rx_2*t295 + D_delta_ry_2*t303 + D_delta_rz_2*t310 + D_delta_x_2*t276 + D_delta_y_2*t283
-        + D_delta_z_2*t289 + D_p_rx_5*h_rx_delta_2 + D_p_ry_5*h_ry_delta_2 + D_p_rz_5*h_rz_delta_2
+        D_delta_rx_2*t306 + D_delta_ry_2*t314 + D_delta_rz_2*t321 + D_delta_x_2*t287 + D_delta_y_2*t294
+        + D_delta_z_2*t300 + D_p_rx_5*h_rx_delta_2 + D_p_ry_5*h_ry_delta_2 + D_p_rz_5*h_rz_delta_2
         + D_p_x_5*h_x_delta_2 + D_p_y_5*h_y_delta_2 + D_p_z_5*h_z_delta_2
     )
     M_out[..., 4, 26] = M_out[..., 26, 4] = (
-        D_delta_rx_3*t295 + D_delta_ry_3*t303 + D_delta_rz_3*t310 + D_delta_x_3*t276 + D_delta_y_3*t283
-        + D_delta_z_3*t289 + D_p_rx_5*h_rx_delta_3 + D_p_ry_5*h_ry_delta_3 + D_p_rz_5*h_rz_delta_3
+        D_delta_rx_3*t306 + D_delta_ry_3*t314 + D_delta_rz_3*t321 + D_delta_x_3*t287 + D_delta_y_3*t294
+        + D_delta_z_3*t300 + D_p_rx_5*h_rx_delta_3 + D_p_ry_5*h_ry_delta_3 + D_p_rz_5*h_rz_delta_3
         + D_p_x_5*h_x_delta_3 + D_p_y_5*h_y_delta_3 + D_p_z_5*h_z_delta_3
     )
     M_out[..., 4, 27] = M_out[..., 27, 4] = (
-        D_delta_rx_4*t295 + D_delta_ry_4*t303 + D_delta_rz_4*t310 + D_delta_x_4*t276 + D_delta_y_4*t283
-        + D_delta_z_4*t289 + D_p_rx_5*h_rx_delta_4 + D_p_ry_5*h_ry_delta_4 + D_p_rz_5*h_rz_delta_4
+        D_delta_rx_4*t306 + D_delta_ry_4*t314 + D_delta_rz_4*t321 + D_delta_x_4*t287 + D_delta_y_4*t294
+        + D_delta_z_4*t300 + D_p_rx_5*h_rx_delta_4 + D_p_ry_5*h_ry_delta_4 + D_p_rz_5*h_rz_delta_4
         + D_p_x_5*h_x_delta_4 + D_p_y_5*h_y_delta_4 + D_p_z_5*h_z_delta_4
     )
     M_out[..., 4, 28] = M_out[..., 28, 4] = (
-        D_delta_rx_5*t295 + D_delta_ry_5*t303 + D_delta_rz_5*t310 + D_delta_x_5*t276 + D_delta_y_5*t283
-        + D_delta_z_5*t289 + D_p_rx_5*h_rx_delta_5 + D_p_ry_5*h_ry_delta_5 + D_p_rz_5*h_rz_delta_5
+        D_delta_rx_5*t306 + D_delta_ry_5*t314 + D_delta_rz_5*t321 + D_delta_x_5*t287 + D_delta_y_5*t294
+        + D_delta_z_5*t300 + D_p_rx_5*h_rx_delta_5 + D_p_ry_5*h_ry_delta_5 + D_p_rz_5*h_rz_delta_5
         + D_p_x_5*h_x_delta_5 + D_p_y_5*h_y_delta_5 + D_p_z_5*h_z_delta_5
     )
     M_out[..., 4, 29] = M_out[..., 29, 4] = (
-        D_delta_rx_6*t295 + D_delta_ry_6*t303 + D_delta_rz_6*t310 + D_delta_x_6*t276 + D_delta_y_6*t283
-        + D_delta_z_6*t289 + D_p_rx_5*h_rx_delta_6 + D_p_ry_5*h_ry_delta_6 + D_p_rz_5*h_rz_delta_6
+        D_delta_rx_6*t306 + D_delta_ry_6*t314 + D_delta_rz_6*t321 + D_delta_x_6*t287 + D_delta_y_6*t294
+        + D_delta_z_6*t300 + D_p_rx_5*h_rx_delta_6 + D_p_ry_5*h_ry_delta_6 + D_p_rz_5*h_rz_delta_6
         + D_p_x_5*h_x_delta_6 + D_p_y_5*h_y_delta_6 + D_p_z_5*h_z_delta_6
     )
-    M_out[..., 4, 34] = M_out[..., 34, 4] = t340
+    M_out[..., 4, 34] = M_out[..., 34, 4] = t351
     M_out[..., 4, 36] = M_out[..., 36, 4] = (
         D_p_ry_5*h_ry_u_x + D_p_rz_5*h_rz_u_x + D_p_x_5*h_x_u_x + m_t_5*n_5_x + n_5_x*t110
     )
@@ -3710,43 +3818,43 @@ def extended_matrices(p, parameters, effects):
         D_p_rx_5*h_rx_u_z + D_p_ry_5*h_ry_u_z + D_p_z_5*h_z_u_z + m_t_5*n_5_z + n_5_z*t110
     )
     M_out[..., 5, 5] = (
-        D_p_rx_6*h_rx_x_6 + D_p_rx_6*t296 + D_p_ry_6*h_ry_x_6 + D_p_ry_6*t304 + D_p_rz_6*h_rz_x_6
-        + D_p_rz_6*t311 + D_p_x_6*h_x_x_6 + D_p_x_6*t277 + D_p_y_6*h_y_x_6 + D_p_y_6*t284 + D_p_z_6*h_z_x_6
-        + D_p_z_6*t290 + m_t_6 + t229 + t346
+        D_p_rx_6*h_rx_x_6 + D_p_rx_6*t307 + D_p_ry_6*h_ry_x_6 + D_p_ry_6*t315 + D_p_rz_6*h_rz_x_6
+        + D_p_rz_6*t322 + D_p_x_6*h_x_x_6 + D_p_x_6*t288 + D_p_y_6*h_y_x_6 + D_p_y_6*t295 + D_p_z_6*h_z_x_6
+        + D_p_z_6*t301 + m_t_6 + t234 + t357
     )
-    M_out[..., 5, 11] = M_out[..., 11, 5] = t348
-    M_out[..., 5, 17] = M_out[..., 17, 5] = t349
+    M_out[..., 5, 11] = M_out[..., 11, 5] = t359
+    M_out[..., 5, 17] = M_out[..., 17, 5] = t360
     M_out[..., 5, 24] = M_out[..., 24, 5] = (
-        D_delta_rx_1*t296 + D_delta_ry_1*t304 + D_delta_rz_1*t311 + D_delta_x_1*t277 + D_delta_y_1*t284
-        + D_delta_z_1*t290 + D_p_rx_6*h_rx_delta_1 + D_p_ry_6*h_ry_delta_1 + D_p_rz_6*h_rz_delta_1
+        D_delta_rx_1*t307 + D_delta_ry_1*t315 + D_delta_rz_1*t322 + D_delta_x_1*t288 + D_delta_y_1*t295
+        + D_delta_z_1*t301 + D_p_rx_6*h_rx_delta_1 + D_p_ry_6*h_ry_delta_1 + D_p_rz_6*h_rz_delta_1
         + D_p_x_6*h_x_delta_1 + D_p_y_6*h_y_delta_1 + D_p_z_6*h_z_delta_1
     )
     M_out[..., 5, 25] = M_out[..., 25, 5] = (
-        D_delta_rx_2*t296 + D_delta_ry_2*t304 + D_delta_rz_2*t311 + D_delta_x_2*t277 + D_delta_y_2*t284
-        + D_delta_z_2*t290 + D_p_rx_6*h_rx_delta_2 + D_p_ry_6*h_ry_delta_2 + D_p_rz_6*h_rz_delta_2
+        D_delta_rx_2*t307 + D_delta_ry_2*t315 + D_delta_rz_2*t322 + D_delta_x_2*t288 + D_delta_y_2*t295
+        + D_delta_z_2*t301 + D_p_rx_6*h_rx_delta_2 + D_p_ry_6*h_ry_delta_2 + D_p_rz_6*h_rz_delta_2
         + D_p_x_6*h_x_delta_2 + D_p_y_6*h_y_delta_2 + D_p_z_6*h_z_delta_2
     )
     M_out[..., 5, 26] = M_out[..., 26, 5] = (
-        D_delta_rx_3*t296 + D_delta_ry_3*t304 + D_delta_rz_3*t311 + D_delta_x_3*t277 + D_delta_y_3*t284
-        + D_delta_z_3*t290 + D_p_rx_6*h_rx_delta_3 + D_p_ry_6*h_ry_delta_3 + D_p_rz_6*h_rz_delta_3
+        D_delta_rx_3*t307 + D_delta_ry_3*t315 + D_delta_rz_3*t322 + D_delta_x_3*t288 + D_delta_y_3*t295
+        + D_delta_z_3*t301 + D_p_rx_6*h_rx_delta_3 + D_p_ry_6*h_ry_delta_3 + D_p_rz_6*h_rz_delta_3
         + D_p_x_6*h_x_delta_3 + D_p_y_6*h_y_delta_3 + D_p_z_6*h_z_delta_3
     )
     M_out[..., 5, 27] = M_out[..., 27, 5] = (
-        D_delta_rx_4*t296 + D_delta_ry_4*t304 + D_delta_rz_4*t311 + D_delta_x_4*t277 + D_delta_y_4*t284
-        + D_delta_z_4*t290 + D_p_rx_6*h_rx_delta_4 + D_p_ry_6*h_ry_delta_4 + D_p_rz_6*h_rz_delta_4
+        D_delta_rx_4*t307 + D_delta_ry_4*t315 + D_delta_rz_4*t322 + D_delta_x_4*t288 + D_delta_y_4*t295
+        + D_delta_z_4*t301 + D_p_rx_6*h_rx_delta_4 + D_p_ry_6*h_ry_delta_4 + D_p_rz_6*h_rz_delta_4
         + D_p_x_6*h_x_delta_4 + D_p_y_6*h_y_delta_4 + D_p_z_6*h_z_delta_4
     )
     M_out[..., 5, 28] = M_out[..., 28, 5] = (
-        D_delta_rx_5*t296 + D_delta_ry_5*t304 + D_delta_rz_5*t311 + D_delta_x_5*t277 + D_delta_y_5*t284
-        + D_delta_z_5*t290 + D_p_rx_6*h_rx_delta_5 + D_p_ry_6*h_ry_delta_5 + D_p_rz_6*h_rz_delta_5
+        D_delta_rx_5*t307 + D_delta_ry_5*t315 + D_delta_rz_5*t322 + D_delta_x_5*t288 + D_delta_y_5*t295
+        + D_delta_z_5*t301 + D_p_rx_6*h_rx_delta_5 + D_p_ry_6*h_ry_delta_5 + D_p_rz_6*h_rz_delta_5
         + D_p_x_6*h_x_delta_5 + D_p_y_6*h_y_delta_5 + D_p_z_6*h_z_delta_5
     )
     M_out[..., 5, 29] = M_out[..., 29, 5] = (
-        D_delta_rx_6*t296 + D_delta_ry_6*t304 + D_delta_rz_6*t311 + D_delta_x_6*t277 + D_delta_y_6*t284
-        + D_delta_z_6*t290 + D_p_rx_6*h_rx_delta_6 + D_p_ry_6*h_ry_delta_6 + D_p_rz_6*h_rz_delta_6
+        D_delta_rx_6*t307 + D_delta_ry_6*t315 + D_delta_rz_6*t322 + D_delta_x_6*t288 + D_delta_y_6*t295
+        + D_delta_z_6*t301 + D_p_rx_6*h_rx_delta_6 + D_p_ry_6*h_ry_delta_6 + D_p_rz_6*h_rz_delta_6
         + D_p_x_6*h_x_delta_6 + D_p_y_6*h_y_delta_6 + D_p_z_6*h_z_delta_6
     )
-    M_out[..., 5, 35] = M_out[..., 35, 5] = t346
+    M_out[..., 5, 35] = M_out[..., 35, 5] = t357
     M_out[..., 5, 36] = M_out[..., 36, 5] = (
         D_p_ry_6*h_ry_u_x + D_p_rz_6*h_rz_u_x + D_p_x_6*h_x_u_x + m_t_6*n_6_x + n_6_x*t111
     )
@@ -3756,54 +3864,54 @@ def extended_matrices(p, parameters, effects):
     M_out[..., 5, 38] = M_out[..., 38, 5] = (
         D_p_rx_6*h_rx_u_z + D_p_ry_6*h_ry_u_z + D_p_z_6*h_z_u_z + m_t_6*n_6_z + n_6_z*t111
     )
-    M_out[..., 6, 6] = I_1_1 + t314*t350 + t352
-    M_out[..., 6, 12] = M_out[..., 12, 6] = t316*t351
-    M_out[..., 6, 18] = M_out[..., 18, 6] = t353
-    M_out[..., 6, 30] = M_out[..., 30, 6] = t318
-    M_out[..., 7, 7] = I_2_1 + t321*t354 + t356
-    M_out[..., 7, 13] = M_out[..., 13, 7] = t316*t355
-    M_out[..., 7, 19] = M_out[..., 19, 7] = t357
-    M_out[..., 7, 31] = M_out[..., 31, 7] = t324
-    M_out[..., 8, 8] = I_3_1 + t327*t358 + t360
-    M_out[..., 8, 14] = M_out[..., 14, 8] = t316*t359
-    M_out[..., 8, 20] = M_out[..., 20, 8] = t361
-    M_out[..., 8, 32] = M_out[..., 32, 8] = t330
-    M_out[..., 9, 9] = I_4_1 + t333*t362 + t364
-    M_out[..., 9, 15] = M_out[..., 15, 9] = t316*t363
-    M_out[..., 9, 21] = M_out[..., 21, 9] = t365
-    M_out[..., 9, 33] = M_out[..., 33, 9] = t336
-    M_out[..., 10, 10] = I_5_1 + t339*t366 + t368
-    M_out[..., 10, 16] = M_out[..., 16, 10] = t316*t367
-    M_out[..., 10, 22] = M_out[..., 22, 10] = t369
-    M_out[..., 10, 34] = M_out[..., 34, 10] = t342
-    M_out[..., 11, 11] = I_6_1 + t345*t370 + t372
-    M_out[..., 11, 17] = M_out[..., 17, 11] = t316*t371
-    M_out[..., 11, 23] = M_out[..., 23, 11] = t373
-    M_out[..., 11, 35] = M_out[..., 35, 11] = t348
-    M_out[..., 12, 12] = I_1_2 + t313*t350 + t352
-    M_out[..., 12, 18] = M_out[..., 18, 12] = t374
-    M_out[..., 12, 30] = M_out[..., 30, 12] = t319
-    M_out[..., 13, 13] = I_2_2 + t320*t354 + t356
-    M_out[..., 13, 19] = M_out[..., 19, 13] = t375
-    M_out[..., 13, 31] = M_out[..., 31, 13] = t325
-    M_out[..., 14, 14] = I_3_2 + t326*t358 + t360
-    M_out[..., 14, 20] = M_out[..., 20, 14] = t376
-    M_out[..., 14, 32] = M_out[..., 32, 14] = t331
-    M_out[..., 15, 15] = I_4_2 + t332*t362 + t364
-    M_out[..., 15, 21] = M_out[..., 21, 15] = t377
-    M_out[..., 15, 33] = M_out[..., 33, 15] = t337
-    M_out[..., 16, 16] = I_5_2 + t338*t366 + t368
-    M_out[..., 16, 22] = M_out[..., 22, 16] = t378
-    M_out[..., 16, 34] = M_out[..., 34, 16] = t343
-    M_out[..., 17, 17] = I_6_2 + t344*t370 + t372
-    M_out[..., 17, 23] = M_out[..., 23, 17] = t379
-    M_out[..., 17, 35] = M_out[..., 35, 17] = t349
-    M_out[..., 18, 18] = t353 + t374
-    M_out[..., 19, 19] = t357 + t375
-    M_out[..., 20, 20] = t361 + t376
-    M_out[..., 21, 21] = t365 + t377
-    M_out[..., 22, 22] = t369 + t378
-    M_out[..., 23, 23] = t373 + t379
+    M_out[..., 6, 6] = I_1_1 + t325*t361 + t363
+    M_out[..., 6, 12] = M_out[..., 12, 6] = t327*t362
+    M_out[..., 6, 18] = M_out[..., 18, 6] = t364
+    M_out[..., 6, 30] = M_out[..., 30, 6] = t329
+    M_out[..., 7, 7] = I_2_1 + t332*t365 + t367
+    M_out[..., 7, 13] = M_out[..., 13, 7] = t327*t366
+    M_out[..., 7, 19] = M_out[..., 19, 7] = t368
+    M_out[..., 7, 31] = M_out[..., 31, 7] = t335
+    M_out[..., 8, 8] = I_3_1 + t338*t369 + t371
+    M_out[..., 8, 14] = M_out[..., 14, 8] = t327*t370
+    M_out[..., 8, 20] = M_out[..., 20, 8] = t372
+    M_out[..., 8, 32] = M_out[..., 32, 8] = t341
+    M_out[..., 9, 9] = I_4_1 + t344*t373 + t375
+    M_out[..., 9, 15] = M_out[..., 15, 9] = t327*t374
+    M_out[..., 9, 21] = M_out[..., 21, 9] = t376
+    M_out[..., 9, 33] = M_out[..., 33, 9] = t347
+    M_out[..., 10, 10] = I_5_1 + t350*t377 + t379
+    M_out[..., 10, 16] = M_out[..., 16, 10] = t327*t378
+    M_out[..., 10, 22] = M_out[..., 22, 10] = t380
+    M_out[..., 10, 34] = M_out[..., 34, 10] = t353
+    M_out[..., 11, 11] = I_6_1 + t356*t381 + t383
+    M_out[..., 11, 17] = M_out[..., 17, 11] = t327*t382
+    M_out[..., 11, 23] = M_out[..., 23, 11] = t384
+    M_out[..., 11, 35] = M_out[..., 35, 11] = t359
+    M_out[..., 12, 12] = I_1_2 + t324*t361 + t363
+    M_out[..., 12, 18] = M_out[..., 18, 12] = t385
+    M_out[..., 12, 30] = M_out[..., 30, 12] = t330
+    M_out[..., 13, 13] = I_2_2 + t331*t365 + t367
+    M_out[..., 13, 19] = M_out[..., 19, 13] = t386
+    M_out[..., 13, 31] = M_out[..., 31, 13] = t336
+    M_out[..., 14, 14] = I_3_2 + t337*t369 + t371
+    M_out[..., 14, 20] = M_out[..., 20, 14] = t387
+    M_out[..., 14, 32] = M_out[..., 32, 14] = t342
+    M_out[..., 15, 15] = I_4_2 + t343*t373 + t375
+    M_out[..., 15, 21] = M_out[..., 21, 15] = t388
+    M_out[..., 15, 33] = M_out[..., 33, 15] = t348
+    M_out[..., 16, 16] = I_5_2 + t349*t377 + t379
+    M_out[..., 16, 22] = M_out[..., 22, 16] = t389
+    M_out[..., 16, 34] = M_out[..., 34, 16] = t354
+    M_out[..., 17, 17] = I_6_2 + t355*t381 + t383
+    M_out[..., 17, 23] = M_out[..., 23, 17] = t390
+    M_out[..., 17, 35] = M_out[..., 35, 17] = t360
+    M_out[..., 18, 18] = t364 + t385
+    M_out[..., 19, 19] = t368 + t386
+    M_out[..., 20, 20] = t372 + t387
+    M_out[..., 21, 21] = t376 + t388
+    M_out[..., 22, 22] = t380 + t389
+    M_out[..., 23, 23] = t384 + t390
     M_out[..., 24, 24] = (
         D_delta_rx_1*h_rx_delta_1 + D_delta_ry_1*h_ry_delta_1 + D_delta_rz_1*h_rz_delta_1
         + D_delta_x_1*h_x_delta_1 + D_delta_y_1*h_y_delta_1 + D_delta_z_1*h_z_delta_1
@@ -3942,489 +4050,489 @@ def extended_matrices(p, parameters, effects):
     M_out[..., 29, 38] = M_out[..., 38, 29] = (
         D_delta_rx_6*h_rx_u_z + D_delta_ry_6*h_ry_u_z + D_delta_z_6*h_z_u_z
     )
-    M_out[..., 30, 30] = t315
-    M_out[..., 31, 31] = t322
-    M_out[..., 32, 32] = t328
-    M_out[..., 33, 33] = t334
-    M_out[..., 34, 34] = t340
-    M_out[..., 35, 35] = t346
-    M_out[..., 36, 36] = h_x_u_x + t380
-    M_out[..., 37, 37] = h_y_u_y + t380
-    M_out[..., 38, 38] = h_z_u_z + t380
+    M_out[..., 30, 30] = t326
+    M_out[..., 31, 31] = t333
+    M_out[..., 32, 32] = t339
+    M_out[..., 33, 33] = t345
+    M_out[..., 34, 34] = t351
+    M_out[..., 35, 35] = t357
+    M_out[..., 36, 36] = h_x_u_x + t391
+    M_out[..., 37, 37] = h_y_u_y + t391
+    M_out[..., 38, 38] = h_z_u_z + t391
     K_el_out = np.zeros((*batch, 39, 39), dtype)
-    K_el_out[..., 0, 0] = D_p_x_1**2*k_C + D_p_y_1**2*k_C + D_p_z_1**2*k_C + t381
-    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t382 + D_p_y_2*t383 + D_p_z_2*t384
-    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t382 + D_p_y_3*t383 + D_p_z_3*t384
-    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = D_p_x_4*t382 + D_p_y_4*t383 + D_p_z_4*t384
-    K_el_out[..., 0, 4] = K_el_out[..., 4, 0] = D_p_x_5*t382 + D_p_y_5*t383 + D_p_z_5*t384
-    K_el_out[..., 0, 5] = K_el_out[..., 5, 0] = D_p_x_6*t382 + D_p_y_6*t383 + D_p_z_6*t384
-    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t385
-    K_el_out[..., 0, 12] = K_el_out[..., 12, 0] = t386
-    K_el_out[..., 0, 24] = K_el_out[..., 24, 0] = D_delta_x_1*t382 + D_delta_y_1*t383 + D_delta_z_1*t384
-    K_el_out[..., 0, 25] = K_el_out[..., 25, 0] = D_delta_x_2*t382 + D_delta_y_2*t383 + D_delta_z_2*t384
-    K_el_out[..., 0, 26] = K_el_out[..., 26, 0] = D_delta_x_3*t382 + D_delta_y_3*t383 + D_delta_z_3*t384
-    K_el_out[..., 0, 27] = K_el_out[..., 27, 0] = D_delta_x_4*t382 + D_delta_y_4*t383 + D_delta_z_4*t384
-    K_el_out[..., 0, 28] = K_el_out[..., 28, 0] = D_delta_x_5*t382 + D_delta_y_5*t383 + D_delta_z_5*t384
-    K_el_out[..., 0, 29] = K_el_out[..., 29, 0] = D_delta_x_6*t382 + D_delta_y_6*t383 + D_delta_z_6*t384
-    K_el_out[..., 0, 30] = K_el_out[..., 30, 0] = t381
-    K_el_out[..., 0, 36] = K_el_out[..., 36, 0] = t382
-    K_el_out[..., 0, 37] = K_el_out[..., 37, 0] = t383
-    K_el_out[..., 0, 38] = K_el_out[..., 38, 0] = t384
-    K_el_out[..., 1, 1] = D_p_x_2**2*k_C + D_p_y_2**2*k_C + D_p_z_2**2*k_C + t387
-    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t388 + D_p_y_3*t389 + D_p_z_3*t390
-    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = D_p_x_4*t388 + D_p_y_4*t389 + D_p_z_4*t390
-    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = D_p_x_5*t388 + D_p_y_5*t389 + D_p_z_5*t390
-    K_el_out[..., 1, 5] = K_el_out[..., 5, 1] = D_p_x_6*t388 + D_p_y_6*t389 + D_p_z_6*t390
-    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t391
-    K_el_out[..., 1, 13] = K_el_out[..., 13, 1] = t392
-    K_el_out[..., 1, 24] = K_el_out[..., 24, 1] = D_delta_x_1*t388 + D_delta_y_1*t389 + D_delta_z_1*t390
-    K_el_out[..., 1, 25] = K_el_out[..., 25, 1] = D_delta_x_2*t388 + D_delta_y_2*t389 + D_delta_z_2*t390
-    K_el_out[..., 1, 26] = K_el_out[..., 26, 1] = D_delta_x_3*t388 + D_delta_y_3*t389 + D_delta_z_3*t390
-    K_el_out[..., 1, 27] = K_el_out[..., 27, 1] = D_delta_x_4*t388 + D_delta_y_4*t389 + D_delta_z_4*t390
-    K_el_out[..., 1, 28] = K_el_out[..., 28, 1] = D_delta_x_5*t388 + D_delta_y_5*t389 + D_delta_z_5*t390
-    K_el_out[..., 1, 29] = K_el_out[..., 29, 1] = D_delta_x_6*t388 + D_delta_y_6*t389 + D_delta_z_6*t390
-    K_el_out[..., 1, 31] = K_el_out[..., 31, 1] = t387
-    K_el_out[..., 1, 36] = K_el_out[..., 36, 1] = t388
-    K_el_out[..., 1, 37] = K_el_out[..., 37, 1] = t389
-    K_el_out[..., 1, 38] = K_el_out[..., 38, 1] = t390
-    K_el_out[..., 2, 2] = D_p_x_3**2*k_C + D_p_y_3**2*k_C + D_p_z_3**2*k_C + t393
-    K_el_out[..., 2, 3] = K_el_out[..., 3, 2] = D_p_x_4*t394 + D_p_y_4*t395 + D_p_z_4*t396
-    K_el_out[..., 2, 4] = K_el_out[..., 4, 2] = D_p_x_5*t394 + D_p_y_5*t395 + D_p_z_5*t396
-    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = D_p_x_6*t394 + D_p_y_6*t395 + D_p_z_6*t396
-    K_el_out[..., 2, 8] = K_el_out[..., 8, 2] = t397
-    K_el_out[..., 2, 14] = K_el_out[..., 14, 2] = t398
-    K_el_out[..., 2, 24] = K_el_out[..., 24, 2] = D_delta_x_1*t394 + D_delta_y_1*t395 + D_delta_z_1*t396
-    K_el_out[..., 2, 25] = K_el_out[..., 25, 2] = D_delta_x_2*t394 + D_delta_y_2*t395 + D_delta_z_2*t396
-    K_el_out[..., 2, 26] = K_el_out[..., 26, 2] = D_delta_x_3*t394 + D_delta_y_3*t395 + D_delta_z_3*t396
-    K_el_out[..., 2, 27] = K_el_out[..., 27, 2] = D_delta_x_4*t394 + D_delta_y_4*t395 + D_delta_z_4*t396
-    K_el_out[..., 2, 28] = K_el_out[..., 28, 2] = D_delta_x_5*t394 + D_delta_y_5*t395 + D_delta_z_5*t396
-    K_el_out[..., 2, 29] = K_el_out[..., 29, 2] = D_delta_x_6*t394 + D_delta_y_6*t395 + D_delta_z_6*t396
-    K_el_out[..., 2, 32] = K_el_out[..., 32, 2] = t393
-    K_el_out[..., 2, 36] = K_el_out[..., 36, 2] = t394
-    K_el_out[..., 2, 37] = K_el_out[..., 37, 2] = t395
-    K_el_out[..., 2, 38] = K_el_out[..., 38, 2] = t396
-    K_el_out[..., 3, 3] = D_p_x_4**2*k_C + D_p_y_4**2*k_C + D_p_z_4**2*k_C + t399
-    K_el_out[..., 3, 4] = K_el_out[..., 4, 3] = D_p_x_5*t400 + D_p_y_5*t401 + D_p_z_5*t402
-    K_el_out[..., 3, 5] = K_el_out[..., 5, 3] = D_p_x_6*t400 + D_p_y_6*t401 + D_p_z_6*t402
-    K_el_out[..., 3, 9] = K_el_out[..., 9, 3] = t403
-    K_el_out[..., 3, 15] = K_el_out[..., 15, 3] = t404
-    K_el_out[..., 3, 24] = K_el_out[..., 24, 3] = D_delta_x_1*t400 + D_delta_y_1*t401 + D_delta_z_1*t402
-    K_el_out[..., 3, 25] = K_el_out[..., 25, 3] = D_delta_x_2*t400 + D_delta_y_2*t401 + D_delta_z_2*t402
-    K_el_out[..., 3, 26] = K_el_out[..., 26, 3] = D_delta_x_3*t400 + D_delta_y_3*t401 + D_delta_z_3*t402
-    K_el_out[..., 3, 27] = K_el_out[..., 27, 3] = D_delta_x_4*t400 + D_delta_y_4*t401 + D_delta_z_4*t402
-    K_el_out[..., 3, 28] = K_el_out[..., 28, 3] = D_delta_x_5*t400 + D_delta_y_5*t401 + D_delta_z_5*t402
-    K_el_out[..., 3, 29] = K_el_out[..., 29, 3] = D_delta_x_6*t400 + D_delta_y_6*t401 + D_delta_z_6*t402
-    K_el_out[..., 3, 33] = K_el_out[..., 33, 3] = t399
-    K_el_out[..., 3, 36] = K_el_out[..., 36, 3] = t400
-    K_el_out[..., 3, 37] = K_el_out[..., 37, 3] = t401
-    K_el_out[..., 3, 38] = K_el_out[..., 38, 3] = t402
-    K_el_out[..., 4, 4] = D_p_x_5**2*k_C + D_p_y_5**2*k_C + D_p_z_5**2*k_C + t405
-    K_el_out[..., 4, 5] = K_el_out[..., 5, 4] = D_p_x_6*t406 + D_p_y_6*t407 + D_p_z_6*t408
-    K_el_out[..., 4, 10] = K_el_out[..., 10, 4] = t409
-    K_el_out[..., 4, 16] = K_el_out[..., 16, 4] = t410
-    K_el_out[..., 4, 24] = K_el_out[..., 24, 4] = D_delta_x_1*t406 + D_delta_y_1*t407 + D_delta_z_1*t408
-    K_el_out[..., 4, 25] = K_el_out[..., 25, 4] = D_delta_x_2*t406 + D_delta_y_2*t407 + D_delta_z_2*t408
-    K_el_out[..., 4, 26] = K_el_out[..., 26, 4] = D_delta_x_3*t406 + D_delta_y_3*t407 + D_delta_z_3*t408
-    K_el_out[..., 4, 27] = K_el_out[..., 27, 4] = D_delta_x_4*t406 + D_delta_y_4*t407 + D_delta_z_4*t408
-    K_el_out[..., 4, 28] = K_el_out[..., 28, 4] = D_delta_x_5*t406 + D_delta_y_5*t407 + D_delta_z_5*t408
-    K_el_out[..., 4, 29] = K_el_out[..., 29, 4] = D_delta_x_6*t406 + D_delta_y_6*t407 + D_delta_z_6*t408
-    K_el_out[..., 4, 34] = K_el_out[..., 34, 4] = t405
-    K_el_out[..., 4, 36] = K_el_out[..., 36, 4] = t406
-    K_el_out[..., 4, 37] = K_el_out[..., 37, 4] = t407
-    K_el_out[..., 4, 38] = K_el_out[..., 38, 4] = t408
-    K_el_out[..., 5, 5] = D_p_x_6**2*k_C + D_p_y_6**2*k_C + D_p_z_6**2*k_C + t411
-    K_el_out[..., 5, 11] = K_el_out[..., 11, 5] = t412
-    K_el_out[..., 5, 17] = K_el_out[..., 17, 5] = t413
-    K_el_out[..., 5, 24] = K_el_out[..., 24, 5] = D_delta_x_1*t414 + D_delta_y_1*t415 + D_delta_z_1*t416
-    K_el_out[..., 5, 25] = K_el_out[..., 25, 5] = D_delta_x_2*t414 + D_delta_y_2*t415 + D_delta_z_2*t416
-    K_el_out[..., 5, 26] = K_el_out[..., 26, 5] = D_delta_x_3*t414 + D_delta_y_3*t415 + D_delta_z_3*t416
-    K_el_out[..., 5, 27] = K_el_out[..., 27, 5] = D_delta_x_4*t414 + D_delta_y_4*t415 + D_delta_z_4*t416
-    K_el_out[..., 5, 28] = K_el_out[..., 28, 5] = D_delta_x_5*t414 + D_delta_y_5*t415 + D_delta_z_5*t416
-    K_el_out[..., 5, 29] = K_el_out[..., 29, 5] = D_delta_x_6*t414 + D_delta_y_6*t415 + D_delta_z_6*t416
-    K_el_out[..., 5, 35] = K_el_out[..., 35, 5] = t411
-    K_el_out[..., 5, 36] = K_el_out[..., 36, 5] = t414
-    K_el_out[..., 5, 37] = K_el_out[..., 37, 5] = t415
-    K_el_out[..., 5, 38] = K_el_out[..., 38, 5] = t416
-    K_el_out[..., 6, 6] = k_1_3*t350 + t417 + t418
-    K_el_out[..., 6, 12] = K_el_out[..., 12, 6] = -t418
-    K_el_out[..., 6, 18] = K_el_out[..., 18, 6] = t417
-    K_el_out[..., 6, 30] = K_el_out[..., 30, 6] = t385
-    K_el_out[..., 7, 7] = k_2_3*t354 + t419 + t420
-    K_el_out[..., 7, 13] = K_el_out[..., 13, 7] = -t420
-    K_el_out[..., 7, 19] = K_el_out[..., 19, 7] = t419
-    K_el_out[..., 7, 31] = K_el_out[..., 31, 7] = t391
-    K_el_out[..., 8, 8] = k_3_3*t358 + t421 + t422
-    K_el_out[..., 8, 14] = K_el_out[..., 14, 8] = -t422
-    K_el_out[..., 8, 20] = K_el_out[..., 20, 8] = t421
-    K_el_out[..., 8, 32] = K_el_out[..., 32, 8] = t397
-    K_el_out[..., 9, 9] = k_4_3*t362 + t423 + t424
-    K_el_out[..., 9, 15] = K_el_out[..., 15, 9] = -t424
-    K_el_out[..., 9, 21] = K_el_out[..., 21, 9] = t423
-    K_el_out[..., 9, 33] = K_el_out[..., 33, 9] = t403
-    K_el_out[..., 10, 10] = k_5_3*t366 + t425 + t426
-    K_el_out[..., 10, 16] = K_el_out[..., 16, 10] = -t426
-    K_el_out[..., 10, 22] = K_el_out[..., 22, 10] = t425
-    K_el_out[..., 10, 34] = K_el_out[..., 34, 10] = t409
-    K_el_out[..., 11, 11] = k_6_3*t370 + t427 + t428
-    K_el_out[..., 11, 17] = K_el_out[..., 17, 11] = -t428
-    K_el_out[..., 11, 23] = K_el_out[..., 23, 11] = t427
-    K_el_out[..., 11, 35] = K_el_out[..., 35, 11] = t412
-    K_el_out[..., 12, 12] = k_1_2*t350 + t418 + t429
-    K_el_out[..., 12, 18] = K_el_out[..., 18, 12] = t429
-    K_el_out[..., 12, 30] = K_el_out[..., 30, 12] = t386
-    K_el_out[..., 13, 13] = k_2_2*t354 + t420 + t430
-    K_el_out[..., 13, 19] = K_el_out[..., 19, 13] = t430
-    K_el_out[..., 13, 31] = K_el_out[..., 31, 13] = t392
-    K_el_out[..., 14, 14] = k_3_2*t358 + t422 + t431
-    K_el_out[..., 14, 20] = K_el_out[..., 20, 14] = t431
-    K_el_out[..., 14, 32] = K_el_out[..., 32, 14] = t398
-    K_el_out[..., 15, 15] = k_4_2*t362 + t424 + t432
-    K_el_out[..., 15, 21] = K_el_out[..., 21, 15] = t432
-    K_el_out[..., 15, 33] = K_el_out[..., 33, 15] = t404
-    K_el_out[..., 16, 16] = k_5_2*t366 + t426 + t433
-    K_el_out[..., 16, 22] = K_el_out[..., 22, 16] = t433
-    K_el_out[..., 16, 34] = K_el_out[..., 34, 16] = t410
-    K_el_out[..., 17, 17] = k_6_2*t370 + t428 + t434
-    K_el_out[..., 17, 23] = K_el_out[..., 23, 17] = t434
-    K_el_out[..., 17, 35] = K_el_out[..., 35, 17] = t413
-    K_el_out[..., 18, 18] = t417 + t429
-    K_el_out[..., 19, 19] = t419 + t430
-    K_el_out[..., 20, 20] = t421 + t431
-    K_el_out[..., 21, 21] = t423 + t432
-    K_el_out[..., 22, 22] = t425 + t433
-    K_el_out[..., 23, 23] = t427 + t434
+    K_el_out[..., 0, 0] = D_p_x_1**2*k_C + D_p_y_1**2*k_C + D_p_z_1**2*k_C + t392
+    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t393 + D_p_y_2*t394 + D_p_z_2*t395
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t393 + D_p_y_3*t394 + D_p_z_3*t395
+    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = D_p_x_4*t393 + D_p_y_4*t394 + D_p_z_4*t395
+    K_el_out[..., 0, 4] = K_el_out[..., 4, 0] = D_p_x_5*t393 + D_p_y_5*t394 + D_p_z_5*t395
+    K_el_out[..., 0, 5] = K_el_out[..., 5, 0] = D_p_x_6*t393 + D_p_y_6*t394 + D_p_z_6*t395
+    K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = t396
+    K_el_out[..., 0, 12] = K_el_out[..., 12, 0] = t397
+    K_el_out[..., 0, 24] = K_el_out[..., 24, 0] = D_delta_x_1*t393 + D_delta_y_1*t394 + D_delta_z_1*t395
+    K_el_out[..., 0, 25] = K_el_out[..., 25, 0] = D_delta_x_2*t393 + D_delta_y_2*t394 + D_delta_z_2*t395
+    K_el_out[..., 0, 26] = K_el_out[..., 26, 0] = D_delta_x_3*t393 + D_delta_y_3*t394 + D_delta_z_3*t395
+    K_el_out[..., 0, 27] = K_el_out[..., 27, 0] = D_delta_x_4*t393 + D_delta_y_4*t394 + D_delta_z_4*t395
+    K_el_out[..., 0, 28] = K_el_out[..., 28, 0] = D_delta_x_5*t393 + D_delta_y_5*t394 + D_delta_z_5*t395
+    K_el_out[..., 0, 29] = K_el_out[..., 29, 0] = D_delta_x_6*t393 + D_delta_y_6*t394 + D_delta_z_6*t395
+    K_el_out[..., 0, 30] = K_el_out[..., 30, 0] = t392
+    K_el_out[..., 0, 36] = K_el_out[..., 36, 0] = t393
+    K_el_out[..., 0, 37] = K_el_out[..., 37, 0] = t394
+    K_el_out[..., 0, 38] = K_el_out[..., 38, 0] = t395
+    K_el_out[..., 1, 1] = D_p_x_2**2*k_C + D_p_y_2**2*k_C + D_p_z_2**2*k_C + t398
+    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t399 + D_p_y_3*t400 + D_p_z_3*t401
+    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = D_p_x_4*t399 + D_p_y_4*t400 + D_p_z_4*t401
+    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = D_p_x_5*t399 + D_p_y_5*t400 + D_p_z_5*t401
+    K_el_out[..., 1, 5] = K_el_out[..., 5, 1] = D_p_x_6*t399 + D_p_y_6*t400 + D_p_z_6*t401
+    K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = t402
+    K_el_out[..., 1, 13] = K_el_out[..., 13, 1] = t403
+    K_el_out[..., 1, 24] = K_el_out[..., 24, 1] = D_delta_x_1*t399 + D_delta_y_1*t400 + D_delta_z_1*t401
+    K_el_out[..., 1, 25] = K_el_out[..., 25, 1] = D_delta_x_2*t399 + D_delta_y_2*t400 + D_delta_z_2*t401
+    K_el_out[..., 1, 26] = K_el_out[..., 26, 1] = D_delta_x_3*t399 + D_delta_y_3*t400 + D_delta_z_3*t401
+    K_el_out[..., 1, 27] = K_el_out[..., 27, 1] = D_delta_x_4*t399 + D_delta_y_4*t400 + D_delta_z_4*t401
+    K_el_out[..., 1, 28] = K_el_out[..., 28, 1] = D_delta_x_5*t399 + D_delta_y_5*t400 + D_delta_z_5*t401
+    K_el_out[..., 1, 29] = K_el_out[..., 29, 1] = D_delta_x_6*t399 + D_delta_y_6*t400 + D_delta_z_6*t401
+    K_el_out[..., 1, 31] = K_el_out[..., 31, 1] = t398
+    K_el_out[..., 1, 36] = K_el_out[..., 36, 1] = t399
+    K_el_out[..., 1, 37] = K_el_out[..., 37, 1] = t400
+    K_el_out[..., 1, 38] = K_el_out[..., 38, 1] = t401
+    K_el_out[..., 2, 2] = D_p_x_3**2*k_C + D_p_y_3**2*k_C + D_p_z_3**2*k_C + t404
+    K_el_out[..., 2, 3] = K_el_out[..., 3, 2] = D_p_x_4*t405 + D_p_y_4*t406 + D_p_z_4*t407
+    K_el_out[..., 2, 4] = K_el_out[..., 4, 2] = D_p_x_5*t405 + D_p_y_5*t406 + D_p_z_5*t407
+    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = D_p_x_6*t405 + D_p_y_6*t406 + D_p_z_6*t407
+    K_el_out[..., 2, 8] = K_el_out[..., 8, 2] = t408
+    K_el_out[..., 2, 14] = K_el_out[..., 14, 2] = t409
+    K_el_out[..., 2, 24] = K_el_out[..., 24, 2] = D_delta_x_1*t405 + D_delta_y_1*t406 + D_delta_z_1*t407
+    K_el_out[..., 2, 25] = K_el_out[..., 25, 2] = D_delta_x_2*t405 + D_delta_y_2*t406 + D_delta_z_2*t407
+    K_el_out[..., 2, 26] = K_el_out[..., 26, 2] = D_delta_x_3*t405 + D_delta_y_3*t406 + D_delta_z_3*t407
+    K_el_out[..., 2, 27] = K_el_out[..., 27, 2] = D_delta_x_4*t405 + D_delta_y_4*t406 + D_delta_z_4*t407
+    K_el_out[..., 2, 28] = K_el_out[..., 28, 2] = D_delta_x_5*t405 + D_delta_y_5*t406 + D_delta_z_5*t407
+    K_el_out[..., 2, 29] = K_el_out[..., 29, 2] = D_delta_x_6*t405 + D_delta_y_6*t406 + D_delta_z_6*t407
+    K_el_out[..., 2, 32] = K_el_out[..., 32, 2] = t404
+    K_el_out[..., 2, 36] = K_el_out[..., 36, 2] = t405
+    K_el_out[..., 2, 37] = K_el_out[..., 37, 2] = t406
+    K_el_out[..., 2, 38] = K_el_out[..., 38, 2] = t407
+    K_el_out[..., 3, 3] = D_p_x_4**2*k_C + D_p_y_4**2*k_C + D_p_z_4**2*k_C + t410
+    K_el_out[..., 3, 4] = K_el_out[..., 4, 3] = D_p_x_5*t411 + D_p_y_5*t412 + D_p_z_5*t413
+    K_el_out[..., 3, 5] = K_el_out[..., 5, 3] = D_p_x_6*t411 + D_p_y_6*t412 + D_p_z_6*t413
+    K_el_out[..., 3, 9] = K_el_out[..., 9, 3] = t414
+    K_el_out[..., 3, 15] = K_el_out[..., 15, 3] = t415
+    K_el_out[..., 3, 24] = K_el_out[..., 24, 3] = D_delta_x_1*t411 + D_delta_y_1*t412 + D_delta_z_1*t413
+    K_el_out[..., 3, 25] = K_el_out[..., 25, 3] = D_delta_x_2*t411 + D_delta_y_2*t412 + D_delta_z_2*t413
+    K_el_out[..., 3, 26] = K_el_out[..., 26, 3] = D_delta_x_3*t411 + D_delta_y_3*t412 + D_delta_z_3*t413
+    K_el_out[..., 3, 27] = K_el_out[..., 27, 3] = D_delta_x_4*t411 + D_delta_y_4*t412 + D_delta_z_4*t413
+    K_el_out[..., 3, 28] = K_el_out[..., 28, 3] = D_delta_x_5*t411 + D_delta_y_5*t412 + D_delta_z_5*t413
+    K_el_out[..., 3, 29] = K_el_out[..., 29, 3] = D_delta_x_6*t411 + D_delta_y_6*t412 + D_delta_z_6*t413
+    K_el_out[..., 3, 33] = K_el_out[..., 33, 3] = t410
+    K_el_out[..., 3, 36] = K_el_out[..., 36, 3] = t411
+    K_el_out[..., 3, 37] = K_el_out[..., 37, 3] = t412
+    K_el_out[..., 3, 38] = K_el_out[..., 38, 3] = t413
+    K_el_out[..., 4, 4] = D_p_x_5**2*k_C + D_p_y_5**2*k_C + D_p_z_5**2*k_C + t416
+    K_el_out[..., 4, 5] = K_el_out[..., 5, 4] = D_p_x_6*t417 + D_p_y_6*t418 + D_p_z_6*t419
+    K_el_out[..., 4, 10] = K_el_out[..., 10, 4] = t420
+    K_el_out[..., 4, 16] = K_el_out[..., 16, 4] = t421
+    K_el_out[..., 4, 24] = K_el_out[..., 24, 4] = D_delta_x_1*t417 + D_delta_y_1*t418 + D_delta_z_1*t419
+    K_el_out[..., 4, 25] = K_el_out[..., 25, 4] = D_delta_x_2*t417 + D_delta_y_2*t418 + D_delta_z_2*t419
+    K_el_out[..., 4, 26] = K_el_out[..., 26, 4] = D_delta_x_3*t417 + D_delta_y_3*t418 + D_delta_z_3*t419
+    K_el_out[..., 4, 27] = K_el_out[..., 27, 4] = D_delta_x_4*t417 + D_delta_y_4*t418 + D_delta_z_4*t419
+    K_el_out[..., 4, 28] = K_el_out[..., 28, 4] = D_delta_x_5*t417 + D_delta_y_5*t418 + D_delta_z_5*t419
+    K_el_out[..., 4, 29] = K_el_out[..., 29, 4] = D_delta_x_6*t417 + D_delta_y_6*t418 + D_delta_z_6*t419
+    K_el_out[..., 4, 34] = K_el_out[..., 34, 4] = t416
+    K_el_out[..., 4, 36] = K_el_out[..., 36, 4] = t417
+    K_el_out[..., 4, 37] = K_el_out[..., 37, 4] = t418
+    K_el_out[..., 4, 38] = K_el_out[..., 38, 4] = t419
+    K_el_out[..., 5, 5] = D_p_x_6**2*k_C + D_p_y_6**2*k_C + D_p_z_6**2*k_C + t422
+    K_el_out[..., 5, 11] = K_el_out[..., 11, 5] = t423
+    K_el_out[..., 5, 17] = K_el_out[..., 17, 5] = t424
+    K_el_out[..., 5, 24] = K_el_out[..., 24, 5] = D_delta_x_1*t425 + D_delta_y_1*t426 + D_delta_z_1*t427
+    K_el_out[..., 5, 25] = K_el_out[..., 25, 5] = D_delta_x_2*t425 + D_delta_y_2*t426 + D_delta_z_2*t427
+    K_el_out[..., 5, 26] = K_el_out[..., 26, 5] = D_delta_x_3*t425 + D_delta_y_3*t426 + D_delta_z_3*t427
+    K_el_out[..., 5, 27] = K_el_out[..., 27, 5] = D_delta_x_4*t425 + D_delta_y_4*t426 + D_delta_z_4*t427
+    K_el_out[..., 5, 28] = K_el_out[..., 28, 5] = D_delta_x_5*t425 + D_delta_y_5*t426 + D_delta_z_5*t427
+    K_el_out[..., 5, 29] = K_el_out[..., 29, 5] = D_delta_x_6*t425 + D_delta_y_6*t426 + D_delta_z_6*t427
+    K_el_out[..., 5, 35] = K_el_out[..., 35, 5] = t422
+    K_el_out[..., 5, 36] = K_el_out[..., 36, 5] = t425
+    K_el_out[..., 5, 37] = K_el_out[..., 37, 5] = t426
+    K_el_out[..., 5, 38] = K_el_out[..., 38, 5] = t427
+    K_el_out[..., 6, 6] = k_1_3*t361 + t428 + t429
+    K_el_out[..., 6, 12] = K_el_out[..., 12, 6] = -t429
+    K_el_out[..., 6, 18] = K_el_out[..., 18, 6] = t428
+    K_el_out[..., 6, 30] = K_el_out[..., 30, 6] = t396
+    K_el_out[..., 7, 7] = k_2_3*t365 + t430 + t431
+    K_el_out[..., 7, 13] = K_el_out[..., 13, 7] = -t431
+    K_el_out[..., 7, 19] = K_el_out[..., 19, 7] = t430
+    K_el_out[..., 7, 31] = K_el_out[..., 31, 7] = t402
+    K_el_out[..., 8, 8] = k_3_3*t369 + t432 + t433
+    K_el_out[..., 8, 14] = K_el_out[..., 14, 8] = -t433
+    K_el_out[..., 8, 20] = K_el_out[..., 20, 8] = t432
+    K_el_out[..., 8, 32] = K_el_out[..., 32, 8] = t408
+    K_el_out[..., 9, 9] = k_4_3*t373 + t434 + t435
+    K_el_out[..., 9, 15] = K_el_out[..., 15, 9] = -t435
+    K_el_out[..., 9, 21] = K_el_out[..., 21, 9] = t434
+    K_el_out[..., 9, 33] = K_el_out[..., 33, 9] = t414
+    K_el_out[..., 10, 10] = k_5_3*t377 + t436 + t437
+    K_el_out[..., 10, 16] = K_el_out[..., 16, 10] = -t437
+    K_el_out[..., 10, 22] = K_el_out[..., 22, 10] = t436
+    K_el_out[..., 10, 34] = K_el_out[..., 34, 10] = t420
+    K_el_out[..., 11, 11] = k_6_3*t381 + t438 + t439
+    K_el_out[..., 11, 17] = K_el_out[..., 17, 11] = -t439
+    K_el_out[..., 11, 23] = K_el_out[..., 23, 11] = t438
+    K_el_out[..., 11, 35] = K_el_out[..., 35, 11] = t423
+    K_el_out[..., 12, 12] = k_1_2*t361 + t429 + t440
+    K_el_out[..., 12, 18] = K_el_out[..., 18, 12] = t440
+    K_el_out[..., 12, 30] = K_el_out[..., 30, 12] = t397
+    K_el_out[..., 13, 13] = k_2_2*t365 + t431 + t441
+    K_el_out[..., 13, 19] = K_el_out[..., 19, 13] = t441
+    K_el_out[..., 13, 31] = K_el_out[..., 31, 13] = t403
+    K_el_out[..., 14, 14] = k_3_2*t369 + t433 + t442
+    K_el_out[..., 14, 20] = K_el_out[..., 20, 14] = t442
+    K_el_out[..., 14, 32] = K_el_out[..., 32, 14] = t409
+    K_el_out[..., 15, 15] = k_4_2*t373 + t435 + t443
+    K_el_out[..., 15, 21] = K_el_out[..., 21, 15] = t443
+    K_el_out[..., 15, 33] = K_el_out[..., 33, 15] = t415
+    K_el_out[..., 16, 16] = k_5_2*t377 + t437 + t444
+    K_el_out[..., 16, 22] = K_el_out[..., 22, 16] = t444
+    K_el_out[..., 16, 34] = K_el_out[..., 34, 16] = t421
+    K_el_out[..., 17, 17] = k_6_2*t381 + t439 + t445
+    K_el_out[..., 17, 23] = K_el_out[..., 23, 17] = t445
+    K_el_out[..., 17, 35] = K_el_out[..., 35, 17] = t424
+    K_el_out[..., 18, 18] = t428 + t440
+    K_el_out[..., 19, 19] = t430 + t441
+    K_el_out[..., 20, 20] = t432 + t442
+    K_el_out[..., 21, 21] = t434 + t443
+    K_el_out[..., 22, 22] = t436 + t444
+    K_el_out[..., 23, 23] = t438 + t445
     K_el_out[..., 24, 24] = D_delta_x_1**2*k_C + D_delta_y_1**2*k_C + D_delta_z_1**2*k_C
-    K_el_out[..., 24, 25] = K_el_out[..., 25, 24] = D_delta_x_2*t435 + D_delta_y_2*t436 + D_delta_z_2*t437
-    K_el_out[..., 24, 26] = K_el_out[..., 26, 24] = D_delta_x_3*t435 + D_delta_y_3*t436 + D_delta_z_3*t437
-    K_el_out[..., 24, 27] = K_el_out[..., 27, 24] = D_delta_x_4*t435 + D_delta_y_4*t436 + D_delta_z_4*t437
-    K_el_out[..., 24, 28] = K_el_out[..., 28, 24] = D_delta_x_5*t435 + D_delta_y_5*t436 + D_delta_z_5*t437
-    K_el_out[..., 24, 29] = K_el_out[..., 29, 24] = D_delta_x_6*t435 + D_delta_y_6*t436 + D_delta_z_6*t437
-    K_el_out[..., 24, 36] = K_el_out[..., 36, 24] = t435
-    K_el_out[..., 24, 37] = K_el_out[..., 37, 24] = t436
-    K_el_out[..., 24, 38] = K_el_out[..., 38, 24] = t437
+    K_el_out[..., 24, 25] = K_el_out[..., 25, 24] = D_delta_x_2*t446 + D_delta_y_2*t447 + D_delta_z_2*t448
+    K_el_out[..., 24, 26] = K_el_out[..., 26, 24] = D_delta_x_3*t446 + D_delta_y_3*t447 + D_delta_z_3*t448
+    K_el_out[..., 24, 27] = K_el_out[..., 27, 24] = D_delta_x_4*t446 + D_delta_y_4*t447 + D_delta_z_4*t448
+    K_el_out[..., 24, 28] = K_el_out[..., 28, 24] = D_delta_x_5*t446 + D_delta_y_5*t447 + D_delta_z_5*t448
+    K_el_out[..., 24, 29] = K_el_out[..., 29, 24] = D_delta_x_6*t446 + D_delta_y_6*t447 + D_delta_z_6*t448
+    K_el_out[..., 24, 36] = K_el_out[..., 36, 24] = t446
+    K_el_out[..., 24, 37] = K_el_out[..., 37, 24] = t447
+    K_el_out[..., 24, 38] = K_el_out[..., 38, 24] = t448
     K_el_out[..., 25, 25] = D_delta_x_2**2*k_C + D_delta_y_2**2*k_C + D_delta_z_2**2*k_C
-    K_el_out[..., 25, 26] = K_el_out[..., 26, 25] = D_delta_x_3*t438 + D_delta_y_3*t439 + D_delta_z_3*t440
-    K_el_out[..., 25, 27] = K_el_out[..., 27, 25] = D_delta_x_4*t438 + D_delta_y_4*t439 + D_delta_z_4*t440
-    K_el_out[..., 25, 28] = K_el_out[..., 28, 25] = D_delta_x_5*t438 + D_delta_y_5*t439 + D_delta_z_5*t440
-    K_el_out[..., 25, 29] = K_el_out[..., 29, 25] = D_delta_x_6*t438 + D_delta_y_6*t439 + D_delta_z_6*t440
-    K_el_out[..., 25, 36] = K_el_out[..., 36, 25] = t438
-    K_el_out[..., 25, 37] = K_el_out[..., 37, 25] = t439
-    K_el_out[..., 25, 38] = K_el_out[..., 38, 25] = t440
+    K_el_out[..., 25, 26] = K_el_out[..., 26, 25] = D_delta_x_3*t449 + D_delta_y_3*t450 + D_delta_z_3*t451
+    K_el_out[..., 25, 27] = K_el_out[..., 27, 25] = D_delta_x_4*t449 + D_delta_y_4*t450 + D_delta_z_4*t451
+    K_el_out[..., 25, 28] = K_el_out[..., 28, 25] = D_delta_x_5*t449 + D_delta_y_5*t450 + D_delta_z_5*t451
+    K_el_out[..., 25, 29] = K_el_out[..., 29, 25] = D_delta_x_6*t449 + D_delta_y_6*t450 + D_delta_z_6*t451
+    K_el_out[..., 25, 36] = K_el_out[..., 36, 25] = t449
+    K_el_out[..., 25, 37] = K_el_out[..., 37, 25] = t450
+    K_el_out[..., 25, 38] = K_el_out[..., 38, 25] = t451
     K_el_out[..., 26, 26] = D_delta_x_3**2*k_C + D_delta_y_3**2*k_C + D_delta_z_3**2*k_C
-    K_el_out[..., 26, 27] = K_el_out[..., 27, 26] = D_delta_x_4*t441 + D_delta_y_4*t442 + D_delta_z_4*t443
-    K_el_out[..., 26, 28] = K_el_out[..., 28, 26] = D_delta_x_5*t441 + D_delta_y_5*t442 + D_delta_z_5*t443
-    K_el_out[..., 26, 29] = K_el_out[..., 29, 26] = D_delta_x_6*t441 + D_delta_y_6*t442 + D_delta_z_6*t443
-    K_el_out[..., 26, 36] = K_el_out[..., 36, 26] = t441
-    K_el_out[..., 26, 37] = K_el_out[..., 37, 26] = t442
-    K_el_out[..., 26, 38] = K_el_out[..., 38, 26] = t443
+    K_el_out[..., 26, 27] = K_el_out[..., 27, 26] = D_delta_x_4*t452 + D_delta_y_4*t453 + D_delta_z_4*t454
+    K_el_out[..., 26, 28] = K_el_out[..., 28, 26] = D_delta_x_5*t452 + D_delta_y_5*t453 + D_delta_z_5*t454
+    K_el_out[..., 26, 29] = K_el_out[..., 29, 26] = D_delta_x_6*t452 + D_delta_y_6*t453 + D_delta_z_6*t454
+    K_el_out[..., 26, 36] = K_el_out[..., 36, 26] = t452
+    K_el_out[..., 26, 37] = K_el_out[..., 37, 26] = t453
+    K_el_out[..., 26, 38] = K_el_out[..., 38, 26] = t454
     K_el_out[..., 27, 27] = D_delta_x_4**2*k_C + D_delta_y_4**2*k_C + D_delta_z_4**2*k_C
-    K_el_out[..., 27, 28] = K_el_out[..., 28, 27] = D_delta_x_5*t444 + D_delta_y_5*t445 + D_delta_z_5*t446
-    K_el_out[..., 27, 29] = K_el_out[..., 29, 27] = D_delta_x_6*t444 + D_delta_y_6*t445 + D_delta_z_6*t446
-    K_el_out[..., 27, 36] = K_el_out[..., 36, 27] = t444
-    K_el_out[..., 27, 37] = K_el_out[..., 37, 27] = t445
-    K_el_out[..., 27, 38] = K_el_out[..., 38, 27] = t446
+    K_el_out[..., 27, 28] = K_el_out[..., 28, 27] = D_delta_x_5*t455 + D_delta_y_5*t456 + D_delta_z_5*t457
+    K_el_out[..., 27, 29] = K_el_out[..., 29, 27] = D_delta_x_6*t455 + D_delta_y_6*t456 + D_delta_z_6*t457
+    K_el_out[..., 27, 36] = K_el_out[..., 36, 27] = t455
+    K_el_out[..., 27, 37] = K_el_out[..., 37, 27] = t456
+    K_el_out[..., 27, 38] = K_el_out[..., 38, 27] = t457
     K_el_out[..., 28, 28] = D_delta_x_5**2*k_C + D_delta_y_5**2*k_C + D_delta_z_5**2*k_C
-    K_el_out[..., 28, 29] = K_el_out[..., 29, 28] = D_delta_x_6*t447 + D_delta_y_6*t448 + D_delta_z_6*t449
-    K_el_out[..., 28, 36] = K_el_out[..., 36, 28] = t447
-    K_el_out[..., 28, 37] = K_el_out[..., 37, 28] = t448
-    K_el_out[..., 28, 38] = K_el_out[..., 38, 28] = t449
+    K_el_out[..., 28, 29] = K_el_out[..., 29, 28] = D_delta_x_6*t458 + D_delta_y_6*t459 + D_delta_z_6*t460
+    K_el_out[..., 28, 36] = K_el_out[..., 36, 28] = t458
+    K_el_out[..., 28, 37] = K_el_out[..., 37, 28] = t459
+    K_el_out[..., 28, 38] = K_el_out[..., 38, 28] = t460
     K_el_out[..., 29, 29] = D_delta_x_6**2*k_C + D_delta_y_6**2*k_C + D_delta_z_6**2*k_C
     K_el_out[..., 29, 36] = K_el_out[..., 36, 29] = D_delta_x_6*k_C
     K_el_out[..., 29, 37] = K_el_out[..., 37, 29] = D_delta_y_6*k_C
     K_el_out[..., 29, 38] = K_el_out[..., 38, 29] = D_delta_z_6*k_C
-    K_el_out[..., 30, 30] = t381
-    K_el_out[..., 31, 31] = t387
-    K_el_out[..., 32, 32] = t393
-    K_el_out[..., 33, 33] = t399
-    K_el_out[..., 34, 34] = t405
-    K_el_out[..., 35, 35] = t411
+    K_el_out[..., 30, 30] = t392
+    K_el_out[..., 31, 31] = t398
+    K_el_out[..., 32, 32] = t404
+    K_el_out[..., 33, 33] = t410
+    K_el_out[..., 34, 34] = t416
+    K_el_out[..., 35, 35] = t422
     K_el_out[..., 36, 36] = k_C
     K_el_out[..., 37, 37] = k_C
     K_el_out[..., 38, 38] = k_C
     K_g_out = np.zeros((*batch, 39, 39), dtype)
     K_g_out[..., 0, 0] = (
-        D_p_rx_1*f_rx_x_1 + D_p_rx_1*t206 + D_p_ry_1*f_ry_x_1 + D_p_ry_1*t450 + D_p_rz_1*f_rz_x_1
-        + D_p_rz_1*t218 + D_p_x_1*f_x_x_1 + D_p_x_1*t188 + D_p_y_1*f_y_x_1 + D_p_y_1*t194 + D_p_z_1*f_z_x_1
-        + D_p_z_1*t200 - mu_1*n_1_x**2 - mu_1*n_1_y**2 - mu_1*n_1_z**2
+        D_p_rx_1*f_rx_x_1 + D_p_rx_1*t211 + D_p_ry_1*f_ry_x_1 + D_p_ry_1*t461 + D_p_rz_1*f_rz_x_1
+        + D_p_rz_1*t223 + D_p_x_1*f_x_x_1 + D_p_x_1*t193 + D_p_y_1*f_y_x_1 + D_p_y_1*t199 + D_p_z_1*f_z_x_1
+        + D_p_z_1*t205 - mu_1*n_1_x**2 - mu_1*n_1_y**2 - mu_1*n_1_z**2
     )
     K_g_out[..., 0, 1] = K_g_out[..., 1, 0] = (
-        D_p_rx_1*f_rx_x_2 + D_p_rx_2*t206 + D_p_ry_1*f_ry_x_2 + D_p_ry_2*t450 + D_p_rz_1*f_rz_x_2
-        + D_p_rz_2*t218 + D_p_x_1*f_x_x_2 + D_p_x_2*t188 + D_p_y_1*f_y_x_2 + D_p_y_2*t194 + D_p_z_1*f_z_x_2
-        + D_p_z_2*t200
+        D_p_rx_1*f_rx_x_2 + D_p_rx_2*t211 + D_p_ry_1*f_ry_x_2 + D_p_ry_2*t461 + D_p_rz_1*f_rz_x_2
+        + D_p_rz_2*t223 + D_p_x_1*f_x_x_2 + D_p_x_2*t193 + D_p_y_1*f_y_x_2 + D_p_y_2*t199 + D_p_z_1*f_z_x_2
+        + D_p_z_2*t205
     )
     K_g_out[..., 0, 2] = K_g_out[..., 2, 0] = (
-        D_p_rx_1*f_rx_x_3 + D_p_rx_3*t206 + D_p_ry_1*f_ry_x_3 + D_p_ry_3*t450 + D_p_rz_1*f_rz_x_3
-        + D_p_rz_3*t218 + D_p_x_1*f_x_x_3 + D_p_x_3*t188 + D_p_y_1*f_y_x_3 + D_p_y_3*t194 + D_p_z_1*f_z_x_3
-        + D_p_z_3*t200
+        D_p_rx_1*f_rx_x_3 + D_p_rx_3*t211 + D_p_ry_1*f_ry_x_3 + D_p_ry_3*t461 + D_p_rz_1*f_rz_x_3
+        + D_p_rz_3*t223 + D_p_x_1*f_x_x_3 + D_p_x_3*t193 + D_p_y_1*f_y_x_3 + D_p_y_3*t199 + D_p_z_1*f_z_x_3
+        + D_p_z_3*t205
     )
     K_g_out[..., 0, 3] = K_g_out[..., 3, 0] = (
-        D_p_rx_1*f_rx_x_4 + D_p_rx_4*t206 + D_p_ry_1*f_ry_x_4 + D_p_ry_4*t450 + D_p_rz_1*f_rz_x_4
-        + D_p_rz_4*t218 + D_p_x_1*f_x_x_4 + D_p_x_4*t188 + D_p_y_1*f_y_x_4 + D_p_y_4*t194 + D_p_z_1*f_z_x_4
-        + D_p_z_4*t200
+        D_p_rx_1*f_rx_x_4 + D_p_rx_4*t211 + D_p_ry_1*f_ry_x_4 + D_p_ry_4*t461 + D_p_rz_1*f_rz_x_4
+        + D_p_rz_4*t223 + D_p_x_1*f_x_x_4 + D_p_x_4*t193 + D_p_y_1*f_y_x_4 + D_p_y_4*t199 + D_p_z_1*f_z_x_4
+        + D_p_z_4*t205
     )
     K_g_out[..., 0, 4] = K_g_out[..., 4, 0] = (
-        D_p_rx_1*f_rx_x_5 + D_p_rx_5*t206 + D_p_ry_1*f_ry_x_5 + D_p_ry_5*t450 + D_p_rz_1*f_rz_x_5
-        + D_p_rz_5*t218 + D_p_x_1*f_x_x_5 + D_p_x_5*t188 + D_p_y_1*f_y_x_5 + D_p_y_5*t194 + D_p_z_1*f_z_x_5
-        + D_p_z_5*t200
+        D_p_rx_1*f_rx_x_5 + D_p_rx_5*t211 + D_p_ry_1*f_ry_x_5 + D_p_ry_5*t461 + D_p_rz_1*f_rz_x_5
+        + D_p_rz_5*t223 + D_p_x_1*f_x_x_5 + D_p_x_5*t193 + D_p_y_1*f_y_x_5 + D_p_y_5*t199 + D_p_z_1*f_z_x_5
+        + D_p_z_5*t205
     )
     K_g_out[..., 0, 5] = K_g_out[..., 5, 0] = (
-        D_p_rx_1*f_rx_x_6 + D_p_rx_6*t206 + D_p_ry_1*f_ry_x_6 + D_p_ry_6*t450 + D_p_rz_1*f_rz_x_6
-        + D_p_rz_6*t218 + D_p_x_1*f_x_x_6 + D_p_x_6*t188 + D_p_y_1*f_y_x_6 + D_p_y_6*t194 + D_p_z_1*f_z_x_6
-        + D_p_z_6*t200
+        D_p_rx_1*f_rx_x_6 + D_p_rx_6*t211 + D_p_ry_1*f_ry_x_6 + D_p_ry_6*t461 + D_p_rz_1*f_rz_x_6
+        + D_p_rz_6*t223 + D_p_x_1*f_x_x_6 + D_p_x_6*t193 + D_p_y_1*f_y_x_6 + D_p_y_6*t199 + D_p_z_1*f_z_x_6
+        + D_p_z_6*t205
     )
     K_g_out[..., 0, 24] = K_g_out[..., 24, 0] = (
-        D_delta_rx_1*t206 + D_delta_ry_1*t450 + D_delta_rz_1*t218 + D_delta_x_1*t188 + D_delta_y_1*t194
-        + D_delta_z_1*t200 + D_p_rx_1*f_rx_delta_1 + D_p_ry_1*f_ry_delta_1 + D_p_rz_1*f_rz_delta_1
+        D_delta_rx_1*t211 + D_delta_ry_1*t461 + D_delta_rz_1*t223 + D_delta_x_1*t193 + D_delta_y_1*t199
+        + D_delta_z_1*t205 + D_p_rx_1*f_rx_delta_1 + D_p_ry_1*f_ry_delta_1 + D_p_rz_1*f_rz_delta_1
         + D_p_x_1*f_x_delta_1 + D_p_y_1*f_y_delta_1 + D_p_z_1*f_z_delta_1
     )
     K_g_out[..., 0, 25] = K_g_out[..., 25, 0] = (
-        D_delta_rx_2*t206 + D_delta_ry_2*t450 + D_delta_rz_2*t218 + D_delta_x_2*t188 + D_delta_y_2*t194
-        + D_delta_z_2*t200 + D_p_rx_1*f_rx_delta_2 + D_p_ry_1*f_ry_delta_2 + D_p_rz_1*f_rz_delta_2
+        D_delta_rx_2*t211 + D_delta_ry_2*t461 + D_delta_rz_2*t223 + D_delta_x_2*t193 + D_delta_y_2*t199
+        + D_delta_z_2*t205 + D_p_rx_1*f_rx_delta_2 + D_p_ry_1*f_ry_delta_2 + D_p_rz_1*f_rz_delta_2
         + D_p_x_1*f_x_delta_2 + D_p_y_1*f_y_delta_2 + D_p_z_1*f_z_delta_2
     )
     K_g_out[..., 0, 26] = K_g_out[..., 26, 0] = (
-        D_delta_rx_3*t206 + D_delta_ry_3*t450 + D_delta_rz_3*t218 + D_delta_x_3*t188 + D_delta_y_3*t194
-        + D_delta_z_3*t200 + D_p_rx_1*f_rx_delta_3 + D_p_ry_1*f_ry_delta_3 + D_p_rz_1*f_rz_delta_3
+        D_delta_rx_3*t211 + D_delta_ry_3*t461 + D_delta_rz_3*t223 + D_delta_x_3*t193 + D_delta_y_3*t199
+        + D_delta_z_3*t205 + D_p_rx_1*f_rx_delta_3 + D_p_ry_1*f_ry_delta_3 + D_p_rz_1*f_rz_delta_3
         + D_p_x_1*f_x_delta_3 + D_p_y_1*f_y_delta_3 + D_p_z_1*f_z_delta_3
     )
     K_g_out[..., 0, 27] = K_g_out[..., 27, 0] = (
-        D_delta_rx_4*t206 + D_delta_ry_4*t450 + D_delta_rz_4*t218 + D_delta_x_4*t188 + D_delta_y_4*t194
-        + D_delta_z_4*t200 + D_p_rx_1*f_rx_delta_4 + D_p_ry_1*f_ry_delta_4 + D_p_rz_1*f_rz_delta_4
+        D_delta_rx_4*t211 + D_delta_ry_4*t461 + D_delta_rz_4*t223 + D_delta_x_4*t193 + D_delta_y_4*t199
+        + D_delta_z_4*t205 + D_p_rx_1*f_rx_delta_4 + D_p_ry_1*f_ry_delta_4 + D_p_rz_1*f_rz_delta_4
         + D_p_x_1*f_x_delta_4 + D_p_y_1*f_y_delta_4 + D_p_z_1*f_z_delta_4
     )
     K_g_out[..., 0, 28] = K_g_out[..., 28, 0] = (
-        D_delta_rx_5*t206 + D_delta_ry_5*t450 + D_delta_rz_5*t218 + D_delta_x_5*t188 + D_delta_y_5*t194
-        + D_delta_z_5*t200 + D_p_rx_1*f_rx_delta_5 + D_p_ry_1*f_ry_delta_5 + D_p_rz_1*f_rz_delta_5
+        D_delta_rx_5*t211 + D_delta_ry_5*t461 + D_delta_rz_5*t223 + D_delta_x_5*t193 + D_delta_y_5*t199
+        + D_delta_z_5*t205 + D_p_rx_1*f_rx_delta_5 + D_p_ry_1*f_ry_delta_5 + D_p_rz_1*f_rz_delta_5
         + D_p_x_1*f_x_delta_5 + D_p_y_1*f_y_delta_5 + D_p_z_1*f_z_delta_5
     )
     K_g_out[..., 0, 29] = K_g_out[..., 29, 0] = (
-        D_delta_rx_6*t206 + D_delta_ry_6*t450 + D_delta_rz_6*t218 + D_delta_x_6*t188 + D_delta_y_6*t194
-        + D_delta_z_6*t200 + D_p_rx_1*f_rx_delta_6 + D_p_ry_1*f_ry_delta_6 + D_p_rz_1*f_rz_delta_6
+        D_delta_rx_6*t211 + D_delta_ry_6*t461 + D_delta_rz_6*t223 + D_delta_x_6*t193 + D_delta_y_6*t199
+        + D_delta_z_6*t205 + D_p_rx_1*f_rx_delta_6 + D_p_ry_1*f_ry_delta_6 + D_p_rz_1*f_rz_delta_6
         + D_p_x_1*f_x_delta_6 + D_p_y_1*f_y_delta_6 + D_p_z_1*f_z_delta_6
     )
     K_g_out[..., 1, 1] = (
-        D_p_rx_2*f_rx_x_2 + D_p_rx_2*t207 + D_p_ry_2*f_ry_x_2 + D_p_ry_2*t451 + D_p_rz_2*f_rz_x_2
-        + D_p_rz_2*t219 + D_p_x_2*f_x_x_2 + D_p_x_2*t189 + D_p_y_2*f_y_x_2 + D_p_y_2*t195 + D_p_z_2*f_z_x_2
-        + D_p_z_2*t201 - mu_2*n_2_x**2 - mu_2*n_2_y**2 - mu_2*n_2_z**2
+        D_p_rx_2*f_rx_x_2 + D_p_rx_2*t212 + D_p_ry_2*f_ry_x_2 + D_p_ry_2*t462 + D_p_rz_2*f_rz_x_2
+        + D_p_rz_2*t224 + D_p_x_2*f_x_x_2 + D_p_x_2*t194 + D_p_y_2*f_y_x_2 + D_p_y_2*t200 + D_p_z_2*f_z_x_2
+        + D_p_z_2*t206 - mu_2*n_2_x**2 - mu_2*n_2_y**2 - mu_2*n_2_z**2
     )
     K_g_out[..., 1, 2] = K_g_out[..., 2, 1] = (
-        D_p_rx_2*f_rx_x_3 + D_p_rx_3*t207 + D_p_ry_2*f_ry_x_3 + D_p_ry_3*t451 + D_p_rz_2*f_rz_x_3
-        + D_p_rz_3*t219 + D_p_x_2*f_x_x_3 + D_p_x_3*t189 + D_p_y_2*f_y_x_3 + D_p_y_3*t195 + D_p_z_2*f_z_x_3
-        + D_p_z_3*t201
+        D_p_rx_2*f_rx_x_3 + D_p_rx_3*t212 + D_p_ry_2*f_ry_x_3 + D_p_ry_3*t462 + D_p_rz_2*f_rz_x_3
+        + D_p_rz_3*t224 + D_p_x_2*f_x_x_3 + D_p_x_3*t194 + D_p_y_2*f_y_x_3 + D_p_y_3*t200 + D_p_z_2*f_z_x_3
+        + D_p_z_3*t206
     )
     K_g_out[..., 1, 3] = K_g_out[..., 3, 1] = (
-        D_p_rx_2*f_rx_x_4 + D_p_rx_4*t207 + D_p_ry_2*f_ry_x_4 + D_p_ry_4*t451 + D_p_rz_2*f_rz_x_4
-        + D_p_rz_4*t219 + D_p_x_2*f_x_x_4 + D_p_x_4*t189 + D_p_y_2*f_y_x_4 + D_p_y_4*t195 + D_p_z_2*f_z_x_4
-        + D_p_z_4*t201
+        D_p_rx_2*f_rx_x_4 + D_p_rx_4*t212 + D_p_ry_2*f_ry_x_4 + D_p_ry_4*t462 + D_p_rz_2*f_rz_x_4
+        + D_p_rz_4*t224 + D_p_x_2*f_x_x_4 + D_p_x_4*t194 + D_p_y_2*f_y_x_4 + D_p_y_4*t200 + D_p_z_2*f_z_x_4
+        + D_p_z_4*t206
     )
     K_g_out[..., 1, 4] = K_g_out[..., 4, 1] = (
-        D_p_rx_2*f_rx_x_5 + D_p_rx_5*t207 + D_p_ry_2*f_ry_x_5 + D_p_ry_5*t451 + D_p_rz_2*f_rz_x_5
-        + D_p_rz_5*t219 + D_p_x_2*f_x_x_5 + D_p_x_5*t189 + D_p_y_2*f_y_x_5 + D_p_y_5*t195 + D_p_z_2*f_z_x_5
-        + D_p_z_5*t201
+        D_p_rx_2*f_rx_x_5 + D_p_rx_5*t212 + D_p_ry_2*f_ry_x_5 + D_p_ry_5*t462 + D_p_rz_2*f_rz_x_5
+        + D_p_rz_5*t224 + D_p_x_2*f_x_x_5 + D_p_x_5*t194 + D_p_y_2*f_y_x_5 + D_p_y_5*t200 + D_p_z_2*f_z_x_5
+        + D_p_z_5*t206
     )
     K_g_out[..., 1, 5] = K_g_out[..., 5, 1] = (
-        D_p_rx_2*f_rx_x_6 + D_p_rx_6*t207 + D_p_ry_2*f_ry_x_6 + D_p_ry_6*t451 + D_p_rz_2*f_rz_x_6
-        + D_p_rz_6*t219 + D_p_x_2*f_x_x_6 + D_p_x_6*t189 + D_p_y_2*f_y_x_6 + D_p_y_6*t195 + D_p_z_2*f_z_x_6
-        + D_p_z_6*t201
+        D_p_rx_2*f_rx_x_6 + D_p_rx_6*t212 + D_p_ry_2*f_ry_x_6 + D_p_ry_6*t462 + D_p_rz_2*f_rz_x_6
+        + D_p_rz_6*t224 + D_p_x_2*f_x_x_6 + D_p_x_6*t194 + D_p_y_2*f_y_x_6 + D_p_y_6*t200 + D_p_z_2*f_z_x_6
+        + D_p_z_6*t206
     )
     K_g_out[..., 1, 24] = K_g_out[..., 24, 1] = (
-        D_delta_rx_1*t207 + D_delta_ry_1*t451 + D_delta_rz_1*t219 + D_delta_x_1*t189 + D_delta_y_1*t195
-        + D_delta_z_1*t201 + D_p_rx_2*f_rx_delta_1 + D_p_ry_2*f_ry_delta_1 + D_p_rz_2*f_rz_delta_1
+        D_delta_rx_1*t212 + D_delta_ry_1*t462 + D_delta_rz_1*t224 + D_delta_x_1*t194 + D_delta_y_1*t200
+        + D_delta_z_1*t206 + D_p_rx_2*f_rx_delta_1 + D_p_ry_2*f_ry_delta_1 + D_p_rz_2*f_rz_delta_1
         + D_p_x_2*f_x_delta_1 + D_p_y_2*f_y_delta_1 + D_p_z_2*f_z_delta_1
     )
     K_g_out[..., 1, 25] = K_g_out[..., 25, 1] = (
-        D_delta_rx_2*t207 + D_delta_ry_2*t451 + D_delta_rz_2*t219 + D_delta_x_2*t189 + D_delta_y_2*t195
-        + D_delta_z_2*t201 + D_p_rx_2*f_rx_delta_2 + D_p_ry_2*f_ry_delta_2 + D_p_rz_2*f_rz_delta_2
+        D_delta_rx_2*t212 + D_delta_ry_2*t462 + D_delta_rz_2*t224 + D_delta_x_2*t194 + D_delta_y_2*t200
+        + D_delta_z_2*t206 + D_p_rx_2*f_rx_delta_2 + D_p_ry_2*f_ry_delta_2 + D_p_rz_2*f_rz_delta_2
         + D_p_x_2*f_x_delta_2 + D_p_y_2*f_y_delta_2 + D_p_z_2*f_z_delta_2
     )
     K_g_out[..., 1, 26] = K_g_out[..., 26, 1] = (
-        D_delta_rx_3*t207 + D_delta_ry_3*t451 + D_delta_rz_3*t219 + D_delta_x_3*t189 + D_delta_y_3*t195
-        + D_delta_z_3*t201 + D_p_rx_2*f_rx_delta_3 + D_p_ry_2*f_ry_delta_3 + D_p_rz_2*f_rz_delta_3
+        D_delta_rx_3*t212 + D_delta_ry_3*t462 + D_delta_rz_3*t224 + D_delta_x_3*t194 + D_delta_y_3*t200
+        + D_delta_z_3*t206 + D_p_rx_2*f_rx_delta_3 + D_p_ry_2*f_ry_delta_3 + D_p_rz_2*f_rz_delta_3
         + D_p_x_2*f_x_delta_3 + D_p_y_2*f_y_delta_3 + D_p_z_2*f_z_delta_3
     )
     K_g_out[..., 1, 27] = K_g_out[..., 27, 1] = (
-        D_delta_rx_4*t207 + D_delta_ry_4*t451 + D_delta_rz_4*t219 + D_delta_x_4*t189 + D_delta_y_4*t195
-        + D_delta_z_4*t201 + D_p_rx_2*f_rx_delta_4 + D_p_ry_2*f_ry_delta_4 + D_p_rz_2*f_rz_delta_4
+        D_delta_rx_4*t212 + D_delta_ry_4*t462 + D_delta_rz_4*t224 + D_delta_x_4*t194 + D_delta_y_4*t200
+        + D_delta_z_4*t206 + D_p_rx_2*f_rx_delta_4 + D_p_ry_2*f_ry_delta_4 + D_p_rz_2*f_rz_delta_4
         + D_p_x_2*f_x_delta_4 + D_p_y_2*f_y_delta_4 + D_p_z_2*f_z_delta_4
     )
     K_g_out[..., 1, 28] = K_g_out[..., 28, 1] = (
-        D_delta_rx_5*t207 + D_delta_ry_5*t451 + D_delta_rz_5*t219 + D_delta_x_5*t189 + D_delta_y_5*t195
-        + D_delta_z_5*t201 + D_p_rx_2*f_rx_delta_5 + D_p_ry_2*f_ry_delta_5 + D_p_rz_2*f_rz_delta_5
+        D_delta_rx_5*t212 + D_delta_ry_5*t462 + D_delta_rz_5*t224 + D_delta_x_5*t194 + D_delta_y_5*t200
+        + D_delta_z_5*t206 + D_p_rx_2*f_rx_delta_5 + D_p_ry_2*f_ry_delta_5 + D_p_rz_2*f_rz_delta_5
         + D_p_x_2*f_x_delta_5 + D_p_y_2*f_y_delta_5 + D_p_z_2*f_z_delta_5
     )
     K_g_out[..., 1, 29] = K_g_out[..., 29, 1] = (
-        D_delta_rx_6*t207 + D_delta_ry_6*t451 + D_delta_rz_6*t219 + D_delta_x_6*t189 + D_delta_y_6*t195
-        + D_delta_z_6*t201 + D_p_rx_2*f_rx_delta_6 + D_p_ry_2*f_ry_delta_6 + D_p_rz_2*f_rz_delta_6
+        D_delta_rx_6*t212 + D_delta_ry_6*t462 + D_delta_rz_6*t224 + D_delta_x_6*t194 + D_delta_y_6*t200
+        + D_delta_z_6*t206 + D_p_rx_2*f_rx_delta_6 + D_p_ry_2*f_ry_delta_6 + D_p_rz_2*f_rz_delta_6
         + D_p_x_2*f_x_delta_6 + D_p_y_2*f_y_delta_6 + D_p_z_2*f_z_delta_6
     )
     K_g_out[..., 2, 2] = (
-        D_p_rx_3*f_rx_x_3 + D_p_rx_3*t208 + D_p_ry_3*f_ry_x_3 + D_p_ry_3*t452 + D_p_rz_3*f_rz_x_3
-        + D_p_rz_3*t220 + D_p_x_3*f_x_x_3 + D_p_x_3*t190 + D_p_y_3*f_y_x_3 + D_p_y_3*t196 + D_p_z_3*f_z_x_3
-        + D_p_z_3*t202 - mu_3*n_3_x**2 - mu_3*n_3_y**2 - mu_3*n_3_z**2
+        D_p_rx_3*f_rx_x_3 + D_p_rx_3*t213 + D_p_ry_3*f_ry_x_3 + D_p_ry_3*t463 + D_p_rz_3*f_rz_x_3
+        + D_p_rz_3*t225 + D_p_x_3*f_x_x_3 + D_p_x_3*t195 + D_p_y_3*f_y_x_3 + D_p_y_3*t201 + D_p_z_3*f_z_x_3
+        + D_p_z_3*t207 - mu_3*n_3_x**2 - mu_3*n_3_y**2 - mu_3*n_3_z**2
     )
     K_g_out[..., 2, 3] = K_g_out[..., 3, 2] = (
-        D_p_rx_3*f_rx_x_4 + D_p_rx_4*t208 + D_p_ry_3*f_ry_x_4 + D_p_ry_4*t452 + D_p_rz_3*f_rz_x_4
-        + D_p_rz_4*t220 + D_p_x_3*f_x_x_4 + D_p_x_4*t190 + D_p_y_3*f_y_x_4 + D_p_y_4*t196 + D_p_z_3*f_z_x_4
-        + D_p_z_4*t202
+        D_p_rx_3*f_rx_x_4 + D_p_rx_4*t213 + D_p_ry_3*f_ry_x_4 + D_p_ry_4*t463 + D_p_rz_3*f_rz_x_4
+        + D_p_rz_4*t225 + D_p_x_3*f_x_x_4 + D_p_x_4*t195 + D_p_y_3*f_y_x_4 + D_p_y_4*t201 + D_p_z_3*f_z_x_4
+        + D_p_z_4*t207
     )
     K_g_out[..., 2, 4] = K_g_out[..., 4, 2] = (
-        D_p_rx_3*f_rx_x_5 + D_p_rx_5*t208 + D_p_ry_3*f_ry_x_5 + D_p_ry_5*t452 + D_p_rz_3*f_rz_x_5
-        + D_p_rz_5*t220 + D_p_x_3*f_x_x_5 + D_p_x_5*t190 + D_p_y_3*f_y_x_5 + D_p_y_5*t196 + D_p_z_3*f_z_x_5
-        + D_p_z_5*t202
+        D_p_rx_3*f_rx_x_5 + D_p_rx_5*t213 + D_p_ry_3*f_ry_x_5 + D_p_ry_5*t463 + D_p_rz_3*f_rz_x_5
+        + D_p_rz_5*t225 + D_p_x_3*f_x_x_5 + D_p_x_5*t195 + D_p_y_3*f_y_x_5 + D_p_y_5*t201 + D_p_z_3*f_z_x_5
+        + D_p_z_5*t207
     )
     K_g_out[..., 2, 5] = K_g_out[..., 5, 2] = (
-        D_p_rx_3*f_rx_x_6 + D_p_rx_6*t208 + D_p_ry_3*f_ry_x_6 + D_p_ry_6*t452 + D_p_rz_3*f_rz_x_6
-        + D_p_rz_6*t220 + D_p_x_3*f_x_x_6 + D_p_x_6*t190 + D_p_y_3*f_y_x_6 + D_p_y_6*t196 + D_p_z_3*f_z_x_6
-        + D_p_z_6*t202
+        D_p_rx_3*f_rx_x_6 + D_p_rx_6*t213 + D_p_ry_3*f_ry_x_6 + D_p_ry_6*t463 + D_p_rz_3*f_rz_x_6
+        + D_p_rz_6*t225 + D_p_x_3*f_x_x_6 + D_p_x_6*t195 + D_p_y_3*f_y_x_6 + D_p_y_6*t201 + D_p_z_3*f_z_x_6
+        + D_p_z_6*t207
     )
     K_g_out[..., 2, 24] = K_g_out[..., 24, 2] = (
-        D_delta_rx_1*t208 + D_delta_ry_1*t452 + D_delta_rz_1*t220 + D_delta_x_1*t190 + D_delta_y_1*t196
-        + D_delta_z_1*t202 + D_p_rx_3*f_rx_delta_1 + D_p_ry_3*f_ry_delta_1 + D_p_rz_3*f_rz_delta_1
+        D_delta_rx_1*t213 + D_delta_ry_1*t463 + D_delta_rz_1*t225 + D_delta_x_1*t195 + D_delta_y_1*t201
+        + D_delta_z_1*t207 + D_p_rx_3*f_rx_delta_1 + D_p_ry_3*f_ry_delta_1 + D_p_rz_3*f_rz_delta_1
         + D_p_x_3*f_x_delta_1 + D_p_y_3*f_y_delta_1 + D_p_z_3*f_z_delta_1
     )
     K_g_out[..., 2, 25] = K_g_out[..., 25, 2] = (
-        D_delta_rx_2*t208 + D_delta_ry_2*t452 + D_delta_rz_2*t220 + D_delta_x_2*t190 + D_delta_y_2*t196
-        + D_delta_z_2*t202 + D_p_rx_3*f_rx_delta_2 + D_p_ry_3*f_ry_delta_2 + D_p_rz_3*f_rz_delta_2
+        D_delta_rx_2*t213 + D_delta_ry_2*t463 + D_delta_rz_2*t225 + D_delta_x_2*t195 + D_delta_y_2*t201
+        + D_delta_z_2*t207 + D_p_rx_3*f_rx_delta_2 + D_p_ry_3*f_ry_delta_2 + D_p_rz_3*f_rz_delta_2
         + D_p_x_3*f_x_delta_2 + D_p_y_3*f_y_delta_2 + D_p_z_3*f_z_delta_2
     )
     K_g_out[..., 2, 26] = K_g_out[..., 26, 2] = (
-        D_delta_rx_3*t208 + D_delta_ry_3*t452 + D_delta_rz_3*t220 + D_delta_x_3*t190 + D_delta_y_3*t196
-        + D_delta_z_3*t202 + D_p_rx_3*f_rx_delta_3 + D_p_ry_3*f_ry_delta_3 + D_p_rz_3*f_rz_delta_3
+        D_delta_rx_3*t213 + D_delta_ry_3*t463 + D_delta_rz_3*t225 + D_delta_x_3*t195 + D_delta_y_3*t201
+        + D_delta_z_3*t207 + D_p_rx_3*f_rx_delta_3 + D_p_ry_3*f_ry_delta_3 + D_p_rz_3*f_rz_delta_3
         + D_p_x_3*f_x_delta_3 + D_p_y_3*f_y_delta_3 + D_p_z_3*f_z_delta_3
     )
     K_g_out[..., 2, 27] = K_g_out[..., 27, 2] = (
-        D_delta_rx_4*t208 + D_delta_ry_4*t452 + D_delta_rz_4*t220 + D_delta_x_4*t190 + D_delta_y_4*t196
-        + D_delta_z_4*t202 + D_p_rx_3*f_rx_delta_4 + D_p_ry_3*f_ry_delta_4 + D_p_rz_3*f_rz_delta_4
+        D_delta_rx_4*t213 + D_delta_ry_4*t463 + D_delta_rz_4*t225 + D_delta_x_4*t195 + D_delta_y_4*t201
+        + D_delta_z_4*t207 + D_p_rx_3*f_rx_delta_4 + D_p_ry_3*f_ry_delta_4 + D_p_rz_3*f_rz_delta_4
         + D_p_x_3*f_x_delta_4 + D_p_y_3*f_y_delta_4 + D_p_z_3*f_z_delta_4
     )
     K_g_out[..., 2, 28] = K_g_out[..., 28, 2] = (
-        D_delta_rx_5*t208 + D_delta_ry_5*t452 + D_delta_rz_5*t220 + D_delta_x_5*t190 + D_delta_y_5*t196
-        + D_delta_z_5*t202 + D_p_rx_3*f_rx_delta_5 + D_p_ry_3*f_ry_delta_5 + D_p_rz_3*f_rz_delta_5
+        D_delta_rx_5*t213 + D_delta_ry_5*t463 + D_delta_rz_5*t225 + D_delta_x_5*t195 + D_delta_y_5*t201
+        + D_delta_z_5*t207 + D_p_rx_3*f_rx_delta_5 + D_p_ry_3*f_ry_delta_5 + D_p_rz_3*f_rz_delta_5
         + D_p_x_3*f_x_delta_5 + D_p_y_3*f_y_delta_5 + D_p_z_3*f_z_delta_5
     )
     K_g_out[..., 2, 29] = K_g_out[..., 29, 2] = (
-        D_delta_rx_6*t208 + D_delta_ry_6*t452 + D_delta_rz_6*t220 + D_delta_x_6*t190 + D_delta_y_6*t196
-        + D_delta_z_6*t202 + D_p_rx_3*f_rx_delta_6 + D_p_ry_3*f_ry_delta_6 + D_p_rz_3*f_rz_delta_6
+        D_delta_rx_6*t213 + D_delta_ry_6*t463 + D_delta_rz_6*t225 + D_delta_x_6*t195 + D_delta_y_6*t201
+        + D_delta_z_6*t207 + D_p_rx_3*f_rx_delta_6 + D_p_ry_3*f_ry_delta_6 + D_p_rz_3*f_rz_delta_6
         + D_p_x_3*f_x_delta_6 + D_p_y_3*f_y_delta_6 + D_p_z_3*f_z_delta_6
     )
     K_g_out[..., 3, 3] = (
-        D_p_rx_4*f_rx_x_4 + D_p_rx_4*t209 + D_p_ry_4*f_ry_x_4 + D_p_ry_4*t453 + D_p_rz_4*f_rz_x_4
-        + D_p_rz_4*t221 + D_p_x_4*f_x_x_4 + D_p_x_4*t191 + D_p_y_4*f_y_x_4 + D_p_y_4*t197 + D_p_z_4*f_z_x_4
-        + D_p_z_4*t203 - mu_4*n_4_x**2 - mu_4*n_4_y**2 - mu_4*n_4_z**2
+        D_p_rx_4*f_rx_x_4 + D_p_rx_4*t214 + D_p_ry_4*f_ry_x_4 + D_p_ry_4*t464 + D_p_rz_4*f_rz_x_4
+        + D_p_rz_4*t226 + D_p_x_4*f_x_x_4 + D_p_x_4*t196 + D_p_y_4*f_y_x_4 + D_p_y_4*t202 + D_p_z_4*f_z_x_4
+        + D_p_z_4*t208 - mu_4*n_4_x**2 - mu_4*n_4_y**2 - mu_4*n_4_z**2
     )
     K_g_out[..., 3, 4] = K_g_out[..., 4, 3] = (
-        D_p_rx_4*f_rx_x_5 + D_p_rx_5*t209 + D_p_ry_4*f_ry_x_5 + D_p_ry_5*t453 + D_p_rz_4*f_rz_x_5
-        + D_p_rz_5*t221 + D_p_x_4*f_x_x_5 + D_p_x_5*t191 + D_p_y_4*f_y_x_5 + D_p_y_5*t197 + D_p_z_4*f_z_x_5
-        + D_p_z_5*t203
+        D_p_rx_4*f_rx_x_5 + D_p_rx_5*t214 + D_p_ry_4*f_ry_x_5 + D_p_ry_5*t464 + D_p_rz_4*f_rz_x_5
+        + D_p_rz_5*t226 + D_p_x_4*f_x_x_5 + D_p_x_5*t196 + D_p_y_4*f_y_x_5 + D_p_y_5*t202 + D_p_z_4*f_z_x_5
+        + D_p_z_5*t208
     )
     K_g_out[..., 3, 5] = K_g_out[..., 5, 3] = (
-        D_p_rx_4*f_rx_x_6 + D_p_rx_6*t209 + D_p_ry_4*f_ry_x_6 + D_p_ry_6*t453 + D_p_rz_4*f_rz_x_6
-        + D_p_rz_6*t221 + D_p_x_4*f_x_x_6 + D_p_x_6*t191 + D_p_y_4*f_y_x_6 + D_p_y_6*t197 + D_p_z_4*f_z_x_6
-        + D_p_z_6*t203
+        D_p_rx_4*f_rx_x_6 + D_p_rx_6*t214 + D_p_ry_4*f_ry_x_6 + D_p_ry_6*t464 + D_p_rz_4*f_rz_x_6
+        + D_p_rz_6*t226 + D_p_x_4*f_x_x_6 + D_p_x_6*t196 + D_p_y_4*f_y_x_6 + D_p_y_6*t202 + D_p_z_4*f_z_x_6
+        + D_p_z_6*t208
     )
     K_g_out[..., 3, 24] = K_g_out[..., 24, 3] = (
-        D_delta_rx_1*t209 + D_delta_ry_1*t453 + D_delta_rz_1*t221 + D_delta_x_1*t191 + D_delta_y_1*t197
-        + D_delta_z_1*t203 + D_p_rx_4*f_rx_delta_1 + D_p_ry_4*f_ry_delta_1 + D_p_rz_4*f_rz_delta_1
+        D_delta_rx_1*t214 + D_delta_ry_1*t464 + D_delta_rz_1*t226 + D_delta_x_1*t196 + D_delta_y_1*t202
+        + D_delta_z_1*t208 + D_p_rx_4*f_rx_delta_1 + D_p_ry_4*f_ry_delta_1 + D_p_rz_4*f_rz_delta_1
         + D_p_x_4*f_x_delta_1 + D_p_y_4*f_y_delta_1 + D_p_z_4*f_z_delta_1
     )
     K_g_out[..., 3, 25] = K_g_out[..., 25, 3] = (
-        D_delta_rx_2*t209 + D_delta_ry_2*t453 + D_delta_rz_2*t221 + D_delta_x_2*t191 + D_delta_y_2*t197
-        + D_delta_z_2*t203 + D_p_rx_4*f_rx_delta_2 + D_p_ry_4*f_ry_delta_2 + D_p_rz_4*f_rz_delta_2
+        D_delta_rx_2*t214 + D_delta_ry_2*t464 + D_delta_rz_2*t226 + D_delta_x_2*t196 + D_delta_y_2*t202
+        + D_delta_z_2*t208 + D_p_rx_4*f_rx_delta_2 + D_p_ry_4*f_ry_delta_2 + D_p_rz_4*f_rz_delta_2
         + D_p_x_4*f_x_delta_2 + D_p_y_4*f_y_delta_2 + D_p_z_4*f_z_delta_2
     )
     K_g_out[..., 3, 26] = K_g_out[..., 26, 3] = (
-        D_delta_rx_3*t209 + D_delta_ry_3*t453 + D_delta_rz_3*t221 + D_delta_x_3*t191 + D_delta_y_3*t197
-        + D_delta_z_3*t203 + D_p_rx_4*f_rx_delta_3 + D_p_ry_4*f_ry_delta_3 + D_p_rz_4*f_rz_delta_3
+        D_delta_rx_3*t214 + D_delta_ry_3*t464 + D_delta_rz_3*t226 + D_delta_x_3*t196 + D_delta_y_3*t202
+        + D_delta_z_3*t208 + D_p_rx_4*f_rx_delta_3 + D_p_ry_4*f_ry_delta_3 + D_p_rz_4*f_rz_delta_3
         + D_p_x_4*f_x_delta_3 + D_p_y_4*f_y_delta_3 + D_p_z_4*f_z_delta_3
     )
     K_g_out[..., 3, 27] = K_g_out[..., 27, 3] = (
-        D_delta_rx_4*t209 + D_delta_ry_4*t453 + D_delta_rz_4*t221 + D_delta_x_4*t191 + D_delta_y_4*t197
-        + D_delta_z_4*t203 + D_p_rx_4*f_rx_delta_4 + D_p_ry_4*f_ry_delta_4 + D_p_rz_4*f_rz_delta_4
+        D_delta_rx_4*t214 + D_delta_ry_4*t464 + D_delta_rz_4*t226 + D_delta_x_4*t196 + D_delta_y_4*t202
+        + D_delta_z_4*t208 + D_p_rx_4*f_rx_delta_4 + D_p_ry_4*f_ry_delta_4 + D_p_rz_4*f_rz_delta_4
         + D_p_x_4*f_x_delta_4 + D_p_y_4*f_y_delta_4 + D_p_z_4*f_z_delta_4
     )
     K_g_out[..., 3, 28] = K_g_out[..., 28, 3] = (
-        D_delta_rx_5*t209 + D_delta_ry_5*t453 + D_delta_rz_5*t221 + D_delta_x_5*t191 + D_delta_y_5*t197
-        + D_delta_z_5*t203 + D_p_rx_4*f_rx_delta_5 + D_p_ry_4*f_ry_delta_5 + D_p_rz_4*f_rz_delta_5
+        D_delta_rx_5*t214 + D_delta_ry_5*t464 + D_delta_rz_5*t226 + D_delta_x_5*t196 + D_delta_y_5*t202
+        + D_delta_z_5*t208 + D_p_rx_4*f_rx_delta_5 + D_p_ry_4*f_ry_delta_5 + D_p_rz_4*f_rz_delta_5
         + D_p_x_4*f_x_delta_5 + D_p_y_4*f_y_delta_5 + D_p_z_4*f_z_delta_5
     )
     K_g_out[..., 3, 29] = K_g_out[..., 29, 3] = (
-        D_delta_rx_6*t209 + D_delta_ry_6*t453 + D_delta_rz_6*t221 + D_delta_x_6*t191 + D_delta_y_6*t197
-        + D_delta_z_6*t203 + D_p_rx_4*f_rx_delta_6 + D_p_ry_4*f_ry_delta_6 + D_p_rz_4*f_rz_delta_6
+        D_delta_rx_6*t214 + D_delta_ry_6*t464 + D_delta_rz_6*t226 + D_delta_x_6*t196 + D_delta_y_6*t202
+        + D_delta_z_6*t208 + D_p_rx_4*f_rx_delta_6 + D_p_ry_4*f_ry_delta_6 + D_p_rz_4*f_rz_delta_6
         + D_p_x_4*f_x_delta_6 + D_p_y_4*f_y_delta_6 + D_p_z_4*f_z_delta_6
     )
     K_g_out[..., 4, 4] = (
-        D_p_rx_5*f_rx_x_5 + D_p_rx_5*t210 + D_p_ry_5*f_ry_x_5 + D_p_ry_5*t454 + D_p_rz_5*f_rz_x_5
-        + D_p_rz_5*t222 + D_p_x_5*f_x_x_5 + D_p_x_5*t192 + D_p_y_5*f_y_x_5 + D_p_y_5*t198 + D_p_z_5*f_z_x_5
-        + D_p_z_5*t204 - mu_5*n_5_x**2 - mu_5*n_5_y**2 - mu_5*n_5_z**2
+        D_p_rx_5*f_rx_x_5 + D_p_rx_5*t215 + D_p_ry_5*f_ry_x_5 + D_p_ry_5*t465 + D_p_rz_5*f_rz_x_5
+        + D_p_rz_5*t227 + D_p_x_5*f_x_x_5 + D_p_x_5*t197 + D_p_y_5*f_y_x_5 + D_p_y_5*t203 + D_p_z_5*f_z_x_5
+        + D_p_z_5*t209 - mu_5*n_5_x**2 - mu_5*n_5_y**2 - mu_5*n_5_z**2
     )
     K_g_out[..., 4, 5] = K_g_out[..., 5, 4] = (
-        D_p_rx_5*f_rx_x_6 + D_p_rx_6*t210 + D_p_ry_5*f_ry_x_6 + D_p_ry_6*t454 + D_p_rz_5*f_rz_x_6
-        + D_p_rz_6*t222 + D_p_x_5*f_x_x_6 + D_p_x_6*t192 + D_p_y_5*f_y_x_6 + D_p_y_6*t198 + D_p_z_5*f_z_x_6
-        + D_p_z_6*t204
+        D_p_rx_5*f_rx_x_6 + D_p_rx_6*t215 + D_p_ry_5*f_ry_x_6 + D_p_ry_6*t465 + D_p_rz_5*f_rz_x_6
+        + D_p_rz_6*t227 + D_p_x_5*f_x_x_6 + D_p_x_6*t197 + D_p_y_5*f_y_x_6 + D_p_y_6*t203 + D_p_z_5*f_z_x_6
+        + D_p_z_6*t209
     )
     K_g_out[..., 4, 24] = K_g_out[..., 24, 4] = (
-        D_delta_rx_1*t210 + D_delta_ry_1*t454 + D_delta_rz_1*t222 + D_delta_x_1*t192 + D_delta_y_1*t198
-        + D_delta_z_1*t204 + D_p_rx_5*f_rx_delta_1 + D_p_ry_5*f_ry_delta_1 + D_p_rz_5*f_rz_delta_1
+        D_delta_rx_1*t215 + D_delta_ry_1*t465 + D_delta_rz_1*t227 + D_delta_x_1*t197 + D_delta_y_1*t203
+        + D_delta_z_1*t209 + D_p_rx_5*f_rx_delta_1 + D_p_ry_5*f_ry_delta_1 + D_p_rz_5*f_rz_delta_1
         + D_p_x_5*f_x_delta_1 + D_p_y_5*f_y_delta_1 + D_p_z_5*f_z_delta_1
     )
     K_g_out[..., 4, 25] = K_g_out[..., 25, 4] = (
-        D_delta_rx_2*t210 + D_delta_ry_2*t454 + D_delta_rz_2*t222 + D_delta_x_2*t192 + D_delta_y_2*t198
-        + D_delta_z_2*t204 + D_p_rx_5*f_rx_delta_2 + D_p_ry_5*f_ry_delta_2 + D_p_rz_5*f_rz_delta_2
+        D_delta_rx_2*t215 + D_delta_ry_2*t465 + D_delta_rz_2*t227 + D_delta_x_2*t197 + D_delta_y_2*t203
+        + D_delta_z_2*t209 + D_p_rx_5*f_rx_delta_2 + D_p_ry_5*f_ry_delta_2 + D_p_rz_5*f_rz_delta_2
         + D_p_x_5*f_x_delta_2 + D_p_y_5*f_y_delta_2 + D_p_z_5*f_z_delta_2
     )
     K_g_out[..., 4, 26] = K_g_out[..., 26, 4] = (
-        D_delta_rx_3*t210 + D_delta_ry_3*t454 + D_delta_rz_3*t222 + D_delta_x_3*t192 + D_delta_y_3*t198
-        + D_delta_z_3*t204 + D_p_rx_5*f_rx_delta_3 + D_p_ry_5*f_ry_delta_3 + D_p_rz_5*f_rz_delta_3
+        D_delta_rx_3*t215 + D_delta_ry_3*t465 + D_delta_rz_3*t227 + D_delta_x_3*t197 + D_delta_y_3*t203
+        + D_delta_z_3*t209 + D_p_rx_5*f_rx_delta_3 + D_p_ry_5*f_ry_delta_3 + D_p_rz_5*f_rz_delta_3
         + D_p_x_5*f_x_delta_3 + D_p_y_5*f_y_delta_3 + D_p_z_5*f_z_delta_3
     )
     K_g_out[..., 4, 27] = K_g_out[..., 27, 4] = (
-        D_delta_rx_4*t210 + D_delta_ry_4*t454 + D_delta_rz_4*t222 + D_delta_x_4*t192 + D_delta_y_4*t198
-        + D_delta_z_4*t204 + D_p_rx_5*f_rx_delta_4 + D_p_ry_5*f_ry_delta_4 + D_p_rz_5*f_rz_delta_4
+        D_delta_rx_4*t215 + D_delta_ry_4*t465 + D_delta_rz_4*t227 + D_delta_x_4*t197 + D_delta_y_4*t203
+        + D_delta_z_4*t209 + D_p_rx_5*f_rx_delta_4 + D_p_ry_5*f_ry_delta_4 + D_p_rz_5*f_rz_delta_4
         + D_p_x_5*f_x_delta_4 + D_p_y_5*f_y_delta_4 + D_p_z_5*f_z_delta_4
     )
     K_g_out[..., 4, 28] = K_g_out[..., 28, 4] = (
-        D_delta_rx_5*t210 + D_delta_ry_5*t454 + D_delta_rz_5*t222 + D_delta_x_5*t192 + D_delta_y_5*t198
-        + D_delta_z_5*t204 + D_p_rx_5*f_rx_delta_5 + D_p_ry_5*f_ry_delta_5 + D_p_rz_5*f_rz_delta_5
+        D_delta_rx_5*t215 + D_delta_ry_5*t465 + D_delta_rz_5*t227 + D_delta_x_5*t197 + D_delta_y_5*t203
+        + D_delta_z_5*t209 + D_p_rx_5*f_rx_delta_5 + D_p_ry_5*f_ry_delta_5 + D_p_rz_5*f_rz_delta_5
         + D_p_x_5*f_x_delta_5 + D_p_y_5*f_y_delta_5 + D_p_z_5*f_z_delta_5
     )
     K_g_out[..., 4, 29] = K_g_out[..., 29, 4] = (
-        D_delta_rx_6*t210 + D_delta_ry_6*t454 + D_delta_rz_6*t222 + D_delta_x_6*t192 + D_delta_y_6*t198
-        + D_delta_z_6*t204 + D_p_rx_5*f_rx_delta_6 + D_p_ry_5*f_ry_delta_6 + D_p_rz_5*f_rz_delta_6
+        D_delta_rx_6*t215 + D_delta_ry_6*t465 + D_delta_rz_6*t227 + D_delta_x_6*t197 + D_delta_y_6*t203
+        + D_delta_z_6*t209 + D_p_rx_5*f_rx_delta_6 + D_p_ry_5*f_ry_delta_6 + D_p_rz_5*f_rz_delta_6
         + D_p_x_5*f_x_delta_6 + D_p_y_5*f_y_delta_6 + D_p_z_5*f_z_delta_6
     )
     K_g_out[..., 5, 5] = (
-        D_p_rx_6*f_rx_x_6 + D_p_rx_6*t211 + D_p_ry_6*f_ry_x_6 + D_p_ry_6*t455 + D_p_rz_6*f_rz_x_6
-        + D_p_rz_6*t223 + D_p_x_6*f_x_x_6 + D_p_x_6*t193 + D_p_y_6*f_y_x_6 + D_p_y_6*t199 + D_p_z_6*f_z_x_6
-        + D_p_z_6*t205 - mu_6*n_6_x**2 - mu_6*n_6_y**2 - mu_6*n_6_z**2
+        D_p_rx_6*f_rx_x_6 + D_p_rx_6*t216 + D_p_ry_6*f_ry_x_6 + D_p_ry_6*t466 + D_p_rz_6*f_rz_x_6
+        + D_p_rz_6*t228 + D_p_x_6*f_x_x_6 + D_p_x_6*t198 + D_p_y_6*f_y_x_6 + D_p_y_6*t204 + D_p_z_6*f_z_x_6
+        + D_p_z_6*t210 - mu_6*n_6_x**2 - mu_6*n_6_y**2 - mu_6*n_6_z**2
     )
     K_g_out[..., 5, 24] = K_g_out[..., 24, 5] = (
-        D_delta_rx_1*t211 + D_delta_ry_1*t455 + D_delta_rz_1*t223 + D_delta_x_1*t193 + D_delta_y_1*t199
-        + D_delta_z_1*t205 + D_p_rx_6*f_rx_delta_1 + D_p_ry_6*f_ry_delta_1 + D_p_rz_6*f_rz_delta_1
+        D_delta_rx_1*t216 + D_delta_ry_1*t466 + D_delta_rz_1*t228 + D_delta_x_1*t198 + D_delta_y_1*t204
+        + D_delta_z_1*t210 + D_p_rx_6*f_rx_delta_1 + D_p_ry_6*f_ry_delta_1 + D_p_rz_6*f_rz_delta_1
         + D_p_x_6*f_x_delta_1 + D_p_y_6*f_y_delta_1 + D_p_z_6*f_z_delta_1
     )
     K_g_out[..., 5, 25] = K_g_out[..., 25, 5] = (
-        D_delta_rx_2*t211 + D_delta_ry_2*t455 + D_delta_rz_2*t223 + D_delta_x_2*t193 + D_delta_y_2*t199
-        + D_delta_z_2*t205 + D_p_rx_6*f_rx_delta_2 + D_p_ry_6*f_ry_delta_2 + D_p_rz_6*f_rz_delta_2
+        D_delta_rx_2*t216 + D_delta_ry_2*t466 + D_delta_rz_2*t228 + D_delta_x_2*t198 + D_delta_y_2*t204
+        + D_delta_z_2*t210 + D_p_rx_6*f_rx_delta_2 + D_p_ry_6*f_ry_delta_2 + D_p_rz_6*f_rz_delta_2
         + D_p_x_6*f_x_delta_2 + D_p_y_6*f_y_delta_2 + D_p_z_6*f_z_delta_2
     )
     K_g_out[..., 5, 26] = K_g_out[..., 26, 5] = (
-        D_delta_rx_3*t211 + D_delta_ry_3*t455 + D_delta_rz_3*t223 + D_delta_x_3*t193 + D_delta_y_3*t199
-        + D_delta_z_3*t205 + D_p_rx_6*f_rx_delta_3 + D_p_ry_6*f_ry_delta_3 + D_p_rz_6*f_rz_delta_3
+        D_delta_rx_3*t216 + D_delta_ry_3*t466 + D_delta_rz_3*t228 + D_delta_x_3*t198 + D_delta_y_3*t204
+        + D_delta_z_3*t210 + D_p_rx_6*f_rx_delta_3 + D_p_ry_6*f_ry_delta_3 + D_p_rz_6*f_rz_delta_3
         + D_p_x_6*f_x_delta_3 + D_p_y_6*f_y_delta_3 + D_p_z_6*f_z_delta_3
     )
     K_g_out[..., 5, 27] = K_g_out[..., 27, 5] = (
-        D_delta_rx_4*t211 + D_delta_ry_4*t455 + D_delta_rz_4*t223 + D_delta_x_4*t193 + D_delta_y_4*t199
-        + D_delta_z_4*t205 + D_p_rx_6*f_rx_delta_4 + D_p_ry_6*f_ry_delta_4 + D_p_rz_6*f_rz_delta_4
+        D_delta_rx_4*t216 + D_delta_ry_4*t466 + D_delta_rz_4*t228 + D_delta_x_4*t198 + D_delta_y_4*t204
+        + D_delta_z_4*t210 + D_p_rx_6*f_rx_delta_4 + D_p_ry_6*f_ry_delta_4 + D_p_rz_6*f_rz_delta_4
         + D_p_x_6*f_x_delta_4 + D_p_y_6*f_y_delta_4 + D_p_z_6*f_z_delta_4
     )
     K_g_out[..., 5, 28] = K_g_out[..., 28, 5] = (
-        D_delta_rx_5*t211 + D_delta_ry_5*t455 + D_delta_rz_5*t223 + D_delta_x_5*t193 + D_delta_y_5*t199
-        + D_delta_z_5*t205 + D_p_rx_6*f_rx_delta_5 + D_p_ry_6*f_ry_delta_5 + D_p_rz_6*f_rz_delta_5
+        D_delta_rx_5*t216 + D_delta_ry_5*t466 + D_delta_rz_5*t228 + D_delta_x_5*t198 + D_delta_y_5*t204
+        + D_delta_z_5*t210 + D_p_rx_6*f_rx_delta_5 + D_p_ry_6*f_ry_delta_5 + D_p_rz_6*f_rz_delta_5
         + D_p_x_6*f_x_delta_5 + D_p_y_6*f_y_delta_5 + D_p_z_6*f_z_delta_5
     )
     K_g_out[..., 5, 29] = K_g_out[..., 29, 5] = (
-        D_delta_rx_6*t211 + D_delta_ry_6*t455 + D_delta_rz_6*t223 + D_delta_x_6*t193 + D_delta_y_6*t199
-        + D_delta_z_6*t205 + D_p_rx_6*f_rx_delta_6 + D_p_ry_6*f_ry_delta_6 + D_p_rz_6*f_rz_delta_6
+        D_delta_rx_6*t216 + D_delta_ry_6*t466 + D_delta_rz_6*t228 + D_delta_x_6*t198 + D_delta_y_6*t204
+        + D_delta_z_6*t210 + D_p_rx_6*f_rx_delta_6 + D_p_ry_6*f_ry_delta_6 + D_p_rz_6*f_rz_delta_6
         + D_p_x_6*f_x_delta_6 + D_p_y_6*f_y_delta_6 + D_p_z_6*f_z_delta_6
     )
     K_g_out[..., 24, 24] = (
@@ -5286,21 +5394,25 @@ def joint_stiffness(effects):
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    16 operations; 84 with every named value expanded.
+    27 operations; 90 with every named value expanded.
     """
     (c_G,) = _entries(effects.gearbox_compliance_compliance, ())
     (c_L,) = _entries(effects.link_compliance_compliance, ())
     (c_K,) = _entries(effects.clamp_compliance_compliance, ())
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
-    batch, dtype = _batch(c_G, c_L, c_K, c_F)
+    (c_F_x,) = _entries(effects.frame_compliance_compliance_x, ())
+    (c_F_y,) = _entries(effects.frame_compliance_compliance_y, ())
+    (c_F_z,) = _entries(effects.frame_compliance_compliance_z, ())
+    batch, dtype = _batch(c_G, c_L, c_K, c_F, c_F_x, c_F_y, c_F_z)
     t1 = 1.0/c_G
     t2 = 1.0/c_L
     t3 = 1.0/c_K
-    t4 = 1.0/c_F
-    t5 = -1/c_G**2
-    t6 = -1/c_L**2
-    t7 = -1/c_K**2
-    t8 = -1/c_F**2
+    t4 = c_F + c_F_x
+    t5 = c_F + c_F_y
+    t6 = c_F + c_F_z
+    t7 = -1/c_G**2
+    t8 = -1/c_L**2
+    t9 = -1/c_K**2
     kappa_out = np.empty((*batch, 21), dtype)
     kappa_out[..., 0] = t1
     kappa_out[..., 1] = t1
@@ -5320,31 +5432,31 @@ def joint_stiffness(effects):
     kappa_out[..., 15] = t3
     kappa_out[..., 16] = t3
     kappa_out[..., 17] = t3
-    kappa_out[..., 18] = t4
-    kappa_out[..., 19] = t4
-    kappa_out[..., 20] = t4
+    kappa_out[..., 18] = 1.0/t4
+    kappa_out[..., 19] = 1.0/t5
+    kappa_out[..., 20] = 1.0/t6
     kappa_c_out = np.empty((*batch, 21), dtype)
-    kappa_c_out[..., 0] = t5
-    kappa_c_out[..., 1] = t5
-    kappa_c_out[..., 2] = t5
-    kappa_c_out[..., 3] = t5
-    kappa_c_out[..., 4] = t5
-    kappa_c_out[..., 5] = t5
-    kappa_c_out[..., 6] = t6
-    kappa_c_out[..., 7] = t6
-    kappa_c_out[..., 8] = t6
-    kappa_c_out[..., 9] = t6
-    kappa_c_out[..., 10] = t6
-    kappa_c_out[..., 11] = t6
-    kappa_c_out[..., 12] = t7
-    kappa_c_out[..., 13] = t7
-    kappa_c_out[..., 14] = t7
-    kappa_c_out[..., 15] = t7
-    kappa_c_out[..., 16] = t7
-    kappa_c_out[..., 17] = t7
-    kappa_c_out[..., 18] = t8
-    kappa_c_out[..., 19] = t8
-    kappa_c_out[..., 20] = t8
+    kappa_c_out[..., 0] = t7
+    kappa_c_out[..., 1] = t7
+    kappa_c_out[..., 2] = t7
+    kappa_c_out[..., 3] = t7
+    kappa_c_out[..., 4] = t7
+    kappa_c_out[..., 5] = t7
+    kappa_c_out[..., 6] = t8
+    kappa_c_out[..., 7] = t8
+    kappa_c_out[..., 8] = t8
+    kappa_c_out[..., 9] = t8
+    kappa_c_out[..., 10] = t8
+    kappa_c_out[..., 11] = t8
+    kappa_c_out[..., 12] = t9
+    kappa_c_out[..., 13] = t9
+    kappa_c_out[..., 14] = t9
+    kappa_c_out[..., 15] = t9
+    kappa_c_out[..., 16] = t9
+    kappa_c_out[..., 17] = t9
+    kappa_c_out[..., 18] = -1/t4**2
+    kappa_c_out[..., 19] = -1/t5**2
+    kappa_c_out[..., 20] = -1/t6**2
     return kappa_out, kappa_c_out
 
 
@@ -5789,7 +5901,7 @@ def extended_static_equilibrium(p, parameters, effects):
     Notes
     -----
     Equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
-    2255 operations; 1458948366 with every named value expanded.
+    2287 operations; 1458991566 with every named value expanded.
     """
     p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -5832,8 +5944,12 @@ def extended_static_equilibrium(p, parameters, effects):
     (c_T,) = _entries(effects.belt_tension_stiffness_coefficient, ())
     (F_T,) = _entries(effects.belt_tension_stiffness_tension, ())
     (m_L,) = _entries(effects.payload_mass, ())
+    (b_L_x,) = _entries(effects.payload_offset_x, ())
+    (b_L_y,) = _entries(effects.payload_offset_y, ())
+    (b_L_z,) = _entries(effects.payload_offset_z, ())
     batch, dtype = _batch(p_x, m_p, c_p_x, g_x, o_1_x, n_1_x, b_1_x, l_d_1, m_d_1, m_t_1, l_t_1, k_sp_1,
-        w_b_1, R_p_1, d_1_1, x_min_1, sigma_1, a_B_1, a_B_2, a_B_3, a_B_4, a_B_5, a_B_6, c_E, c_T, F_T, m_L)
+        w_b_1, R_p_1, d_1_1, x_min_1, sigma_1, a_B_1, a_B_2, a_B_3, a_B_4, a_B_5, a_B_6, c_E, c_T, F_T, m_L,
+        b_L_x, b_L_y, b_L_z)
     t1 = rot_x**2
     t2 = rot_y**2
     t3 = rot_z**2
@@ -5950,6 +6066,9 @@ def extended_static_equilibrium(p, parameters, effects):
     c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z
     c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z
     c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z
+    o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z
+    o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z
+    o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z
     D_l_1_rx = B_1_y*s_1_z - B_1_z*s_1_y
     D_l_1_ry = -B_1_x*s_1_z + B_1_z*s_1_x
     D_l_1_rz = B_1_x*s_1_y - B_1_y*s_1_x
@@ -6437,25 +6556,28 @@ def extended_static_equilibrium(p, parameters, effects):
     G_p_y = -g_y*t51
     G_p_z = -g_z*t51
     t52 = g_z*m_p
-    t53 = g_z*t45
-    t54 = g_z*t46
-    t55 = g_z*t47
-    t56 = g_z*t48
-    t57 = g_z*t49
-    t58 = g_z*t50
+    t53 = g_z*m_L
+    t54 = g_z*t45
+    t55 = g_z*t46
+    t56 = g_z*t47
+    t57 = g_z*t48
+    t58 = g_z*t49
+    t59 = g_z*t50
     G_p_rx = (
-        -B_1_y*t53 + (1/2)*B_1_z*g_y*m_d_1 - B_2_y*t54 + (1/2)*B_2_z*g_y*m_d_2 - B_3_y*t55
-        + (1/2)*B_3_z*g_y*m_d_3 - B_4_y*t56 + (1/2)*B_4_z*g_y*m_d_4 - B_5_y*t57 + (1/2)*B_5_z*g_y*m_d_5
-        - B_6_y*t58 + (1/2)*B_6_z*g_y*m_d_6 - c_y*t52 + c_z*g_y*m_p
+        -B_1_y*t54 + (1/2)*B_1_z*g_y*m_d_1 - B_2_y*t55 + (1/2)*B_2_z*g_y*m_d_2 - B_3_y*t56
+        + (1/2)*B_3_z*g_y*m_d_3 - B_4_y*t57 + (1/2)*B_4_z*g_y*m_d_4 - B_5_y*t58 + (1/2)*B_5_z*g_y*m_d_5
+        - B_6_y*t59 + (1/2)*B_6_z*g_y*m_d_6 - c_y*t52 + c_z*g_y*m_p + g_y*m_L*o_L_z - o_L_y*t53
     )
     G_p_ry = (
-        B_1_x*t53 - B_1_z*g_x*t45 + B_2_x*t54 - B_2_z*g_x*t46 + B_3_x*t55 - B_3_z*g_x*t47 + B_4_x*t56
-        - B_4_z*g_x*t48 + B_5_x*t57 - B_5_z*g_x*t49 + B_6_x*t58 - B_6_z*g_x*t50 + c_x*t52 - c_z*g_x*m_p
+        B_1_x*t54 - B_1_z*g_x*t45 + B_2_x*t55 - B_2_z*g_x*t46 + B_3_x*t56 - B_3_z*g_x*t47 + B_4_x*t57
+        - B_4_z*g_x*t48 + B_5_x*t58 - B_5_z*g_x*t49 + B_6_x*t59 - B_6_z*g_x*t50 + c_x*t52 - c_z*g_x*m_p
+        - g_x*m_L*o_L_z + o_L_x*t53
     )
     G_p_rz = (
         -B_1_x*g_y*t45 + (1/2)*B_1_y*g_x*m_d_1 - B_2_x*g_y*t46 + (1/2)*B_2_y*g_x*m_d_2 - B_3_x*g_y*t47
         + (1/2)*B_3_y*g_x*m_d_3 - B_4_x*g_y*t48 + (1/2)*B_4_y*g_x*m_d_4 - B_5_x*g_y*t49
         + (1/2)*B_5_y*g_x*m_d_5 - B_6_x*g_y*t50 + (1/2)*B_6_y*g_x*m_d_6 - c_x*g_y*m_p + c_y*g_x*m_p
+        + g_x*m_L*o_L_y - g_y*m_L*o_L_x
     )
     G_1 = (
         D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
@@ -6481,78 +6603,78 @@ def extended_static_equilibrium(p, parameters, effects):
         D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
         - g_x*(m_t_6*n_6_x + n_6_x*t50) - g_y*(m_t_6*n_6_y + n_6_y*t50) - g_z*(m_t_6*n_6_z + n_6_z*t50)
     )
-    t59 = R_p_1**2
-    t60 = k_1_1*t59
-    t61 = k_1_3*t59
-    t62 = -d_1_1*t60 + d_1_2*(t60 + t61)
-    t63 = k_1_2*t59
-    t64 = d_1_1*(t60 + t63) - d_1_2*t60
-    det_1 = R_p_1*k_1_2*t62 - R_p_1*k_1_3*t64
-    t65 = G_1/det_1
-    theta_1_1_st = -t64*t65
-    theta_1_2_st = t62*t65
-    t66 = R_p_2**2
-    t67 = k_2_1*t66
-    t68 = k_2_3*t66
-    t69 = -d_2_1*t67 + d_2_2*(t67 + t68)
-    t70 = k_2_2*t66
-    t71 = d_2_1*(t67 + t70) - d_2_2*t67
-    det_2 = R_p_2*k_2_2*t69 - R_p_2*k_2_3*t71
-    t72 = G_2/det_2
-    theta_2_1_st = -t71*t72
-    theta_2_2_st = t69*t72
-    t73 = R_p_3**2
-    t74 = k_3_1*t73
-    t75 = k_3_3*t73
-    t76 = -d_3_1*t74 + d_3_2*(t74 + t75)
-    t77 = k_3_2*t73
-    t78 = d_3_1*(t74 + t77) - d_3_2*t74
-    det_3 = R_p_3*k_3_2*t76 - R_p_3*k_3_3*t78
-    t79 = G_3/det_3
-    theta_3_1_st = -t78*t79
-    theta_3_2_st = t76*t79
-    t80 = R_p_4**2
-    t81 = k_4_1*t80
-    t82 = k_4_3*t80
-    t83 = -d_4_1*t81 + d_4_2*(t81 + t82)
-    t84 = k_4_2*t80
-    t85 = d_4_1*(t81 + t84) - d_4_2*t81
-    det_4 = R_p_4*k_4_2*t83 - R_p_4*k_4_3*t85
-    t86 = G_4/det_4
-    theta_4_1_st = -t85*t86
-    theta_4_2_st = t83*t86
-    t87 = R_p_5**2
-    t88 = k_5_1*t87
-    t89 = k_5_3*t87
-    t90 = -d_5_1*t88 + d_5_2*(t88 + t89)
-    t91 = k_5_2*t87
-    t92 = d_5_1*(t88 + t91) - d_5_2*t88
-    det_5 = R_p_5*k_5_2*t90 - R_p_5*k_5_3*t92
-    t93 = G_5/det_5
-    theta_5_1_st = -t92*t93
-    theta_5_2_st = t90*t93
-    t94 = R_p_6**2
-    t95 = k_6_1*t94
-    t96 = k_6_3*t94
-    t97 = -d_6_1*t95 + d_6_2*(t95 + t96)
-    t98 = k_6_2*t94
-    t99 = d_6_1*(t95 + t98) - d_6_2*t95
-    det_6 = R_p_6*k_6_2*t97 - R_p_6*k_6_3*t99
-    t100 = G_6/det_6
-    theta_6_1_st = -t100*t99
-    theta_6_2_st = t100*t97
-    t101 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
-    tau_st_1 = d_1_1*(-t101 + t61*theta_1_1_st) + d_1_2*(t101 + t63*theta_1_2_st)
-    t102 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
-    tau_st_2 = d_2_1*(-t102 + t68*theta_2_1_st) + d_2_2*(t102 + t70*theta_2_2_st)
-    t103 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
-    tau_st_3 = d_3_1*(-t103 + t75*theta_3_1_st) + d_3_2*(t103 + t77*theta_3_2_st)
-    t104 = R_p_4*k_4_1*(-R_p_4*theta_4_1_st + R_p_4*theta_4_2_st)
-    tau_st_4 = d_4_1*(-t104 + t82*theta_4_1_st) + d_4_2*(t104 + t84*theta_4_2_st)
-    t105 = R_p_5*k_5_1*(-R_p_5*theta_5_1_st + R_p_5*theta_5_2_st)
-    tau_st_5 = d_5_1*(-t105 + t89*theta_5_1_st) + d_5_2*(t105 + t91*theta_5_2_st)
-    t106 = R_p_6*k_6_1*(-R_p_6*theta_6_1_st + R_p_6*theta_6_2_st)
-    tau_st_6 = d_6_1*(-t106 + t96*theta_6_1_st) + d_6_2*(t106 + t98*theta_6_2_st)
+    t60 = R_p_1**2
+    t61 = k_1_1*t60
+    t62 = k_1_3*t60
+    t63 = -d_1_1*t61 + d_1_2*(t61 + t62)
+    t64 = k_1_2*t60
+    t65 = d_1_1*(t61 + t64) - d_1_2*t61
+    det_1 = R_p_1*k_1_2*t63 - R_p_1*k_1_3*t65
+    t66 = G_1/det_1
+    theta_1_1_st = -t65*t66
+    theta_1_2_st = t63*t66
+    t67 = R_p_2**2
+    t68 = k_2_1*t67
+    t69 = k_2_3*t67
+    t70 = -d_2_1*t68 + d_2_2*(t68 + t69)
+    t71 = k_2_2*t67
+    t72 = d_2_1*(t68 + t71) - d_2_2*t68
+    det_2 = R_p_2*k_2_2*t70 - R_p_2*k_2_3*t72
+    t73 = G_2/det_2
+    theta_2_1_st = -t72*t73
+    theta_2_2_st = t70*t73
+    t74 = R_p_3**2
+    t75 = k_3_1*t74
+    t76 = k_3_3*t74
+    t77 = -d_3_1*t75 + d_3_2*(t75 + t76)
+    t78 = k_3_2*t74
+    t79 = d_3_1*(t75 + t78) - d_3_2*t75
+    det_3 = R_p_3*k_3_2*t77 - R_p_3*k_3_3*t79
+    t80 = G_3/det_3
+    theta_3_1_st = -t79*t80
+    theta_3_2_st = t77*t80
+    t81 = R_p_4**2
+    t82 = k_4_3*t81
+    t83 = k_4_1*t81
+    t84 = -d_4_1*t83 + d_4_2*(t82 + t83)
+    t85 = k_4_2*t81
+    t86 = d_4_1*(t83 + t85) - d_4_2*t83
+    det_4 = R_p_4*k_4_2*t84 - R_p_4*k_4_3*t86
+    t87 = G_4/det_4
+    theta_4_1_st = -t86*t87
+    theta_4_2_st = t84*t87
+    t88 = R_p_5**2
+    t89 = k_5_1*t88
+    t90 = k_5_3*t88
+    t91 = -d_5_1*t89 + d_5_2*(t89 + t90)
+    t92 = k_5_2*t88
+    t93 = d_5_1*(t89 + t92) - d_5_2*t89
+    det_5 = R_p_5*k_5_2*t91 - R_p_5*k_5_3*t93
+    t94 = G_5/det_5
+    theta_5_1_st = -t93*t94
+    theta_5_2_st = t91*t94
+    t95 = R_p_6**2
+    t96 = k_6_1*t95
+    t97 = k_6_3*t95
+    t98 = -d_6_1*t96 + d_6_2*(t96 + t97)
+    t99 = k_6_2*t95
+    t100 = d_6_1*(t96 + t99) - d_6_2*t96
+    det_6 = R_p_6*k_6_2*t98 - R_p_6*k_6_3*t100
+    t101 = G_6/det_6
+    theta_6_1_st = -t100*t101
+    theta_6_2_st = t101*t98
+    t102 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st)
+    tau_st_1 = d_1_1*(-t102 + t62*theta_1_1_st) + d_1_2*(t102 + t64*theta_1_2_st)
+    t103 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st)
+    tau_st_2 = d_2_1*(-t103 + t69*theta_2_1_st) + d_2_2*(t103 + t71*theta_2_2_st)
+    t104 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st)
+    tau_st_3 = d_3_1*(-t104 + t76*theta_3_1_st) + d_3_2*(t104 + t78*theta_3_2_st)
+    t105 = R_p_4*k_4_1*(-R_p_4*theta_4_1_st + R_p_4*theta_4_2_st)
+    tau_st_4 = d_4_1*(-t105 + t82*theta_4_1_st) + d_4_2*(t105 + t85*theta_4_2_st)
+    t106 = R_p_5*k_5_1*(-R_p_5*theta_5_1_st + R_p_5*theta_5_2_st)
+    tau_st_5 = d_5_1*(-t106 + t90*theta_5_1_st) + d_5_2*(t106 + t92*theta_5_2_st)
+    t107 = R_p_6*k_6_1*(-R_p_6*theta_6_1_st + R_p_6*theta_6_2_st)
+    tau_st_6 = d_6_1*(-t107 + t97*theta_6_1_st) + d_6_2*(t107 + t99*theta_6_2_st)
     tau_st_out = np.empty((*batch, 6), dtype)
     tau_st_out[..., 0] = tau_st_1
     tau_st_out[..., 1] = tau_st_2

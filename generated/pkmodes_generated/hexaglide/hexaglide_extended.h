@@ -112,6 +112,12 @@ typedef struct {
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
+    /* [m] component x of the payload's place from the platform's origin, platform axes */
+    pkmodes_real payload_offset_x;
+    /* [m] component y of the payload's place from the platform's origin, platform axes */
+    pkmodes_real payload_offset_y;
+    /* [m] component z of the payload's place from the platform's origin, platform axes */
+    pkmodes_real payload_offset_z;
     /* [N s/m] viscous friction of every body along its rail */
     pkmodes_real rail_friction_viscous;
     /* [1] loss factor of every reducer, or gearbox that winds up */
@@ -128,6 +134,12 @@ typedef struct {
     pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
     pkmodes_real frame_compliance_mass;
+    /* [m/N] compliance of the frame along x */
+    pkmodes_real frame_compliance_compliance_x;
+    /* [m/N] compliance of the frame along y */
+    pkmodes_real frame_compliance_compliance_y;
+    /* [m/N] compliance of the frame along z */
+    pkmodes_real frame_compliance_compliance_z;
 } hexaglide_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -138,7 +150,7 @@ typedef struct {
  *   out K_g [N/m, N, N m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
- * 8142 operations; 403901717202 with every named value expanded.
+ * 8227 operations; 403938956322 with every named value expanded.
  */
 void hexaglide_extended_extended_matrices(const pkmodes_real p[6], const hexaglide_parameters *parameters,
     const hexaglide_effects *effects, pkmodes_real M[39][39], pkmodes_real K_el[39][39],
@@ -163,7 +175,7 @@ void hexaglide_extended_extended_platform_motion(const pkmodes_real p[6],
  *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 16 operations; 84 with every named value expanded.
+ * 27 operations; 90 with every named value expanded.
  */
 void hexaglide_extended_joint_stiffness(const hexaglide_effects *effects, pkmodes_real kappa[21],
     pkmodes_real kappa_c[21]);
@@ -175,7 +187,7 @@ void hexaglide_extended_joint_stiffness(const hexaglide_effects *effects, pkmode
  *   out theta_st [rad]: rotations relative to the unstrained transmissions
  *
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
- * 2255 operations; 1458948366 with every named value expanded.
+ * 2287 operations; 1458991566 with every named value expanded.
  */
 void hexaglide_extended_extended_static_equilibrium(const pkmodes_real p[6],
     const hexaglide_parameters *parameters, const hexaglide_effects *effects, pkmodes_real tau_st[6],

@@ -23,6 +23,7 @@ columns c of a minor; axis a of the platform.  t1, t2, ... are subexpressions sh
 * m_lift_j [kg]: mass that is lifted with the vector of leg j
 * f_st_j [N]: static force on drive j
 * k_j [N/m]: stiffness of leg j, with effects
+* o_L_i [m]: payload from the platform's origin, base frame, component i
 * D_l_j_i [m^2]: moment of linkage vector j about the platform's origin, component i
 * A_i_j [m^8]: adjugate of D_l, entry i, j
 * minor_r_c [m^2]: minor of D_l, rows r and columns c
@@ -462,6 +463,27 @@ VALUE_SENSITIVITIES = (
       (4, 14), (5, 5), (5, 12), (5, 13), (5, 14), (12, 12), (13, 13), (14, 14)),
      ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (2, 2),
       (2, 3), (2, 4), (2, 5), (3, 3), (3, 4), (3, 5), (4, 4), (4, 5), (5, 5))),
+    ('payload_offset_x', (),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 12), (0, 13), (0, 14), (1, 1), (1, 2), (1, 3),
+      (1, 4), (1, 5), (1, 12), (1, 13), (1, 14), (2, 2), (2, 3), (2, 4), (2, 5), (2, 12), (2, 13),
+      (2, 14), (3, 3), (3, 4), (3, 5), (3, 12), (3, 13), (3, 14), (4, 4), (4, 5), (4, 12), (4, 13),
+      (4, 14), (5, 5), (5, 12), (5, 13), (5, 14)),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (2, 2),
+      (2, 3), (2, 4), (2, 5), (3, 3), (3, 4), (3, 5), (4, 4), (4, 5), (5, 5))),
+    ('payload_offset_y', (),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 12), (0, 13), (0, 14), (1, 1), (1, 2), (1, 3),
+      (1, 4), (1, 5), (1, 12), (1, 13), (1, 14), (2, 2), (2, 3), (2, 4), (2, 5), (2, 12), (2, 13),
+      (2, 14), (3, 3), (3, 4), (3, 5), (3, 12), (3, 13), (3, 14), (4, 4), (4, 5), (4, 12), (4, 13),
+      (4, 14), (5, 5), (5, 12), (5, 13), (5, 14)),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (2, 2),
+      (2, 3), (2, 4), (2, 5), (3, 3), (3, 4), (3, 5), (4, 4), (4, 5), (5, 5))),
+    ('payload_offset_z', (),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (0, 12), (0, 13), (0, 14), (1, 1), (1, 2), (1, 3),
+      (1, 4), (1, 5), (1, 12), (1, 13), (1, 14), (2, 2), (2, 3), (2, 4), (2, 5), (2, 12), (2, 13),
+      (2, 14), (3, 3), (3, 4), (3, 5), (3, 12), (3, 13), (3, 14), (4, 4), (4, 5), (4, 12), (4, 13),
+      (4, 14), (5, 5), (5, 12), (5, 13), (5, 14)),
+     ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (0, 5), (1, 1), (1, 2), (1, 3), (1, 4), (1, 5), (2, 2),
+      (2, 3), (2, 4), (2, 5), (3, 3), (3, 4), (3, 5), (4, 4), (4, 5), (5, 5))),
     ('servo_stiffness_stiffness', (), (), ((6, 6), (7, 7), (8, 8), (9, 9), (10, 10), (11, 11))),
     ('frame_compliance_mass', (), ((12, 12), (13, 13), (14, 14)), ()),
 )
@@ -820,12 +842,24 @@ class Effects(NamedTuple):
         Extra mass that every drive moves along its leg.
     payload_mass : float or array, shape (...) [kg]
         Point mass at the platform centre.
+    payload_offset_x : float or array, shape (...) [m]
+        Component x of the payload's place from the platform's origin, platform axes.
+    payload_offset_y : float or array, shape (...) [m]
+        Component y of the payload's place from the platform's origin, platform axes.
+    payload_offset_z : float or array, shape (...) [m]
+        Component z of the payload's place from the platform's origin, platform axes.
     servo_stiffness_stiffness : float or array, shape (...) [N/m]
         Stiffness to ground at every drive, along its leg.
     frame_compliance_compliance : float or array, shape (...) [m/N]
         Isotropic compliance of the frame.
     frame_compliance_mass : float or array, shape (...) [kg]
         Mass of the frame.
+    frame_compliance_compliance_x : float or array, shape (...) [m/N]
+        Compliance of the frame along x.
+    frame_compliance_compliance_y : float or array, shape (...) [m/N]
+        Compliance of the frame along y.
+    frame_compliance_compliance_z : float or array, shape (...) [m/N]
+        Compliance of the frame along z.
     """
 
     axis_leg_stiffness_factor_1: float = 0.0
@@ -838,9 +872,15 @@ class Effects(NamedTuple):
     drive_friction_viscous: float = 0.0
     gearbox_inertia_inertia: float = 0.0
     payload_mass: float = 0.0
+    payload_offset_x: float = 0.0
+    payload_offset_y: float = 0.0
+    payload_offset_z: float = 0.0
     servo_stiffness_stiffness: float = 0.0
     frame_compliance_compliance: float = 0.0
     frame_compliance_mass: float = 0.0
+    frame_compliance_compliance_x: float = 0.0
+    frame_compliance_compliance_y: float = 0.0
+    frame_compliance_compliance_z: float = 0.0
 
 
 def _entries(array, shape):
@@ -885,7 +925,7 @@ def extended_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
-    4341 operations; 9967863660 with every named value expanded.
+    4426 operations; 9976887204 with every named value expanded.
     """
     p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -919,10 +959,14 @@ def extended_matrices(p, parameters, effects):
     (k_C,) = _entries(effects.cable_stiffness_stiffness, ())
     (I_G,) = _entries(effects.gearbox_inertia_inertia, ())
     (m_L,) = _entries(effects.payload_mass, ())
+    (b_L_x,) = _entries(effects.payload_offset_x, ())
+    (b_L_y,) = _entries(effects.payload_offset_y, ())
+    (b_L_z,) = _entries(effects.payload_offset_z, ())
     (k_S,) = _entries(effects.servo_stiffness_stiffness, ())
     (m_F,) = _entries(effects.frame_compliance_mass, ())
     batch, dtype = _batch(p_x, m_p, c_p_x, I_p_x, I_p_xy, g_x, a_1_x, b_1_x, k_l_1, m_b_1, c_b_1, I_b_1,
-        m_r_1, c_r_1, I_r_1, I_m_1, h_m_1, a_S_1, a_S_2, a_S_3, a_S_4, a_S_5, a_S_6, k_C, I_G, m_L, k_S, m_F)
+        m_r_1, c_r_1, I_r_1, I_m_1, h_m_1, a_S_1, a_S_2, a_S_3, a_S_4, a_S_5, a_S_6, k_C, I_G, m_L, b_L_x,
+        b_L_y, b_L_z, k_S, m_F)
     t1 = rot_x**2
     t2 = rot_y**2
     t3 = rot_z**2
@@ -1060,6 +1104,9 @@ def extended_matrices(p, parameters, effects):
     t52 = c_b_6*m_b_6 - c_r_6*m_r_6
     t53 = t51*t52
     m_lift_6 = m_r_6 + t53
+    o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z
+    o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z
+    o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z
     D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
     D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
     D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
@@ -1497,21 +1544,24 @@ def extended_matrices(p, parameters, effects):
     t79 = g_z*m_lift_6
     G_p_z = -g_z*t67 - t74 - t75 - t76 - t77 - t78 - t79
     t80 = g_z*m_p
+    t81 = g_z*m_L
     G_p_rx = (
         -B_1_y*t74 + B_1_z*g_y*m_lift_1 - B_2_y*t75 + B_2_z*g_y*m_lift_2 - B_3_y*t76 + B_3_z*g_y*m_lift_3
         - B_4_y*t77 + B_4_z*g_y*m_lift_4 - B_5_y*t78 + B_5_z*g_y*m_lift_5 - B_6_y*t79 + B_6_z*g_y*m_lift_6
-        - c_y*t80 + c_z*g_y*m_p
+        - c_y*t80 + c_z*g_y*m_p + g_y*m_L*o_L_z - o_L_y*t81
     )
-    t81 = g_x*m_p
+    t82 = g_x*m_p
+    t83 = g_x*m_L
     G_p_ry = (
         B_1_x*t74 - B_1_z*t61 + B_2_x*t75 - B_2_z*t62 + B_3_x*t76 - B_3_z*t63 + B_4_x*t77 - B_4_z*t64
-        + B_5_x*t78 - B_5_z*t65 + B_6_x*t79 - B_6_z*t66 + c_x*t80 - c_z*t81
+        + B_5_x*t78 - B_5_z*t65 + B_6_x*t79 - B_6_z*t66 + c_x*t80 - c_z*t82 + o_L_x*t81 - o_L_z*t83
     )
-    t82 = g_y*m_p
+    t84 = g_y*m_p
+    t85 = g_y*m_L
     G_p_rz = (
         -B_1_x*t68 + B_1_y*g_x*m_lift_1 - B_2_x*t69 + B_2_y*g_x*m_lift_2 - B_3_x*t70 + B_3_y*g_x*m_lift_3
         - B_4_x*t71 + B_4_y*g_x*m_lift_4 - B_5_x*t72 + B_5_y*g_x*m_lift_5 - B_6_x*t73 + B_6_y*g_x*m_lift_6
-        - c_x*t82 + c_y*g_x*m_p
+        - c_x*t84 + c_y*g_x*m_p + g_x*m_L*o_L_y - o_L_x*t85
     )
     mu_1 = t54*(A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z)
     mu_2 = t54*(A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z)
@@ -1537,244 +1587,259 @@ def extended_matrices(p, parameters, effects):
     g_9_x = -d_6_x*mu_6 - t66
     g_9_y = -d_6_y*mu_6 - t73
     g_9_z = -d_6_z*mu_6 - t79
-    g_10_x = -t81
-    g_10_y = -t82
+    g_10_x = -t82
+    g_10_y = -t84
     g_10_z = -t80
+    g_11_x = -t83
+    g_11_y = -t85
+    g_11_z = -t81
     L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6
-    t83 = B_1_z*mu_1
-    t84 = B_2_z*mu_2
-    t85 = B_3_z*mu_3
-    t86 = B_4_z*mu_4
-    t87 = B_5_z*mu_5
-    t88 = B_6_z*mu_6
-    L_y_rx = t83 + t84 + t85 + t86 + t87 + t88
+    t86 = B_1_z*mu_1
+    t87 = B_2_z*mu_2
+    t88 = B_3_z*mu_3
+    t89 = B_4_z*mu_4
+    t90 = B_5_z*mu_5
+    t91 = B_6_z*mu_6
+    L_y_rx = t86 + t87 + t88 + t89 + t90 + t91
     L_x_ry = -L_y_rx
-    t89 = B_5_y*mu_5
-    t90 = B_6_y*mu_6
-    t91 = B_1_y*mu_1
     t92 = B_2_y*mu_2
     t93 = B_3_y*mu_3
     t94 = B_4_y*mu_4
-    L_x_rz = t89 + t90 + t91 + t92 + t93 + t94
+    t95 = B_5_y*mu_5
+    t96 = B_6_y*mu_6
+    t97 = B_1_y*mu_1
+    L_x_rz = t92 + t93 + t94 + t95 + t96 + t97
     L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6
     L_y_rz = -L_z_ry
     L_z_rx = -L_x_rz
-    t95 = B_1_z**2
-    t96 = B_2_z**2
-    t97 = B_3_z**2
-    t98 = B_4_z**2
-    t99 = B_5_z**2
-    t100 = B_6_z**2
-    t101 = (
+    t98 = B_1_z**2
+    t99 = B_2_z**2
+    t100 = B_3_z**2
+    t101 = B_4_z**2
+    t102 = B_5_z**2
+    t103 = B_6_z**2
+    t104 = (
         B_1_z*g_4_z + B_2_z*g_5_z + B_3_z*g_6_z + B_4_z*g_7_z + B_5_z*g_8_z + B_6_z*g_9_z + c_z*g_10_z
-        + mu_1*t95 + mu_2*t96 + mu_3*t97 + mu_4*t98 + mu_5*t99 + mu_6*t100
+        + g_11_z*o_L_z + mu_1*t98 + mu_2*t99 + mu_3*t100 + mu_4*t101 + mu_5*t102 + mu_6*t103
     )
-    t102 = B_1_y**2
-    t103 = B_2_y**2
-    t104 = B_3_y**2
-    t105 = B_4_y**2
-    t106 = B_5_y**2
-    t107 = B_6_y**2
-    t108 = (
+    t105 = B_1_y**2
+    t106 = B_2_y**2
+    t107 = B_3_y**2
+    t108 = B_4_y**2
+    t109 = B_5_y**2
+    t110 = B_6_y**2
+    t111 = (
         B_1_y*g_4_y + B_2_y*g_5_y + B_3_y*g_6_y + B_4_y*g_7_y + B_5_y*g_8_y + B_6_y*g_9_y + c_y*g_10_y
-        + mu_1*t102 + mu_2*t103 + mu_3*t104 + mu_4*t105 + mu_5*t106 + mu_6*t107
+        + g_11_y*o_L_y + mu_1*t105 + mu_2*t106 + mu_3*t107 + mu_4*t108 + mu_5*t109 + mu_6*t110
     )
-    L_rx_rx = -t101 - t108
-    t109 = (1/2)*B_1_x
-    t110 = (1/2)*g_4_x
-    t111 = (1/2)*B_2_x
-    t112 = (1/2)*g_5_x
-    t113 = (1/2)*B_3_x
-    t114 = (1/2)*g_6_x
-    t115 = (1/2)*B_4_x
-    t116 = (1/2)*g_7_x
-    t117 = (1/2)*B_5_x
-    t118 = (1/2)*g_8_x
-    t119 = (1/2)*B_6_x
-    t120 = (1/2)*g_9_x
-    t121 = (1/2)*c_x
-    t122 = (1/2)*g_10_x
+    L_rx_rx = -t104 - t111
+    t112 = (1/2)*B_1_x
+    t113 = (1/2)*g_4_x
+    t114 = (1/2)*B_2_x
+    t115 = (1/2)*g_5_x
+    t116 = (1/2)*B_3_x
+    t117 = (1/2)*g_6_x
+    t118 = (1/2)*B_4_x
+    t119 = (1/2)*g_7_x
+    t120 = (1/2)*B_5_x
+    t121 = (1/2)*g_8_x
+    t122 = (1/2)*B_6_x
+    t123 = (1/2)*g_9_x
+    t124 = (1/2)*c_x
+    t125 = (1/2)*g_10_x
+    t126 = (1/2)*g_11_x
+    t127 = (1/2)*o_L_x
     L_rx_ry = (
-        B_1_x*t91 + B_1_y*t110 + B_2_x*t92 + B_2_y*t112 + B_3_x*t93 + B_3_y*t114 + B_4_x*t94 + B_4_y*t116
-        + B_5_x*t89 + B_5_y*t118 + B_6_x*t90 + B_6_y*t120 + c_y*t122 + g_10_y*t121 + g_4_y*t109 + g_5_y*t111
-        + g_6_y*t113 + g_7_y*t115 + g_8_y*t117 + g_9_y*t119
+        B_1_x*t97 + B_1_y*t113 + B_2_x*t92 + B_2_y*t115 + B_3_x*t93 + B_3_y*t117 + B_4_x*t94 + B_4_y*t119
+        + B_5_x*t95 + B_5_y*t121 + B_6_x*t96 + B_6_y*t123 + c_y*t125 + g_10_y*t124 + g_11_y*t127 + g_4_y*t112
+        + g_5_y*t114 + g_6_y*t116 + g_7_y*t118 + g_8_y*t120 + g_9_y*t122 + o_L_y*t126
     )
     L_rx_rz = (
-        B_1_x*t83 + B_1_z*t110 + B_2_x*t84 + B_2_z*t112 + B_3_x*t85 + B_3_z*t114 + B_4_x*t86 + B_4_z*t116
-        + B_5_x*t87 + B_5_z*t118 + B_6_x*t88 + B_6_z*t120 + c_z*t122 + g_10_z*t121 + g_4_z*t109 + g_5_z*t111
-        + g_6_z*t113 + g_7_z*t115 + g_8_z*t117 + g_9_z*t119
+        B_1_x*t86 + B_1_z*t113 + B_2_x*t87 + B_2_z*t115 + B_3_x*t88 + B_3_z*t117 + B_4_x*t89 + B_4_z*t119
+        + B_5_x*t90 + B_5_z*t121 + B_6_x*t91 + B_6_z*t123 + c_z*t125 + g_10_z*t124 + g_11_z*t127 + g_4_z*t112
+        + g_5_z*t114 + g_6_z*t116 + g_7_z*t118 + g_8_z*t120 + g_9_z*t122 + o_L_z*t126
     )
-    t123 = B_1_x**2
-    t124 = B_2_x**2
-    t125 = B_3_x**2
-    t126 = B_4_x**2
-    t127 = B_5_x**2
-    t128 = B_6_x**2
-    t129 = (
+    t128 = B_1_x**2
+    t129 = B_2_x**2
+    t130 = B_3_x**2
+    t131 = B_4_x**2
+    t132 = B_5_x**2
+    t133 = B_6_x**2
+    t134 = (
         B_1_x*g_4_x + B_2_x*g_5_x + B_3_x*g_6_x + B_4_x*g_7_x + B_5_x*g_8_x + B_6_x*g_9_x + c_x*g_10_x
-        + mu_1*t123 + mu_2*t124 + mu_3*t125 + mu_4*t126 + mu_5*t127 + mu_6*t128
+        + g_11_x*o_L_x + mu_1*t128 + mu_2*t129 + mu_3*t130 + mu_4*t131 + mu_5*t132 + mu_6*t133
     )
-    L_ry_ry = -t101 - t129
+    L_ry_ry = -t104 - t134
     L_ry_rz = (
-        (1/2)*B_1_y*g_4_z + B_1_y*t83 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t84 + (1/2)*B_2_z*g_5_y
-        + (1/2)*B_3_y*g_6_z + B_3_y*t85 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z + B_4_y*t86
-        + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t87 + (1/2)*B_5_z*g_8_y + (1/2)*B_6_y*g_9_z
-        + B_6_y*t88 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y
+        (1/2)*B_1_y*g_4_z + B_1_y*t86 + (1/2)*B_1_z*g_4_y + (1/2)*B_2_y*g_5_z + B_2_y*t87 + (1/2)*B_2_z*g_5_y
+        + (1/2)*B_3_y*g_6_z + B_3_y*t88 + (1/2)*B_3_z*g_6_y + (1/2)*B_4_y*g_7_z + B_4_y*t89
+        + (1/2)*B_4_z*g_7_y + (1/2)*B_5_y*g_8_z + B_5_y*t90 + (1/2)*B_5_z*g_8_y + (1/2)*B_6_y*g_9_z
+        + B_6_y*t91 + (1/2)*B_6_z*g_9_y + (1/2)*c_y*g_10_z + (1/2)*c_z*g_10_y + (1/2)*g_11_y*o_L_z
+        + (1/2)*g_11_z*o_L_y
     )
-    L_rz_rz = -t108 - t129
-    t130 = t30*t32
-    t131 = g_x*t130
-    f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t131
-    t132 = t34*t36
-    t133 = g_x*t132
-    f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t133
-    t134 = t38*t40
-    t135 = g_x*t134
-    f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t135
-    t136 = t42*t44
-    t137 = g_x*t136
-    f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t137
-    t138 = t46*t48
-    t139 = g_x*t138
-    f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t139
-    t140 = t50*t52
-    t141 = g_x*t140
-    f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t141
-    t142 = g_y*t130
-    f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t142
-    t143 = g_y*t132
-    f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t143
-    t144 = g_y*t134
-    f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t144
-    t145 = g_y*t136
-    f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t145
-    t146 = g_y*t138
-    f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t146
-    t147 = g_y*t140
-    f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t147
-    t148 = g_z*t130
-    f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t148
-    t149 = g_z*t132
-    f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t149
-    t150 = g_z*t134
-    f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t150
-    t151 = g_z*t136
-    f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t151
-    t152 = g_z*t138
-    f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t152
-    t153 = g_z*t140
-    f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t153
-    t154 = t130*(-B_1_y*g_z + B_1_z*g_y)
-    f_rx_l_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t154
-    t155 = t132*(-B_2_y*g_z + B_2_z*g_y)
-    f_rx_l_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t155
-    t156 = t134*(-B_3_y*g_z + B_3_z*g_y)
-    f_rx_l_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t156
-    t157 = t136*(-B_4_y*g_z + B_4_z*g_y)
-    f_rx_l_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t157
-    t158 = t138*(-B_5_y*g_z + B_5_z*g_y)
-    f_rx_l_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t158
-    t159 = t140*(-B_6_y*g_z + B_6_z*g_y)
-    f_rx_l_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t159
-    t160 = t130*(B_1_x*g_z - B_1_z*g_x)
-    f_ry_l_1 = D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t160
-    t161 = t132*(B_2_x*g_z - B_2_z*g_x)
-    f_ry_l_2 = D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t161
-    t162 = t134*(B_3_x*g_z - B_3_z*g_x)
-    f_ry_l_3 = D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t162
-    t163 = t136*(B_4_x*g_z - B_4_z*g_x)
-    f_ry_l_4 = D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t163
-    t164 = t138*(B_5_x*g_z - B_5_z*g_x)
-    f_ry_l_5 = D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t164
-    t165 = t140*(B_6_x*g_z - B_6_z*g_x)
-    f_ry_l_6 = D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t165
-    t166 = t130*(-B_1_x*g_y + B_1_y*g_x)
-    f_rz_l_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t166
-    t167 = t132*(-B_2_x*g_y + B_2_y*g_x)
-    f_rz_l_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t167
-    t168 = t134*(-B_3_x*g_y + B_3_y*g_x)
-    f_rz_l_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t168
-    t169 = t136*(-B_4_x*g_y + B_4_y*g_x)
-    f_rz_l_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t169
-    t170 = t138*(-B_5_x*g_y + B_5_y*g_x)
-    f_rz_l_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t170
-    t171 = t140*(-B_6_x*g_y + B_6_y*g_x)
-    f_rz_l_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t171
+    L_rz_rz = -t111 - t134
+    t135 = t30*t32
+    t136 = g_x*t135
+    f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t136
+    t137 = t34*t36
+    t138 = g_x*t137
+    f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t138
+    t139 = t38*t40
+    t140 = g_x*t139
+    f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t140
+    t141 = t42*t44
+    t142 = g_x*t141
+    f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t142
+    t143 = t46*t48
+    t144 = g_x*t143
+    f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t144
+    t145 = t50*t52
+    t146 = g_x*t145
+    f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t146
+    t147 = g_y*t135
+    f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t147
+    t148 = g_y*t137
+    f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t148
+    t149 = g_y*t139
+    f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t149
+    t150 = g_y*t141
+    f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t150
+    t151 = g_y*t143
+    f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t151
+    t152 = g_y*t145
+    f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t152
+    t153 = g_z*t135
+    f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t153
+    t154 = g_z*t137
+    f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t154
+    t155 = g_z*t139
+    f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t155
+    t156 = g_z*t141
+    f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t156
+    t157 = g_z*t143
+    f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t157
+    t158 = g_z*t145
+    f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t158
+    t159 = t135*(-B_1_y*g_z + B_1_z*g_y)
+    f_rx_l_1 = D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t159
+    t160 = t137*(-B_2_y*g_z + B_2_z*g_y)
+    f_rx_l_2 = D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t160
+    t161 = t139*(-B_3_y*g_z + B_3_z*g_y)
+    f_rx_l_3 = D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t161
+    t162 = t141*(-B_4_y*g_z + B_4_z*g_y)
+    f_rx_l_4 = D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t162
+    t163 = t143*(-B_5_y*g_z + B_5_z*g_y)
+    f_rx_l_5 = D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t163
+    t164 = t145*(-B_6_y*g_z + B_6_z*g_y)
+    f_rx_l_6 = D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t164
+    t165 = t135*(B_1_x*g_z - B_1_z*g_x)
+    f_ry_l_1 = D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t165
+    t166 = t137*(B_2_x*g_z - B_2_z*g_x)
+    f_ry_l_2 = D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t166
+    t167 = t139*(B_3_x*g_z - B_3_z*g_x)
+    f_ry_l_3 = D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t167
+    t168 = t141*(B_4_x*g_z - B_4_z*g_x)
+    f_ry_l_4 = D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t168
+    t169 = t143*(B_5_x*g_z - B_5_z*g_x)
+    f_ry_l_5 = D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t169
+    t170 = t145*(B_6_x*g_z - B_6_z*g_x)
+    f_ry_l_6 = D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t170
+    t171 = t135*(-B_1_x*g_y + B_1_y*g_x)
+    f_rz_l_1 = D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t171
+    t172 = t137*(-B_2_x*g_y + B_2_y*g_x)
+    f_rz_l_2 = D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t172
+    t173 = t139*(-B_3_x*g_y + B_3_y*g_x)
+    f_rz_l_3 = D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t173
+    t174 = t141*(-B_4_x*g_y + B_4_y*g_x)
+    f_rz_l_4 = D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t174
+    t175 = t143*(-B_5_x*g_y + B_5_y*g_x)
+    f_rz_l_5 = D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t175
+    t176 = t145*(-B_6_x*g_y + B_6_y*g_x)
+    f_rz_l_6 = D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t176
     M_p_x_x = m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6 + t67
-    t172 = B_1_z*m_perp_1
-    t173 = B_2_z*m_perp_2
-    t174 = B_3_z*m_perp_3
-    t175 = B_4_z*m_perp_4
-    t176 = B_5_z*m_perp_5
-    t177 = B_6_z*m_perp_6
-    t178 = c_z*m_p
-    M_p_x_ry = t172 + t173 + t174 + t175 + t176 + t177 + t178
-    t179 = B_1_y*m_perp_1
-    t180 = B_2_y*m_perp_2
-    t181 = B_3_y*m_perp_3
-    t182 = B_4_y*m_perp_4
-    t183 = B_5_y*m_perp_5
-    t184 = B_6_y*m_perp_6
-    t185 = c_y*m_p
-    M_p_z_rx = t179 + t180 + t181 + t182 + t183 + t184 + t185
+    t177 = B_1_z*m_perp_1
+    t178 = B_2_z*m_perp_2
+    t179 = B_3_z*m_perp_3
+    t180 = B_4_z*m_perp_4
+    t181 = B_5_z*m_perp_5
+    t182 = B_6_z*m_perp_6
+    t183 = c_z*m_p
+    t184 = m_L*o_L_z
+    M_p_x_ry = t177 + t178 + t179 + t180 + t181 + t182 + t183 + t184
+    t185 = B_1_y*m_perp_1
+    t186 = B_2_y*m_perp_2
+    t187 = B_3_y*m_perp_3
+    t188 = B_4_y*m_perp_4
+    t189 = B_5_y*m_perp_5
+    t190 = B_6_y*m_perp_6
+    t191 = c_y*m_p
+    t192 = m_L*o_L_y
+    M_p_z_rx = t185 + t186 + t187 + t188 + t189 + t190 + t191 + t192
     M_p_x_rz = -M_p_z_rx
     M_p_y_rx = -M_p_x_ry
-    t186 = B_1_x*m_perp_1
-    t187 = B_2_x*m_perp_2
-    t188 = B_3_x*m_perp_3
-    t189 = B_4_x*m_perp_4
-    t190 = B_5_x*m_perp_5
-    t191 = B_6_x*m_perp_6
-    M_p_y_rz = c_x*m_p + t186 + t187 + t188 + t189 + t190 + t191
+    t193 = B_1_x*m_perp_1
+    t194 = B_2_x*m_perp_2
+    t195 = B_3_x*m_perp_3
+    t196 = B_4_x*m_perp_4
+    t197 = B_5_x*m_perp_5
+    t198 = B_6_x*m_perp_6
+    M_p_y_rz = c_x*m_p + m_L*o_L_x + t193 + t194 + t195 + t196 + t197 + t198
     M_p_z_ry = -M_p_y_rz
-    t192 = 2*c_y**2
-    t193 = 2*c_z**2
-    t194 = (1/2)*m_p
-    t195 = 2*t102
-    t196 = 2*t95
-    t197 = (1/2)*m_perp_1
-    t198 = 2*t103
-    t199 = 2*t96
-    t200 = (1/2)*m_perp_2
-    t201 = 2*t104
-    t202 = 2*t97
-    t203 = (1/2)*m_perp_3
-    t204 = 2*t105
-    t205 = 2*t98
-    t206 = (1/2)*m_perp_4
-    t207 = 2*t106
-    t208 = 2*t99
-    t209 = (1/2)*m_perp_5
-    t210 = 2*t107
-    t211 = 2*t100
-    t212 = (1/2)*m_perp_6
+    t199 = 2*o_L_y**2
+    t200 = 2*o_L_z**2
+    t201 = (1/2)*m_L
+    t202 = 2*c_y**2
+    t203 = 2*c_z**2
+    t204 = (1/2)*m_p
+    t205 = 2*t105
+    t206 = 2*t98
+    t207 = (1/2)*m_perp_1
+    t208 = 2*t106
+    t209 = 2*t99
+    t210 = (1/2)*m_perp_2
+    t211 = 2*t107
+    t212 = 2*t100
+    t213 = (1/2)*m_perp_3
+    t214 = 2*t108
+    t215 = 2*t101
+    t216 = (1/2)*m_perp_4
+    t217 = 2*t109
+    t218 = 2*t102
+    t219 = (1/2)*m_perp_5
+    t220 = 2*t110
+    t221 = 2*t103
+    t222 = (1/2)*m_perp_6
     M_p_rx_rx = (
-        J_x_x + t194*(t192 + t193) + t197*(t195 + t196) + t200*(t198 + t199) + t203*(t201 + t202) + t206*(t204
-        + t205) + t209*(t207 + t208) + t212*(t210 + t211)
+        J_x_x + t201*(t199 + t200) + t204*(t202 + t203) + t207*(t205 + t206) + t210*(t208 + t209) + t213*(t211
+        + t212) + t216*(t214 + t215) + t219*(t217 + t218) + t222*(t220 + t221)
     )
     M_p_rx_ry = (
-        -B_1_x*t179 - B_2_x*t180 - B_3_x*t181 - B_4_x*t182 - B_5_x*t183 - B_6_x*t184 + J_x_y - c_x*t185
+        -B_1_x*t185 - B_2_x*t186 - B_3_x*t187 - B_4_x*t188 - B_5_x*t189 - B_6_x*t190 + J_x_y - c_x*t191
+        - o_L_x*t192
     )
     M_p_rx_rz = (
-        -B_1_x*t172 - B_2_x*t173 - B_3_x*t174 - B_4_x*t175 - B_5_x*t176 - B_6_x*t177 + J_x_z - c_x*t178
+        -B_1_x*t177 - B_2_x*t178 - B_3_x*t179 - B_4_x*t180 - B_5_x*t181 - B_6_x*t182 + J_x_z - c_x*t183
+        - o_L_x*t184
     )
-    t213 = 2*c_x**2
-    t214 = 2*t123
-    t215 = 2*t124
-    t216 = 2*t125
-    t217 = 2*t126
-    t218 = 2*t127
-    t219 = 2*t128
+    t223 = 2*o_L_x**2
+    t224 = 2*c_x**2
+    t225 = 2*t128
+    t226 = 2*t129
+    t227 = 2*t130
+    t228 = 2*t131
+    t229 = 2*t132
+    t230 = 2*t133
     M_p_ry_ry = (
-        J_y_y + t194*(t193 + t213) + t197*(t196 + t214) + t200*(t199 + t215) + t203*(t202 + t216) + t206*(t205
-        + t217) + t209*(t208 + t218) + t212*(t211 + t219)
+        J_y_y + t201*(t200 + t223) + t204*(t203 + t224) + t207*(t206 + t225) + t210*(t209 + t226) + t213*(t212
+        + t227) + t216*(t215 + t228) + t219*(t218 + t229) + t222*(t221 + t230)
     )
     M_p_ry_rz = (
-        -B_1_y*t172 - B_2_y*t173 - B_3_y*t174 - B_4_y*t175 - B_5_y*t176 - B_6_y*t177 + J_y_z - c_y*t178
+        -B_1_y*t177 - B_2_y*t178 - B_3_y*t179 - B_4_y*t180 - B_5_y*t181 - B_6_y*t182 + J_y_z - c_y*t183
+        - o_L_y*t184
     )
     M_p_rz_rz = (
-        J_z_z + t194*(t192 + t213) + t197*(t195 + t214) + t200*(t198 + t215) + t203*(t201 + t216) + t206*(t204
-        + t217) + t209*(t207 + t218) + t212*(t210 + t219)
+        J_z_z + t201*(t199 + t223) + t204*(t202 + t224) + t207*(t205 + t225) + t210*(t208 + t226) + t213*(t211
+        + t227) + t216*(t214 + t228) + t219*(t217 + t229) + t222*(t220 + t230)
     )
     h_x_l_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x
     h_x_l_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x
@@ -1782,25 +1847,25 @@ def extended_matrices(p, parameters, effects):
     h_x_l_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x
     h_x_l_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x
     h_x_l_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x
-    t220 = (
+    t231 = (
         m_lift_1 + m_lift_2 + m_lift_3 + m_lift_4 + m_lift_5 + m_lift_6 - m_perp_1 - m_perp_2 - m_perp_3
         - m_perp_4 - m_perp_5 - m_perp_6
     )
-    h_x_u_x = M_p_x_x + t220
+    h_x_u_x = M_p_x_x + t231
     h_y_l_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x
     h_y_l_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x
     h_y_l_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x
     h_y_l_4 = D_p_rx_4*M_p_y_rx + D_p_rz_4*M_p_y_rz + D_p_y_4*M_p_x_x
     h_y_l_5 = D_p_rx_5*M_p_y_rx + D_p_rz_5*M_p_y_rz + D_p_y_5*M_p_x_x
     h_y_l_6 = D_p_rx_6*M_p_y_rx + D_p_rz_6*M_p_y_rz + D_p_y_6*M_p_x_x
-    h_y_u_y = M_p_x_x + t220
+    h_y_u_y = M_p_x_x + t231
     h_z_l_1 = D_p_rx_1*M_p_z_rx + D_p_ry_1*M_p_z_ry + D_p_z_1*M_p_x_x
     h_z_l_2 = D_p_rx_2*M_p_z_rx + D_p_ry_2*M_p_z_ry + D_p_z_2*M_p_x_x
     h_z_l_3 = D_p_rx_3*M_p_z_rx + D_p_ry_3*M_p_z_ry + D_p_z_3*M_p_x_x
     h_z_l_4 = D_p_rx_4*M_p_z_rx + D_p_ry_4*M_p_z_ry + D_p_z_4*M_p_x_x
     h_z_l_5 = D_p_rx_5*M_p_z_rx + D_p_ry_5*M_p_z_ry + D_p_z_5*M_p_x_x
     h_z_l_6 = D_p_rx_6*M_p_z_rx + D_p_ry_6*M_p_z_ry + D_p_z_6*M_p_x_x
-    h_z_u_z = M_p_x_x + t220
+    h_z_u_z = M_p_x_x + t231
     h_rx_l_1 = (
         D_p_rx_1*M_p_rx_rx + D_p_ry_1*M_p_rx_ry + D_p_rz_1*M_p_rx_rz + D_p_y_1*M_p_y_rx + D_p_z_1*M_p_z_rx
     )
@@ -1819,16 +1884,16 @@ def extended_matrices(p, parameters, effects):
     h_rx_l_6 = (
         D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx
     )
-    t221 = (
+    t232 = (
         B_1_z*m_r_1 + B_1_z*t33 + B_2_z*m_r_2 + B_2_z*t37 + B_3_z*m_r_3 + B_3_z*t41 + B_4_z*m_r_4 + B_4_z*t45
-        + B_5_z*m_r_5 + B_5_z*t49 + B_6_z*m_r_6 + B_6_z*t53 - t172 - t173 - t174 - t175 - t176 - t177
+        + B_5_z*m_r_5 + B_5_z*t49 + B_6_z*m_r_6 + B_6_z*t53 - t177 - t178 - t179 - t180 - t181 - t182
     )
-    h_rx_u_y = M_p_y_rx - t221
-    t222 = (
+    h_rx_u_y = M_p_y_rx - t232
+    t233 = (
         B_1_y*m_r_1 + B_1_y*t33 + B_2_y*m_r_2 + B_2_y*t37 + B_3_y*m_r_3 + B_3_y*t41 + B_4_y*m_r_4 + B_4_y*t45
-        + B_5_y*m_r_5 + B_5_y*t49 + B_6_y*m_r_6 + B_6_y*t53 - t179 - t180 - t181 - t182 - t183 - t184
+        + B_5_y*m_r_5 + B_5_y*t49 + B_6_y*m_r_6 + B_6_y*t53 - t185 - t186 - t187 - t188 - t189 - t190
     )
-    h_rx_u_z = M_p_z_rx + t222
+    h_rx_u_z = M_p_z_rx + t233
     h_ry_l_1 = (
         D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry
     )
@@ -1847,12 +1912,12 @@ def extended_matrices(p, parameters, effects):
     h_ry_l_6 = (
         D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry
     )
-    h_ry_u_x = M_p_x_ry + t221
-    t223 = (
+    h_ry_u_x = M_p_x_ry + t232
+    t234 = (
         B_1_x*m_r_1 + B_1_x*t33 + B_2_x*m_r_2 + B_2_x*t37 + B_3_x*m_r_3 + B_3_x*t41 + B_4_x*m_r_4 + B_4_x*t45
-        + B_5_x*m_r_5 + B_5_x*t49 + B_6_x*m_r_6 + B_6_x*t53 - t186 - t187 - t188 - t189 - t190 - t191
+        + B_5_x*m_r_5 + B_5_x*t49 + B_6_x*m_r_6 + B_6_x*t53 - t193 - t194 - t195 - t196 - t197 - t198
     )
-    h_ry_u_z = M_p_z_ry - t223
+    h_ry_u_z = M_p_z_ry - t234
     h_rz_l_1 = (
         D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz
     )
@@ -1871,24 +1936,24 @@ def extended_matrices(p, parameters, effects):
     h_rz_l_6 = (
         D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz
     )
-    h_rz_u_x = M_p_x_rz - t222
-    h_rz_u_y = M_p_y_rz + t223
-    t224 = m_F + m_b_1 + m_b_2 + m_b_3 + m_b_4 + m_b_5 + m_b_6 - t33 - t37 - t41 - t45 - t49 - t53
-    t225 = D_p_x_1*k_C
-    t226 = D_p_y_1*k_C
-    t227 = D_p_z_1*k_C
-    t228 = D_p_x_2*k_C
-    t229 = D_p_y_2*k_C
-    t230 = D_p_z_2*k_C
-    t231 = D_p_x_3*k_C
-    t232 = D_p_y_3*k_C
-    t233 = D_p_z_3*k_C
-    t234 = D_p_x_4*k_C
-    t235 = D_p_y_4*k_C
-    t236 = D_p_z_4*k_C
-    t237 = D_p_x_5*k_C
-    t238 = D_p_y_5*k_C
-    t239 = D_p_z_5*k_C
+    h_rz_u_x = M_p_x_rz - t233
+    h_rz_u_y = M_p_y_rz + t234
+    t235 = m_F + m_b_1 + m_b_2 + m_b_3 + m_b_4 + m_b_5 + m_b_6 - t33 - t37 - t41 - t45 - t49 - t53
+    t236 = D_p_x_1*k_C
+    t237 = D_p_y_1*k_C
+    t238 = D_p_z_1*k_C
+    t239 = D_p_x_2*k_C
+    t240 = D_p_y_2*k_C
+    t241 = D_p_z_2*k_C
+    t242 = D_p_x_3*k_C
+    t243 = D_p_y_3*k_C
+    t244 = D_p_z_3*k_C
+    t245 = D_p_x_4*k_C
+    t246 = D_p_y_4*k_C
+    t247 = D_p_z_4*k_C
+    t248 = D_p_x_5*k_C
+    t249 = D_p_y_5*k_C
+    t250 = D_p_z_5*k_C
     M_out = np.zeros((*batch, 15, 15), dtype)
     M_out[..., 0, 0] = (
         D_p_rx_1*h_rx_l_1 + D_p_ry_1*h_ry_l_1 + D_p_rz_1*h_rz_l_1 + D_p_x_1*h_x_l_1 + D_p_y_1*h_y_l_1
@@ -1915,13 +1980,13 @@ def extended_matrices(p, parameters, effects):
         + D_p_z_1*h_z_l_6
     )
     M_out[..., 0, 12] = M_out[..., 12, 0] = (
-        D_p_ry_1*h_ry_u_x + D_p_rz_1*h_rz_u_x + D_p_x_1*h_x_u_x - d_1_x*t130
+        D_p_ry_1*h_ry_u_x + D_p_rz_1*h_rz_u_x + D_p_x_1*h_x_u_x - d_1_x*t135
     )
     M_out[..., 0, 13] = M_out[..., 13, 0] = (
-        D_p_rx_1*h_rx_u_y + D_p_rz_1*h_rz_u_y + D_p_y_1*h_y_u_y - d_1_y*t130
+        D_p_rx_1*h_rx_u_y + D_p_rz_1*h_rz_u_y + D_p_y_1*h_y_u_y - d_1_y*t135
     )
     M_out[..., 0, 14] = M_out[..., 14, 0] = (
-        D_p_rx_1*h_rx_u_z + D_p_ry_1*h_ry_u_z + D_p_z_1*h_z_u_z - d_1_z*t130
+        D_p_rx_1*h_rx_u_z + D_p_ry_1*h_ry_u_z + D_p_z_1*h_z_u_z - d_1_z*t135
     )
     M_out[..., 1, 1] = (
         D_p_rx_2*h_rx_l_2 + D_p_ry_2*h_ry_l_2 + D_p_rz_2*h_rz_l_2 + D_p_x_2*h_x_l_2 + D_p_y_2*h_y_l_2
@@ -1944,13 +2009,13 @@ def extended_matrices(p, parameters, effects):
         + D_p_z_2*h_z_l_6
     )
     M_out[..., 1, 12] = M_out[..., 12, 1] = (
-        D_p_ry_2*h_ry_u_x + D_p_rz_2*h_rz_u_x + D_p_x_2*h_x_u_x - d_2_x*t132
+        D_p_ry_2*h_ry_u_x + D_p_rz_2*h_rz_u_x + D_p_x_2*h_x_u_x - d_2_x*t137
     )
     M_out[..., 1, 13] = M_out[..., 13, 1] = (
-        D_p_rx_2*h_rx_u_y + D_p_rz_2*h_rz_u_y + D_p_y_2*h_y_u_y - d_2_y*t132
+        D_p_rx_2*h_rx_u_y + D_p_rz_2*h_rz_u_y + D_p_y_2*h_y_u_y - d_2_y*t137
     )
     M_out[..., 1, 14] = M_out[..., 14, 1] = (
-        D_p_rx_2*h_rx_u_z + D_p_ry_2*h_ry_u_z + D_p_z_2*h_z_u_z - d_2_z*t132
+        D_p_rx_2*h_rx_u_z + D_p_ry_2*h_ry_u_z + D_p_z_2*h_z_u_z - d_2_z*t137
     )
     M_out[..., 2, 2] = (
         D_p_rx_3*h_rx_l_3 + D_p_ry_3*h_ry_l_3 + D_p_rz_3*h_rz_l_3 + D_p_x_3*h_x_l_3 + D_p_y_3*h_y_l_3
@@ -1969,13 +2034,13 @@ def extended_matrices(p, parameters, effects):
         + D_p_z_3*h_z_l_6
     )
     M_out[..., 2, 12] = M_out[..., 12, 2] = (
-        D_p_ry_3*h_ry_u_x + D_p_rz_3*h_rz_u_x + D_p_x_3*h_x_u_x - d_3_x*t134
+        D_p_ry_3*h_ry_u_x + D_p_rz_3*h_rz_u_x + D_p_x_3*h_x_u_x - d_3_x*t139
     )
     M_out[..., 2, 13] = M_out[..., 13, 2] = (
-        D_p_rx_3*h_rx_u_y + D_p_rz_3*h_rz_u_y + D_p_y_3*h_y_u_y - d_3_y*t134
+        D_p_rx_3*h_rx_u_y + D_p_rz_3*h_rz_u_y + D_p_y_3*h_y_u_y - d_3_y*t139
     )
     M_out[..., 2, 14] = M_out[..., 14, 2] = (
-        D_p_rx_3*h_rx_u_z + D_p_ry_3*h_ry_u_z + D_p_z_3*h_z_u_z - d_3_z*t134
+        D_p_rx_3*h_rx_u_z + D_p_ry_3*h_ry_u_z + D_p_z_3*h_z_u_z - d_3_z*t139
     )
     M_out[..., 3, 3] = (
         D_p_rx_4*h_rx_l_4 + D_p_ry_4*h_ry_l_4 + D_p_rz_4*h_rz_l_4 + D_p_x_4*h_x_l_4 + D_p_y_4*h_y_l_4
@@ -1990,13 +2055,13 @@ def extended_matrices(p, parameters, effects):
         + D_p_z_4*h_z_l_6
     )
     M_out[..., 3, 12] = M_out[..., 12, 3] = (
-        D_p_ry_4*h_ry_u_x + D_p_rz_4*h_rz_u_x + D_p_x_4*h_x_u_x - d_4_x*t136
+        D_p_ry_4*h_ry_u_x + D_p_rz_4*h_rz_u_x + D_p_x_4*h_x_u_x - d_4_x*t141
     )
     M_out[..., 3, 13] = M_out[..., 13, 3] = (
-        D_p_rx_4*h_rx_u_y + D_p_rz_4*h_rz_u_y + D_p_y_4*h_y_u_y - d_4_y*t136
+        D_p_rx_4*h_rx_u_y + D_p_rz_4*h_rz_u_y + D_p_y_4*h_y_u_y - d_4_y*t141
     )
     M_out[..., 3, 14] = M_out[..., 14, 3] = (
-        D_p_rx_4*h_rx_u_z + D_p_ry_4*h_ry_u_z + D_p_z_4*h_z_u_z - d_4_z*t136
+        D_p_rx_4*h_rx_u_z + D_p_ry_4*h_ry_u_z + D_p_z_4*h_z_u_z - d_4_z*t141
     )
     M_out[..., 4, 4] = (
         D_p_rx_5*h_rx_l_5 + D_p_ry_5*h_ry_l_5 + D_p_rz_5*h_rz_l_5 + D_p_x_5*h_x_l_5 + D_p_y_5*h_y_l_5
@@ -2007,26 +2072,26 @@ def extended_matrices(p, parameters, effects):
         + D_p_z_5*h_z_l_6
     )
     M_out[..., 4, 12] = M_out[..., 12, 4] = (
-        D_p_ry_5*h_ry_u_x + D_p_rz_5*h_rz_u_x + D_p_x_5*h_x_u_x - d_5_x*t138
+        D_p_ry_5*h_ry_u_x + D_p_rz_5*h_rz_u_x + D_p_x_5*h_x_u_x - d_5_x*t143
     )
     M_out[..., 4, 13] = M_out[..., 13, 4] = (
-        D_p_rx_5*h_rx_u_y + D_p_rz_5*h_rz_u_y + D_p_y_5*h_y_u_y - d_5_y*t138
+        D_p_rx_5*h_rx_u_y + D_p_rz_5*h_rz_u_y + D_p_y_5*h_y_u_y - d_5_y*t143
     )
     M_out[..., 4, 14] = M_out[..., 14, 4] = (
-        D_p_rx_5*h_rx_u_z + D_p_ry_5*h_ry_u_z + D_p_z_5*h_z_u_z - d_5_z*t138
+        D_p_rx_5*h_rx_u_z + D_p_ry_5*h_ry_u_z + D_p_z_5*h_z_u_z - d_5_z*t143
     )
     M_out[..., 5, 5] = (
         D_p_rx_6*h_rx_l_6 + D_p_ry_6*h_ry_l_6 + D_p_rz_6*h_rz_l_6 + D_p_x_6*h_x_l_6 + D_p_y_6*h_y_l_6
         + D_p_z_6*h_z_l_6 - m_perp_6 + m_r_6
     )
     M_out[..., 5, 12] = M_out[..., 12, 5] = (
-        D_p_ry_6*h_ry_u_x + D_p_rz_6*h_rz_u_x + D_p_x_6*h_x_u_x - d_6_x*t140
+        D_p_ry_6*h_ry_u_x + D_p_rz_6*h_rz_u_x + D_p_x_6*h_x_u_x - d_6_x*t145
     )
     M_out[..., 5, 13] = M_out[..., 13, 5] = (
-        D_p_rx_6*h_rx_u_y + D_p_rz_6*h_rz_u_y + D_p_y_6*h_y_u_y - d_6_y*t140
+        D_p_rx_6*h_rx_u_y + D_p_rz_6*h_rz_u_y + D_p_y_6*h_y_u_y - d_6_y*t145
     )
     M_out[..., 5, 14] = M_out[..., 14, 5] = (
-        D_p_rx_6*h_rx_u_z + D_p_ry_6*h_ry_u_z + D_p_z_6*h_z_u_z - d_6_z*t140
+        D_p_rx_6*h_rx_u_z + D_p_ry_6*h_ry_u_z + D_p_z_6*h_z_u_z - d_6_z*t145
     )
     M_out[..., 6, 6] = I_G + I_m_1/h_m_1**2
     M_out[..., 7, 7] = I_G + I_m_2/h_m_2**2
@@ -2034,50 +2099,50 @@ def extended_matrices(p, parameters, effects):
     M_out[..., 9, 9] = I_G + I_m_4/h_m_4**2
     M_out[..., 10, 10] = I_G + I_m_5/h_m_5**2
     M_out[..., 11, 11] = I_G + I_m_6/h_m_6**2
-    M_out[..., 12, 12] = h_x_u_x + t224
-    M_out[..., 13, 13] = h_y_u_y + t224
-    M_out[..., 14, 14] = h_z_u_z + t224
+    M_out[..., 12, 12] = h_x_u_x + t235
+    M_out[..., 13, 13] = h_y_u_y + t235
+    M_out[..., 14, 14] = h_z_u_z + t235
     K_el_out = np.zeros((*batch, 15, 15), dtype)
     K_el_out[..., 0, 0] = D_p_x_1**2*k_C + D_p_y_1**2*k_C + D_p_z_1**2*k_C + k_1
-    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t225 + D_p_y_2*t226 + D_p_z_2*t227
-    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t225 + D_p_y_3*t226 + D_p_z_3*t227
-    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = D_p_x_4*t225 + D_p_y_4*t226 + D_p_z_4*t227
-    K_el_out[..., 0, 4] = K_el_out[..., 4, 0] = D_p_x_5*t225 + D_p_y_5*t226 + D_p_z_5*t227
-    K_el_out[..., 0, 5] = K_el_out[..., 5, 0] = D_p_x_6*t225 + D_p_y_6*t226 + D_p_z_6*t227
+    K_el_out[..., 0, 1] = K_el_out[..., 1, 0] = D_p_x_2*t236 + D_p_y_2*t237 + D_p_z_2*t238
+    K_el_out[..., 0, 2] = K_el_out[..., 2, 0] = D_p_x_3*t236 + D_p_y_3*t237 + D_p_z_3*t238
+    K_el_out[..., 0, 3] = K_el_out[..., 3, 0] = D_p_x_4*t236 + D_p_y_4*t237 + D_p_z_4*t238
+    K_el_out[..., 0, 4] = K_el_out[..., 4, 0] = D_p_x_5*t236 + D_p_y_5*t237 + D_p_z_5*t238
+    K_el_out[..., 0, 5] = K_el_out[..., 5, 0] = D_p_x_6*t236 + D_p_y_6*t237 + D_p_z_6*t238
     K_el_out[..., 0, 6] = K_el_out[..., 6, 0] = -k_1
-    K_el_out[..., 0, 12] = K_el_out[..., 12, 0] = t225
-    K_el_out[..., 0, 13] = K_el_out[..., 13, 0] = t226
-    K_el_out[..., 0, 14] = K_el_out[..., 14, 0] = t227
+    K_el_out[..., 0, 12] = K_el_out[..., 12, 0] = t236
+    K_el_out[..., 0, 13] = K_el_out[..., 13, 0] = t237
+    K_el_out[..., 0, 14] = K_el_out[..., 14, 0] = t238
     K_el_out[..., 1, 1] = D_p_x_2**2*k_C + D_p_y_2**2*k_C + D_p_z_2**2*k_C + k_2
-    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t228 + D_p_y_3*t229 + D_p_z_3*t230
-    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = D_p_x_4*t228 + D_p_y_4*t229 + D_p_z_4*t230
-    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = D_p_x_5*t228 + D_p_y_5*t229 + D_p_z_5*t230
-    K_el_out[..., 1, 5] = K_el_out[..., 5, 1] = D_p_x_6*t228 + D_p_y_6*t229 + D_p_z_6*t230
+    K_el_out[..., 1, 2] = K_el_out[..., 2, 1] = D_p_x_3*t239 + D_p_y_3*t240 + D_p_z_3*t241
+    K_el_out[..., 1, 3] = K_el_out[..., 3, 1] = D_p_x_4*t239 + D_p_y_4*t240 + D_p_z_4*t241
+    K_el_out[..., 1, 4] = K_el_out[..., 4, 1] = D_p_x_5*t239 + D_p_y_5*t240 + D_p_z_5*t241
+    K_el_out[..., 1, 5] = K_el_out[..., 5, 1] = D_p_x_6*t239 + D_p_y_6*t240 + D_p_z_6*t241
     K_el_out[..., 1, 7] = K_el_out[..., 7, 1] = -k_2
-    K_el_out[..., 1, 12] = K_el_out[..., 12, 1] = t228
-    K_el_out[..., 1, 13] = K_el_out[..., 13, 1] = t229
-    K_el_out[..., 1, 14] = K_el_out[..., 14, 1] = t230
+    K_el_out[..., 1, 12] = K_el_out[..., 12, 1] = t239
+    K_el_out[..., 1, 13] = K_el_out[..., 13, 1] = t240
+    K_el_out[..., 1, 14] = K_el_out[..., 14, 1] = t241
     K_el_out[..., 2, 2] = D_p_x_3**2*k_C + D_p_y_3**2*k_C + D_p_z_3**2*k_C + k_3
-    K_el_out[..., 2, 3] = K_el_out[..., 3, 2] = D_p_x_4*t231 + D_p_y_4*t232 + D_p_z_4*t233
-    K_el_out[..., 2, 4] = K_el_out[..., 4, 2] = D_p_x_5*t231 + D_p_y_5*t232 + D_p_z_5*t233
-    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = D_p_x_6*t231 + D_p_y_6*t232 + D_p_z_6*t233
+    K_el_out[..., 2, 3] = K_el_out[..., 3, 2] = D_p_x_4*t242 + D_p_y_4*t243 + D_p_z_4*t244
+    K_el_out[..., 2, 4] = K_el_out[..., 4, 2] = D_p_x_5*t242 + D_p_y_5*t243 + D_p_z_5*t244
+    K_el_out[..., 2, 5] = K_el_out[..., 5, 2] = D_p_x_6*t242 + D_p_y_6*t243 + D_p_z_6*t244
     K_el_out[..., 2, 8] = K_el_out[..., 8, 2] = -k_3
-    K_el_out[..., 2, 12] = K_el_out[..., 12, 2] = t231
-    K_el_out[..., 2, 13] = K_el_out[..., 13, 2] = t232
-    K_el_out[..., 2, 14] = K_el_out[..., 14, 2] = t233
+    K_el_out[..., 2, 12] = K_el_out[..., 12, 2] = t242
+    K_el_out[..., 2, 13] = K_el_out[..., 13, 2] = t243
+    K_el_out[..., 2, 14] = K_el_out[..., 14, 2] = t244
     K_el_out[..., 3, 3] = D_p_x_4**2*k_C + D_p_y_4**2*k_C + D_p_z_4**2*k_C + k_4
-    K_el_out[..., 3, 4] = K_el_out[..., 4, 3] = D_p_x_5*t234 + D_p_y_5*t235 + D_p_z_5*t236
-    K_el_out[..., 3, 5] = K_el_out[..., 5, 3] = D_p_x_6*t234 + D_p_y_6*t235 + D_p_z_6*t236
+    K_el_out[..., 3, 4] = K_el_out[..., 4, 3] = D_p_x_5*t245 + D_p_y_5*t246 + D_p_z_5*t247
+    K_el_out[..., 3, 5] = K_el_out[..., 5, 3] = D_p_x_6*t245 + D_p_y_6*t246 + D_p_z_6*t247
     K_el_out[..., 3, 9] = K_el_out[..., 9, 3] = -k_4
-    K_el_out[..., 3, 12] = K_el_out[..., 12, 3] = t234
-    K_el_out[..., 3, 13] = K_el_out[..., 13, 3] = t235
-    K_el_out[..., 3, 14] = K_el_out[..., 14, 3] = t236
+    K_el_out[..., 3, 12] = K_el_out[..., 12, 3] = t245
+    K_el_out[..., 3, 13] = K_el_out[..., 13, 3] = t246
+    K_el_out[..., 3, 14] = K_el_out[..., 14, 3] = t247
     K_el_out[..., 4, 4] = D_p_x_5**2*k_C + D_p_y_5**2*k_C + D_p_z_5**2*k_C + k_5
-    K_el_out[..., 4, 5] = K_el_out[..., 5, 4] = D_p_x_6*t237 + D_p_y_6*t238 + D_p_z_6*t239
+    K_el_out[..., 4, 5] = K_el_out[..., 5, 4] = D_p_x_6*t248 + D_p_y_6*t249 + D_p_z_6*t250
     K_el_out[..., 4, 10] = K_el_out[..., 10, 4] = -k_5
-    K_el_out[..., 4, 12] = K_el_out[..., 12, 4] = t237
-    K_el_out[..., 4, 13] = K_el_out[..., 13, 4] = t238
-    K_el_out[..., 4, 14] = K_el_out[..., 14, 4] = t239
+    K_el_out[..., 4, 12] = K_el_out[..., 12, 4] = t248
+    K_el_out[..., 4, 13] = K_el_out[..., 13, 4] = t249
+    K_el_out[..., 4, 14] = K_el_out[..., 14, 4] = t250
     K_el_out[..., 5, 5] = D_p_x_6**2*k_C + D_p_y_6**2*k_C + D_p_z_6**2*k_C + k_6
     K_el_out[..., 5, 11] = K_el_out[..., 11, 5] = -k_6
     K_el_out[..., 5, 12] = K_el_out[..., 12, 5] = D_p_x_6*k_C
@@ -2094,109 +2159,109 @@ def extended_matrices(p, parameters, effects):
     K_el_out[..., 14, 14] = k_C
     K_g_out = np.zeros((*batch, 15, 15), dtype)
     K_g_out[..., 0, 0] = (
-        D_p_rx_1*f_rx_l_1 - D_p_rx_1*t154 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t160 + D_p_rz_1*f_rz_l_1
-        - D_p_rz_1*t166 + D_p_x_1*f_x_l_1 + D_p_x_1*t131 + D_p_y_1*f_y_l_1 + D_p_y_1*t142 + D_p_z_1*f_z_l_1
-        + D_p_z_1*t148 + mu_1 + 2*t32*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**3
+        D_p_rx_1*f_rx_l_1 - D_p_rx_1*t159 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t165 + D_p_rz_1*f_rz_l_1
+        - D_p_rz_1*t171 + D_p_x_1*f_x_l_1 + D_p_x_1*t136 + D_p_y_1*f_y_l_1 + D_p_y_1*t147 + D_p_z_1*f_z_l_1
+        + D_p_z_1*t153 + mu_1 + 2*t32*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/l_1**3
     )
     K_g_out[..., 0, 1] = K_g_out[..., 1, 0] = (
-        D_p_rx_1*f_rx_l_2 - D_p_rx_2*t154 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t160 + D_p_rz_1*f_rz_l_2
-        - D_p_rz_2*t166 + D_p_x_1*f_x_l_2 + D_p_x_2*t131 + D_p_y_1*f_y_l_2 + D_p_y_2*t142 + D_p_z_1*f_z_l_2
-        + D_p_z_2*t148
+        D_p_rx_1*f_rx_l_2 - D_p_rx_2*t159 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t165 + D_p_rz_1*f_rz_l_2
+        - D_p_rz_2*t171 + D_p_x_1*f_x_l_2 + D_p_x_2*t136 + D_p_y_1*f_y_l_2 + D_p_y_2*t147 + D_p_z_1*f_z_l_2
+        + D_p_z_2*t153
     )
     K_g_out[..., 0, 2] = K_g_out[..., 2, 0] = (
-        D_p_rx_1*f_rx_l_3 - D_p_rx_3*t154 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t160 + D_p_rz_1*f_rz_l_3
-        - D_p_rz_3*t166 + D_p_x_1*f_x_l_3 + D_p_x_3*t131 + D_p_y_1*f_y_l_3 + D_p_y_3*t142 + D_p_z_1*f_z_l_3
-        + D_p_z_3*t148
+        D_p_rx_1*f_rx_l_3 - D_p_rx_3*t159 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t165 + D_p_rz_1*f_rz_l_3
+        - D_p_rz_3*t171 + D_p_x_1*f_x_l_3 + D_p_x_3*t136 + D_p_y_1*f_y_l_3 + D_p_y_3*t147 + D_p_z_1*f_z_l_3
+        + D_p_z_3*t153
     )
     K_g_out[..., 0, 3] = K_g_out[..., 3, 0] = (
-        D_p_rx_1*f_rx_l_4 - D_p_rx_4*t154 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t160 + D_p_rz_1*f_rz_l_4
-        - D_p_rz_4*t166 + D_p_x_1*f_x_l_4 + D_p_x_4*t131 + D_p_y_1*f_y_l_4 + D_p_y_4*t142 + D_p_z_1*f_z_l_4
-        + D_p_z_4*t148
+        D_p_rx_1*f_rx_l_4 - D_p_rx_4*t159 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t165 + D_p_rz_1*f_rz_l_4
+        - D_p_rz_4*t171 + D_p_x_1*f_x_l_4 + D_p_x_4*t136 + D_p_y_1*f_y_l_4 + D_p_y_4*t147 + D_p_z_1*f_z_l_4
+        + D_p_z_4*t153
     )
     K_g_out[..., 0, 4] = K_g_out[..., 4, 0] = (
-        D_p_rx_1*f_rx_l_5 - D_p_rx_5*t154 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t160 + D_p_rz_1*f_rz_l_5
-        - D_p_rz_5*t166 + D_p_x_1*f_x_l_5 + D_p_x_5*t131 + D_p_y_1*f_y_l_5 + D_p_y_5*t142 + D_p_z_1*f_z_l_5
-        + D_p_z_5*t148
+        D_p_rx_1*f_rx_l_5 - D_p_rx_5*t159 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t165 + D_p_rz_1*f_rz_l_5
+        - D_p_rz_5*t171 + D_p_x_1*f_x_l_5 + D_p_x_5*t136 + D_p_y_1*f_y_l_5 + D_p_y_5*t147 + D_p_z_1*f_z_l_5
+        + D_p_z_5*t153
     )
     K_g_out[..., 0, 5] = K_g_out[..., 5, 0] = (
-        D_p_rx_1*f_rx_l_6 - D_p_rx_6*t154 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t160 + D_p_rz_1*f_rz_l_6
-        - D_p_rz_6*t166 + D_p_x_1*f_x_l_6 + D_p_x_6*t131 + D_p_y_1*f_y_l_6 + D_p_y_6*t142 + D_p_z_1*f_z_l_6
-        + D_p_z_6*t148
+        D_p_rx_1*f_rx_l_6 - D_p_rx_6*t159 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t165 + D_p_rz_1*f_rz_l_6
+        - D_p_rz_6*t171 + D_p_x_1*f_x_l_6 + D_p_x_6*t136 + D_p_y_1*f_y_l_6 + D_p_y_6*t147 + D_p_z_1*f_z_l_6
+        + D_p_z_6*t153
     )
     K_g_out[..., 1, 1] = (
-        D_p_rx_2*f_rx_l_2 - D_p_rx_2*t155 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t161 + D_p_rz_2*f_rz_l_2
-        - D_p_rz_2*t167 + D_p_x_2*f_x_l_2 + D_p_x_2*t133 + D_p_y_2*f_y_l_2 + D_p_y_2*t143 + D_p_z_2*f_z_l_2
-        + D_p_z_2*t149 + mu_2 + 2*t36*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**3
+        D_p_rx_2*f_rx_l_2 - D_p_rx_2*t160 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t166 + D_p_rz_2*f_rz_l_2
+        - D_p_rz_2*t172 + D_p_x_2*f_x_l_2 + D_p_x_2*t138 + D_p_y_2*f_y_l_2 + D_p_y_2*t148 + D_p_z_2*f_z_l_2
+        + D_p_z_2*t154 + mu_2 + 2*t36*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/l_2**3
     )
     K_g_out[..., 1, 2] = K_g_out[..., 2, 1] = (
-        D_p_rx_2*f_rx_l_3 - D_p_rx_3*t155 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t161 + D_p_rz_2*f_rz_l_3
-        - D_p_rz_3*t167 + D_p_x_2*f_x_l_3 + D_p_x_3*t133 + D_p_y_2*f_y_l_3 + D_p_y_3*t143 + D_p_z_2*f_z_l_3
-        + D_p_z_3*t149
+        D_p_rx_2*f_rx_l_3 - D_p_rx_3*t160 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t166 + D_p_rz_2*f_rz_l_3
+        - D_p_rz_3*t172 + D_p_x_2*f_x_l_3 + D_p_x_3*t138 + D_p_y_2*f_y_l_3 + D_p_y_3*t148 + D_p_z_2*f_z_l_3
+        + D_p_z_3*t154
     )
     K_g_out[..., 1, 3] = K_g_out[..., 3, 1] = (
-        D_p_rx_2*f_rx_l_4 - D_p_rx_4*t155 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t161 + D_p_rz_2*f_rz_l_4
-        - D_p_rz_4*t167 + D_p_x_2*f_x_l_4 + D_p_x_4*t133 + D_p_y_2*f_y_l_4 + D_p_y_4*t143 + D_p_z_2*f_z_l_4
-        + D_p_z_4*t149
+        D_p_rx_2*f_rx_l_4 - D_p_rx_4*t160 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t166 + D_p_rz_2*f_rz_l_4
+        - D_p_rz_4*t172 + D_p_x_2*f_x_l_4 + D_p_x_4*t138 + D_p_y_2*f_y_l_4 + D_p_y_4*t148 + D_p_z_2*f_z_l_4
+        + D_p_z_4*t154
     )
     K_g_out[..., 1, 4] = K_g_out[..., 4, 1] = (
-        D_p_rx_2*f_rx_l_5 - D_p_rx_5*t155 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t161 + D_p_rz_2*f_rz_l_5
-        - D_p_rz_5*t167 + D_p_x_2*f_x_l_5 + D_p_x_5*t133 + D_p_y_2*f_y_l_5 + D_p_y_5*t143 + D_p_z_2*f_z_l_5
-        + D_p_z_5*t149
+        D_p_rx_2*f_rx_l_5 - D_p_rx_5*t160 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t166 + D_p_rz_2*f_rz_l_5
+        - D_p_rz_5*t172 + D_p_x_2*f_x_l_5 + D_p_x_5*t138 + D_p_y_2*f_y_l_5 + D_p_y_5*t148 + D_p_z_2*f_z_l_5
+        + D_p_z_5*t154
     )
     K_g_out[..., 1, 5] = K_g_out[..., 5, 1] = (
-        D_p_rx_2*f_rx_l_6 - D_p_rx_6*t155 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t161 + D_p_rz_2*f_rz_l_6
-        - D_p_rz_6*t167 + D_p_x_2*f_x_l_6 + D_p_x_6*t133 + D_p_y_2*f_y_l_6 + D_p_y_6*t143 + D_p_z_2*f_z_l_6
-        + D_p_z_6*t149
+        D_p_rx_2*f_rx_l_6 - D_p_rx_6*t160 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t166 + D_p_rz_2*f_rz_l_6
+        - D_p_rz_6*t172 + D_p_x_2*f_x_l_6 + D_p_x_6*t138 + D_p_y_2*f_y_l_6 + D_p_y_6*t148 + D_p_z_2*f_z_l_6
+        + D_p_z_6*t154
     )
     K_g_out[..., 2, 2] = (
-        D_p_rx_3*f_rx_l_3 - D_p_rx_3*t156 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t162 + D_p_rz_3*f_rz_l_3
-        - D_p_rz_3*t168 + D_p_x_3*f_x_l_3 + D_p_x_3*t135 + D_p_y_3*f_y_l_3 + D_p_y_3*t144 + D_p_z_3*f_z_l_3
-        + D_p_z_3*t150 + mu_3 + 2*t40*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**3
+        D_p_rx_3*f_rx_l_3 - D_p_rx_3*t161 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t167 + D_p_rz_3*f_rz_l_3
+        - D_p_rz_3*t173 + D_p_x_3*f_x_l_3 + D_p_x_3*t140 + D_p_y_3*f_y_l_3 + D_p_y_3*t149 + D_p_z_3*f_z_l_3
+        + D_p_z_3*t155 + mu_3 + 2*t40*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/l_3**3
     )
     K_g_out[..., 2, 3] = K_g_out[..., 3, 2] = (
-        D_p_rx_3*f_rx_l_4 - D_p_rx_4*t156 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t162 + D_p_rz_3*f_rz_l_4
-        - D_p_rz_4*t168 + D_p_x_3*f_x_l_4 + D_p_x_4*t135 + D_p_y_3*f_y_l_4 + D_p_y_4*t144 + D_p_z_3*f_z_l_4
-        + D_p_z_4*t150
+        D_p_rx_3*f_rx_l_4 - D_p_rx_4*t161 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t167 + D_p_rz_3*f_rz_l_4
+        - D_p_rz_4*t173 + D_p_x_3*f_x_l_4 + D_p_x_4*t140 + D_p_y_3*f_y_l_4 + D_p_y_4*t149 + D_p_z_3*f_z_l_4
+        + D_p_z_4*t155
     )
     K_g_out[..., 2, 4] = K_g_out[..., 4, 2] = (
-        D_p_rx_3*f_rx_l_5 - D_p_rx_5*t156 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t162 + D_p_rz_3*f_rz_l_5
-        - D_p_rz_5*t168 + D_p_x_3*f_x_l_5 + D_p_x_5*t135 + D_p_y_3*f_y_l_5 + D_p_y_5*t144 + D_p_z_3*f_z_l_5
-        + D_p_z_5*t150
+        D_p_rx_3*f_rx_l_5 - D_p_rx_5*t161 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t167 + D_p_rz_3*f_rz_l_5
+        - D_p_rz_5*t173 + D_p_x_3*f_x_l_5 + D_p_x_5*t140 + D_p_y_3*f_y_l_5 + D_p_y_5*t149 + D_p_z_3*f_z_l_5
+        + D_p_z_5*t155
     )
     K_g_out[..., 2, 5] = K_g_out[..., 5, 2] = (
-        D_p_rx_3*f_rx_l_6 - D_p_rx_6*t156 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t162 + D_p_rz_3*f_rz_l_6
-        - D_p_rz_6*t168 + D_p_x_3*f_x_l_6 + D_p_x_6*t135 + D_p_y_3*f_y_l_6 + D_p_y_6*t144 + D_p_z_3*f_z_l_6
-        + D_p_z_6*t150
+        D_p_rx_3*f_rx_l_6 - D_p_rx_6*t161 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t167 + D_p_rz_3*f_rz_l_6
+        - D_p_rz_6*t173 + D_p_x_3*f_x_l_6 + D_p_x_6*t140 + D_p_y_3*f_y_l_6 + D_p_y_6*t149 + D_p_z_3*f_z_l_6
+        + D_p_z_6*t155
     )
     K_g_out[..., 3, 3] = (
-        D_p_rx_4*f_rx_l_4 - D_p_rx_4*t157 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t163 + D_p_rz_4*f_rz_l_4
-        - D_p_rz_4*t169 + D_p_x_4*f_x_l_4 + D_p_x_4*t137 + D_p_y_4*f_y_l_4 + D_p_y_4*t145 + D_p_z_4*f_z_l_4
-        + D_p_z_4*t151 + mu_4 + 2*t44*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**3
+        D_p_rx_4*f_rx_l_4 - D_p_rx_4*t162 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t168 + D_p_rz_4*f_rz_l_4
+        - D_p_rz_4*t174 + D_p_x_4*f_x_l_4 + D_p_x_4*t142 + D_p_y_4*f_y_l_4 + D_p_y_4*t150 + D_p_z_4*f_z_l_4
+        + D_p_z_4*t156 + mu_4 + 2*t44*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/l_4**3
     )
     K_g_out[..., 3, 4] = K_g_out[..., 4, 3] = (
-        D_p_rx_4*f_rx_l_5 - D_p_rx_5*t157 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t163 + D_p_rz_4*f_rz_l_5
-        - D_p_rz_5*t169 + D_p_x_4*f_x_l_5 + D_p_x_5*t137 + D_p_y_4*f_y_l_5 + D_p_y_5*t145 + D_p_z_4*f_z_l_5
-        + D_p_z_5*t151
+        D_p_rx_4*f_rx_l_5 - D_p_rx_5*t162 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t168 + D_p_rz_4*f_rz_l_5
+        - D_p_rz_5*t174 + D_p_x_4*f_x_l_5 + D_p_x_5*t142 + D_p_y_4*f_y_l_5 + D_p_y_5*t150 + D_p_z_4*f_z_l_5
+        + D_p_z_5*t156
     )
     K_g_out[..., 3, 5] = K_g_out[..., 5, 3] = (
-        D_p_rx_4*f_rx_l_6 - D_p_rx_6*t157 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t163 + D_p_rz_4*f_rz_l_6
-        - D_p_rz_6*t169 + D_p_x_4*f_x_l_6 + D_p_x_6*t137 + D_p_y_4*f_y_l_6 + D_p_y_6*t145 + D_p_z_4*f_z_l_6
-        + D_p_z_6*t151
+        D_p_rx_4*f_rx_l_6 - D_p_rx_6*t162 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t168 + D_p_rz_4*f_rz_l_6
+        - D_p_rz_6*t174 + D_p_x_4*f_x_l_6 + D_p_x_6*t142 + D_p_y_4*f_y_l_6 + D_p_y_6*t150 + D_p_z_4*f_z_l_6
+        + D_p_z_6*t156
     )
     K_g_out[..., 4, 4] = (
-        D_p_rx_5*f_rx_l_5 - D_p_rx_5*t158 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t164 + D_p_rz_5*f_rz_l_5
-        - D_p_rz_5*t170 + D_p_x_5*f_x_l_5 + D_p_x_5*t139 + D_p_y_5*f_y_l_5 + D_p_y_5*t146 + D_p_z_5*f_z_l_5
-        + D_p_z_5*t152 + mu_5 + 2*t48*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**3
+        D_p_rx_5*f_rx_l_5 - D_p_rx_5*t163 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t169 + D_p_rz_5*f_rz_l_5
+        - D_p_rz_5*t175 + D_p_x_5*f_x_l_5 + D_p_x_5*t144 + D_p_y_5*f_y_l_5 + D_p_y_5*t151 + D_p_z_5*f_z_l_5
+        + D_p_z_5*t157 + mu_5 + 2*t48*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/l_5**3
     )
     K_g_out[..., 4, 5] = K_g_out[..., 5, 4] = (
-        D_p_rx_5*f_rx_l_6 - D_p_rx_6*t158 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t164 + D_p_rz_5*f_rz_l_6
-        - D_p_rz_6*t170 + D_p_x_5*f_x_l_6 + D_p_x_6*t139 + D_p_y_5*f_y_l_6 + D_p_y_6*t146 + D_p_z_5*f_z_l_6
-        + D_p_z_6*t152
+        D_p_rx_5*f_rx_l_6 - D_p_rx_6*t163 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t169 + D_p_rz_5*f_rz_l_6
+        - D_p_rz_6*t175 + D_p_x_5*f_x_l_6 + D_p_x_6*t144 + D_p_y_5*f_y_l_6 + D_p_y_6*t151 + D_p_z_5*f_z_l_6
+        + D_p_z_6*t157
     )
     K_g_out[..., 5, 5] = (
-        D_p_rx_6*f_rx_l_6 - D_p_rx_6*t159 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t165 + D_p_rz_6*f_rz_l_6
-        - D_p_rz_6*t171 + D_p_x_6*f_x_l_6 + D_p_x_6*t141 + D_p_y_6*f_y_l_6 + D_p_y_6*t147 + D_p_z_6*f_z_l_6
-        + D_p_z_6*t153 + mu_6 + 2*t52*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**3
+        D_p_rx_6*f_rx_l_6 - D_p_rx_6*t164 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t170 + D_p_rz_6*f_rz_l_6
+        - D_p_rz_6*t176 + D_p_x_6*f_x_l_6 + D_p_x_6*t146 + D_p_y_6*f_y_l_6 + D_p_y_6*t152 + D_p_z_6*f_z_l_6
+        + D_p_z_6*t158 + mu_6 + 2*t52*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/l_6**3
     )
     return M_out, K_el_out, K_g_out
 
@@ -2794,20 +2859,24 @@ def joint_stiffness(effects):
     Notes
     -----
     Energy q^2 / (2 c) of each joint.
-    4 operations; 12 with every named value expanded.
+    15 operations; 18 with every named value expanded.
     """
     (c_F,) = _entries(effects.frame_compliance_compliance, ())
-    batch, dtype = _batch(c_F)
-    t1 = 1.0/c_F
-    t2 = -1/c_F**2
+    (c_F_x,) = _entries(effects.frame_compliance_compliance_x, ())
+    (c_F_y,) = _entries(effects.frame_compliance_compliance_y, ())
+    (c_F_z,) = _entries(effects.frame_compliance_compliance_z, ())
+    batch, dtype = _batch(c_F, c_F_x, c_F_y, c_F_z)
+    t1 = c_F + c_F_x
+    t2 = c_F + c_F_y
+    t3 = c_F + c_F_z
     kappa_out = np.empty((*batch, 3), dtype)
-    kappa_out[..., 0] = t1
-    kappa_out[..., 1] = t1
-    kappa_out[..., 2] = t1
+    kappa_out[..., 0] = 1.0/t1
+    kappa_out[..., 1] = 1.0/t2
+    kappa_out[..., 2] = 1.0/t3
     kappa_c_out = np.empty((*batch, 3), dtype)
-    kappa_c_out[..., 0] = t2
-    kappa_c_out[..., 1] = t2
-    kappa_c_out[..., 2] = t2
+    kappa_c_out[..., 0] = -1/t1**2
+    kappa_c_out[..., 1] = -1/t2**2
+    kappa_c_out[..., 2] = -1/t3**2
     return kappa_out, kappa_c_out
 
 
@@ -2892,7 +2961,7 @@ def extended_static_equilibrium(p, parameters, effects):
     Notes
     -----
     Equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
-    1814 operations; 36296994 with every named value expanded.
+    1846 operations; 36307794 with every named value expanded.
     """
     p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2918,8 +2987,11 @@ def extended_static_equilibrium(p, parameters, effects):
     (a_S_5,) = _entries(effects.axis_leg_stiffness_factor_5, ())
     (a_S_6,) = _entries(effects.axis_leg_stiffness_factor_6, ())
     (m_L,) = _entries(effects.payload_mass, ())
+    (b_L_x,) = _entries(effects.payload_offset_x, ())
+    (b_L_y,) = _entries(effects.payload_offset_y, ())
+    (b_L_z,) = _entries(effects.payload_offset_z, ())
     batch, dtype = _batch(p_x, m_p, c_p_x, g_x, a_1_x, b_1_x, k_l_1, m_b_1, c_b_1, m_r_1, c_r_1, a_S_1, a_S_2,
-        a_S_3, a_S_4, a_S_5, a_S_6, m_L)
+        a_S_3, a_S_4, a_S_5, a_S_6, m_L, b_L_x, b_L_y, b_L_z)
     t1 = rot_x**2
     t2 = rot_y**2
     t3 = rot_z**2
@@ -3000,6 +3072,9 @@ def extended_static_equilibrium(p, parameters, effects):
     m_lift_5 = m_r_5 + t16/l_5
     t17 = c_b_6*m_b_6 - c_r_6*m_r_6
     m_lift_6 = m_r_6 + t17/l_6
+    o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z
+    o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z
+    o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z
     D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y
     D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x
     D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x
@@ -3437,19 +3512,20 @@ def extended_static_equilibrium(p, parameters, effects):
     t43 = g_z*m_lift_6
     G_p_z = -g_z*t31 - t38 - t39 - t40 - t41 - t42 - t43
     t44 = g_z*m_p
+    t45 = g_z*m_L
     G_p_rx = (
         -B_1_y*t38 + B_1_z*g_y*m_lift_1 - B_2_y*t39 + B_2_z*g_y*m_lift_2 - B_3_y*t40 + B_3_z*g_y*m_lift_3
         - B_4_y*t41 + B_4_z*g_y*m_lift_4 - B_5_y*t42 + B_5_z*g_y*m_lift_5 - B_6_y*t43 + B_6_z*g_y*m_lift_6
-        - c_y*t44 + c_z*g_y*m_p
+        - c_y*t44 + c_z*g_y*m_p + g_y*m_L*o_L_z - o_L_y*t45
     )
     G_p_ry = (
         B_1_x*t38 - B_1_z*t25 + B_2_x*t39 - B_2_z*t26 + B_3_x*t40 - B_3_z*t27 + B_4_x*t41 - B_4_z*t28
-        + B_5_x*t42 - B_5_z*t29 + B_6_x*t43 - B_6_z*t30 + c_x*t44 - c_z*g_x*m_p
+        + B_5_x*t42 - B_5_z*t29 + B_6_x*t43 - B_6_z*t30 + c_x*t44 - c_z*g_x*m_p - g_x*m_L*o_L_z + o_L_x*t45
     )
     G_p_rz = (
         -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
         - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
-        - c_x*g_y*m_p + c_y*g_x*m_p
+        - c_x*g_y*m_p + c_y*g_x*m_p + g_x*m_L*o_L_y - g_y*m_L*o_L_x
     )
     G_1 = (
         D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z

@@ -78,12 +78,24 @@ typedef struct {
     pkmodes_real gearbox_inertia_inertia;
     /* [kg] point mass at the platform centre */
     pkmodes_real payload_mass;
+    /* [m] component x of the payload's place from the platform's origin, platform axes */
+    pkmodes_real payload_offset_x;
+    /* [m] component y of the payload's place from the platform's origin, platform axes */
+    pkmodes_real payload_offset_y;
+    /* [m] component z of the payload's place from the platform's origin, platform axes */
+    pkmodes_real payload_offset_z;
     /* [N/m] stiffness to ground at every drive, along its leg */
     pkmodes_real servo_stiffness_stiffness;
     /* [m/N] isotropic compliance of the frame */
     pkmodes_real frame_compliance_compliance;
     /* [kg] mass of the frame */
     pkmodes_real frame_compliance_mass;
+    /* [m/N] compliance of the frame along x */
+    pkmodes_real frame_compliance_compliance_x;
+    /* [m/N] compliance of the frame along y */
+    pkmodes_real frame_compliance_compliance_y;
+    /* [m/N] compliance of the frame along z */
+    pkmodes_real frame_compliance_compliance_z;
 } hexapod_effects;
 
 /* Mass and stiffness matrices in the base and all released coordinates, with free joints.
@@ -94,7 +106,7 @@ typedef struct {
  *   out K_g [N/m]: Hessian of the gravitational potential energy
  *
  * Source: equations 24 to 48 with the effects' energies; K = K_el + K_g plus the joint stiffnesses.
- * 4341 operations; 9967863660 with every named value expanded.
+ * 4426 operations; 9976887204 with every named value expanded.
  */
 void hexapod_extended_extended_matrices(const pkmodes_real p[6], const hexapod_parameters *parameters,
     const hexapod_effects *effects, pkmodes_real M[15][15], pkmodes_real K_el[15][15],
@@ -119,7 +131,7 @@ void hexapod_extended_extended_platform_motion(const pkmodes_real p[6], const he
  *   out kappa_c [N^2/m^2, N^2 m^2]: derivatives d(kappa)/d(compliance)
  *
  * Source: energy q^2 / (2 c) of each joint.
- * 4 operations; 12 with every named value expanded.
+ * 15 operations; 18 with every named value expanded.
  */
 void hexapod_extended_joint_stiffness(const hexapod_effects *effects, pkmodes_real kappa[3],
     pkmodes_real kappa_c[3]);
@@ -131,7 +143,7 @@ void hexapod_extended_joint_stiffness(const hexapod_effects *effects, pkmodes_re
  *   out theta_st [m]: displacements relative to the unstrained transmissions
  *
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
- * 1814 operations; 36296994 with every named value expanded.
+ * 1846 operations; 36307794 with every named value expanded.
  */
 void hexapod_extended_extended_static_equilibrium(const pkmodes_real p[6],
     const hexapod_parameters *parameters, const hexapod_effects *effects, pkmodes_real tau_st[6],

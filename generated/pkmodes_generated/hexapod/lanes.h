@@ -21,6 +21,7 @@
  *   m_perp_j [kg]: inertia of leg j at its platform joint, perpendicular to the leg
  *   m_lift_j [kg]: mass that is lifted with the vector of leg j
  *   k_j [N/m]: stiffness of leg j, with effects
+ *   o_L_i [m]: payload from the platform's origin, base frame, component i
  *   D_l_j_i [m^2]: moment of linkage vector j about the platform's origin, component i
  *   A_i_j [m^8]: adjugate of D_l, entry i, j
  *   minor_r_c [m^2]: minor of D_l, rows r and columns c
@@ -56,7 +57,7 @@
 #define LANES_DIRECTIONS 6
 #define LANES_BASE 12
 #define LANES_ALL 15
-#define LANES_GRADIENT 134
+#define LANES_GRADIENT 140
 #define LANES_MARGINS 14
 
 /* How many numbers each margin of a pose has, and how they must compare. */
@@ -1778,7 +1779,7 @@ static inline void lanes_base(const lane *restrict pose, const double *restrict 
 /* Mass and stiffness matrices with all released joints free, and the motion of the platform.
  *
  * Source: extended_matrices and extended_platform_motion.
- * 4362 operations; 9985819848 with every named value expanded.
+ * 4447 operations; 9994843392 with every named value expanded.
  */
 static inline void lanes_extended(const lane *restrict pose, const double *restrict parameters,
     const double *restrict effects, lane *restrict M, lane *restrict K, lane *restrict J_p)
@@ -1904,8 +1905,11 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double k_C = effects[6];
     const double I_G = effects[8];
     const double m_L = effects[9];
-    const double k_S = effects[10];
-    const double m_F = effects[12];
+    const double b_L_x = effects[10];
+    const double b_L_y = effects[11];
+    const double b_L_z = effects[12];
+    const double k_S = effects[13];
+    const double m_F = effects[15];
     const lane t1 = (rot_x*rot_x);
     const lane t2 = (rot_y*rot_y);
     const lane t3 = (rot_z*rot_z);
@@ -2049,6 +2053,9 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const double t52 = c_b_6*m_b_6 - c_r_6*m_r_6;
     const lane t53 = t51*t52;
     const lane m_lift_6 = m_r_6 + t53;
+    const lane o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z;
+    const lane o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z;
+    const lane o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z;
     const lane D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y;
     const lane D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x;
     const lane D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x;
@@ -2451,19 +2458,22 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const lane t79 = g_z*m_lift_6;
     const lane G_p_z = -g_z*t67 - t74 - t75 - t76 - t77 - t78 - t79;
     const double t80 = g_z*m_p;
+    const double t81 = g_z*m_L;
     const lane G_p_rx =
         -B_1_y*t74 + B_1_z*g_y*m_lift_1 - B_2_y*t75 + B_2_z*g_y*m_lift_2 - B_3_y*t76 + B_3_z*g_y*m_lift_3
         - B_4_y*t77 + B_4_z*g_y*m_lift_4 - B_5_y*t78 + B_5_z*g_y*m_lift_5 - B_6_y*t79 + B_6_z*g_y*m_lift_6
-        - c_y*t80 + c_z*g_y*m_p;
-    const double t81 = g_x*m_p;
+        - c_y*t80 + c_z*g_y*m_p + g_y*m_L*o_L_z - o_L_y*t81;
+    const double t82 = g_x*m_p;
+    const double t83 = g_x*m_L;
     const lane G_p_ry =
         B_1_x*t74 - B_1_z*t61 + B_2_x*t75 - B_2_z*t62 + B_3_x*t76 - B_3_z*t63 + B_4_x*t77 - B_4_z*t64
-        + B_5_x*t78 - B_5_z*t65 + B_6_x*t79 - B_6_z*t66 + c_x*t80 - c_z*t81;
-    const double t82 = g_y*m_p;
+        + B_5_x*t78 - B_5_z*t65 + B_6_x*t79 - B_6_z*t66 + c_x*t80 - c_z*t82 + o_L_x*t81 - o_L_z*t83;
+    const double t84 = g_y*m_p;
+    const double t85 = g_y*m_L;
     const lane G_p_rz =
         -B_1_x*t68 + B_1_y*g_x*m_lift_1 - B_2_x*t69 + B_2_y*g_x*m_lift_2 - B_3_x*t70 + B_3_y*g_x*m_lift_3
         - B_4_x*t71 + B_4_y*g_x*m_lift_4 - B_5_x*t72 + B_5_y*g_x*m_lift_5 - B_6_x*t73 + B_6_y*g_x*m_lift_6
-        - c_x*t82 + c_y*g_x*m_p;
+        - c_x*t84 + c_y*g_x*m_p + g_x*m_L*o_L_y - o_L_x*t85;
     const lane mu_1 =
         t54*(A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z);
     const lane mu_2 =
@@ -2494,276 +2504,290 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     const lane g_9_x = -d_6_x*mu_6 - t66;
     const lane g_9_y = -d_6_y*mu_6 - t73;
     const lane g_9_z = -d_6_z*mu_6 - t79;
-    const double g_10_x = -t81;
-    const double g_10_y = -t82;
+    const double g_10_x = -t82;
+    const double g_10_y = -t84;
     const double g_10_z = -t80;
+    const double g_11_x = -t83;
+    const double g_11_y = -t85;
+    const double g_11_z = -t81;
     const lane L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6;
-    const lane t83 = B_1_z*mu_1;
-    const lane t84 = B_2_z*mu_2;
-    const lane t85 = B_3_z*mu_3;
-    const lane t86 = B_4_z*mu_4;
-    const lane t87 = B_5_z*mu_5;
-    const lane t88 = B_6_z*mu_6;
-    const lane L_y_rx = t83 + t84 + t85 + t86 + t87 + t88;
+    const lane t86 = B_1_z*mu_1;
+    const lane t87 = B_2_z*mu_2;
+    const lane t88 = B_3_z*mu_3;
+    const lane t89 = B_4_z*mu_4;
+    const lane t90 = B_5_z*mu_5;
+    const lane t91 = B_6_z*mu_6;
+    const lane L_y_rx = t86 + t87 + t88 + t89 + t90 + t91;
     const lane L_x_ry = -L_y_rx;
-    const lane t89 = B_5_y*mu_5;
-    const lane t90 = B_6_y*mu_6;
-    const lane t91 = B_1_y*mu_1;
     const lane t92 = B_2_y*mu_2;
     const lane t93 = B_3_y*mu_3;
     const lane t94 = B_4_y*mu_4;
-    const lane L_x_rz = t89 + t90 + t91 + t92 + t93 + t94;
+    const lane t95 = B_5_y*mu_5;
+    const lane t96 = B_6_y*mu_6;
+    const lane t97 = B_1_y*mu_1;
+    const lane L_x_rz = t92 + t93 + t94 + t95 + t96 + t97;
     const lane L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6;
     const lane L_y_rz = -L_z_ry;
     const lane L_z_rx = -L_x_rz;
-    const lane t95 = (B_1_z*B_1_z);
-    const lane t96 = (B_2_z*B_2_z);
-    const lane t97 = (B_3_z*B_3_z);
-    const lane t98 = (B_4_z*B_4_z);
-    const lane t99 = (B_5_z*B_5_z);
-    const lane t100 = (B_6_z*B_6_z);
-    const lane t101 =
+    const lane t98 = (B_1_z*B_1_z);
+    const lane t99 = (B_2_z*B_2_z);
+    const lane t100 = (B_3_z*B_3_z);
+    const lane t101 = (B_4_z*B_4_z);
+    const lane t102 = (B_5_z*B_5_z);
+    const lane t103 = (B_6_z*B_6_z);
+    const lane t104 =
         B_1_z*g_4_z + B_2_z*g_5_z + B_3_z*g_6_z + B_4_z*g_7_z + B_5_z*g_8_z + B_6_z*g_9_z + c_z*g_10_z
-        + mu_1*t95 + mu_2*t96 + mu_3*t97 + mu_4*t98 + mu_5*t99 + mu_6*t100;
-    const lane t102 = (B_1_y*B_1_y);
-    const lane t103 = (B_2_y*B_2_y);
-    const lane t104 = (B_3_y*B_3_y);
-    const lane t105 = (B_4_y*B_4_y);
-    const lane t106 = (B_5_y*B_5_y);
-    const lane t107 = (B_6_y*B_6_y);
-    const lane t108 =
+        + g_11_z*o_L_z + mu_1*t98 + mu_2*t99 + mu_3*t100 + mu_4*t101 + mu_5*t102 + mu_6*t103;
+    const lane t105 = (B_1_y*B_1_y);
+    const lane t106 = (B_2_y*B_2_y);
+    const lane t107 = (B_3_y*B_3_y);
+    const lane t108 = (B_4_y*B_4_y);
+    const lane t109 = (B_5_y*B_5_y);
+    const lane t110 = (B_6_y*B_6_y);
+    const lane t111 =
         B_1_y*g_4_y + B_2_y*g_5_y + B_3_y*g_6_y + B_4_y*g_7_y + B_5_y*g_8_y + B_6_y*g_9_y + c_y*g_10_y
-        + mu_1*t102 + mu_2*t103 + mu_3*t104 + mu_4*t105 + mu_5*t106 + mu_6*t107;
-    const lane L_rx_rx = -t101 - t108;
-    const lane t109 = (1.0/2.0)*B_1_x;
-    const lane t110 = (1.0/2.0)*g_4_x;
-    const lane t111 = (1.0/2.0)*B_2_x;
-    const lane t112 = (1.0/2.0)*g_5_x;
-    const lane t113 = (1.0/2.0)*B_3_x;
-    const lane t114 = (1.0/2.0)*g_6_x;
-    const lane t115 = (1.0/2.0)*B_4_x;
-    const lane t116 = (1.0/2.0)*g_7_x;
-    const lane t117 = (1.0/2.0)*B_5_x;
-    const lane t118 = (1.0/2.0)*g_8_x;
-    const lane t119 = (1.0/2.0)*B_6_x;
-    const lane t120 = (1.0/2.0)*g_9_x;
-    const lane t121 = (1.0/2.0)*c_x;
-    const double t122 = (1.0/2.0)*g_10_x;
+        + g_11_y*o_L_y + mu_1*t105 + mu_2*t106 + mu_3*t107 + mu_4*t108 + mu_5*t109 + mu_6*t110;
+    const lane L_rx_rx = -t104 - t111;
+    const lane t112 = (1.0/2.0)*B_1_x;
+    const lane t113 = (1.0/2.0)*g_4_x;
+    const lane t114 = (1.0/2.0)*B_2_x;
+    const lane t115 = (1.0/2.0)*g_5_x;
+    const lane t116 = (1.0/2.0)*B_3_x;
+    const lane t117 = (1.0/2.0)*g_6_x;
+    const lane t118 = (1.0/2.0)*B_4_x;
+    const lane t119 = (1.0/2.0)*g_7_x;
+    const lane t120 = (1.0/2.0)*B_5_x;
+    const lane t121 = (1.0/2.0)*g_8_x;
+    const lane t122 = (1.0/2.0)*B_6_x;
+    const lane t123 = (1.0/2.0)*g_9_x;
+    const lane t124 = (1.0/2.0)*c_x;
+    const double t125 = (1.0/2.0)*g_10_x;
+    const double t126 = (1.0/2.0)*g_11_x;
+    const lane t127 = (1.0/2.0)*o_L_x;
     const lane L_rx_ry =
-        B_1_x*t91 + B_1_y*t110 + B_2_x*t92 + B_2_y*t112 + B_3_x*t93 + B_3_y*t114 + B_4_x*t94 + B_4_y*t116
-        + B_5_x*t89 + B_5_y*t118 + B_6_x*t90 + B_6_y*t120 + c_y*t122 + g_10_y*t121 + g_4_y*t109 + g_5_y*t111
-        + g_6_y*t113 + g_7_y*t115 + g_8_y*t117 + g_9_y*t119;
+        B_1_x*t97 + B_1_y*t113 + B_2_x*t92 + B_2_y*t115 + B_3_x*t93 + B_3_y*t117 + B_4_x*t94 + B_4_y*t119
+        + B_5_x*t95 + B_5_y*t121 + B_6_x*t96 + B_6_y*t123 + c_y*t125 + g_10_y*t124 + g_11_y*t127 + g_4_y*t112
+        + g_5_y*t114 + g_6_y*t116 + g_7_y*t118 + g_8_y*t120 + g_9_y*t122 + o_L_y*t126;
     const lane L_rx_rz =
-        B_1_x*t83 + B_1_z*t110 + B_2_x*t84 + B_2_z*t112 + B_3_x*t85 + B_3_z*t114 + B_4_x*t86 + B_4_z*t116
-        + B_5_x*t87 + B_5_z*t118 + B_6_x*t88 + B_6_z*t120 + c_z*t122 + g_10_z*t121 + g_4_z*t109 + g_5_z*t111
-        + g_6_z*t113 + g_7_z*t115 + g_8_z*t117 + g_9_z*t119;
-    const lane t123 = (B_1_x*B_1_x);
-    const lane t124 = (B_2_x*B_2_x);
-    const lane t125 = (B_3_x*B_3_x);
-    const lane t126 = (B_4_x*B_4_x);
-    const lane t127 = (B_5_x*B_5_x);
-    const lane t128 = (B_6_x*B_6_x);
-    const lane t129 =
+        B_1_x*t86 + B_1_z*t113 + B_2_x*t87 + B_2_z*t115 + B_3_x*t88 + B_3_z*t117 + B_4_x*t89 + B_4_z*t119
+        + B_5_x*t90 + B_5_z*t121 + B_6_x*t91 + B_6_z*t123 + c_z*t125 + g_10_z*t124 + g_11_z*t127 + g_4_z*t112
+        + g_5_z*t114 + g_6_z*t116 + g_7_z*t118 + g_8_z*t120 + g_9_z*t122 + o_L_z*t126;
+    const lane t128 = (B_1_x*B_1_x);
+    const lane t129 = (B_2_x*B_2_x);
+    const lane t130 = (B_3_x*B_3_x);
+    const lane t131 = (B_4_x*B_4_x);
+    const lane t132 = (B_5_x*B_5_x);
+    const lane t133 = (B_6_x*B_6_x);
+    const lane t134 =
         B_1_x*g_4_x + B_2_x*g_5_x + B_3_x*g_6_x + B_4_x*g_7_x + B_5_x*g_8_x + B_6_x*g_9_x + c_x*g_10_x
-        + mu_1*t123 + mu_2*t124 + mu_3*t125 + mu_4*t126 + mu_5*t127 + mu_6*t128;
-    const lane L_ry_ry = -t101 - t129;
+        + g_11_x*o_L_x + mu_1*t128 + mu_2*t129 + mu_3*t130 + mu_4*t131 + mu_5*t132 + mu_6*t133;
+    const lane L_ry_ry = -t104 - t134;
     const lane L_ry_rz =
-        (1.0/2.0)*B_1_y*g_4_z + B_1_y*t83 + (1.0/2.0)*B_1_z*g_4_y + (1.0/2.0)*B_2_y*g_5_z + B_2_y*t84
-        + (1.0/2.0)*B_2_z*g_5_y + (1.0/2.0)*B_3_y*g_6_z + B_3_y*t85 + (1.0/2.0)*B_3_z*g_6_y
-        + (1.0/2.0)*B_4_y*g_7_z + B_4_y*t86 + (1.0/2.0)*B_4_z*g_7_y + (1.0/2.0)*B_5_y*g_8_z + B_5_y*t87
-        + (1.0/2.0)*B_5_z*g_8_y + (1.0/2.0)*B_6_y*g_9_z + B_6_y*t88 + (1.0/2.0)*B_6_z*g_9_y
-        + (1.0/2.0)*c_y*g_10_z + (1.0/2.0)*c_z*g_10_y;
-    const lane L_rz_rz = -t108 - t129;
-    const lane t130 = t30*t32;
-    const lane t131 = g_x*t130;
-    const lane f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t131;
-    const lane t132 = t34*t36;
-    const lane t133 = g_x*t132;
-    const lane f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t133;
-    const lane t134 = t38*t40;
-    const lane t135 = g_x*t134;
-    const lane f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t135;
-    const lane t136 = t42*t44;
-    const lane t137 = g_x*t136;
-    const lane f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t137;
-    const lane t138 = t46*t48;
-    const lane t139 = g_x*t138;
-    const lane f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t139;
-    const lane t140 = t50*t52;
-    const lane t141 = g_x*t140;
-    const lane f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t141;
-    const lane t142 = g_y*t130;
-    const lane f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t142;
-    const lane t143 = g_y*t132;
-    const lane f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t143;
-    const lane t144 = g_y*t134;
-    const lane f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t144;
-    const lane t145 = g_y*t136;
-    const lane f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t145;
-    const lane t146 = g_y*t138;
-    const lane f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t146;
-    const lane t147 = g_y*t140;
-    const lane f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t147;
-    const lane t148 = g_z*t130;
-    const lane f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t148;
-    const lane t149 = g_z*t132;
-    const lane f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t149;
-    const lane t150 = g_z*t134;
-    const lane f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t150;
-    const lane t151 = g_z*t136;
-    const lane f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t151;
-    const lane t152 = g_z*t138;
-    const lane f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t152;
-    const lane t153 = g_z*t140;
-    const lane f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t153;
-    const lane t154 = t130*(-B_1_y*g_z + B_1_z*g_y);
+        (1.0/2.0)*B_1_y*g_4_z + B_1_y*t86 + (1.0/2.0)*B_1_z*g_4_y + (1.0/2.0)*B_2_y*g_5_z + B_2_y*t87
+        + (1.0/2.0)*B_2_z*g_5_y + (1.0/2.0)*B_3_y*g_6_z + B_3_y*t88 + (1.0/2.0)*B_3_z*g_6_y
+        + (1.0/2.0)*B_4_y*g_7_z + B_4_y*t89 + (1.0/2.0)*B_4_z*g_7_y + (1.0/2.0)*B_5_y*g_8_z + B_5_y*t90
+        + (1.0/2.0)*B_5_z*g_8_y + (1.0/2.0)*B_6_y*g_9_z + B_6_y*t91 + (1.0/2.0)*B_6_z*g_9_y
+        + (1.0/2.0)*c_y*g_10_z + (1.0/2.0)*c_z*g_10_y + (1.0/2.0)*g_11_y*o_L_z + (1.0/2.0)*g_11_z*o_L_y;
+    const lane L_rz_rz = -t111 - t134;
+    const lane t135 = t30*t32;
+    const lane t136 = g_x*t135;
+    const lane f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + t136;
+    const lane t137 = t34*t36;
+    const lane t138 = g_x*t137;
+    const lane f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + t138;
+    const lane t139 = t38*t40;
+    const lane t140 = g_x*t139;
+    const lane f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + t140;
+    const lane t141 = t42*t44;
+    const lane t142 = g_x*t141;
+    const lane f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + t142;
+    const lane t143 = t46*t48;
+    const lane t144 = g_x*t143;
+    const lane f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + t144;
+    const lane t145 = t50*t52;
+    const lane t146 = g_x*t145;
+    const lane f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + t146;
+    const lane t147 = g_y*t135;
+    const lane f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + t147;
+    const lane t148 = g_y*t137;
+    const lane f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + t148;
+    const lane t149 = g_y*t139;
+    const lane f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + t149;
+    const lane t150 = g_y*t141;
+    const lane f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + t150;
+    const lane t151 = g_y*t143;
+    const lane f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + t151;
+    const lane t152 = g_y*t145;
+    const lane f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + t152;
+    const lane t153 = g_z*t135;
+    const lane f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + t153;
+    const lane t154 = g_z*t137;
+    const lane f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + t154;
+    const lane t155 = g_z*t139;
+    const lane f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + t155;
+    const lane t156 = g_z*t141;
+    const lane f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + t156;
+    const lane t157 = g_z*t143;
+    const lane f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + t157;
+    const lane t158 = g_z*t145;
+    const lane f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + t158;
+    const lane t159 = t135*(-B_1_y*g_z + B_1_z*g_y);
     const lane f_rx_l_1 =
-        D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t154;
-    const lane t155 = t132*(-B_2_y*g_z + B_2_z*g_y);
+        D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx - t159;
+    const lane t160 = t137*(-B_2_y*g_z + B_2_z*g_y);
     const lane f_rx_l_2 =
-        D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t155;
-    const lane t156 = t134*(-B_3_y*g_z + B_3_z*g_y);
+        D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx - t160;
+    const lane t161 = t139*(-B_3_y*g_z + B_3_z*g_y);
     const lane f_rx_l_3 =
-        D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t156;
-    const lane t157 = t136*(-B_4_y*g_z + B_4_z*g_y);
+        D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx - t161;
+    const lane t162 = t141*(-B_4_y*g_z + B_4_z*g_y);
     const lane f_rx_l_4 =
-        D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t157;
-    const lane t158 = t138*(-B_5_y*g_z + B_5_z*g_y);
+        D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx - t162;
+    const lane t163 = t143*(-B_5_y*g_z + B_5_z*g_y);
     const lane f_rx_l_5 =
-        D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t158;
-    const lane t159 = t140*(-B_6_y*g_z + B_6_z*g_y);
+        D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx - t163;
+    const lane t164 = t145*(-B_6_y*g_z + B_6_z*g_y);
     const lane f_rx_l_6 =
-        D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t159;
-    const lane t160 = t130*(B_1_x*g_z - B_1_z*g_x);
+        D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx - t164;
+    const lane t165 = t135*(B_1_x*g_z - B_1_z*g_x);
     const lane f_ry_l_1 =
-        D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t160;
-    const lane t161 = t132*(B_2_x*g_z - B_2_z*g_x);
+        D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry - t165;
+    const lane t166 = t137*(B_2_x*g_z - B_2_z*g_x);
     const lane f_ry_l_2 =
-        D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t161;
-    const lane t162 = t134*(B_3_x*g_z - B_3_z*g_x);
+        D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry - t166;
+    const lane t167 = t139*(B_3_x*g_z - B_3_z*g_x);
     const lane f_ry_l_3 =
-        D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t162;
-    const lane t163 = t136*(B_4_x*g_z - B_4_z*g_x);
+        D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry - t167;
+    const lane t168 = t141*(B_4_x*g_z - B_4_z*g_x);
     const lane f_ry_l_4 =
-        D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t163;
-    const lane t164 = t138*(B_5_x*g_z - B_5_z*g_x);
+        D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry - t168;
+    const lane t169 = t143*(B_5_x*g_z - B_5_z*g_x);
     const lane f_ry_l_5 =
-        D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t164;
-    const lane t165 = t140*(B_6_x*g_z - B_6_z*g_x);
+        D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry - t169;
+    const lane t170 = t145*(B_6_x*g_z - B_6_z*g_x);
     const lane f_ry_l_6 =
-        D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t165;
-    const lane t166 = t130*(-B_1_x*g_y + B_1_y*g_x);
+        D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry - t170;
+    const lane t171 = t135*(-B_1_x*g_y + B_1_y*g_x);
     const lane f_rz_l_1 =
-        D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t166;
-    const lane t167 = t132*(-B_2_x*g_y + B_2_y*g_x);
+        D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz - t171;
+    const lane t172 = t137*(-B_2_x*g_y + B_2_y*g_x);
     const lane f_rz_l_2 =
-        D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t167;
-    const lane t168 = t134*(-B_3_x*g_y + B_3_y*g_x);
+        D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz - t172;
+    const lane t173 = t139*(-B_3_x*g_y + B_3_y*g_x);
     const lane f_rz_l_3 =
-        D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t168;
-    const lane t169 = t136*(-B_4_x*g_y + B_4_y*g_x);
+        D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz - t173;
+    const lane t174 = t141*(-B_4_x*g_y + B_4_y*g_x);
     const lane f_rz_l_4 =
-        D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t169;
-    const lane t170 = t138*(-B_5_x*g_y + B_5_y*g_x);
+        D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz - t174;
+    const lane t175 = t143*(-B_5_x*g_y + B_5_y*g_x);
     const lane f_rz_l_5 =
-        D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t170;
-    const lane t171 = t140*(-B_6_x*g_y + B_6_y*g_x);
+        D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz - t175;
+    const lane t176 = t145*(-B_6_x*g_y + B_6_y*g_x);
     const lane f_rz_l_6 =
-        D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t171;
+        D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz - t176;
     const lane M_p_x_x = m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6 + t67;
-    const lane t172 = B_1_z*m_perp_1;
-    const lane t173 = B_2_z*m_perp_2;
-    const lane t174 = B_3_z*m_perp_3;
-    const lane t175 = B_4_z*m_perp_4;
-    const lane t176 = B_5_z*m_perp_5;
-    const lane t177 = B_6_z*m_perp_6;
-    const lane t178 = c_z*m_p;
-    const lane M_p_x_ry = t172 + t173 + t174 + t175 + t176 + t177 + t178;
-    const lane t179 = B_1_y*m_perp_1;
-    const lane t180 = B_2_y*m_perp_2;
-    const lane t181 = B_3_y*m_perp_3;
-    const lane t182 = B_4_y*m_perp_4;
-    const lane t183 = B_5_y*m_perp_5;
-    const lane t184 = B_6_y*m_perp_6;
-    const lane t185 = c_y*m_p;
-    const lane M_p_z_rx = t179 + t180 + t181 + t182 + t183 + t184 + t185;
+    const lane t177 = B_1_z*m_perp_1;
+    const lane t178 = B_2_z*m_perp_2;
+    const lane t179 = B_3_z*m_perp_3;
+    const lane t180 = B_4_z*m_perp_4;
+    const lane t181 = B_5_z*m_perp_5;
+    const lane t182 = B_6_z*m_perp_6;
+    const lane t183 = c_z*m_p;
+    const lane t184 = m_L*o_L_z;
+    const lane M_p_x_ry = t177 + t178 + t179 + t180 + t181 + t182 + t183 + t184;
+    const lane t185 = B_1_y*m_perp_1;
+    const lane t186 = B_2_y*m_perp_2;
+    const lane t187 = B_3_y*m_perp_3;
+    const lane t188 = B_4_y*m_perp_4;
+    const lane t189 = B_5_y*m_perp_5;
+    const lane t190 = B_6_y*m_perp_6;
+    const lane t191 = c_y*m_p;
+    const lane t192 = m_L*o_L_y;
+    const lane M_p_z_rx = t185 + t186 + t187 + t188 + t189 + t190 + t191 + t192;
     const lane M_p_x_rz = -M_p_z_rx;
     const lane M_p_y_rx = -M_p_x_ry;
-    const lane t186 = B_1_x*m_perp_1;
-    const lane t187 = B_2_x*m_perp_2;
-    const lane t188 = B_3_x*m_perp_3;
-    const lane t189 = B_4_x*m_perp_4;
-    const lane t190 = B_5_x*m_perp_5;
-    const lane t191 = B_6_x*m_perp_6;
-    const lane M_p_y_rz = c_x*m_p + t186 + t187 + t188 + t189 + t190 + t191;
+    const lane t193 = B_1_x*m_perp_1;
+    const lane t194 = B_2_x*m_perp_2;
+    const lane t195 = B_3_x*m_perp_3;
+    const lane t196 = B_4_x*m_perp_4;
+    const lane t197 = B_5_x*m_perp_5;
+    const lane t198 = B_6_x*m_perp_6;
+    const lane M_p_y_rz = c_x*m_p + m_L*o_L_x + t193 + t194 + t195 + t196 + t197 + t198;
     const lane M_p_z_ry = -M_p_y_rz;
-    const lane t192 = 2.0*(c_y*c_y);
-    const lane t193 = 2.0*(c_z*c_z);
-    const double t194 = (1.0/2.0)*m_p;
-    const lane t195 = 2.0*t102;
-    const lane t196 = 2.0*t95;
-    const lane t197 = (1.0/2.0)*m_perp_1;
-    const lane t198 = 2.0*t103;
-    const lane t199 = 2.0*t96;
-    const lane t200 = (1.0/2.0)*m_perp_2;
-    const lane t201 = 2.0*t104;
-    const lane t202 = 2.0*t97;
-    const lane t203 = (1.0/2.0)*m_perp_3;
-    const lane t204 = 2.0*t105;
-    const lane t205 = 2.0*t98;
-    const lane t206 = (1.0/2.0)*m_perp_4;
-    const lane t207 = 2.0*t106;
-    const lane t208 = 2.0*t99;
-    const lane t209 = (1.0/2.0)*m_perp_5;
-    const lane t210 = 2.0*t107;
-    const lane t211 = 2.0*t100;
-    const lane t212 = (1.0/2.0)*m_perp_6;
+    const lane t199 = 2.0*(o_L_y*o_L_y);
+    const lane t200 = 2.0*(o_L_z*o_L_z);
+    const double t201 = (1.0/2.0)*m_L;
+    const lane t202 = 2.0*(c_y*c_y);
+    const lane t203 = 2.0*(c_z*c_z);
+    const double t204 = (1.0/2.0)*m_p;
+    const lane t205 = 2.0*t105;
+    const lane t206 = 2.0*t98;
+    const lane t207 = (1.0/2.0)*m_perp_1;
+    const lane t208 = 2.0*t106;
+    const lane t209 = 2.0*t99;
+    const lane t210 = (1.0/2.0)*m_perp_2;
+    const lane t211 = 2.0*t107;
+    const lane t212 = 2.0*t100;
+    const lane t213 = (1.0/2.0)*m_perp_3;
+    const lane t214 = 2.0*t108;
+    const lane t215 = 2.0*t101;
+    const lane t216 = (1.0/2.0)*m_perp_4;
+    const lane t217 = 2.0*t109;
+    const lane t218 = 2.0*t102;
+    const lane t219 = (1.0/2.0)*m_perp_5;
+    const lane t220 = 2.0*t110;
+    const lane t221 = 2.0*t103;
+    const lane t222 = (1.0/2.0)*m_perp_6;
     const lane M_p_rx_rx =
-        J_x_x + t194*(t192 + t193) + t197*(t195 + t196) + t200*(t198 + t199) + t203*(t201 + t202)
-        + t206*(t204 + t205) + t209*(t207 + t208) + t212*(t210 + t211);
+        J_x_x + t201*(t199 + t200) + t204*(t202 + t203) + t207*(t205 + t206) + t210*(t208 + t209)
+        + t213*(t211 + t212) + t216*(t214 + t215) + t219*(t217 + t218) + t222*(t220 + t221);
     const lane M_p_rx_ry =
-        -B_1_x*t179 - B_2_x*t180 - B_3_x*t181 - B_4_x*t182 - B_5_x*t183 - B_6_x*t184 + J_x_y - c_x*t185;
+        -B_1_x*t185 - B_2_x*t186 - B_3_x*t187 - B_4_x*t188 - B_5_x*t189 - B_6_x*t190 + J_x_y - c_x*t191
+        - o_L_x*t192;
     const lane M_p_rx_rz =
-        -B_1_x*t172 - B_2_x*t173 - B_3_x*t174 - B_4_x*t175 - B_5_x*t176 - B_6_x*t177 + J_x_z - c_x*t178;
-    const lane t213 = 2.0*(c_x*c_x);
-    const lane t214 = 2.0*t123;
-    const lane t215 = 2.0*t124;
-    const lane t216 = 2.0*t125;
-    const lane t217 = 2.0*t126;
-    const lane t218 = 2.0*t127;
-    const lane t219 = 2.0*t128;
+        -B_1_x*t177 - B_2_x*t178 - B_3_x*t179 - B_4_x*t180 - B_5_x*t181 - B_6_x*t182 + J_x_z - c_x*t183
+        - o_L_x*t184;
+    const lane t223 = 2.0*(o_L_x*o_L_x);
+    const lane t224 = 2.0*(c_x*c_x);
+    const lane t225 = 2.0*t128;
+    const lane t226 = 2.0*t129;
+    const lane t227 = 2.0*t130;
+    const lane t228 = 2.0*t131;
+    const lane t229 = 2.0*t132;
+    const lane t230 = 2.0*t133;
     const lane M_p_ry_ry =
-        J_y_y + t194*(t193 + t213) + t197*(t196 + t214) + t200*(t199 + t215) + t203*(t202 + t216)
-        + t206*(t205 + t217) + t209*(t208 + t218) + t212*(t211 + t219);
+        J_y_y + t201*(t200 + t223) + t204*(t203 + t224) + t207*(t206 + t225) + t210*(t209 + t226)
+        + t213*(t212 + t227) + t216*(t215 + t228) + t219*(t218 + t229) + t222*(t221 + t230);
     const lane M_p_ry_rz =
-        -B_1_y*t172 - B_2_y*t173 - B_3_y*t174 - B_4_y*t175 - B_5_y*t176 - B_6_y*t177 + J_y_z - c_y*t178;
+        -B_1_y*t177 - B_2_y*t178 - B_3_y*t179 - B_4_y*t180 - B_5_y*t181 - B_6_y*t182 + J_y_z - c_y*t183
+        - o_L_y*t184;
     const lane M_p_rz_rz =
-        J_z_z + t194*(t192 + t213) + t197*(t195 + t214) + t200*(t198 + t215) + t203*(t201 + t216)
-        + t206*(t204 + t217) + t209*(t207 + t218) + t212*(t210 + t219);
+        J_z_z + t201*(t199 + t223) + t204*(t202 + t224) + t207*(t205 + t225) + t210*(t208 + t226)
+        + t213*(t211 + t227) + t216*(t214 + t228) + t219*(t217 + t229) + t222*(t220 + t230);
     const lane h_x_l_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x;
     const lane h_x_l_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x;
     const lane h_x_l_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x;
     const lane h_x_l_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x;
     const lane h_x_l_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x;
     const lane h_x_l_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x;
-    const lane t220 =
+    const lane t231 =
         m_lift_1 + m_lift_2 + m_lift_3 + m_lift_4 + m_lift_5 + m_lift_6 - m_perp_1 - m_perp_2 - m_perp_3
         - m_perp_4 - m_perp_5 - m_perp_6;
-    const lane h_x_u_x = M_p_x_x + t220;
+    const lane h_x_u_x = M_p_x_x + t231;
     const lane h_y_l_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x;
     const lane h_y_l_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x;
     const lane h_y_l_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x;
     const lane h_y_l_4 = D_p_rx_4*M_p_y_rx + D_p_rz_4*M_p_y_rz + D_p_y_4*M_p_x_x;
     const lane h_y_l_5 = D_p_rx_5*M_p_y_rx + D_p_rz_5*M_p_y_rz + D_p_y_5*M_p_x_x;
     const lane h_y_l_6 = D_p_rx_6*M_p_y_rx + D_p_rz_6*M_p_y_rz + D_p_y_6*M_p_x_x;
-    const lane h_y_u_y = M_p_x_x + t220;
+    const lane h_y_u_y = M_p_x_x + t231;
     const lane h_z_l_1 = D_p_rx_1*M_p_z_rx + D_p_ry_1*M_p_z_ry + D_p_z_1*M_p_x_x;
     const lane h_z_l_2 = D_p_rx_2*M_p_z_rx + D_p_ry_2*M_p_z_ry + D_p_z_2*M_p_x_x;
     const lane h_z_l_3 = D_p_rx_3*M_p_z_rx + D_p_ry_3*M_p_z_ry + D_p_z_3*M_p_x_x;
     const lane h_z_l_4 = D_p_rx_4*M_p_z_rx + D_p_ry_4*M_p_z_ry + D_p_z_4*M_p_x_x;
     const lane h_z_l_5 = D_p_rx_5*M_p_z_rx + D_p_ry_5*M_p_z_ry + D_p_z_5*M_p_x_x;
     const lane h_z_l_6 = D_p_rx_6*M_p_z_rx + D_p_ry_6*M_p_z_ry + D_p_z_6*M_p_x_x;
-    const lane h_z_u_z = M_p_x_x + t220;
+    const lane h_z_u_z = M_p_x_x + t231;
     const lane h_rx_l_1 =
         D_p_rx_1*M_p_rx_rx + D_p_ry_1*M_p_rx_ry + D_p_rz_1*M_p_rx_rz + D_p_y_1*M_p_y_rx + D_p_z_1*M_p_z_rx;
     const lane h_rx_l_2 =
@@ -2776,14 +2800,14 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
         D_p_rx_5*M_p_rx_rx + D_p_ry_5*M_p_rx_ry + D_p_rz_5*M_p_rx_rz + D_p_y_5*M_p_y_rx + D_p_z_5*M_p_z_rx;
     const lane h_rx_l_6 =
         D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx;
-    const lane t221 =
+    const lane t232 =
         B_1_z*m_r_1 + B_1_z*t33 + B_2_z*m_r_2 + B_2_z*t37 + B_3_z*m_r_3 + B_3_z*t41 + B_4_z*m_r_4 + B_4_z*t45
-        + B_5_z*m_r_5 + B_5_z*t49 + B_6_z*m_r_6 + B_6_z*t53 - t172 - t173 - t174 - t175 - t176 - t177;
-    const lane h_rx_u_y = M_p_y_rx - t221;
-    const lane t222 =
+        + B_5_z*m_r_5 + B_5_z*t49 + B_6_z*m_r_6 + B_6_z*t53 - t177 - t178 - t179 - t180 - t181 - t182;
+    const lane h_rx_u_y = M_p_y_rx - t232;
+    const lane t233 =
         B_1_y*m_r_1 + B_1_y*t33 + B_2_y*m_r_2 + B_2_y*t37 + B_3_y*m_r_3 + B_3_y*t41 + B_4_y*m_r_4 + B_4_y*t45
-        + B_5_y*m_r_5 + B_5_y*t49 + B_6_y*m_r_6 + B_6_y*t53 - t179 - t180 - t181 - t182 - t183 - t184;
-    const lane h_rx_u_z = M_p_z_rx + t222;
+        + B_5_y*m_r_5 + B_5_y*t49 + B_6_y*m_r_6 + B_6_y*t53 - t185 - t186 - t187 - t188 - t189 - t190;
+    const lane h_rx_u_z = M_p_z_rx + t233;
     const lane h_ry_l_1 =
         D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry;
     const lane h_ry_l_2 =
@@ -2796,11 +2820,11 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
         D_p_rx_5*M_p_rx_ry + D_p_ry_5*M_p_ry_ry + D_p_rz_5*M_p_ry_rz + D_p_x_5*M_p_x_ry + D_p_z_5*M_p_z_ry;
     const lane h_ry_l_6 =
         D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry;
-    const lane h_ry_u_x = M_p_x_ry + t221;
-    const lane t223 =
+    const lane h_ry_u_x = M_p_x_ry + t232;
+    const lane t234 =
         B_1_x*m_r_1 + B_1_x*t33 + B_2_x*m_r_2 + B_2_x*t37 + B_3_x*m_r_3 + B_3_x*t41 + B_4_x*m_r_4 + B_4_x*t45
-        + B_5_x*m_r_5 + B_5_x*t49 + B_6_x*m_r_6 + B_6_x*t53 - t186 - t187 - t188 - t189 - t190 - t191;
-    const lane h_ry_u_z = M_p_z_ry - t223;
+        + B_5_x*m_r_5 + B_5_x*t49 + B_6_x*m_r_6 + B_6_x*t53 - t193 - t194 - t195 - t196 - t197 - t198;
+    const lane h_ry_u_z = M_p_z_ry - t234;
     const lane h_rz_l_1 =
         D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz;
     const lane h_rz_l_2 =
@@ -2813,24 +2837,24 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
         D_p_rx_5*M_p_rx_rz + D_p_ry_5*M_p_ry_rz + D_p_rz_5*M_p_rz_rz + D_p_x_5*M_p_x_rz + D_p_y_5*M_p_y_rz;
     const lane h_rz_l_6 =
         D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz;
-    const lane h_rz_u_x = M_p_x_rz - t222;
-    const lane h_rz_u_y = M_p_y_rz + t223;
-    const lane t224 = m_F + m_b_1 + m_b_2 + m_b_3 + m_b_4 + m_b_5 + m_b_6 - t33 - t37 - t41 - t45 - t49 - t53;
-    const lane t225 = D_p_x_1*k_C;
-    const lane t226 = D_p_y_1*k_C;
-    const lane t227 = D_p_z_1*k_C;
-    const lane t228 = D_p_x_2*k_C;
-    const lane t229 = D_p_y_2*k_C;
-    const lane t230 = D_p_z_2*k_C;
-    const lane t231 = D_p_x_3*k_C;
-    const lane t232 = D_p_y_3*k_C;
-    const lane t233 = D_p_z_3*k_C;
-    const lane t234 = D_p_x_4*k_C;
-    const lane t235 = D_p_y_4*k_C;
-    const lane t236 = D_p_z_4*k_C;
-    const lane t237 = D_p_x_5*k_C;
-    const lane t238 = D_p_y_5*k_C;
-    const lane t239 = D_p_z_5*k_C;
+    const lane h_rz_u_x = M_p_x_rz - t233;
+    const lane h_rz_u_y = M_p_y_rz + t234;
+    const lane t235 = m_F + m_b_1 + m_b_2 + m_b_3 + m_b_4 + m_b_5 + m_b_6 - t33 - t37 - t41 - t45 - t49 - t53;
+    const lane t236 = D_p_x_1*k_C;
+    const lane t237 = D_p_y_1*k_C;
+    const lane t238 = D_p_z_1*k_C;
+    const lane t239 = D_p_x_2*k_C;
+    const lane t240 = D_p_y_2*k_C;
+    const lane t241 = D_p_z_2*k_C;
+    const lane t242 = D_p_x_3*k_C;
+    const lane t243 = D_p_y_3*k_C;
+    const lane t244 = D_p_z_3*k_C;
+    const lane t245 = D_p_x_4*k_C;
+    const lane t246 = D_p_y_4*k_C;
+    const lane t247 = D_p_z_4*k_C;
+    const lane t248 = D_p_x_5*k_C;
+    const lane t249 = D_p_y_5*k_C;
+    const lane t250 = D_p_z_5*k_C;
     lanes_clear(M, 225);
     M[0] =
         LANES(D_p_rx_1*h_rx_l_1 + D_p_ry_1*h_ry_l_1 + D_p_rz_1*h_rz_l_1 + D_p_x_1*h_x_l_1 + D_p_y_1*h_y_l_1
@@ -2850,9 +2874,9 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     M[5] = M[75] =
         LANES(D_p_rx_1*h_rx_l_6 + D_p_ry_1*h_ry_l_6 + D_p_rz_1*h_rz_l_6 + D_p_x_1*h_x_l_6 + D_p_y_1*h_y_l_6
         + D_p_z_1*h_z_l_6);
-    M[12] = M[180] = LANES(D_p_ry_1*h_ry_u_x + D_p_rz_1*h_rz_u_x + D_p_x_1*h_x_u_x - d_1_x*t130);
-    M[13] = M[195] = LANES(D_p_rx_1*h_rx_u_y + D_p_rz_1*h_rz_u_y + D_p_y_1*h_y_u_y - d_1_y*t130);
-    M[14] = M[210] = LANES(D_p_rx_1*h_rx_u_z + D_p_ry_1*h_ry_u_z + D_p_z_1*h_z_u_z - d_1_z*t130);
+    M[12] = M[180] = LANES(D_p_ry_1*h_ry_u_x + D_p_rz_1*h_rz_u_x + D_p_x_1*h_x_u_x - d_1_x*t135);
+    M[13] = M[195] = LANES(D_p_rx_1*h_rx_u_y + D_p_rz_1*h_rz_u_y + D_p_y_1*h_y_u_y - d_1_y*t135);
+    M[14] = M[210] = LANES(D_p_rx_1*h_rx_u_z + D_p_ry_1*h_ry_u_z + D_p_z_1*h_z_u_z - d_1_z*t135);
     M[16] =
         LANES(D_p_rx_2*h_rx_l_2 + D_p_ry_2*h_ry_l_2 + D_p_rz_2*h_rz_l_2 + D_p_x_2*h_x_l_2 + D_p_y_2*h_y_l_2
         + D_p_z_2*h_z_l_2 - m_perp_2 + m_r_2);
@@ -2868,9 +2892,9 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     M[20] = M[76] =
         LANES(D_p_rx_2*h_rx_l_6 + D_p_ry_2*h_ry_l_6 + D_p_rz_2*h_rz_l_6 + D_p_x_2*h_x_l_6 + D_p_y_2*h_y_l_6
         + D_p_z_2*h_z_l_6);
-    M[27] = M[181] = LANES(D_p_ry_2*h_ry_u_x + D_p_rz_2*h_rz_u_x + D_p_x_2*h_x_u_x - d_2_x*t132);
-    M[28] = M[196] = LANES(D_p_rx_2*h_rx_u_y + D_p_rz_2*h_rz_u_y + D_p_y_2*h_y_u_y - d_2_y*t132);
-    M[29] = M[211] = LANES(D_p_rx_2*h_rx_u_z + D_p_ry_2*h_ry_u_z + D_p_z_2*h_z_u_z - d_2_z*t132);
+    M[27] = M[181] = LANES(D_p_ry_2*h_ry_u_x + D_p_rz_2*h_rz_u_x + D_p_x_2*h_x_u_x - d_2_x*t137);
+    M[28] = M[196] = LANES(D_p_rx_2*h_rx_u_y + D_p_rz_2*h_rz_u_y + D_p_y_2*h_y_u_y - d_2_y*t137);
+    M[29] = M[211] = LANES(D_p_rx_2*h_rx_u_z + D_p_ry_2*h_ry_u_z + D_p_z_2*h_z_u_z - d_2_z*t137);
     M[32] =
         LANES(D_p_rx_3*h_rx_l_3 + D_p_ry_3*h_ry_l_3 + D_p_rz_3*h_rz_l_3 + D_p_x_3*h_x_l_3 + D_p_y_3*h_y_l_3
         + D_p_z_3*h_z_l_3 - m_perp_3 + m_r_3);
@@ -2883,9 +2907,9 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     M[35] = M[77] =
         LANES(D_p_rx_3*h_rx_l_6 + D_p_ry_3*h_ry_l_6 + D_p_rz_3*h_rz_l_6 + D_p_x_3*h_x_l_6 + D_p_y_3*h_y_l_6
         + D_p_z_3*h_z_l_6);
-    M[42] = M[182] = LANES(D_p_ry_3*h_ry_u_x + D_p_rz_3*h_rz_u_x + D_p_x_3*h_x_u_x - d_3_x*t134);
-    M[43] = M[197] = LANES(D_p_rx_3*h_rx_u_y + D_p_rz_3*h_rz_u_y + D_p_y_3*h_y_u_y - d_3_y*t134);
-    M[44] = M[212] = LANES(D_p_rx_3*h_rx_u_z + D_p_ry_3*h_ry_u_z + D_p_z_3*h_z_u_z - d_3_z*t134);
+    M[42] = M[182] = LANES(D_p_ry_3*h_ry_u_x + D_p_rz_3*h_rz_u_x + D_p_x_3*h_x_u_x - d_3_x*t139);
+    M[43] = M[197] = LANES(D_p_rx_3*h_rx_u_y + D_p_rz_3*h_rz_u_y + D_p_y_3*h_y_u_y - d_3_y*t139);
+    M[44] = M[212] = LANES(D_p_rx_3*h_rx_u_z + D_p_ry_3*h_ry_u_z + D_p_z_3*h_z_u_z - d_3_z*t139);
     M[48] =
         LANES(D_p_rx_4*h_rx_l_4 + D_p_ry_4*h_ry_l_4 + D_p_rz_4*h_rz_l_4 + D_p_x_4*h_x_l_4 + D_p_y_4*h_y_l_4
         + D_p_z_4*h_z_l_4 - m_perp_4 + m_r_4);
@@ -2895,143 +2919,143 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     M[50] = M[78] =
         LANES(D_p_rx_4*h_rx_l_6 + D_p_ry_4*h_ry_l_6 + D_p_rz_4*h_rz_l_6 + D_p_x_4*h_x_l_6 + D_p_y_4*h_y_l_6
         + D_p_z_4*h_z_l_6);
-    M[57] = M[183] = LANES(D_p_ry_4*h_ry_u_x + D_p_rz_4*h_rz_u_x + D_p_x_4*h_x_u_x - d_4_x*t136);
-    M[58] = M[198] = LANES(D_p_rx_4*h_rx_u_y + D_p_rz_4*h_rz_u_y + D_p_y_4*h_y_u_y - d_4_y*t136);
-    M[59] = M[213] = LANES(D_p_rx_4*h_rx_u_z + D_p_ry_4*h_ry_u_z + D_p_z_4*h_z_u_z - d_4_z*t136);
+    M[57] = M[183] = LANES(D_p_ry_4*h_ry_u_x + D_p_rz_4*h_rz_u_x + D_p_x_4*h_x_u_x - d_4_x*t141);
+    M[58] = M[198] = LANES(D_p_rx_4*h_rx_u_y + D_p_rz_4*h_rz_u_y + D_p_y_4*h_y_u_y - d_4_y*t141);
+    M[59] = M[213] = LANES(D_p_rx_4*h_rx_u_z + D_p_ry_4*h_ry_u_z + D_p_z_4*h_z_u_z - d_4_z*t141);
     M[64] =
         LANES(D_p_rx_5*h_rx_l_5 + D_p_ry_5*h_ry_l_5 + D_p_rz_5*h_rz_l_5 + D_p_x_5*h_x_l_5 + D_p_y_5*h_y_l_5
         + D_p_z_5*h_z_l_5 - m_perp_5 + m_r_5);
     M[65] = M[79] =
         LANES(D_p_rx_5*h_rx_l_6 + D_p_ry_5*h_ry_l_6 + D_p_rz_5*h_rz_l_6 + D_p_x_5*h_x_l_6 + D_p_y_5*h_y_l_6
         + D_p_z_5*h_z_l_6);
-    M[72] = M[184] = LANES(D_p_ry_5*h_ry_u_x + D_p_rz_5*h_rz_u_x + D_p_x_5*h_x_u_x - d_5_x*t138);
-    M[73] = M[199] = LANES(D_p_rx_5*h_rx_u_y + D_p_rz_5*h_rz_u_y + D_p_y_5*h_y_u_y - d_5_y*t138);
-    M[74] = M[214] = LANES(D_p_rx_5*h_rx_u_z + D_p_ry_5*h_ry_u_z + D_p_z_5*h_z_u_z - d_5_z*t138);
+    M[72] = M[184] = LANES(D_p_ry_5*h_ry_u_x + D_p_rz_5*h_rz_u_x + D_p_x_5*h_x_u_x - d_5_x*t143);
+    M[73] = M[199] = LANES(D_p_rx_5*h_rx_u_y + D_p_rz_5*h_rz_u_y + D_p_y_5*h_y_u_y - d_5_y*t143);
+    M[74] = M[214] = LANES(D_p_rx_5*h_rx_u_z + D_p_ry_5*h_ry_u_z + D_p_z_5*h_z_u_z - d_5_z*t143);
     M[80] =
         LANES(D_p_rx_6*h_rx_l_6 + D_p_ry_6*h_ry_l_6 + D_p_rz_6*h_rz_l_6 + D_p_x_6*h_x_l_6 + D_p_y_6*h_y_l_6
         + D_p_z_6*h_z_l_6 - m_perp_6 + m_r_6);
-    M[87] = M[185] = LANES(D_p_ry_6*h_ry_u_x + D_p_rz_6*h_rz_u_x + D_p_x_6*h_x_u_x - d_6_x*t140);
-    M[88] = M[200] = LANES(D_p_rx_6*h_rx_u_y + D_p_rz_6*h_rz_u_y + D_p_y_6*h_y_u_y - d_6_y*t140);
-    M[89] = M[215] = LANES(D_p_rx_6*h_rx_u_z + D_p_ry_6*h_ry_u_z + D_p_z_6*h_z_u_z - d_6_z*t140);
+    M[87] = M[185] = LANES(D_p_ry_6*h_ry_u_x + D_p_rz_6*h_rz_u_x + D_p_x_6*h_x_u_x - d_6_x*t145);
+    M[88] = M[200] = LANES(D_p_rx_6*h_rx_u_y + D_p_rz_6*h_rz_u_y + D_p_y_6*h_y_u_y - d_6_y*t145);
+    M[89] = M[215] = LANES(D_p_rx_6*h_rx_u_z + D_p_ry_6*h_ry_u_z + D_p_z_6*h_z_u_z - d_6_z*t145);
     M[96] = LANES(I_G + I_m_1/(h_m_1*h_m_1));
     M[112] = LANES(I_G + I_m_2/(h_m_2*h_m_2));
     M[128] = LANES(I_G + I_m_3/(h_m_3*h_m_3));
     M[144] = LANES(I_G + I_m_4/(h_m_4*h_m_4));
     M[160] = LANES(I_G + I_m_5/(h_m_5*h_m_5));
     M[176] = LANES(I_G + I_m_6/(h_m_6*h_m_6));
-    M[192] = LANES(h_x_u_x + t224);
-    M[208] = LANES(h_y_u_y + t224);
-    M[224] = LANES(h_z_u_z + t224);
+    M[192] = LANES(h_x_u_x + t235);
+    M[208] = LANES(h_y_u_y + t235);
+    M[224] = LANES(h_z_u_z + t235);
     lanes_clear(K, 225);
     K[0] =
-        LANES(D_p_rx_1*f_rx_l_1 - D_p_rx_1*t154 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t160 + D_p_rz_1*f_rz_l_1
-        - D_p_rz_1*t166 + (D_p_x_1*D_p_x_1)*k_C + D_p_x_1*f_x_l_1 + D_p_x_1*t131 + (D_p_y_1*D_p_y_1)*k_C
-        + D_p_y_1*f_y_l_1 + D_p_y_1*t142 + (D_p_z_1*D_p_z_1)*k_C + D_p_z_1*f_z_l_1 + D_p_z_1*t148 + k_1
+        LANES(D_p_rx_1*f_rx_l_1 - D_p_rx_1*t159 + D_p_ry_1*f_ry_l_1 - D_p_ry_1*t165 + D_p_rz_1*f_rz_l_1
+        - D_p_rz_1*t171 + (D_p_x_1*D_p_x_1)*k_C + D_p_x_1*f_x_l_1 + D_p_x_1*t136 + (D_p_y_1*D_p_y_1)*k_C
+        + D_p_y_1*f_y_l_1 + D_p_y_1*t147 + (D_p_z_1*D_p_z_1)*k_C + D_p_z_1*f_z_l_1 + D_p_z_1*t153 + k_1
         + mu_1 + 2.0*t32*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/(l_1*l_1*l_1));
     K[1] = K[15] =
-        LANES(D_p_rx_1*f_rx_l_2 - D_p_rx_2*t154 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t160 + D_p_rz_1*f_rz_l_2
-        - D_p_rz_2*t166 + D_p_x_1*f_x_l_2 + D_p_x_2*t131 + D_p_x_2*t225 + D_p_y_1*f_y_l_2 + D_p_y_2*t142
-        + D_p_y_2*t226 + D_p_z_1*f_z_l_2 + D_p_z_2*t148 + D_p_z_2*t227);
+        LANES(D_p_rx_1*f_rx_l_2 - D_p_rx_2*t159 + D_p_ry_1*f_ry_l_2 - D_p_ry_2*t165 + D_p_rz_1*f_rz_l_2
+        - D_p_rz_2*t171 + D_p_x_1*f_x_l_2 + D_p_x_2*t136 + D_p_x_2*t236 + D_p_y_1*f_y_l_2 + D_p_y_2*t147
+        + D_p_y_2*t237 + D_p_z_1*f_z_l_2 + D_p_z_2*t153 + D_p_z_2*t238);
     K[2] = K[30] =
-        LANES(D_p_rx_1*f_rx_l_3 - D_p_rx_3*t154 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t160 + D_p_rz_1*f_rz_l_3
-        - D_p_rz_3*t166 + D_p_x_1*f_x_l_3 + D_p_x_3*t131 + D_p_x_3*t225 + D_p_y_1*f_y_l_3 + D_p_y_3*t142
-        + D_p_y_3*t226 + D_p_z_1*f_z_l_3 + D_p_z_3*t148 + D_p_z_3*t227);
+        LANES(D_p_rx_1*f_rx_l_3 - D_p_rx_3*t159 + D_p_ry_1*f_ry_l_3 - D_p_ry_3*t165 + D_p_rz_1*f_rz_l_3
+        - D_p_rz_3*t171 + D_p_x_1*f_x_l_3 + D_p_x_3*t136 + D_p_x_3*t236 + D_p_y_1*f_y_l_3 + D_p_y_3*t147
+        + D_p_y_3*t237 + D_p_z_1*f_z_l_3 + D_p_z_3*t153 + D_p_z_3*t238);
     K[3] = K[45] =
-        LANES(D_p_rx_1*f_rx_l_4 - D_p_rx_4*t154 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t160 + D_p_rz_1*f_rz_l_4
-        - D_p_rz_4*t166 + D_p_x_1*f_x_l_4 + D_p_x_4*t131 + D_p_x_4*t225 + D_p_y_1*f_y_l_4 + D_p_y_4*t142
-        + D_p_y_4*t226 + D_p_z_1*f_z_l_4 + D_p_z_4*t148 + D_p_z_4*t227);
+        LANES(D_p_rx_1*f_rx_l_4 - D_p_rx_4*t159 + D_p_ry_1*f_ry_l_4 - D_p_ry_4*t165 + D_p_rz_1*f_rz_l_4
+        - D_p_rz_4*t171 + D_p_x_1*f_x_l_4 + D_p_x_4*t136 + D_p_x_4*t236 + D_p_y_1*f_y_l_4 + D_p_y_4*t147
+        + D_p_y_4*t237 + D_p_z_1*f_z_l_4 + D_p_z_4*t153 + D_p_z_4*t238);
     K[4] = K[60] =
-        LANES(D_p_rx_1*f_rx_l_5 - D_p_rx_5*t154 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t160 + D_p_rz_1*f_rz_l_5
-        - D_p_rz_5*t166 + D_p_x_1*f_x_l_5 + D_p_x_5*t131 + D_p_x_5*t225 + D_p_y_1*f_y_l_5 + D_p_y_5*t142
-        + D_p_y_5*t226 + D_p_z_1*f_z_l_5 + D_p_z_5*t148 + D_p_z_5*t227);
+        LANES(D_p_rx_1*f_rx_l_5 - D_p_rx_5*t159 + D_p_ry_1*f_ry_l_5 - D_p_ry_5*t165 + D_p_rz_1*f_rz_l_5
+        - D_p_rz_5*t171 + D_p_x_1*f_x_l_5 + D_p_x_5*t136 + D_p_x_5*t236 + D_p_y_1*f_y_l_5 + D_p_y_5*t147
+        + D_p_y_5*t237 + D_p_z_1*f_z_l_5 + D_p_z_5*t153 + D_p_z_5*t238);
     K[5] = K[75] =
-        LANES(D_p_rx_1*f_rx_l_6 - D_p_rx_6*t154 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t160 + D_p_rz_1*f_rz_l_6
-        - D_p_rz_6*t166 + D_p_x_1*f_x_l_6 + D_p_x_6*t131 + D_p_x_6*t225 + D_p_y_1*f_y_l_6 + D_p_y_6*t142
-        + D_p_y_6*t226 + D_p_z_1*f_z_l_6 + D_p_z_6*t148 + D_p_z_6*t227);
+        LANES(D_p_rx_1*f_rx_l_6 - D_p_rx_6*t159 + D_p_ry_1*f_ry_l_6 - D_p_ry_6*t165 + D_p_rz_1*f_rz_l_6
+        - D_p_rz_6*t171 + D_p_x_1*f_x_l_6 + D_p_x_6*t136 + D_p_x_6*t236 + D_p_y_1*f_y_l_6 + D_p_y_6*t147
+        + D_p_y_6*t237 + D_p_z_1*f_z_l_6 + D_p_z_6*t153 + D_p_z_6*t238);
     K[6] = K[90] = LANES(-k_1);
-    K[12] = K[180] = LANES(t225);
-    K[13] = K[195] = LANES(t226);
-    K[14] = K[210] = LANES(t227);
+    K[12] = K[180] = LANES(t236);
+    K[13] = K[195] = LANES(t237);
+    K[14] = K[210] = LANES(t238);
     K[16] =
-        LANES(D_p_rx_2*f_rx_l_2 - D_p_rx_2*t155 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t161 + D_p_rz_2*f_rz_l_2
-        - D_p_rz_2*t167 + (D_p_x_2*D_p_x_2)*k_C + D_p_x_2*f_x_l_2 + D_p_x_2*t133 + (D_p_y_2*D_p_y_2)*k_C
-        + D_p_y_2*f_y_l_2 + D_p_y_2*t143 + (D_p_z_2*D_p_z_2)*k_C + D_p_z_2*f_z_l_2 + D_p_z_2*t149 + k_2
+        LANES(D_p_rx_2*f_rx_l_2 - D_p_rx_2*t160 + D_p_ry_2*f_ry_l_2 - D_p_ry_2*t166 + D_p_rz_2*f_rz_l_2
+        - D_p_rz_2*t172 + (D_p_x_2*D_p_x_2)*k_C + D_p_x_2*f_x_l_2 + D_p_x_2*t138 + (D_p_y_2*D_p_y_2)*k_C
+        + D_p_y_2*f_y_l_2 + D_p_y_2*t148 + (D_p_z_2*D_p_z_2)*k_C + D_p_z_2*f_z_l_2 + D_p_z_2*t154 + k_2
         + mu_2 + 2.0*t36*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/(l_2*l_2*l_2));
     K[17] = K[31] =
-        LANES(D_p_rx_2*f_rx_l_3 - D_p_rx_3*t155 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t161 + D_p_rz_2*f_rz_l_3
-        - D_p_rz_3*t167 + D_p_x_2*f_x_l_3 + D_p_x_3*t133 + D_p_x_3*t228 + D_p_y_2*f_y_l_3 + D_p_y_3*t143
-        + D_p_y_3*t229 + D_p_z_2*f_z_l_3 + D_p_z_3*t149 + D_p_z_3*t230);
+        LANES(D_p_rx_2*f_rx_l_3 - D_p_rx_3*t160 + D_p_ry_2*f_ry_l_3 - D_p_ry_3*t166 + D_p_rz_2*f_rz_l_3
+        - D_p_rz_3*t172 + D_p_x_2*f_x_l_3 + D_p_x_3*t138 + D_p_x_3*t239 + D_p_y_2*f_y_l_3 + D_p_y_3*t148
+        + D_p_y_3*t240 + D_p_z_2*f_z_l_3 + D_p_z_3*t154 + D_p_z_3*t241);
     K[18] = K[46] =
-        LANES(D_p_rx_2*f_rx_l_4 - D_p_rx_4*t155 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t161 + D_p_rz_2*f_rz_l_4
-        - D_p_rz_4*t167 + D_p_x_2*f_x_l_4 + D_p_x_4*t133 + D_p_x_4*t228 + D_p_y_2*f_y_l_4 + D_p_y_4*t143
-        + D_p_y_4*t229 + D_p_z_2*f_z_l_4 + D_p_z_4*t149 + D_p_z_4*t230);
+        LANES(D_p_rx_2*f_rx_l_4 - D_p_rx_4*t160 + D_p_ry_2*f_ry_l_4 - D_p_ry_4*t166 + D_p_rz_2*f_rz_l_4
+        - D_p_rz_4*t172 + D_p_x_2*f_x_l_4 + D_p_x_4*t138 + D_p_x_4*t239 + D_p_y_2*f_y_l_4 + D_p_y_4*t148
+        + D_p_y_4*t240 + D_p_z_2*f_z_l_4 + D_p_z_4*t154 + D_p_z_4*t241);
     K[19] = K[61] =
-        LANES(D_p_rx_2*f_rx_l_5 - D_p_rx_5*t155 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t161 + D_p_rz_2*f_rz_l_5
-        - D_p_rz_5*t167 + D_p_x_2*f_x_l_5 + D_p_x_5*t133 + D_p_x_5*t228 + D_p_y_2*f_y_l_5 + D_p_y_5*t143
-        + D_p_y_5*t229 + D_p_z_2*f_z_l_5 + D_p_z_5*t149 + D_p_z_5*t230);
+        LANES(D_p_rx_2*f_rx_l_5 - D_p_rx_5*t160 + D_p_ry_2*f_ry_l_5 - D_p_ry_5*t166 + D_p_rz_2*f_rz_l_5
+        - D_p_rz_5*t172 + D_p_x_2*f_x_l_5 + D_p_x_5*t138 + D_p_x_5*t239 + D_p_y_2*f_y_l_5 + D_p_y_5*t148
+        + D_p_y_5*t240 + D_p_z_2*f_z_l_5 + D_p_z_5*t154 + D_p_z_5*t241);
     K[20] = K[76] =
-        LANES(D_p_rx_2*f_rx_l_6 - D_p_rx_6*t155 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t161 + D_p_rz_2*f_rz_l_6
-        - D_p_rz_6*t167 + D_p_x_2*f_x_l_6 + D_p_x_6*t133 + D_p_x_6*t228 + D_p_y_2*f_y_l_6 + D_p_y_6*t143
-        + D_p_y_6*t229 + D_p_z_2*f_z_l_6 + D_p_z_6*t149 + D_p_z_6*t230);
+        LANES(D_p_rx_2*f_rx_l_6 - D_p_rx_6*t160 + D_p_ry_2*f_ry_l_6 - D_p_ry_6*t166 + D_p_rz_2*f_rz_l_6
+        - D_p_rz_6*t172 + D_p_x_2*f_x_l_6 + D_p_x_6*t138 + D_p_x_6*t239 + D_p_y_2*f_y_l_6 + D_p_y_6*t148
+        + D_p_y_6*t240 + D_p_z_2*f_z_l_6 + D_p_z_6*t154 + D_p_z_6*t241);
     K[22] = K[106] = LANES(-k_2);
-    K[27] = K[181] = LANES(t228);
-    K[28] = K[196] = LANES(t229);
-    K[29] = K[211] = LANES(t230);
+    K[27] = K[181] = LANES(t239);
+    K[28] = K[196] = LANES(t240);
+    K[29] = K[211] = LANES(t241);
     K[32] =
-        LANES(D_p_rx_3*f_rx_l_3 - D_p_rx_3*t156 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t162 + D_p_rz_3*f_rz_l_3
-        - D_p_rz_3*t168 + (D_p_x_3*D_p_x_3)*k_C + D_p_x_3*f_x_l_3 + D_p_x_3*t135 + (D_p_y_3*D_p_y_3)*k_C
-        + D_p_y_3*f_y_l_3 + D_p_y_3*t144 + (D_p_z_3*D_p_z_3)*k_C + D_p_z_3*f_z_l_3 + D_p_z_3*t150 + k_3
+        LANES(D_p_rx_3*f_rx_l_3 - D_p_rx_3*t161 + D_p_ry_3*f_ry_l_3 - D_p_ry_3*t167 + D_p_rz_3*f_rz_l_3
+        - D_p_rz_3*t173 + (D_p_x_3*D_p_x_3)*k_C + D_p_x_3*f_x_l_3 + D_p_x_3*t140 + (D_p_y_3*D_p_y_3)*k_C
+        + D_p_y_3*f_y_l_3 + D_p_y_3*t149 + (D_p_z_3*D_p_z_3)*k_C + D_p_z_3*f_z_l_3 + D_p_z_3*t155 + k_3
         + mu_3 + 2.0*t40*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/(l_3*l_3*l_3));
     K[33] = K[47] =
-        LANES(D_p_rx_3*f_rx_l_4 - D_p_rx_4*t156 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t162 + D_p_rz_3*f_rz_l_4
-        - D_p_rz_4*t168 + D_p_x_3*f_x_l_4 + D_p_x_4*t135 + D_p_x_4*t231 + D_p_y_3*f_y_l_4 + D_p_y_4*t144
-        + D_p_y_4*t232 + D_p_z_3*f_z_l_4 + D_p_z_4*t150 + D_p_z_4*t233);
+        LANES(D_p_rx_3*f_rx_l_4 - D_p_rx_4*t161 + D_p_ry_3*f_ry_l_4 - D_p_ry_4*t167 + D_p_rz_3*f_rz_l_4
+        - D_p_rz_4*t173 + D_p_x_3*f_x_l_4 + D_p_x_4*t140 + D_p_x_4*t242 + D_p_y_3*f_y_l_4 + D_p_y_4*t149
+        + D_p_y_4*t243 + D_p_z_3*f_z_l_4 + D_p_z_4*t155 + D_p_z_4*t244);
     K[34] = K[62] =
-        LANES(D_p_rx_3*f_rx_l_5 - D_p_rx_5*t156 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t162 + D_p_rz_3*f_rz_l_5
-        - D_p_rz_5*t168 + D_p_x_3*f_x_l_5 + D_p_x_5*t135 + D_p_x_5*t231 + D_p_y_3*f_y_l_5 + D_p_y_5*t144
-        + D_p_y_5*t232 + D_p_z_3*f_z_l_5 + D_p_z_5*t150 + D_p_z_5*t233);
+        LANES(D_p_rx_3*f_rx_l_5 - D_p_rx_5*t161 + D_p_ry_3*f_ry_l_5 - D_p_ry_5*t167 + D_p_rz_3*f_rz_l_5
+        - D_p_rz_5*t173 + D_p_x_3*f_x_l_5 + D_p_x_5*t140 + D_p_x_5*t242 + D_p_y_3*f_y_l_5 + D_p_y_5*t149
+        + D_p_y_5*t243 + D_p_z_3*f_z_l_5 + D_p_z_5*t155 + D_p_z_5*t244);
     K[35] = K[77] =
-        LANES(D_p_rx_3*f_rx_l_6 - D_p_rx_6*t156 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t162 + D_p_rz_3*f_rz_l_6
-        - D_p_rz_6*t168 + D_p_x_3*f_x_l_6 + D_p_x_6*t135 + D_p_x_6*t231 + D_p_y_3*f_y_l_6 + D_p_y_6*t144
-        + D_p_y_6*t232 + D_p_z_3*f_z_l_6 + D_p_z_6*t150 + D_p_z_6*t233);
+        LANES(D_p_rx_3*f_rx_l_6 - D_p_rx_6*t161 + D_p_ry_3*f_ry_l_6 - D_p_ry_6*t167 + D_p_rz_3*f_rz_l_6
+        - D_p_rz_6*t173 + D_p_x_3*f_x_l_6 + D_p_x_6*t140 + D_p_x_6*t242 + D_p_y_3*f_y_l_6 + D_p_y_6*t149
+        + D_p_y_6*t243 + D_p_z_3*f_z_l_6 + D_p_z_6*t155 + D_p_z_6*t244);
     K[38] = K[122] = LANES(-k_3);
-    K[42] = K[182] = LANES(t231);
-    K[43] = K[197] = LANES(t232);
-    K[44] = K[212] = LANES(t233);
+    K[42] = K[182] = LANES(t242);
+    K[43] = K[197] = LANES(t243);
+    K[44] = K[212] = LANES(t244);
     K[48] =
-        LANES(D_p_rx_4*f_rx_l_4 - D_p_rx_4*t157 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t163 + D_p_rz_4*f_rz_l_4
-        - D_p_rz_4*t169 + (D_p_x_4*D_p_x_4)*k_C + D_p_x_4*f_x_l_4 + D_p_x_4*t137 + (D_p_y_4*D_p_y_4)*k_C
-        + D_p_y_4*f_y_l_4 + D_p_y_4*t145 + (D_p_z_4*D_p_z_4)*k_C + D_p_z_4*f_z_l_4 + D_p_z_4*t151 + k_4
+        LANES(D_p_rx_4*f_rx_l_4 - D_p_rx_4*t162 + D_p_ry_4*f_ry_l_4 - D_p_ry_4*t168 + D_p_rz_4*f_rz_l_4
+        - D_p_rz_4*t174 + (D_p_x_4*D_p_x_4)*k_C + D_p_x_4*f_x_l_4 + D_p_x_4*t142 + (D_p_y_4*D_p_y_4)*k_C
+        + D_p_y_4*f_y_l_4 + D_p_y_4*t150 + (D_p_z_4*D_p_z_4)*k_C + D_p_z_4*f_z_l_4 + D_p_z_4*t156 + k_4
         + mu_4 + 2.0*t44*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/(l_4*l_4*l_4));
     K[49] = K[63] =
-        LANES(D_p_rx_4*f_rx_l_5 - D_p_rx_5*t157 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t163 + D_p_rz_4*f_rz_l_5
-        - D_p_rz_5*t169 + D_p_x_4*f_x_l_5 + D_p_x_5*t137 + D_p_x_5*t234 + D_p_y_4*f_y_l_5 + D_p_y_5*t145
-        + D_p_y_5*t235 + D_p_z_4*f_z_l_5 + D_p_z_5*t151 + D_p_z_5*t236);
+        LANES(D_p_rx_4*f_rx_l_5 - D_p_rx_5*t162 + D_p_ry_4*f_ry_l_5 - D_p_ry_5*t168 + D_p_rz_4*f_rz_l_5
+        - D_p_rz_5*t174 + D_p_x_4*f_x_l_5 + D_p_x_5*t142 + D_p_x_5*t245 + D_p_y_4*f_y_l_5 + D_p_y_5*t150
+        + D_p_y_5*t246 + D_p_z_4*f_z_l_5 + D_p_z_5*t156 + D_p_z_5*t247);
     K[50] = K[78] =
-        LANES(D_p_rx_4*f_rx_l_6 - D_p_rx_6*t157 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t163 + D_p_rz_4*f_rz_l_6
-        - D_p_rz_6*t169 + D_p_x_4*f_x_l_6 + D_p_x_6*t137 + D_p_x_6*t234 + D_p_y_4*f_y_l_6 + D_p_y_6*t145
-        + D_p_y_6*t235 + D_p_z_4*f_z_l_6 + D_p_z_6*t151 + D_p_z_6*t236);
+        LANES(D_p_rx_4*f_rx_l_6 - D_p_rx_6*t162 + D_p_ry_4*f_ry_l_6 - D_p_ry_6*t168 + D_p_rz_4*f_rz_l_6
+        - D_p_rz_6*t174 + D_p_x_4*f_x_l_6 + D_p_x_6*t142 + D_p_x_6*t245 + D_p_y_4*f_y_l_6 + D_p_y_6*t150
+        + D_p_y_6*t246 + D_p_z_4*f_z_l_6 + D_p_z_6*t156 + D_p_z_6*t247);
     K[54] = K[138] = LANES(-k_4);
-    K[57] = K[183] = LANES(t234);
-    K[58] = K[198] = LANES(t235);
-    K[59] = K[213] = LANES(t236);
+    K[57] = K[183] = LANES(t245);
+    K[58] = K[198] = LANES(t246);
+    K[59] = K[213] = LANES(t247);
     K[64] =
-        LANES(D_p_rx_5*f_rx_l_5 - D_p_rx_5*t158 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t164 + D_p_rz_5*f_rz_l_5
-        - D_p_rz_5*t170 + (D_p_x_5*D_p_x_5)*k_C + D_p_x_5*f_x_l_5 + D_p_x_5*t139 + (D_p_y_5*D_p_y_5)*k_C
-        + D_p_y_5*f_y_l_5 + D_p_y_5*t146 + (D_p_z_5*D_p_z_5)*k_C + D_p_z_5*f_z_l_5 + D_p_z_5*t152 + k_5
+        LANES(D_p_rx_5*f_rx_l_5 - D_p_rx_5*t163 + D_p_ry_5*f_ry_l_5 - D_p_ry_5*t169 + D_p_rz_5*f_rz_l_5
+        - D_p_rz_5*t175 + (D_p_x_5*D_p_x_5)*k_C + D_p_x_5*f_x_l_5 + D_p_x_5*t144 + (D_p_y_5*D_p_y_5)*k_C
+        + D_p_y_5*f_y_l_5 + D_p_y_5*t151 + (D_p_z_5*D_p_z_5)*k_C + D_p_z_5*f_z_l_5 + D_p_z_5*t157 + k_5
         + mu_5 + 2.0*t48*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/(l_5*l_5*l_5));
     K[65] = K[79] =
-        LANES(D_p_rx_5*f_rx_l_6 - D_p_rx_6*t158 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t164 + D_p_rz_5*f_rz_l_6
-        - D_p_rz_6*t170 + D_p_x_5*f_x_l_6 + D_p_x_6*t139 + D_p_x_6*t237 + D_p_y_5*f_y_l_6 + D_p_y_6*t146
-        + D_p_y_6*t238 + D_p_z_5*f_z_l_6 + D_p_z_6*t152 + D_p_z_6*t239);
+        LANES(D_p_rx_5*f_rx_l_6 - D_p_rx_6*t163 + D_p_ry_5*f_ry_l_6 - D_p_ry_6*t169 + D_p_rz_5*f_rz_l_6
+        - D_p_rz_6*t175 + D_p_x_5*f_x_l_6 + D_p_x_6*t144 + D_p_x_6*t248 + D_p_y_5*f_y_l_6 + D_p_y_6*t151
+        + D_p_y_6*t249 + D_p_z_5*f_z_l_6 + D_p_z_6*t157 + D_p_z_6*t250);
     K[70] = K[154] = LANES(-k_5);
-    K[72] = K[184] = LANES(t237);
-    K[73] = K[199] = LANES(t238);
-    K[74] = K[214] = LANES(t239);
+    K[72] = K[184] = LANES(t248);
+    K[73] = K[199] = LANES(t249);
+    K[74] = K[214] = LANES(t250);
     K[80] =
-        LANES(D_p_rx_6*f_rx_l_6 - D_p_rx_6*t159 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t165 + D_p_rz_6*f_rz_l_6
-        - D_p_rz_6*t171 + (D_p_x_6*D_p_x_6)*k_C + D_p_x_6*f_x_l_6 + D_p_x_6*t141 + (D_p_y_6*D_p_y_6)*k_C
-        + D_p_y_6*f_y_l_6 + D_p_y_6*t147 + (D_p_z_6*D_p_z_6)*k_C + D_p_z_6*f_z_l_6 + D_p_z_6*t153 + k_6
+        LANES(D_p_rx_6*f_rx_l_6 - D_p_rx_6*t164 + D_p_ry_6*f_ry_l_6 - D_p_ry_6*t170 + D_p_rz_6*f_rz_l_6
+        - D_p_rz_6*t176 + (D_p_x_6*D_p_x_6)*k_C + D_p_x_6*f_x_l_6 + D_p_x_6*t146 + (D_p_y_6*D_p_y_6)*k_C
+        + D_p_y_6*f_y_l_6 + D_p_y_6*t152 + (D_p_z_6*D_p_z_6)*k_C + D_p_z_6*f_z_l_6 + D_p_z_6*t158 + k_6
         + mu_6 + 2.0*t52*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/(l_6*l_6*l_6));
     K[86] = K[170] = LANES(-k_6);
     K[87] = K[185] = LANES(D_p_x_6*k_C);
@@ -6385,7 +6409,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         const lane t495 = adjoint_m_perp_6*forward_20;
         const lane t496 = adjoint_R_z_y*forward_t6;
         const lane t497 = adjoint_R_y_z*forward_t6;
-        lanes_clear(gradient, 134);
+        lanes_clear(gradient, 140);
         gradient[0] =
             LANES(adjoint_G_p_rx*c_z*g_y + adjoint_G_p_rz*c_y*g_x + adjoint_M_p_x_x + adjoint_M_p_y_rz*c_x
             + adjoint_forward_t171*c_z + adjoint_forward_t178*c_y + (1.0/2.0)*adjoint_forward_t181
@@ -6539,22 +6563,22 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
         gradient[112] = LANES(-2.0*adjoint_forward_26/(h_m_4*h_m_4*h_m_4));
         gradient[113] = LANES(-2.0*adjoint_forward_27/(h_m_5*h_m_5*h_m_5));
         gradient[114] = LANES(-2.0*adjoint_forward_28/(h_m_6*h_m_6*h_m_6));
-        gradient[128] =
+        gradient[134] =
             LANES(adjoint_d_1_x + adjoint_d_2_x + adjoint_d_3_x + adjoint_d_4_x + adjoint_d_5_x
             + adjoint_d_6_x);
-        gradient[129] =
+        gradient[135] =
             LANES(adjoint_d_1_y + adjoint_d_2_y + adjoint_d_3_y + adjoint_d_4_y + adjoint_d_5_y
             + adjoint_d_6_y);
-        gradient[130] =
+        gradient[136] =
             LANES(adjoint_d_1_z + adjoint_d_2_z + adjoint_d_3_z + adjoint_d_4_z + adjoint_d_5_z
             + adjoint_d_6_z);
-        gradient[131] =
+        gradient[137] =
             LANES(2.0*adjoint_forward_t1*rot_x + adjoint_forward_t10*forward_t6
             + adjoint_forward_t11*forward_t7 + forward_t6*t473 + forward_t6*t474);
-        gradient[132] =
+        gradient[138] =
             LANES(adjoint_R_x_y*t1 + adjoint_R_y_x*forward_t10 + 2.0*adjoint_forward_t2*rot_y
             + adjoint_forward_t9*forward_t7 + rot_z*t496 + rot_z*t497);
-        gradient[133] =
+        gradient[139] =
             LANES(adjoint_R_x_z*forward_t10 + adjoint_R_z_x*t1 + 2.0*adjoint_forward_t3*rot_z
             + adjoint_forward_t8*forward_t7 + rot_y*t496 + rot_y*t497);
     }
@@ -6563,7 +6587,7 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.
  *
  * Source: reverse accumulation through extended.
- * 12012 operations; 2300367903017715 with every named value expanded.
+ * 12248 operations; 2302597931505445 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_gradient(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int modes, const lane *restrict shapes,
@@ -6687,6 +6711,9 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double a_S_6 = effects[5];
     const double k_C = effects[6];
     const double m_L = effects[9];
+    const double b_L_x = effects[10];
+    const double b_L_y = effects[11];
+    const double b_L_z = effects[12];
     const lane forward_t1 = (rot_x*rot_x);
     const lane forward_t2 = (rot_y*rot_y);
     const lane forward_t3 = (rot_z*rot_z);
@@ -6882,6 +6909,9 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const double forward_t52 = t54 - t55;
     const lane forward_t53 = forward_21*forward_t52;
     const lane m_lift_6 = forward_t53 + m_r_6;
+    const lane o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z;
+    const lane o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z;
+    const lane o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z;
     const lane D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y;
     const lane D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x;
     const lane D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x;
@@ -7281,20 +7311,26 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane G_p_z =
         -forward_t67*g_z - forward_t74 - forward_t75 - forward_t76 - forward_t77 - forward_t78 - forward_t79;
     const double forward_t80 = g_z*m_p;
+    const double forward_t81 = g_z*m_L;
     const lane G_p_rx =
         -B_1_y*forward_t74 + B_1_z*g_y*m_lift_1 - B_2_y*forward_t75 + B_2_z*g_y*m_lift_2 - B_3_y*forward_t76
         + B_3_z*g_y*m_lift_3 - B_4_y*forward_t77 + B_4_z*g_y*m_lift_4 - B_5_y*forward_t78
-        + B_5_z*g_y*m_lift_5 - B_6_y*forward_t79 + B_6_z*g_y*m_lift_6 - c_y*forward_t80 + c_z*g_y*m_p;
-    const double forward_t81 = g_x*m_p;
+        + B_5_z*g_y*m_lift_5 - B_6_y*forward_t79 + B_6_z*g_y*m_lift_6 - c_y*forward_t80 + c_z*g_y*m_p
+        - forward_t81*o_L_y + g_y*m_L*o_L_z;
+    const double forward_t82 = g_x*m_p;
+    const double forward_t83 = g_x*m_L;
     const lane G_p_ry =
         B_1_x*forward_t74 - B_1_z*forward_t61 + B_2_x*forward_t75 - B_2_z*forward_t62 + B_3_x*forward_t76
         - B_3_z*forward_t63 + B_4_x*forward_t77 - B_4_z*forward_t64 + B_5_x*forward_t78 - B_5_z*forward_t65
-        + B_6_x*forward_t79 - B_6_z*forward_t66 + c_x*forward_t80 - c_z*forward_t81;
-    const double forward_t82 = g_y*m_p;
+        + B_6_x*forward_t79 - B_6_z*forward_t66 + c_x*forward_t80 - c_z*forward_t82 + forward_t81*o_L_x
+        - forward_t83*o_L_z;
+    const double forward_t84 = g_y*m_p;
+    const double forward_t85 = g_y*m_L;
     const lane G_p_rz =
         -B_1_x*forward_t68 + B_1_y*g_x*m_lift_1 - B_2_x*forward_t69 + B_2_y*g_x*m_lift_2 - B_3_x*forward_t70
         + B_3_y*g_x*m_lift_3 - B_4_x*forward_t71 + B_4_y*g_x*m_lift_4 - B_5_x*forward_t72
-        + B_5_y*g_x*m_lift_5 - B_6_x*forward_t73 + B_6_y*g_x*m_lift_6 - c_x*forward_t82 + c_y*g_x*m_p;
+        + B_5_y*g_x*m_lift_5 - B_6_x*forward_t73 + B_6_y*g_x*m_lift_6 - c_x*forward_t84 + c_y*g_x*m_p
+        - forward_t85*o_L_x + g_x*m_L*o_L_y;
     const lane t56 = A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z;
     const lane mu_1 = forward_22*t56;
     const lane t57 = A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z;
@@ -7325,346 +7361,364 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane g_9_x = -d_6_x*mu_6 - forward_t66;
     const lane g_9_y = -d_6_y*mu_6 - forward_t73;
     const lane g_9_z = -d_6_z*mu_6 - forward_t79;
-    const double g_10_x = -forward_t81;
-    const double g_10_y = -forward_t82;
+    const double g_10_x = -forward_t82;
+    const double g_10_y = -forward_t84;
     const double g_10_z = -forward_t80;
+    const double g_11_x = -forward_t83;
+    const double g_11_y = -forward_t85;
+    const double g_11_z = -forward_t81;
     const lane L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6;
-    const lane forward_t83 = B_1_z*mu_1;
-    const lane forward_t84 = B_2_z*mu_2;
-    const lane forward_t85 = B_3_z*mu_3;
-    const lane forward_t86 = B_4_z*mu_4;
-    const lane forward_t87 = B_5_z*mu_5;
-    const lane forward_t88 = B_6_z*mu_6;
-    const lane L_y_rx = forward_t83 + forward_t84 + forward_t85 + forward_t86 + forward_t87 + forward_t88;
+    const lane forward_t86 = B_1_z*mu_1;
+    const lane forward_t87 = B_2_z*mu_2;
+    const lane forward_t88 = B_3_z*mu_3;
+    const lane forward_t89 = B_4_z*mu_4;
+    const lane forward_t90 = B_5_z*mu_5;
+    const lane forward_t91 = B_6_z*mu_6;
+    const lane L_y_rx = forward_t86 + forward_t87 + forward_t88 + forward_t89 + forward_t90 + forward_t91;
     const lane L_x_ry = -L_y_rx;
-    const lane forward_t89 = B_5_y*mu_5;
-    const lane forward_t90 = B_6_y*mu_6;
-    const lane forward_t91 = B_1_y*mu_1;
     const lane forward_t92 = B_2_y*mu_2;
     const lane forward_t93 = B_3_y*mu_3;
     const lane forward_t94 = B_4_y*mu_4;
-    const lane L_x_rz = forward_t89 + forward_t90 + forward_t91 + forward_t92 + forward_t93 + forward_t94;
+    const lane forward_t95 = B_5_y*mu_5;
+    const lane forward_t96 = B_6_y*mu_6;
+    const lane forward_t97 = B_1_y*mu_1;
+    const lane L_x_rz = forward_t92 + forward_t93 + forward_t94 + forward_t95 + forward_t96 + forward_t97;
     const lane L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6;
     const lane L_y_rz = -L_z_ry;
     const lane L_z_rx = -L_x_rz;
-    const lane forward_t95 = (B_1_z*B_1_z);
-    const lane forward_t96 = (B_2_z*B_2_z);
-    const lane forward_t97 = (B_3_z*B_3_z);
-    const lane forward_t98 = (B_4_z*B_4_z);
-    const lane forward_t99 = (B_5_z*B_5_z);
-    const lane forward_t100 = (B_6_z*B_6_z);
-    const lane forward_t101 =
+    const lane forward_t98 = (B_1_z*B_1_z);
+    const lane forward_t99 = (B_2_z*B_2_z);
+    const lane forward_t100 = (B_3_z*B_3_z);
+    const lane forward_t101 = (B_4_z*B_4_z);
+    const lane forward_t102 = (B_5_z*B_5_z);
+    const lane forward_t103 = (B_6_z*B_6_z);
+    const lane forward_t104 =
         B_1_z*g_4_z + B_2_z*g_5_z + B_3_z*g_6_z + B_4_z*g_7_z + B_5_z*g_8_z + B_6_z*g_9_z + c_z*g_10_z
-        + forward_t100*mu_6 + forward_t95*mu_1 + forward_t96*mu_2 + forward_t97*mu_3 + forward_t98*mu_4
-        + forward_t99*mu_5;
-    const lane forward_t102 = (B_1_y*B_1_y);
-    const lane forward_t103 = (B_2_y*B_2_y);
-    const lane forward_t104 = (B_3_y*B_3_y);
-    const lane forward_t105 = (B_4_y*B_4_y);
-    const lane forward_t106 = (B_5_y*B_5_y);
-    const lane forward_t107 = (B_6_y*B_6_y);
-    const lane forward_t108 =
+        + forward_t100*mu_3 + forward_t101*mu_4 + forward_t102*mu_5 + forward_t103*mu_6 + forward_t98*mu_1
+        + forward_t99*mu_2 + g_11_z*o_L_z;
+    const lane forward_t105 = (B_1_y*B_1_y);
+    const lane forward_t106 = (B_2_y*B_2_y);
+    const lane forward_t107 = (B_3_y*B_3_y);
+    const lane forward_t108 = (B_4_y*B_4_y);
+    const lane forward_t109 = (B_5_y*B_5_y);
+    const lane forward_t110 = (B_6_y*B_6_y);
+    const lane forward_t111 =
         B_1_y*g_4_y + B_2_y*g_5_y + B_3_y*g_6_y + B_4_y*g_7_y + B_5_y*g_8_y + B_6_y*g_9_y + c_y*g_10_y
-        + forward_t102*mu_1 + forward_t103*mu_2 + forward_t104*mu_3 + forward_t105*mu_4 + forward_t106*mu_5
-        + forward_t107*mu_6;
-    const lane L_rx_rx = -forward_t101 - forward_t108;
-    const lane forward_t109 = (1.0/2.0)*B_1_x;
-    const lane forward_t110 = (1.0/2.0)*g_4_x;
-    const lane forward_t111 = (1.0/2.0)*B_2_x;
-    const lane forward_t112 = (1.0/2.0)*g_5_x;
-    const lane forward_t113 = (1.0/2.0)*B_3_x;
-    const lane forward_t114 = (1.0/2.0)*g_6_x;
-    const lane forward_t115 = (1.0/2.0)*B_4_x;
-    const lane forward_t116 = (1.0/2.0)*g_7_x;
-    const lane forward_t117 = (1.0/2.0)*B_5_x;
-    const lane forward_t118 = (1.0/2.0)*g_8_x;
-    const lane forward_t119 = (1.0/2.0)*B_6_x;
-    const lane forward_t120 = (1.0/2.0)*g_9_x;
-    const lane forward_t121 = (1.0/2.0)*c_x;
-    const double forward_t122 = (1.0/2.0)*g_10_x;
+        + forward_t105*mu_1 + forward_t106*mu_2 + forward_t107*mu_3 + forward_t108*mu_4 + forward_t109*mu_5
+        + forward_t110*mu_6 + g_11_y*o_L_y;
+    const lane L_rx_rx = -forward_t104 - forward_t111;
+    const lane forward_t112 = (1.0/2.0)*B_1_x;
+    const lane forward_t113 = (1.0/2.0)*g_4_x;
+    const lane forward_t114 = (1.0/2.0)*B_2_x;
+    const lane forward_t115 = (1.0/2.0)*g_5_x;
+    const lane forward_t116 = (1.0/2.0)*B_3_x;
+    const lane forward_t117 = (1.0/2.0)*g_6_x;
+    const lane forward_t118 = (1.0/2.0)*B_4_x;
+    const lane forward_t119 = (1.0/2.0)*g_7_x;
+    const lane forward_t120 = (1.0/2.0)*B_5_x;
+    const lane forward_t121 = (1.0/2.0)*g_8_x;
+    const lane forward_t122 = (1.0/2.0)*B_6_x;
+    const lane forward_t123 = (1.0/2.0)*g_9_x;
+    const lane forward_t124 = (1.0/2.0)*c_x;
+    const double forward_t125 = (1.0/2.0)*g_10_x;
+    const double forward_t126 = (1.0/2.0)*g_11_x;
+    const lane forward_t127 = (1.0/2.0)*o_L_x;
     const lane L_rx_ry =
-        B_1_x*forward_t91 + B_1_y*forward_t110 + B_2_x*forward_t92 + B_2_y*forward_t112 + B_3_x*forward_t93
-        + B_3_y*forward_t114 + B_4_x*forward_t94 + B_4_y*forward_t116 + B_5_x*forward_t89
-        + B_5_y*forward_t118 + B_6_x*forward_t90 + B_6_y*forward_t120 + c_y*forward_t122 + forward_t109*g_4_y
-        + forward_t111*g_5_y + forward_t113*g_6_y + forward_t115*g_7_y + forward_t117*g_8_y
-        + forward_t119*g_9_y + forward_t121*g_10_y;
+        B_1_x*forward_t97 + B_1_y*forward_t113 + B_2_x*forward_t92 + B_2_y*forward_t115 + B_3_x*forward_t93
+        + B_3_y*forward_t117 + B_4_x*forward_t94 + B_4_y*forward_t119 + B_5_x*forward_t95
+        + B_5_y*forward_t121 + B_6_x*forward_t96 + B_6_y*forward_t123 + c_y*forward_t125 + forward_t112*g_4_y
+        + forward_t114*g_5_y + forward_t116*g_6_y + forward_t118*g_7_y + forward_t120*g_8_y
+        + forward_t122*g_9_y + forward_t124*g_10_y + forward_t126*o_L_y + forward_t127*g_11_y;
     const lane L_rx_rz =
-        B_1_x*forward_t83 + B_1_z*forward_t110 + B_2_x*forward_t84 + B_2_z*forward_t112 + B_3_x*forward_t85
-        + B_3_z*forward_t114 + B_4_x*forward_t86 + B_4_z*forward_t116 + B_5_x*forward_t87
-        + B_5_z*forward_t118 + B_6_x*forward_t88 + B_6_z*forward_t120 + c_z*forward_t122 + forward_t109*g_4_z
-        + forward_t111*g_5_z + forward_t113*g_6_z + forward_t115*g_7_z + forward_t117*g_8_z
-        + forward_t119*g_9_z + forward_t121*g_10_z;
-    const lane forward_t123 = (B_1_x*B_1_x);
-    const lane forward_t124 = (B_2_x*B_2_x);
-    const lane forward_t125 = (B_3_x*B_3_x);
-    const lane forward_t126 = (B_4_x*B_4_x);
-    const lane forward_t127 = (B_5_x*B_5_x);
-    const lane forward_t128 = (B_6_x*B_6_x);
-    const lane forward_t129 =
+        B_1_x*forward_t86 + B_1_z*forward_t113 + B_2_x*forward_t87 + B_2_z*forward_t115 + B_3_x*forward_t88
+        + B_3_z*forward_t117 + B_4_x*forward_t89 + B_4_z*forward_t119 + B_5_x*forward_t90
+        + B_5_z*forward_t121 + B_6_x*forward_t91 + B_6_z*forward_t123 + c_z*forward_t125 + forward_t112*g_4_z
+        + forward_t114*g_5_z + forward_t116*g_6_z + forward_t118*g_7_z + forward_t120*g_8_z
+        + forward_t122*g_9_z + forward_t124*g_10_z + forward_t126*o_L_z + forward_t127*g_11_z;
+    const lane forward_t128 = (B_1_x*B_1_x);
+    const lane forward_t129 = (B_2_x*B_2_x);
+    const lane forward_t130 = (B_3_x*B_3_x);
+    const lane forward_t131 = (B_4_x*B_4_x);
+    const lane forward_t132 = (B_5_x*B_5_x);
+    const lane forward_t133 = (B_6_x*B_6_x);
+    const lane forward_t134 =
         B_1_x*g_4_x + B_2_x*g_5_x + B_3_x*g_6_x + B_4_x*g_7_x + B_5_x*g_8_x + B_6_x*g_9_x + c_x*g_10_x
-        + forward_t123*mu_1 + forward_t124*mu_2 + forward_t125*mu_3 + forward_t126*mu_4 + forward_t127*mu_5
-        + forward_t128*mu_6;
-    const lane L_ry_ry = -forward_t101 - forward_t129;
-    const lane t62 = (1.0/2.0)*g_6_z;
-    const lane t63 = (1.0/2.0)*B_3_z;
-    const lane t64 = (1.0/2.0)*g_7_z;
-    const lane t65 = (1.0/2.0)*B_4_z;
-    const lane t66 = (1.0/2.0)*g_8_z;
-    const lane t67 = (1.0/2.0)*B_5_z;
-    const lane t68 = (1.0/2.0)*g_9_z;
-    const lane t69 = (1.0/2.0)*B_6_z;
-    const lane t70 = (1.0/2.0)*c_y;
-    const lane t71 = (1.0/2.0)*c_z;
-    const lane t72 = (1.0/2.0)*g_4_z;
-    const lane t73 = (1.0/2.0)*B_1_z;
-    const lane t74 = (1.0/2.0)*g_5_z;
-    const lane t75 = (1.0/2.0)*B_2_z;
+        + forward_t128*mu_1 + forward_t129*mu_2 + forward_t130*mu_3 + forward_t131*mu_4 + forward_t132*mu_5
+        + forward_t133*mu_6 + g_11_x*o_L_x;
+    const lane L_ry_ry = -forward_t104 - forward_t134;
+    const lane t62 = (1.0/2.0)*g_5_z;
+    const lane t63 = (1.0/2.0)*B_2_z;
+    const lane t64 = (1.0/2.0)*g_6_z;
+    const lane t65 = (1.0/2.0)*B_3_z;
+    const lane t66 = (1.0/2.0)*g_7_z;
+    const lane t67 = (1.0/2.0)*B_4_z;
+    const lane t68 = (1.0/2.0)*g_8_z;
+    const lane t69 = (1.0/2.0)*B_5_z;
+    const lane t70 = (1.0/2.0)*g_9_z;
+    const lane t71 = (1.0/2.0)*B_6_z;
+    const lane t72 = (1.0/2.0)*c_y;
+    const lane t73 = (1.0/2.0)*c_z;
+    const lane t74 = (1.0/2.0)*o_L_z;
+    const lane t75 = (1.0/2.0)*o_L_y;
+    const lane t76 = (1.0/2.0)*g_4_z;
+    const lane t77 = (1.0/2.0)*B_1_z;
     const lane L_ry_rz =
-        B_1_y*forward_t83 + B_1_y*t72 + B_2_y*forward_t84 + B_2_y*t74 + B_3_y*forward_t85 + B_3_y*t62
-        + B_4_y*forward_t86 + B_4_y*t64 + B_5_y*forward_t87 + B_5_y*t66 + B_6_y*forward_t88 + B_6_y*t68
-        + g_10_y*t71 + g_10_z*t70 + g_4_y*t73 + g_5_y*t75 + g_6_y*t63 + g_7_y*t65 + g_8_y*t67 + g_9_y*t69;
-    const lane L_rz_rz = -forward_t108 - forward_t129;
-    const lane forward_t130 = forward_10*forward_t32;
-    const lane forward_t131 = forward_t130*g_x;
-    const lane f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + forward_t131;
-    const lane forward_t132 = forward_12*forward_t36;
-    const lane forward_t133 = forward_t132*g_x;
-    const lane f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + forward_t133;
-    const lane forward_t134 = forward_14*forward_t40;
-    const lane forward_t135 = forward_t134*g_x;
-    const lane f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + forward_t135;
-    const lane forward_t136 = forward_16*forward_t44;
-    const lane forward_t137 = forward_t136*g_x;
-    const lane f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + forward_t137;
-    const lane forward_t138 = forward_18*forward_t48;
-    const lane forward_t139 = forward_t138*g_x;
-    const lane f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + forward_t139;
-    const lane forward_t140 = forward_20*forward_t52;
-    const lane forward_t141 = forward_t140*g_x;
-    const lane f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + forward_t141;
-    const lane forward_t142 = forward_t130*g_y;
-    const lane f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + forward_t142;
-    const lane forward_t143 = forward_t132*g_y;
-    const lane f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + forward_t143;
-    const lane forward_t144 = forward_t134*g_y;
-    const lane f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + forward_t144;
-    const lane forward_t145 = forward_t136*g_y;
-    const lane f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + forward_t145;
-    const lane forward_t146 = forward_t138*g_y;
-    const lane f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + forward_t146;
-    const lane forward_t147 = forward_t140*g_y;
-    const lane f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + forward_t147;
-    const lane forward_t148 = forward_t130*g_z;
-    const lane f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + forward_t148;
-    const lane forward_t149 = forward_t132*g_z;
-    const lane f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + forward_t149;
-    const lane forward_t150 = forward_t134*g_z;
-    const lane f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + forward_t150;
-    const lane forward_t151 = forward_t136*g_z;
-    const lane f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + forward_t151;
-    const lane forward_t152 = forward_t138*g_z;
-    const lane f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + forward_t152;
-    const lane forward_t153 = forward_t140*g_z;
-    const lane f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + forward_t153;
-    const lane t76 = -B_1_y*g_z + B_1_z*g_y;
-    const lane forward_t154 = forward_t130*t76;
+        B_1_y*forward_t86 + B_1_y*t76 + B_2_y*forward_t87 + B_2_y*t62 + B_3_y*forward_t88 + B_3_y*t64
+        + B_4_y*forward_t89 + B_4_y*t66 + B_5_y*forward_t90 + B_5_y*t68 + B_6_y*forward_t91 + B_6_y*t70
+        + g_10_y*t73 + g_10_z*t72 + g_11_y*t74 + g_11_z*t75 + g_4_y*t77 + g_5_y*t63 + g_6_y*t65 + g_7_y*t67
+        + g_8_y*t69 + g_9_y*t71;
+    const lane L_rz_rz = -forward_t111 - forward_t134;
+    const lane forward_t135 = forward_10*forward_t32;
+    const lane forward_t136 = forward_t135*g_x;
+    const lane f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + forward_t136;
+    const lane forward_t137 = forward_12*forward_t36;
+    const lane forward_t138 = forward_t137*g_x;
+    const lane f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + forward_t138;
+    const lane forward_t139 = forward_14*forward_t40;
+    const lane forward_t140 = forward_t139*g_x;
+    const lane f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + forward_t140;
+    const lane forward_t141 = forward_16*forward_t44;
+    const lane forward_t142 = forward_t141*g_x;
+    const lane f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + forward_t142;
+    const lane forward_t143 = forward_18*forward_t48;
+    const lane forward_t144 = forward_t143*g_x;
+    const lane f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + forward_t144;
+    const lane forward_t145 = forward_20*forward_t52;
+    const lane forward_t146 = forward_t145*g_x;
+    const lane f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + forward_t146;
+    const lane forward_t147 = forward_t135*g_y;
+    const lane f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + forward_t147;
+    const lane forward_t148 = forward_t137*g_y;
+    const lane f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + forward_t148;
+    const lane forward_t149 = forward_t139*g_y;
+    const lane f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + forward_t149;
+    const lane forward_t150 = forward_t141*g_y;
+    const lane f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + forward_t150;
+    const lane forward_t151 = forward_t143*g_y;
+    const lane f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + forward_t151;
+    const lane forward_t152 = forward_t145*g_y;
+    const lane f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + forward_t152;
+    const lane forward_t153 = forward_t135*g_z;
+    const lane f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + forward_t153;
+    const lane forward_t154 = forward_t137*g_z;
+    const lane f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + forward_t154;
+    const lane forward_t155 = forward_t139*g_z;
+    const lane f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + forward_t155;
+    const lane forward_t156 = forward_t141*g_z;
+    const lane f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + forward_t156;
+    const lane forward_t157 = forward_t143*g_z;
+    const lane f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + forward_t157;
+    const lane forward_t158 = forward_t145*g_z;
+    const lane f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + forward_t158;
+    const lane t78 = -B_1_y*g_z + B_1_z*g_y;
+    const lane forward_t159 = forward_t135*t78;
     const lane f_rx_l_1 =
         D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx
-        - forward_t154;
-    const lane t77 = -B_2_y*g_z + B_2_z*g_y;
-    const lane forward_t155 = forward_t132*t77;
+        - forward_t159;
+    const lane t79 = -B_2_y*g_z + B_2_z*g_y;
+    const lane forward_t160 = forward_t137*t79;
     const lane f_rx_l_2 =
         D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx
-        - forward_t155;
-    const lane t78 = -B_3_y*g_z + B_3_z*g_y;
-    const lane forward_t156 = forward_t134*t78;
+        - forward_t160;
+    const lane t80 = -B_3_y*g_z + B_3_z*g_y;
+    const lane forward_t161 = forward_t139*t80;
     const lane f_rx_l_3 =
         D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx
-        - forward_t156;
-    const lane t79 = -B_4_y*g_z + B_4_z*g_y;
-    const lane forward_t157 = forward_t136*t79;
+        - forward_t161;
+    const lane t81 = -B_4_y*g_z + B_4_z*g_y;
+    const lane forward_t162 = forward_t141*t81;
     const lane f_rx_l_4 =
         D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx
-        - forward_t157;
-    const lane t80 = -B_5_y*g_z + B_5_z*g_y;
-    const lane forward_t158 = forward_t138*t80;
+        - forward_t162;
+    const lane t82 = -B_5_y*g_z + B_5_z*g_y;
+    const lane forward_t163 = forward_t143*t82;
     const lane f_rx_l_5 =
         D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx
-        - forward_t158;
-    const lane t81 = -B_6_y*g_z + B_6_z*g_y;
-    const lane forward_t159 = forward_t140*t81;
+        - forward_t163;
+    const lane t83 = -B_6_y*g_z + B_6_z*g_y;
+    const lane forward_t164 = forward_t145*t83;
     const lane f_rx_l_6 =
         D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx
-        - forward_t159;
-    const lane t82 = B_1_x*g_z - B_1_z*g_x;
-    const lane forward_t160 = forward_t130*t82;
+        - forward_t164;
+    const lane t84 = B_1_x*g_z - B_1_z*g_x;
+    const lane forward_t165 = forward_t135*t84;
     const lane f_ry_l_1 =
         D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry
-        - forward_t160;
-    const lane t83 = B_2_x*g_z - B_2_z*g_x;
-    const lane forward_t161 = forward_t132*t83;
+        - forward_t165;
+    const lane t85 = B_2_x*g_z - B_2_z*g_x;
+    const lane forward_t166 = forward_t137*t85;
     const lane f_ry_l_2 =
         D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry
-        - forward_t161;
-    const lane t84 = B_3_x*g_z - B_3_z*g_x;
-    const lane forward_t162 = forward_t134*t84;
+        - forward_t166;
+    const lane t86 = B_3_x*g_z - B_3_z*g_x;
+    const lane forward_t167 = forward_t139*t86;
     const lane f_ry_l_3 =
         D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry
-        - forward_t162;
-    const lane t85 = B_4_x*g_z - B_4_z*g_x;
-    const lane forward_t163 = forward_t136*t85;
+        - forward_t167;
+    const lane t87 = B_4_x*g_z - B_4_z*g_x;
+    const lane forward_t168 = forward_t141*t87;
     const lane f_ry_l_4 =
         D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry
-        - forward_t163;
-    const lane t86 = B_5_x*g_z - B_5_z*g_x;
-    const lane forward_t164 = forward_t138*t86;
+        - forward_t168;
+    const lane t88 = B_5_x*g_z - B_5_z*g_x;
+    const lane forward_t169 = forward_t143*t88;
     const lane f_ry_l_5 =
         D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry
-        - forward_t164;
-    const lane t87 = B_6_x*g_z - B_6_z*g_x;
-    const lane forward_t165 = forward_t140*t87;
+        - forward_t169;
+    const lane t89 = B_6_x*g_z - B_6_z*g_x;
+    const lane forward_t170 = forward_t145*t89;
     const lane f_ry_l_6 =
         D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry
-        - forward_t165;
-    const lane t88 = -B_1_x*g_y + B_1_y*g_x;
-    const lane forward_t166 = forward_t130*t88;
+        - forward_t170;
+    const lane t90 = -B_1_x*g_y + B_1_y*g_x;
+    const lane forward_t171 = forward_t135*t90;
     const lane f_rz_l_1 =
         D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz
-        - forward_t166;
-    const lane t89 = -B_2_x*g_y + B_2_y*g_x;
-    const lane forward_t167 = forward_t132*t89;
+        - forward_t171;
+    const lane t91 = -B_2_x*g_y + B_2_y*g_x;
+    const lane forward_t172 = forward_t137*t91;
     const lane f_rz_l_2 =
         D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz
-        - forward_t167;
-    const lane t90 = -B_3_x*g_y + B_3_y*g_x;
-    const lane forward_t168 = forward_t134*t90;
+        - forward_t172;
+    const lane t92 = -B_3_x*g_y + B_3_y*g_x;
+    const lane forward_t173 = forward_t139*t92;
     const lane f_rz_l_3 =
         D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz
-        - forward_t168;
-    const lane t91 = -B_4_x*g_y + B_4_y*g_x;
-    const lane forward_t169 = forward_t136*t91;
+        - forward_t173;
+    const lane t93 = -B_4_x*g_y + B_4_y*g_x;
+    const lane forward_t174 = forward_t141*t93;
     const lane f_rz_l_4 =
         D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz
-        - forward_t169;
-    const lane t92 = -B_5_x*g_y + B_5_y*g_x;
-    const lane forward_t170 = forward_t138*t92;
+        - forward_t174;
+    const lane t94 = -B_5_x*g_y + B_5_y*g_x;
+    const lane forward_t175 = forward_t143*t94;
     const lane f_rz_l_5 =
         D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz
-        - forward_t170;
-    const lane t93 = -B_6_x*g_y + B_6_y*g_x;
-    const lane forward_t171 = forward_t140*t93;
+        - forward_t175;
+    const lane t95 = -B_6_x*g_y + B_6_y*g_x;
+    const lane forward_t176 = forward_t145*t95;
     const lane f_rz_l_6 =
         D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz
-        - forward_t171;
+        - forward_t176;
     const lane M_p_x_x = forward_t67 + m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6;
-    const lane forward_t172 = B_1_z*m_perp_1;
-    const lane forward_t173 = B_2_z*m_perp_2;
-    const lane forward_t174 = B_3_z*m_perp_3;
-    const lane forward_t175 = B_4_z*m_perp_4;
-    const lane forward_t176 = B_5_z*m_perp_5;
-    const lane forward_t177 = B_6_z*m_perp_6;
-    const lane forward_t178 = c_z*m_p;
+    const lane forward_t177 = B_1_z*m_perp_1;
+    const lane forward_t178 = B_2_z*m_perp_2;
+    const lane forward_t179 = B_3_z*m_perp_3;
+    const lane forward_t180 = B_4_z*m_perp_4;
+    const lane forward_t181 = B_5_z*m_perp_5;
+    const lane forward_t182 = B_6_z*m_perp_6;
+    const lane forward_t183 = c_z*m_p;
+    const lane forward_t184 = m_L*o_L_z;
     const lane M_p_x_ry =
-        forward_t172 + forward_t173 + forward_t174 + forward_t175 + forward_t176 + forward_t177
-        + forward_t178;
-    const lane forward_t179 = B_1_y*m_perp_1;
-    const lane forward_t180 = B_2_y*m_perp_2;
-    const lane forward_t181 = B_3_y*m_perp_3;
-    const lane forward_t182 = B_4_y*m_perp_4;
-    const lane forward_t183 = B_5_y*m_perp_5;
-    const lane forward_t184 = B_6_y*m_perp_6;
-    const lane forward_t185 = c_y*m_p;
+        forward_t177 + forward_t178 + forward_t179 + forward_t180 + forward_t181 + forward_t182
+        + forward_t183 + forward_t184;
+    const lane forward_t185 = B_1_y*m_perp_1;
+    const lane forward_t186 = B_2_y*m_perp_2;
+    const lane forward_t187 = B_3_y*m_perp_3;
+    const lane forward_t188 = B_4_y*m_perp_4;
+    const lane forward_t189 = B_5_y*m_perp_5;
+    const lane forward_t190 = B_6_y*m_perp_6;
+    const lane forward_t191 = c_y*m_p;
+    const lane forward_t192 = m_L*o_L_y;
     const lane M_p_z_rx =
-        forward_t179 + forward_t180 + forward_t181 + forward_t182 + forward_t183 + forward_t184
-        + forward_t185;
+        forward_t185 + forward_t186 + forward_t187 + forward_t188 + forward_t189 + forward_t190
+        + forward_t191 + forward_t192;
     const lane M_p_x_rz = -M_p_z_rx;
     const lane M_p_y_rx = -M_p_x_ry;
-    const lane forward_t186 = B_1_x*m_perp_1;
-    const lane forward_t187 = B_2_x*m_perp_2;
-    const lane forward_t188 = B_3_x*m_perp_3;
-    const lane forward_t189 = B_4_x*m_perp_4;
-    const lane forward_t190 = B_5_x*m_perp_5;
-    const lane forward_t191 = B_6_x*m_perp_6;
+    const lane forward_t193 = B_1_x*m_perp_1;
+    const lane forward_t194 = B_2_x*m_perp_2;
+    const lane forward_t195 = B_3_x*m_perp_3;
+    const lane forward_t196 = B_4_x*m_perp_4;
+    const lane forward_t197 = B_5_x*m_perp_5;
+    const lane forward_t198 = B_6_x*m_perp_6;
     const lane M_p_y_rz =
-        c_x*m_p + forward_t186 + forward_t187 + forward_t188 + forward_t189 + forward_t190 + forward_t191;
+        c_x*m_p + forward_t193 + forward_t194 + forward_t195 + forward_t196 + forward_t197 + forward_t198
+        + m_L*o_L_x;
     const lane M_p_z_ry = -M_p_y_rz;
-    const lane forward_t192 = 2.0*(c_y*c_y);
-    const lane forward_t193 = 2.0*(c_z*c_z);
-    const double forward_t194 = (1.0/2.0)*m_p;
-    const lane forward_t195 = 2.0*forward_t102;
-    const lane forward_t196 = 2.0*forward_t95;
-    const lane forward_t197 = (1.0/2.0)*m_perp_1;
-    const lane forward_t198 = 2.0*forward_t103;
-    const lane forward_t199 = 2.0*forward_t96;
-    const lane forward_t200 = (1.0/2.0)*m_perp_2;
-    const lane forward_t201 = 2.0*forward_t104;
-    const lane forward_t202 = 2.0*forward_t97;
-    const lane forward_t203 = (1.0/2.0)*m_perp_3;
-    const lane forward_t204 = 2.0*forward_t105;
-    const lane forward_t205 = 2.0*forward_t98;
-    const lane forward_t206 = (1.0/2.0)*m_perp_4;
-    const lane forward_t207 = 2.0*forward_t106;
-    const lane forward_t208 = 2.0*forward_t99;
-    const lane forward_t209 = (1.0/2.0)*m_perp_5;
-    const lane forward_t210 = 2.0*forward_t107;
-    const lane forward_t211 = 2.0*forward_t100;
-    const lane forward_t212 = (1.0/2.0)*m_perp_6;
-    const lane t94 = forward_t192 + forward_t193;
-    const lane t95 = forward_t195 + forward_t196;
-    const lane t96 = forward_t198 + forward_t199;
-    const lane t97 = forward_t201 + forward_t202;
-    const lane t98 = forward_t204 + forward_t205;
-    const lane t99 = forward_t207 + forward_t208;
-    const lane t100 = forward_t210 + forward_t211;
+    const lane forward_t199 = 2.0*(o_L_y*o_L_y);
+    const lane forward_t200 = 2.0*(o_L_z*o_L_z);
+    const double forward_t201 = (1.0/2.0)*m_L;
+    const lane forward_t202 = 2.0*(c_y*c_y);
+    const lane forward_t203 = 2.0*(c_z*c_z);
+    const double forward_t204 = (1.0/2.0)*m_p;
+    const lane forward_t205 = 2.0*forward_t105;
+    const lane forward_t206 = 2.0*forward_t98;
+    const lane forward_t207 = (1.0/2.0)*m_perp_1;
+    const lane forward_t208 = 2.0*forward_t106;
+    const lane forward_t209 = 2.0*forward_t99;
+    const lane forward_t210 = (1.0/2.0)*m_perp_2;
+    const lane forward_t211 = 2.0*forward_t107;
+    const lane forward_t212 = 2.0*forward_t100;
+    const lane forward_t213 = (1.0/2.0)*m_perp_3;
+    const lane forward_t214 = 2.0*forward_t108;
+    const lane forward_t215 = 2.0*forward_t101;
+    const lane forward_t216 = (1.0/2.0)*m_perp_4;
+    const lane forward_t217 = 2.0*forward_t109;
+    const lane forward_t218 = 2.0*forward_t102;
+    const lane forward_t219 = (1.0/2.0)*m_perp_5;
+    const lane forward_t220 = 2.0*forward_t110;
+    const lane forward_t221 = 2.0*forward_t103;
+    const lane forward_t222 = (1.0/2.0)*m_perp_6;
+    const lane t96 = forward_t199 + forward_t200;
+    const lane t97 = forward_t202 + forward_t203;
+    const lane t98 = forward_t205 + forward_t206;
+    const lane t99 = forward_t208 + forward_t209;
+    const lane t100 = forward_t211 + forward_t212;
+    const lane t101 = forward_t214 + forward_t215;
+    const lane t102 = forward_t217 + forward_t218;
+    const lane t103 = forward_t220 + forward_t221;
     const lane M_p_rx_rx =
-        J_x_x + forward_t194*t94 + forward_t197*t95 + forward_t200*t96 + forward_t203*t97 + forward_t206*t98
-        + forward_t209*t99 + forward_t212*t100;
+        J_x_x + forward_t201*t96 + forward_t204*t97 + forward_t207*t98 + forward_t210*t99 + forward_t213*t100
+        + forward_t216*t101 + forward_t219*t102 + forward_t222*t103;
     const lane M_p_rx_ry =
-        -B_1_x*forward_t179 - B_2_x*forward_t180 - B_3_x*forward_t181 - B_4_x*forward_t182
-        - B_5_x*forward_t183 - B_6_x*forward_t184 + J_x_y - c_x*forward_t185;
+        -B_1_x*forward_t185 - B_2_x*forward_t186 - B_3_x*forward_t187 - B_4_x*forward_t188
+        - B_5_x*forward_t189 - B_6_x*forward_t190 + J_x_y - c_x*forward_t191 - forward_t192*o_L_x;
     const lane M_p_rx_rz =
-        -B_1_x*forward_t172 - B_2_x*forward_t173 - B_3_x*forward_t174 - B_4_x*forward_t175
-        - B_5_x*forward_t176 - B_6_x*forward_t177 + J_x_z - c_x*forward_t178;
-    const lane forward_t213 = 2.0*(c_x*c_x);
-    const lane forward_t214 = 2.0*forward_t123;
-    const lane forward_t215 = 2.0*forward_t124;
-    const lane forward_t216 = 2.0*forward_t125;
-    const lane forward_t217 = 2.0*forward_t126;
-    const lane forward_t218 = 2.0*forward_t127;
-    const lane forward_t219 = 2.0*forward_t128;
-    const lane t101 = forward_t193 + forward_t213;
-    const lane t102 = forward_t196 + forward_t214;
-    const lane t103 = forward_t199 + forward_t215;
-    const lane t104 = forward_t202 + forward_t216;
-    const lane t105 = forward_t205 + forward_t217;
-    const lane t106 = forward_t208 + forward_t218;
-    const lane t107 = forward_t211 + forward_t219;
+        -B_1_x*forward_t177 - B_2_x*forward_t178 - B_3_x*forward_t179 - B_4_x*forward_t180
+        - B_5_x*forward_t181 - B_6_x*forward_t182 + J_x_z - c_x*forward_t183 - forward_t184*o_L_x;
+    const lane forward_t223 = 2.0*(o_L_x*o_L_x);
+    const lane forward_t224 = 2.0*(c_x*c_x);
+    const lane forward_t225 = 2.0*forward_t128;
+    const lane forward_t226 = 2.0*forward_t129;
+    const lane forward_t227 = 2.0*forward_t130;
+    const lane forward_t228 = 2.0*forward_t131;
+    const lane forward_t229 = 2.0*forward_t132;
+    const lane forward_t230 = 2.0*forward_t133;
+    const lane t104 = forward_t200 + forward_t223;
+    const lane t105 = forward_t203 + forward_t224;
+    const lane t106 = forward_t206 + forward_t225;
+    const lane t107 = forward_t209 + forward_t226;
+    const lane t108 = forward_t212 + forward_t227;
+    const lane t109 = forward_t215 + forward_t228;
+    const lane t110 = forward_t218 + forward_t229;
+    const lane t111 = forward_t221 + forward_t230;
     const lane M_p_ry_ry =
-        J_y_y + forward_t194*t101 + forward_t197*t102 + forward_t200*t103 + forward_t203*t104
-        + forward_t206*t105 + forward_t209*t106 + forward_t212*t107;
+        J_y_y + forward_t201*t104 + forward_t204*t105 + forward_t207*t106 + forward_t210*t107
+        + forward_t213*t108 + forward_t216*t109 + forward_t219*t110 + forward_t222*t111;
     const lane M_p_ry_rz =
-        -B_1_y*forward_t172 - B_2_y*forward_t173 - B_3_y*forward_t174 - B_4_y*forward_t175
-        - B_5_y*forward_t176 - B_6_y*forward_t177 + J_y_z - c_y*forward_t178;
-    const lane t108 = forward_t192 + forward_t213;
-    const lane t109 = forward_t195 + forward_t214;
-    const lane t110 = forward_t198 + forward_t215;
-    const lane t111 = forward_t201 + forward_t216;
-    const lane t112 = forward_t204 + forward_t217;
-    const lane t113 = forward_t207 + forward_t218;
-    const lane t114 = forward_t210 + forward_t219;
+        -B_1_y*forward_t177 - B_2_y*forward_t178 - B_3_y*forward_t179 - B_4_y*forward_t180
+        - B_5_y*forward_t181 - B_6_y*forward_t182 + J_y_z - c_y*forward_t183 - forward_t184*o_L_y;
+    const lane t112 = forward_t199 + forward_t223;
+    const lane t113 = forward_t202 + forward_t224;
+    const lane t114 = forward_t205 + forward_t225;
+    const lane t115 = forward_t208 + forward_t226;
+    const lane t116 = forward_t211 + forward_t227;
+    const lane t117 = forward_t214 + forward_t228;
+    const lane t118 = forward_t217 + forward_t229;
+    const lane t119 = forward_t220 + forward_t230;
     const lane M_p_rz_rz =
-        J_z_z + forward_t194*t108 + forward_t197*t109 + forward_t200*t110 + forward_t203*t111
-        + forward_t206*t112 + forward_t209*t113 + forward_t212*t114;
+        J_z_z + forward_t201*t112 + forward_t204*t113 + forward_t207*t114 + forward_t210*t115
+        + forward_t213*t116 + forward_t216*t117 + forward_t219*t118 + forward_t222*t119;
     const lane h_x_l_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x;
     const lane h_x_l_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x;
     const lane h_x_l_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x;
     const lane h_x_l_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x;
     const lane h_x_l_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x;
     const lane h_x_l_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x;
-    const lane forward_t220 =
+    const lane forward_t231 =
         m_lift_1 + m_lift_2 + m_lift_3 + m_lift_4 + m_lift_5 + m_lift_6 - m_perp_1 - m_perp_2 - m_perp_3
         - m_perp_4 - m_perp_5 - m_perp_6;
-    const lane h_x_u_x = M_p_x_x + forward_t220;
+    const lane h_x_u_x = M_p_x_x + forward_t231;
     const lane h_y_l_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x;
     const lane h_y_l_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x;
     const lane h_y_l_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x;
@@ -7689,16 +7743,16 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         D_p_rx_5*M_p_rx_rx + D_p_ry_5*M_p_rx_ry + D_p_rz_5*M_p_rx_rz + D_p_y_5*M_p_y_rx + D_p_z_5*M_p_z_rx;
     const lane h_rx_l_6 =
         D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx;
-    const lane forward_t221 =
+    const lane forward_t232 =
         B_1_z*forward_t33 + B_1_z*m_r_1 + B_2_z*forward_t37 + B_2_z*m_r_2 + B_3_z*forward_t41 + B_3_z*m_r_3
         + B_4_z*forward_t45 + B_4_z*m_r_4 + B_5_z*forward_t49 + B_5_z*m_r_5 + B_6_z*forward_t53 + B_6_z*m_r_6
-        - forward_t172 - forward_t173 - forward_t174 - forward_t175 - forward_t176 - forward_t177;
-    const lane h_rx_u_y = M_p_y_rx - forward_t221;
-    const lane forward_t222 =
+        - forward_t177 - forward_t178 - forward_t179 - forward_t180 - forward_t181 - forward_t182;
+    const lane h_rx_u_y = M_p_y_rx - forward_t232;
+    const lane forward_t233 =
         B_1_y*forward_t33 + B_1_y*m_r_1 + B_2_y*forward_t37 + B_2_y*m_r_2 + B_3_y*forward_t41 + B_3_y*m_r_3
         + B_4_y*forward_t45 + B_4_y*m_r_4 + B_5_y*forward_t49 + B_5_y*m_r_5 + B_6_y*forward_t53 + B_6_y*m_r_6
-        - forward_t179 - forward_t180 - forward_t181 - forward_t182 - forward_t183 - forward_t184;
-    const lane h_rx_u_z = M_p_z_rx + forward_t222;
+        - forward_t185 - forward_t186 - forward_t187 - forward_t188 - forward_t189 - forward_t190;
+    const lane h_rx_u_z = M_p_z_rx + forward_t233;
     const lane h_ry_l_1 =
         D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry;
     const lane h_ry_l_2 =
@@ -7711,12 +7765,12 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         D_p_rx_5*M_p_rx_ry + D_p_ry_5*M_p_ry_ry + D_p_rz_5*M_p_ry_rz + D_p_x_5*M_p_x_ry + D_p_z_5*M_p_z_ry;
     const lane h_ry_l_6 =
         D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry;
-    const lane h_ry_u_x = M_p_x_ry + forward_t221;
-    const lane forward_t223 =
+    const lane h_ry_u_x = M_p_x_ry + forward_t232;
+    const lane forward_t234 =
         B_1_x*forward_t33 + B_1_x*m_r_1 + B_2_x*forward_t37 + B_2_x*m_r_2 + B_3_x*forward_t41 + B_3_x*m_r_3
         + B_4_x*forward_t45 + B_4_x*m_r_4 + B_5_x*forward_t49 + B_5_x*m_r_5 + B_6_x*forward_t53 + B_6_x*m_r_6
-        - forward_t186 - forward_t187 - forward_t188 - forward_t189 - forward_t190 - forward_t191;
-    const lane h_ry_u_z = M_p_z_ry - forward_t223;
+        - forward_t193 - forward_t194 - forward_t195 - forward_t196 - forward_t197 - forward_t198;
+    const lane h_ry_u_z = M_p_z_ry - forward_t234;
     const lane h_rz_l_1 =
         D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz;
     const lane h_rz_l_2 =
@@ -7729,23 +7783,23 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         D_p_rx_5*M_p_rx_rz + D_p_ry_5*M_p_ry_rz + D_p_rz_5*M_p_rz_rz + D_p_x_5*M_p_x_rz + D_p_y_5*M_p_y_rz;
     const lane h_rz_l_6 =
         D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz;
-    const lane h_rz_u_x = M_p_x_rz - forward_t222;
-    const lane h_rz_u_y = M_p_y_rz + forward_t223;
-    const lane forward_t225 = D_p_x_1*k_C;
-    const lane forward_t226 = D_p_y_1*k_C;
-    const lane forward_t227 = D_p_z_1*k_C;
-    const lane forward_t228 = D_p_x_2*k_C;
-    const lane forward_t229 = D_p_y_2*k_C;
-    const lane forward_t230 = D_p_z_2*k_C;
-    const lane forward_t231 = D_p_x_3*k_C;
-    const lane forward_t232 = D_p_y_3*k_C;
-    const lane forward_t233 = D_p_z_3*k_C;
-    const lane forward_t234 = D_p_x_4*k_C;
-    const lane forward_t235 = D_p_y_4*k_C;
-    const lane forward_t236 = D_p_z_4*k_C;
-    const lane forward_t237 = D_p_x_5*k_C;
-    const lane forward_t238 = D_p_y_5*k_C;
-    const lane forward_t239 = D_p_z_5*k_C;
+    const lane h_rz_u_x = M_p_x_rz - forward_t233;
+    const lane h_rz_u_y = M_p_y_rz + forward_t234;
+    const lane forward_t236 = D_p_x_1*k_C;
+    const lane forward_t237 = D_p_y_1*k_C;
+    const lane forward_t238 = D_p_z_1*k_C;
+    const lane forward_t239 = D_p_x_2*k_C;
+    const lane forward_t240 = D_p_y_2*k_C;
+    const lane forward_t241 = D_p_z_2*k_C;
+    const lane forward_t242 = D_p_x_3*k_C;
+    const lane forward_t243 = D_p_y_3*k_C;
+    const lane forward_t244 = D_p_z_3*k_C;
+    const lane forward_t245 = D_p_x_4*k_C;
+    const lane forward_t246 = D_p_y_4*k_C;
+    const lane forward_t247 = D_p_z_4*k_C;
+    const lane forward_t248 = D_p_x_5*k_C;
+    const lane forward_t249 = D_p_y_5*k_C;
+    const lane forward_t250 = D_p_z_5*k_C;
     const double forward_23 = 1.0/((h_m_1*h_m_1));
     const double forward_24 = 1.0/((h_m_2*h_m_2));
     const double forward_25 = 1.0/((h_m_3*h_m_3));
@@ -7758,39 +7812,39 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane forward_32 = 1.0/((forward_7*forward_7*forward_7));
     const lane forward_33 = 1.0/((forward_8*forward_8*forward_8));
     const lane forward_34 = 1.0/((forward_9*forward_9*forward_9));
-    const lane t413 = forward_t148 + forward_t227;
-    const lane t414 = forward_t149 + forward_t230;
-    const lane t415 = forward_t150 + forward_t233;
-    const lane t416 = forward_t151 + forward_t236;
-    const double t417 = 2.0*k_C;
-    const lane t422 = forward_t142 + forward_t226;
-    const lane t423 = forward_t143 + forward_t229;
-    const lane t424 = forward_t144 + forward_t232;
-    const lane t425 = forward_t145 + forward_t235;
-    const lane t430 = forward_t131 + forward_t225;
-    const lane t431 = forward_t133 + forward_t228;
-    const lane t432 = forward_t135 + forward_t231;
-    const lane t433 = forward_t137 + forward_t234;
-    const lane t451 = forward_t27 + forward_t28;
-    const lane t455 = forward_t23 + forward_t25;
-    const lane t457 = forward_t13 + forward_t15;
-    const double t460 = 2.0*g_z;
-    const lane t462 = 1.0/forward_9;
-    const lane t465 = 1.0/forward_8;
-    const lane t468 = 1.0/forward_7;
-    const lane t472 = 1.0/forward_6;
-    const lane t475 = 1.0/forward_5;
-    const lane t479 = forward_t21 + t457;
-    const lane t480 = forward_t12 + forward_t19 + forward_t20;
-    const lane t481 = I_p_y*R_z_y;
-    const lane t482 = forward_t16 + forward_t17 + forward_t18;
-    const lane t485 = (1.0/2.0)*rot_x;
-    const lane t497 = B_1_z*forward_t130;
-    const lane t498 = B_2_z*forward_t132;
-    const lane t499 = B_3_z*forward_t134;
-    const lane t500 = B_4_z*forward_t136;
-    const lane t501 = B_5_z*forward_t138;
-    const lane t502 = B_6_z*forward_t140;
+    const lane t421 = forward_t153 + forward_t238;
+    const lane t422 = forward_t154 + forward_t241;
+    const lane t423 = forward_t155 + forward_t244;
+    const lane t424 = forward_t156 + forward_t247;
+    const double t425 = 2.0*k_C;
+    const lane t430 = forward_t147 + forward_t237;
+    const lane t431 = forward_t148 + forward_t240;
+    const lane t432 = forward_t149 + forward_t243;
+    const lane t433 = forward_t150 + forward_t246;
+    const lane t438 = forward_t136 + forward_t236;
+    const lane t439 = forward_t138 + forward_t239;
+    const lane t440 = forward_t140 + forward_t242;
+    const lane t441 = forward_t142 + forward_t245;
+    const lane t460 = forward_t27 + forward_t28;
+    const lane t464 = forward_t23 + forward_t25;
+    const lane t466 = forward_t13 + forward_t15;
+    const double t468 = 2.0*g_z;
+    const lane t470 = 1.0/forward_9;
+    const lane t473 = 1.0/forward_8;
+    const lane t476 = 1.0/forward_7;
+    const lane t480 = 1.0/forward_6;
+    const lane t483 = 1.0/forward_5;
+    const lane t487 = forward_t21 + t466;
+    const lane t488 = forward_t12 + forward_t19 + forward_t20;
+    const lane t489 = I_p_y*R_z_y;
+    const lane t490 = forward_t16 + forward_t17 + forward_t18;
+    const lane t493 = (1.0/2.0)*rot_x;
+    const lane t507 = B_1_z*forward_t135;
+    const lane t508 = B_2_z*forward_t137;
+    const lane t509 = B_3_z*forward_t139;
+    const lane t510 = B_4_z*forward_t141;
+    const lane t511 = B_5_z*forward_t143;
+    const lane t512 = B_6_z*forward_t145;
     for (int mode = 0; mode < modes; mode++) {
         const lane *restrict shape = shapes + mode * 15;
         const lane eigenvalue = eigenvalues[mode];
@@ -7810,352 +7864,352 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane shape_13 = shape[12];
         const lane shape_14 = shape[13];
         const lane shape_15 = shape[14];
-        const lane t115 = (shape_6*shape_6);
-        const lane t116 = 2.0*t115*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z);
-        const lane adjoint_forward_34 = forward_t52*t116;
-        const lane t117 = (shape_5*shape_5);
-        const lane t118 = 2.0*t117*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z);
-        const lane adjoint_forward_33 = forward_t48*t118;
-        const lane t119 = (shape_4*shape_4);
-        const lane t120 = 2.0*t119*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z);
-        const lane adjoint_forward_32 = forward_t44*t120;
-        const lane t121 = (shape_3*shape_3);
-        const lane t122 = 2.0*t121*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z);
-        const lane adjoint_forward_31 = forward_t40*t122;
-        const lane t123 = (shape_2*shape_2);
-        const lane t124 = 2.0*t123*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z);
-        const lane adjoint_forward_30 = forward_t36*t124;
-        const lane t125 = (shape_1*shape_1);
-        const lane t126 = 2.0*t125*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z);
-        const lane adjoint_forward_29 = forward_t32*t126;
-        const lane t127 = (shape_12*shape_12);
-        const lane t128 = eigenvalue*t127;
-        const lane adjoint_forward_28 = -I_m_6*t128;
-        const lane t129 = (shape_11*shape_11);
-        const lane t130 = eigenvalue*t129;
-        const lane adjoint_forward_27 = -I_m_5*t130;
-        const lane t131 = (shape_10*shape_10);
-        const lane t132 = eigenvalue*t131;
-        const lane adjoint_forward_26 = -I_m_4*t132;
-        const lane t133 = (shape_9*shape_9);
-        const lane t134 = eigenvalue*t133;
-        const lane adjoint_forward_25 = -I_m_3*t134;
-        const lane t135 = (shape_8*shape_8);
-        const lane t136 = eigenvalue*t135;
-        const lane adjoint_forward_24 = -I_m_2*t136;
-        const lane t137 = (shape_7*shape_7);
-        const lane t138 = eigenvalue*t137;
-        const lane adjoint_forward_23 = -I_m_1*t138;
-        const lane t139 = 2.0*shape_5;
-        const lane t140 = shape_15*t139;
-        const lane t141 = shape_6*t139;
-        const lane t142 = D_p_z_6*t141;
-        const lane adjoint_forward_t239 = t140 + t142;
-        const lane t143 = shape_14*t139;
-        const lane t144 = D_p_y_6*t141;
-        const lane adjoint_forward_t238 = t143 + t144;
-        const lane t145 = shape_13*t139;
-        const lane t146 = D_p_x_6*t141;
-        const lane adjoint_forward_t237 = t145 + t146;
-        const lane t147 = 2.0*shape_4;
-        const lane t148 = shape_15*t147;
-        const lane t149 = shape_4*t139;
-        const lane t150 = shape_6*t147;
-        const lane t151 = D_p_z_5*t149 + D_p_z_6*t150;
-        const lane adjoint_forward_t236 = t148 + t151;
-        const lane t152 = shape_14*t147;
-        const lane t153 = D_p_y_5*t149 + D_p_y_6*t150;
-        const lane adjoint_forward_t235 = t152 + t153;
-        const lane t154 = shape_13*t147;
-        const lane t155 = D_p_x_5*t149 + D_p_x_6*t150;
-        const lane adjoint_forward_t234 = t154 + t155;
-        const lane t156 = 2.0*shape_3;
-        const lane t157 = shape_15*t156;
-        const lane t158 = shape_3*t147;
-        const lane t159 = shape_3*t139;
-        const lane t160 = shape_6*t156;
-        const lane t161 = D_p_z_4*t158 + D_p_z_5*t159 + D_p_z_6*t160;
-        const lane adjoint_forward_t233 = t157 + t161;
-        const lane t162 = shape_14*t156;
-        const lane t163 = D_p_y_4*t158 + D_p_y_5*t159 + D_p_y_6*t160;
-        const lane adjoint_forward_t232 = t162 + t163;
-        const lane t164 = shape_13*t156;
-        const lane t165 = D_p_x_4*t158 + D_p_x_5*t159 + D_p_x_6*t160;
-        const lane adjoint_forward_t231 = t164 + t165;
-        const lane t166 = 2.0*shape_2;
-        const lane t167 = shape_15*t166;
-        const lane t168 = shape_2*t156;
-        const lane t169 = shape_2*t147;
-        const lane t170 = shape_2*t139;
-        const lane t171 = shape_6*t166;
-        const lane t172 = D_p_z_3*t168 + D_p_z_4*t169 + D_p_z_5*t170 + D_p_z_6*t171;
-        const lane adjoint_forward_t230 = t167 + t172;
-        const lane t173 = shape_14*t166;
-        const lane t174 = D_p_y_3*t168 + D_p_y_4*t169 + D_p_y_5*t170 + D_p_y_6*t171;
-        const lane adjoint_forward_t229 = t173 + t174;
-        const lane t175 = shape_13*t166;
-        const lane t176 = D_p_x_3*t168 + D_p_x_4*t169 + D_p_x_5*t170 + D_p_x_6*t171;
-        const lane adjoint_forward_t228 = t175 + t176;
-        const lane t177 = 2.0*shape_1;
-        const lane t178 = shape_15*t177;
-        const lane t179 = shape_1*t166;
-        const lane t180 = shape_1*t156;
-        const lane t181 = shape_1*t147;
-        const lane t182 = shape_1*t139;
-        const lane t183 = shape_6*t177;
-        const lane t184 = D_p_z_2*t179 + D_p_z_3*t180 + D_p_z_4*t181 + D_p_z_5*t182 + D_p_z_6*t183;
-        const lane adjoint_forward_t227 = t178 + t184;
-        const lane t185 = shape_14*t177;
-        const lane t186 = D_p_y_2*t179 + D_p_y_3*t180 + D_p_y_4*t181 + D_p_y_5*t182 + D_p_y_6*t183;
-        const lane adjoint_forward_t226 = t185 + t186;
-        const lane t187 = shape_13*t177;
-        const lane t188 = D_p_x_2*t179 + D_p_x_3*t180 + D_p_x_4*t181 + D_p_x_5*t182 + D_p_x_6*t183;
-        const lane adjoint_forward_t225 = t187 + t188;
-        const lane t189 = (shape_13*shape_13);
-        const lane t190 = eigenvalue*t189;
-        const lane t191 = (shape_14*shape_14);
-        const lane t192 = eigenvalue*t191;
-        const lane t193 = (shape_15*shape_15);
-        const lane t194 = eigenvalue*t193;
-        const lane adjoint_forward_t224 = -t190 - t192 - t194;
-        const lane t195 = D_p_rz_1*eigenvalue;
-        const lane t196 = D_p_rz_2*eigenvalue;
-        const lane t197 = D_p_rz_3*eigenvalue;
-        const lane t198 = D_p_rz_4*eigenvalue;
-        const lane t199 = D_p_rz_5*eigenvalue;
-        const lane t200 = 2.0*shape_6;
-        const lane t201 = shape_14*t200;
-        const lane t202 = D_p_rz_6*eigenvalue;
-        const lane adjoint_h_rz_u_y = -t143*t199 - t152*t198 - t162*t197 - t173*t196 - t185*t195 - t201*t202;
-        const lane t203 = shape_13*t200;
-        const lane adjoint_h_rz_u_x = -t145*t199 - t154*t198 - t164*t197 - t175*t196 - t187*t195 - t202*t203;
-        const lane t204 = D_p_rz_6*t115;
-        const lane t205 = D_p_rz_1*t183;
-        const lane t206 = D_p_rz_2*t171;
-        const lane t207 = D_p_rz_3*t160;
-        const lane t208 = D_p_rz_4*t150;
-        const lane t209 = D_p_rz_5*t141;
+        const lane t120 = (shape_6*shape_6);
+        const lane t121 = 2.0*t120*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z);
+        const lane adjoint_forward_34 = forward_t52*t121;
+        const lane t122 = (shape_5*shape_5);
+        const lane t123 = 2.0*t122*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z);
+        const lane adjoint_forward_33 = forward_t48*t123;
+        const lane t124 = (shape_4*shape_4);
+        const lane t125 = 2.0*t124*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z);
+        const lane adjoint_forward_32 = forward_t44*t125;
+        const lane t126 = (shape_3*shape_3);
+        const lane t127 = 2.0*t126*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z);
+        const lane adjoint_forward_31 = forward_t40*t127;
+        const lane t128 = (shape_2*shape_2);
+        const lane t129 = 2.0*t128*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z);
+        const lane adjoint_forward_30 = forward_t36*t129;
+        const lane t130 = (shape_1*shape_1);
+        const lane t131 = 2.0*t130*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z);
+        const lane adjoint_forward_29 = forward_t32*t131;
+        const lane t132 = (shape_12*shape_12);
+        const lane t133 = eigenvalue*t132;
+        const lane adjoint_forward_28 = -I_m_6*t133;
+        const lane t134 = (shape_11*shape_11);
+        const lane t135 = eigenvalue*t134;
+        const lane adjoint_forward_27 = -I_m_5*t135;
+        const lane t136 = (shape_10*shape_10);
+        const lane t137 = eigenvalue*t136;
+        const lane adjoint_forward_26 = -I_m_4*t137;
+        const lane t138 = (shape_9*shape_9);
+        const lane t139 = eigenvalue*t138;
+        const lane adjoint_forward_25 = -I_m_3*t139;
+        const lane t140 = (shape_8*shape_8);
+        const lane t141 = eigenvalue*t140;
+        const lane adjoint_forward_24 = -I_m_2*t141;
+        const lane t142 = (shape_7*shape_7);
+        const lane t143 = eigenvalue*t142;
+        const lane adjoint_forward_23 = -I_m_1*t143;
+        const lane t144 = 2.0*shape_5;
+        const lane t145 = shape_15*t144;
+        const lane t146 = shape_6*t144;
+        const lane t147 = D_p_z_6*t146;
+        const lane adjoint_forward_t250 = t145 + t147;
+        const lane t148 = shape_14*t144;
+        const lane t149 = D_p_y_6*t146;
+        const lane adjoint_forward_t249 = t148 + t149;
+        const lane t150 = shape_13*t144;
+        const lane t151 = D_p_x_6*t146;
+        const lane adjoint_forward_t248 = t150 + t151;
+        const lane t152 = 2.0*shape_4;
+        const lane t153 = shape_15*t152;
+        const lane t154 = shape_4*t144;
+        const lane t155 = shape_6*t152;
+        const lane t156 = D_p_z_5*t154 + D_p_z_6*t155;
+        const lane adjoint_forward_t247 = t153 + t156;
+        const lane t157 = shape_14*t152;
+        const lane t158 = D_p_y_5*t154 + D_p_y_6*t155;
+        const lane adjoint_forward_t246 = t157 + t158;
+        const lane t159 = shape_13*t152;
+        const lane t160 = D_p_x_5*t154 + D_p_x_6*t155;
+        const lane adjoint_forward_t245 = t159 + t160;
+        const lane t161 = 2.0*shape_3;
+        const lane t162 = shape_15*t161;
+        const lane t163 = shape_3*t152;
+        const lane t164 = shape_3*t144;
+        const lane t165 = shape_6*t161;
+        const lane t166 = D_p_z_4*t163 + D_p_z_5*t164 + D_p_z_6*t165;
+        const lane adjoint_forward_t244 = t162 + t166;
+        const lane t167 = shape_14*t161;
+        const lane t168 = D_p_y_4*t163 + D_p_y_5*t164 + D_p_y_6*t165;
+        const lane adjoint_forward_t243 = t167 + t168;
+        const lane t169 = shape_13*t161;
+        const lane t170 = D_p_x_4*t163 + D_p_x_5*t164 + D_p_x_6*t165;
+        const lane adjoint_forward_t242 = t169 + t170;
+        const lane t171 = 2.0*shape_2;
+        const lane t172 = shape_15*t171;
+        const lane t173 = shape_2*t161;
+        const lane t174 = shape_2*t152;
+        const lane t175 = shape_2*t144;
+        const lane t176 = shape_6*t171;
+        const lane t177 = D_p_z_3*t173 + D_p_z_4*t174 + D_p_z_5*t175 + D_p_z_6*t176;
+        const lane adjoint_forward_t241 = t172 + t177;
+        const lane t178 = shape_14*t171;
+        const lane t179 = D_p_y_3*t173 + D_p_y_4*t174 + D_p_y_5*t175 + D_p_y_6*t176;
+        const lane adjoint_forward_t240 = t178 + t179;
+        const lane t180 = shape_13*t171;
+        const lane t181 = D_p_x_3*t173 + D_p_x_4*t174 + D_p_x_5*t175 + D_p_x_6*t176;
+        const lane adjoint_forward_t239 = t180 + t181;
+        const lane t182 = 2.0*shape_1;
+        const lane t183 = shape_15*t182;
+        const lane t184 = shape_1*t171;
+        const lane t185 = shape_1*t161;
+        const lane t186 = shape_1*t152;
+        const lane t187 = shape_1*t144;
+        const lane t188 = shape_6*t182;
+        const lane t189 = D_p_z_2*t184 + D_p_z_3*t185 + D_p_z_4*t186 + D_p_z_5*t187 + D_p_z_6*t188;
+        const lane adjoint_forward_t238 = t183 + t189;
+        const lane t190 = shape_14*t182;
+        const lane t191 = D_p_y_2*t184 + D_p_y_3*t185 + D_p_y_4*t186 + D_p_y_5*t187 + D_p_y_6*t188;
+        const lane adjoint_forward_t237 = t190 + t191;
+        const lane t192 = shape_13*t182;
+        const lane t193 = D_p_x_2*t184 + D_p_x_3*t185 + D_p_x_4*t186 + D_p_x_5*t187 + D_p_x_6*t188;
+        const lane adjoint_forward_t236 = t192 + t193;
+        const lane t194 = (shape_13*shape_13);
+        const lane t195 = eigenvalue*t194;
+        const lane t196 = (shape_14*shape_14);
+        const lane t197 = eigenvalue*t196;
+        const lane t198 = (shape_15*shape_15);
+        const lane t199 = eigenvalue*t198;
+        const lane adjoint_forward_t235 = -t195 - t197 - t199;
+        const lane t200 = D_p_rz_1*eigenvalue;
+        const lane t201 = D_p_rz_2*eigenvalue;
+        const lane t202 = D_p_rz_3*eigenvalue;
+        const lane t203 = D_p_rz_4*eigenvalue;
+        const lane t204 = D_p_rz_5*eigenvalue;
+        const lane t205 = 2.0*shape_6;
+        const lane t206 = shape_14*t205;
+        const lane t207 = D_p_rz_6*eigenvalue;
+        const lane adjoint_h_rz_u_y = -t148*t204 - t157*t203 - t167*t202 - t178*t201 - t190*t200 - t206*t207;
+        const lane t208 = shape_13*t205;
+        const lane adjoint_h_rz_u_x = -t150*t204 - t159*t203 - t169*t202 - t180*t201 - t192*t200 - t207*t208;
+        const lane t209 = D_p_rz_6*t120;
+        const lane t210 = D_p_rz_1*t188;
+        const lane t211 = D_p_rz_2*t176;
+        const lane t212 = D_p_rz_3*t165;
+        const lane t213 = D_p_rz_4*t155;
+        const lane t214 = D_p_rz_5*t146;
         const lane adjoint_h_rz_l_6 =
-            -eigenvalue*t204 - eigenvalue*t205 - eigenvalue*t206 - eigenvalue*t207 - eigenvalue*t208
-            - eigenvalue*t209;
-        const lane t210 = D_p_rz_5*t117;
-        const lane t211 = D_p_rz_1*t182;
-        const lane t212 = D_p_rz_2*t170;
-        const lane t213 = D_p_rz_3*t159;
-        const lane t214 = D_p_rz_4*t149;
+            -eigenvalue*t209 - eigenvalue*t210 - eigenvalue*t211 - eigenvalue*t212 - eigenvalue*t213
+            - eigenvalue*t214;
+        const lane t215 = D_p_rz_5*t122;
+        const lane t216 = D_p_rz_1*t187;
+        const lane t217 = D_p_rz_2*t175;
+        const lane t218 = D_p_rz_3*t164;
+        const lane t219 = D_p_rz_4*t154;
         const lane adjoint_h_rz_l_5 =
-            -eigenvalue*t210 - eigenvalue*t211 - eigenvalue*t212 - eigenvalue*t213 - eigenvalue*t214;
-        const lane t215 = D_p_rz_4*t119;
-        const lane t216 = D_p_rz_1*t181;
-        const lane t217 = D_p_rz_2*t169;
-        const lane t218 = D_p_rz_3*t158;
-        const lane adjoint_h_rz_l_4 = -eigenvalue*t215 - eigenvalue*t216 - eigenvalue*t217 - eigenvalue*t218;
-        const lane t219 = D_p_rz_3*t121;
-        const lane t220 = D_p_rz_1*t180;
-        const lane t221 = D_p_rz_2*t168;
-        const lane adjoint_h_rz_l_3 = -eigenvalue*t219 - eigenvalue*t220 - eigenvalue*t221;
-        const lane t222 = D_p_rz_2*t123;
-        const lane t223 = D_p_rz_1*t179;
-        const lane adjoint_h_rz_l_2 = -eigenvalue*t222 - eigenvalue*t223;
-        const lane adjoint_f_rz_l_1 = D_p_rz_1*t125;
+            -eigenvalue*t215 - eigenvalue*t216 - eigenvalue*t217 - eigenvalue*t218 - eigenvalue*t219;
+        const lane t220 = D_p_rz_4*t124;
+        const lane t221 = D_p_rz_1*t186;
+        const lane t222 = D_p_rz_2*t174;
+        const lane t223 = D_p_rz_3*t163;
+        const lane adjoint_h_rz_l_4 = -eigenvalue*t220 - eigenvalue*t221 - eigenvalue*t222 - eigenvalue*t223;
+        const lane t224 = D_p_rz_3*t126;
+        const lane t225 = D_p_rz_1*t185;
+        const lane t226 = D_p_rz_2*t173;
+        const lane adjoint_h_rz_l_3 = -eigenvalue*t224 - eigenvalue*t225 - eigenvalue*t226;
+        const lane t227 = D_p_rz_2*t128;
+        const lane t228 = D_p_rz_1*t184;
+        const lane adjoint_h_rz_l_2 = -eigenvalue*t227 - eigenvalue*t228;
+        const lane adjoint_f_rz_l_1 = D_p_rz_1*t130;
         const lane adjoint_h_rz_l_1 = -adjoint_f_rz_l_1*eigenvalue;
-        const lane t224 = D_p_ry_1*eigenvalue;
-        const lane t225 = D_p_ry_2*eigenvalue;
-        const lane t226 = D_p_ry_3*eigenvalue;
-        const lane t227 = D_p_ry_4*eigenvalue;
-        const lane t228 = D_p_ry_5*eigenvalue;
-        const lane t229 = shape_15*t200;
-        const lane t230 = D_p_ry_6*eigenvalue;
-        const lane adjoint_h_ry_u_z = -t140*t228 - t148*t227 - t157*t226 - t167*t225 - t178*t224 - t229*t230;
-        const lane adjoint_forward_t223 = -adjoint_h_ry_u_z + adjoint_h_rz_u_y;
-        const lane adjoint_h_ry_u_x = -t145*t228 - t154*t227 - t164*t226 - t175*t225 - t187*t224 - t203*t230;
-        const lane t231 = D_p_ry_6*t115;
-        const lane t232 = D_p_ry_1*t183;
-        const lane t233 = D_p_ry_2*t171;
-        const lane t234 = D_p_ry_3*t160;
-        const lane t235 = D_p_ry_4*t150;
-        const lane t236 = D_p_ry_5*t141;
+        const lane t229 = D_p_ry_1*eigenvalue;
+        const lane t230 = D_p_ry_2*eigenvalue;
+        const lane t231 = D_p_ry_3*eigenvalue;
+        const lane t232 = D_p_ry_4*eigenvalue;
+        const lane t233 = D_p_ry_5*eigenvalue;
+        const lane t234 = shape_15*t205;
+        const lane t235 = D_p_ry_6*eigenvalue;
+        const lane adjoint_h_ry_u_z = -t145*t233 - t153*t232 - t162*t231 - t172*t230 - t183*t229 - t234*t235;
+        const lane adjoint_forward_t234 = -adjoint_h_ry_u_z + adjoint_h_rz_u_y;
+        const lane adjoint_h_ry_u_x = -t150*t233 - t159*t232 - t169*t231 - t180*t230 - t192*t229 - t208*t235;
+        const lane t236 = D_p_ry_6*t120;
+        const lane t237 = D_p_ry_1*t188;
+        const lane t238 = D_p_ry_2*t176;
+        const lane t239 = D_p_ry_3*t165;
+        const lane t240 = D_p_ry_4*t155;
+        const lane t241 = D_p_ry_5*t146;
         const lane adjoint_h_ry_l_6 =
-            -eigenvalue*t231 - eigenvalue*t232 - eigenvalue*t233 - eigenvalue*t234 - eigenvalue*t235
-            - eigenvalue*t236;
-        const lane t237 = D_p_ry_5*t117;
-        const lane t238 = D_p_ry_1*t182;
-        const lane t239 = D_p_ry_2*t170;
-        const lane t240 = D_p_ry_3*t159;
-        const lane t241 = D_p_ry_4*t149;
+            -eigenvalue*t236 - eigenvalue*t237 - eigenvalue*t238 - eigenvalue*t239 - eigenvalue*t240
+            - eigenvalue*t241;
+        const lane t242 = D_p_ry_5*t122;
+        const lane t243 = D_p_ry_1*t187;
+        const lane t244 = D_p_ry_2*t175;
+        const lane t245 = D_p_ry_3*t164;
+        const lane t246 = D_p_ry_4*t154;
         const lane adjoint_h_ry_l_5 =
-            -eigenvalue*t237 - eigenvalue*t238 - eigenvalue*t239 - eigenvalue*t240 - eigenvalue*t241;
-        const lane t242 = D_p_ry_4*t119;
-        const lane t243 = D_p_ry_1*t181;
-        const lane t244 = D_p_ry_2*t169;
-        const lane t245 = D_p_ry_3*t158;
-        const lane adjoint_h_ry_l_4 = -eigenvalue*t242 - eigenvalue*t243 - eigenvalue*t244 - eigenvalue*t245;
-        const lane t246 = D_p_ry_3*t121;
-        const lane t247 = D_p_ry_1*t180;
-        const lane t248 = D_p_ry_2*t168;
-        const lane adjoint_h_ry_l_3 = -eigenvalue*t246 - eigenvalue*t247 - eigenvalue*t248;
-        const lane t249 = D_p_ry_2*t123;
-        const lane t250 = D_p_ry_1*t179;
-        const lane adjoint_h_ry_l_2 = -eigenvalue*t249 - eigenvalue*t250;
-        const lane adjoint_f_ry_l_1 = D_p_ry_1*t125;
+            -eigenvalue*t242 - eigenvalue*t243 - eigenvalue*t244 - eigenvalue*t245 - eigenvalue*t246;
+        const lane t247 = D_p_ry_4*t124;
+        const lane t248 = D_p_ry_1*t186;
+        const lane t249 = D_p_ry_2*t174;
+        const lane t250 = D_p_ry_3*t163;
+        const lane adjoint_h_ry_l_4 = -eigenvalue*t247 - eigenvalue*t248 - eigenvalue*t249 - eigenvalue*t250;
+        const lane t251 = D_p_ry_3*t126;
+        const lane t252 = D_p_ry_1*t185;
+        const lane t253 = D_p_ry_2*t173;
+        const lane adjoint_h_ry_l_3 = -eigenvalue*t251 - eigenvalue*t252 - eigenvalue*t253;
+        const lane t254 = D_p_ry_2*t128;
+        const lane t255 = D_p_ry_1*t184;
+        const lane adjoint_h_ry_l_2 = -eigenvalue*t254 - eigenvalue*t255;
+        const lane adjoint_f_ry_l_1 = D_p_ry_1*t130;
         const lane adjoint_h_ry_l_1 = -adjoint_f_ry_l_1*eigenvalue;
-        const lane t251 = D_p_rx_1*eigenvalue;
-        const lane t252 = D_p_rx_2*eigenvalue;
-        const lane t253 = D_p_rx_3*eigenvalue;
-        const lane t254 = D_p_rx_4*eigenvalue;
-        const lane t255 = D_p_rx_5*eigenvalue;
-        const lane t256 = D_p_rx_6*eigenvalue;
-        const lane adjoint_h_rx_u_z = -t140*t255 - t148*t254 - t157*t253 - t167*t252 - t178*t251 - t229*t256;
-        const lane adjoint_forward_t222 = adjoint_h_rx_u_z - adjoint_h_rz_u_x;
-        const lane adjoint_h_rx_u_y = -t143*t255 - t152*t254 - t162*t253 - t173*t252 - t185*t251 - t201*t256;
-        const lane adjoint_forward_t221 = -adjoint_h_rx_u_y + adjoint_h_ry_u_x;
-        const lane t257 = D_p_rx_6*t115;
-        const lane t258 = D_p_rx_1*t183;
-        const lane t259 = D_p_rx_2*t171;
-        const lane t260 = D_p_rx_3*t160;
-        const lane t261 = D_p_rx_4*t150;
-        const lane t262 = D_p_rx_5*t141;
+        const lane t256 = D_p_rx_1*eigenvalue;
+        const lane t257 = D_p_rx_2*eigenvalue;
+        const lane t258 = D_p_rx_3*eigenvalue;
+        const lane t259 = D_p_rx_4*eigenvalue;
+        const lane t260 = D_p_rx_5*eigenvalue;
+        const lane t261 = D_p_rx_6*eigenvalue;
+        const lane adjoint_h_rx_u_z = -t145*t260 - t153*t259 - t162*t258 - t172*t257 - t183*t256 - t234*t261;
+        const lane adjoint_forward_t233 = adjoint_h_rx_u_z - adjoint_h_rz_u_x;
+        const lane adjoint_h_rx_u_y = -t148*t260 - t157*t259 - t167*t258 - t178*t257 - t190*t256 - t206*t261;
+        const lane adjoint_forward_t232 = -adjoint_h_rx_u_y + adjoint_h_ry_u_x;
+        const lane t262 = D_p_rx_6*t120;
+        const lane t263 = D_p_rx_1*t188;
+        const lane t264 = D_p_rx_2*t176;
+        const lane t265 = D_p_rx_3*t165;
+        const lane t266 = D_p_rx_4*t155;
+        const lane t267 = D_p_rx_5*t146;
         const lane adjoint_h_rx_l_6 =
-            -eigenvalue*t257 - eigenvalue*t258 - eigenvalue*t259 - eigenvalue*t260 - eigenvalue*t261
-            - eigenvalue*t262;
-        const lane t263 = D_p_rx_5*t117;
-        const lane t264 = D_p_rx_1*t182;
-        const lane t265 = D_p_rx_2*t170;
-        const lane t266 = D_p_rx_3*t159;
-        const lane t267 = D_p_rx_4*t149;
+            -eigenvalue*t262 - eigenvalue*t263 - eigenvalue*t264 - eigenvalue*t265 - eigenvalue*t266
+            - eigenvalue*t267;
+        const lane t268 = D_p_rx_5*t122;
+        const lane t269 = D_p_rx_1*t187;
+        const lane t270 = D_p_rx_2*t175;
+        const lane t271 = D_p_rx_3*t164;
+        const lane t272 = D_p_rx_4*t154;
         const lane adjoint_h_rx_l_5 =
-            -eigenvalue*t263 - eigenvalue*t264 - eigenvalue*t265 - eigenvalue*t266 - eigenvalue*t267;
-        const lane t268 = D_p_rx_4*t119;
-        const lane t269 = D_p_rx_1*t181;
-        const lane t270 = D_p_rx_2*t169;
-        const lane t271 = D_p_rx_3*t158;
-        const lane adjoint_h_rx_l_4 = -eigenvalue*t268 - eigenvalue*t269 - eigenvalue*t270 - eigenvalue*t271;
-        const lane t272 = D_p_rx_3*t121;
-        const lane t273 = D_p_rx_1*t180;
-        const lane t274 = D_p_rx_2*t168;
-        const lane adjoint_h_rx_l_3 = -eigenvalue*t272 - eigenvalue*t273 - eigenvalue*t274;
-        const lane t275 = D_p_rx_2*t123;
-        const lane t276 = D_p_rx_1*t179;
-        const lane adjoint_h_rx_l_2 = -eigenvalue*t275 - eigenvalue*t276;
-        const lane adjoint_f_rx_l_1 = D_p_rx_1*t125;
+            -eigenvalue*t268 - eigenvalue*t269 - eigenvalue*t270 - eigenvalue*t271 - eigenvalue*t272;
+        const lane t273 = D_p_rx_4*t124;
+        const lane t274 = D_p_rx_1*t186;
+        const lane t275 = D_p_rx_2*t174;
+        const lane t276 = D_p_rx_3*t163;
+        const lane adjoint_h_rx_l_4 = -eigenvalue*t273 - eigenvalue*t274 - eigenvalue*t275 - eigenvalue*t276;
+        const lane t277 = D_p_rx_3*t126;
+        const lane t278 = D_p_rx_1*t185;
+        const lane t279 = D_p_rx_2*t173;
+        const lane adjoint_h_rx_l_3 = -eigenvalue*t277 - eigenvalue*t278 - eigenvalue*t279;
+        const lane t280 = D_p_rx_2*t128;
+        const lane t281 = D_p_rx_1*t184;
+        const lane adjoint_h_rx_l_2 = -eigenvalue*t280 - eigenvalue*t281;
+        const lane adjoint_f_rx_l_1 = D_p_rx_1*t130;
         const lane adjoint_h_rx_l_1 = -adjoint_f_rx_l_1*eigenvalue;
-        const lane t277 = eigenvalue*t178;
-        const lane t278 = eigenvalue*t167;
-        const lane t279 = eigenvalue*t157;
-        const lane t280 = eigenvalue*t148;
-        const lane t281 = eigenvalue*t140;
-        const lane t282 = D_p_z_6*t229;
+        const lane t282 = eigenvalue*t183;
+        const lane t283 = eigenvalue*t172;
+        const lane t284 = eigenvalue*t162;
+        const lane t285 = eigenvalue*t153;
+        const lane t286 = eigenvalue*t145;
+        const lane t287 = D_p_z_6*t234;
         const lane adjoint_h_z_u_z =
-            -D_p_z_1*t277 - D_p_z_2*t278 - D_p_z_3*t279 - D_p_z_4*t280 - D_p_z_5*t281 - eigenvalue*t282
-            - t194;
-        const lane t283 = D_p_z_6*t115;
-        const lane t284 = D_p_z_1*t183;
-        const lane t285 = D_p_z_2*t171;
-        const lane t286 = D_p_z_3*t160;
-        const lane t287 = D_p_z_4*t150;
-        const lane t288 = D_p_z_5*t141;
+            -D_p_z_1*t282 - D_p_z_2*t283 - D_p_z_3*t284 - D_p_z_4*t285 - D_p_z_5*t286 - eigenvalue*t287
+            - t199;
+        const lane t288 = D_p_z_6*t120;
+        const lane t289 = D_p_z_1*t188;
+        const lane t290 = D_p_z_2*t176;
+        const lane t291 = D_p_z_3*t165;
+        const lane t292 = D_p_z_4*t155;
+        const lane t293 = D_p_z_5*t146;
         const lane adjoint_h_z_l_6 =
-            -eigenvalue*t283 - eigenvalue*t284 - eigenvalue*t285 - eigenvalue*t286 - eigenvalue*t287
-            - eigenvalue*t288;
-        const lane t289 = D_p_z_5*t117;
-        const lane t290 = D_p_z_1*t182;
-        const lane t291 = D_p_z_2*t170;
-        const lane t292 = D_p_z_3*t159;
-        const lane t293 = D_p_z_4*t149;
+            -eigenvalue*t288 - eigenvalue*t289 - eigenvalue*t290 - eigenvalue*t291 - eigenvalue*t292
+            - eigenvalue*t293;
+        const lane t294 = D_p_z_5*t122;
+        const lane t295 = D_p_z_1*t187;
+        const lane t296 = D_p_z_2*t175;
+        const lane t297 = D_p_z_3*t164;
+        const lane t298 = D_p_z_4*t154;
         const lane adjoint_h_z_l_5 =
-            -eigenvalue*t289 - eigenvalue*t290 - eigenvalue*t291 - eigenvalue*t292 - eigenvalue*t293;
-        const lane t294 = D_p_z_4*t119;
-        const lane t295 = D_p_z_1*t181;
-        const lane t296 = D_p_z_2*t169;
-        const lane t297 = D_p_z_3*t158;
-        const lane adjoint_h_z_l_4 = -eigenvalue*t294 - eigenvalue*t295 - eigenvalue*t296 - eigenvalue*t297;
-        const lane t298 = D_p_z_3*t121;
-        const lane t299 = D_p_z_1*t180;
-        const lane t300 = D_p_z_2*t168;
-        const lane adjoint_h_z_l_3 = -eigenvalue*t298 - eigenvalue*t299 - eigenvalue*t300;
-        const lane t301 = D_p_z_2*t123;
-        const lane t302 = D_p_z_1*t179;
-        const lane adjoint_h_z_l_2 = -eigenvalue*t301 - eigenvalue*t302;
-        const lane adjoint_f_z_l_1 = D_p_z_1*t125;
+            -eigenvalue*t294 - eigenvalue*t295 - eigenvalue*t296 - eigenvalue*t297 - eigenvalue*t298;
+        const lane t299 = D_p_z_4*t124;
+        const lane t300 = D_p_z_1*t186;
+        const lane t301 = D_p_z_2*t174;
+        const lane t302 = D_p_z_3*t163;
+        const lane adjoint_h_z_l_4 = -eigenvalue*t299 - eigenvalue*t300 - eigenvalue*t301 - eigenvalue*t302;
+        const lane t303 = D_p_z_3*t126;
+        const lane t304 = D_p_z_1*t185;
+        const lane t305 = D_p_z_2*t173;
+        const lane adjoint_h_z_l_3 = -eigenvalue*t303 - eigenvalue*t304 - eigenvalue*t305;
+        const lane t306 = D_p_z_2*t128;
+        const lane t307 = D_p_z_1*t184;
+        const lane adjoint_h_z_l_2 = -eigenvalue*t306 - eigenvalue*t307;
+        const lane adjoint_f_z_l_1 = D_p_z_1*t130;
         const lane adjoint_h_z_l_1 = -adjoint_f_z_l_1*eigenvalue;
-        const lane t303 = eigenvalue*t185;
-        const lane t304 = eigenvalue*t173;
-        const lane t305 = eigenvalue*t162;
-        const lane t306 = eigenvalue*t152;
-        const lane t307 = eigenvalue*t143;
-        const lane t308 = D_p_y_6*t201;
+        const lane t308 = eigenvalue*t190;
+        const lane t309 = eigenvalue*t178;
+        const lane t310 = eigenvalue*t167;
+        const lane t311 = eigenvalue*t157;
+        const lane t312 = eigenvalue*t148;
+        const lane t313 = D_p_y_6*t206;
         const lane adjoint_h_y_u_y =
-            -D_p_y_1*t303 - D_p_y_2*t304 - D_p_y_3*t305 - D_p_y_4*t306 - D_p_y_5*t307 - eigenvalue*t308
-            - t192;
-        const lane t309 = D_p_y_6*t115;
-        const lane t310 = D_p_y_1*t183;
-        const lane t311 = D_p_y_2*t171;
-        const lane t312 = D_p_y_3*t160;
-        const lane t313 = D_p_y_4*t150;
-        const lane t314 = D_p_y_5*t141;
+            -D_p_y_1*t308 - D_p_y_2*t309 - D_p_y_3*t310 - D_p_y_4*t311 - D_p_y_5*t312 - eigenvalue*t313
+            - t197;
+        const lane t314 = D_p_y_6*t120;
+        const lane t315 = D_p_y_1*t188;
+        const lane t316 = D_p_y_2*t176;
+        const lane t317 = D_p_y_3*t165;
+        const lane t318 = D_p_y_4*t155;
+        const lane t319 = D_p_y_5*t146;
         const lane adjoint_h_y_l_6 =
-            -eigenvalue*t309 - eigenvalue*t310 - eigenvalue*t311 - eigenvalue*t312 - eigenvalue*t313
-            - eigenvalue*t314;
-        const lane t315 = D_p_y_5*t117;
-        const lane t316 = D_p_y_1*t182;
-        const lane t317 = D_p_y_2*t170;
-        const lane t318 = D_p_y_3*t159;
-        const lane t319 = D_p_y_4*t149;
+            -eigenvalue*t314 - eigenvalue*t315 - eigenvalue*t316 - eigenvalue*t317 - eigenvalue*t318
+            - eigenvalue*t319;
+        const lane t320 = D_p_y_5*t122;
+        const lane t321 = D_p_y_1*t187;
+        const lane t322 = D_p_y_2*t175;
+        const lane t323 = D_p_y_3*t164;
+        const lane t324 = D_p_y_4*t154;
         const lane adjoint_h_y_l_5 =
-            -eigenvalue*t315 - eigenvalue*t316 - eigenvalue*t317 - eigenvalue*t318 - eigenvalue*t319;
-        const lane t320 = D_p_y_4*t119;
-        const lane t321 = D_p_y_1*t181;
-        const lane t322 = D_p_y_2*t169;
-        const lane t323 = D_p_y_3*t158;
-        const lane adjoint_h_y_l_4 = -eigenvalue*t320 - eigenvalue*t321 - eigenvalue*t322 - eigenvalue*t323;
-        const lane t324 = D_p_y_3*t121;
-        const lane t325 = D_p_y_1*t180;
-        const lane t326 = D_p_y_2*t168;
-        const lane adjoint_h_y_l_3 = -eigenvalue*t324 - eigenvalue*t325 - eigenvalue*t326;
-        const lane t327 = D_p_y_2*t123;
-        const lane t328 = D_p_y_1*t179;
-        const lane adjoint_h_y_l_2 = -eigenvalue*t327 - eigenvalue*t328;
-        const lane adjoint_f_y_l_1 = D_p_y_1*t125;
+            -eigenvalue*t320 - eigenvalue*t321 - eigenvalue*t322 - eigenvalue*t323 - eigenvalue*t324;
+        const lane t325 = D_p_y_4*t124;
+        const lane t326 = D_p_y_1*t186;
+        const lane t327 = D_p_y_2*t174;
+        const lane t328 = D_p_y_3*t163;
+        const lane adjoint_h_y_l_4 = -eigenvalue*t325 - eigenvalue*t326 - eigenvalue*t327 - eigenvalue*t328;
+        const lane t329 = D_p_y_3*t126;
+        const lane t330 = D_p_y_1*t185;
+        const lane t331 = D_p_y_2*t173;
+        const lane adjoint_h_y_l_3 = -eigenvalue*t329 - eigenvalue*t330 - eigenvalue*t331;
+        const lane t332 = D_p_y_2*t128;
+        const lane t333 = D_p_y_1*t184;
+        const lane adjoint_h_y_l_2 = -eigenvalue*t332 - eigenvalue*t333;
+        const lane adjoint_f_y_l_1 = D_p_y_1*t130;
         const lane adjoint_h_y_l_1 = -adjoint_f_y_l_1*eigenvalue;
-        const lane t329 = eigenvalue*t187;
-        const lane t330 = eigenvalue*t175;
-        const lane t331 = eigenvalue*t164;
-        const lane t332 = eigenvalue*t154;
-        const lane t333 = eigenvalue*t145;
-        const lane t334 = D_p_x_6*t203;
+        const lane t334 = eigenvalue*t192;
+        const lane t335 = eigenvalue*t180;
+        const lane t336 = eigenvalue*t169;
+        const lane t337 = eigenvalue*t159;
+        const lane t338 = eigenvalue*t150;
+        const lane t339 = D_p_x_6*t208;
         const lane adjoint_h_x_u_x =
-            -D_p_x_1*t329 - D_p_x_2*t330 - D_p_x_3*t331 - D_p_x_4*t332 - D_p_x_5*t333 - eigenvalue*t334
-            - t190;
-        const lane adjoint_forward_t220 = adjoint_h_x_u_x + adjoint_h_y_u_y + adjoint_h_z_u_z;
-        const lane t335 = D_p_x_6*t115;
-        const lane t336 = D_p_x_1*t183;
-        const lane t337 = D_p_x_2*t171;
-        const lane t338 = D_p_x_3*t160;
-        const lane t339 = D_p_x_4*t150;
-        const lane t340 = D_p_x_5*t141;
+            -D_p_x_1*t334 - D_p_x_2*t335 - D_p_x_3*t336 - D_p_x_4*t337 - D_p_x_5*t338 - eigenvalue*t339
+            - t195;
+        const lane adjoint_forward_t231 = adjoint_h_x_u_x + adjoint_h_y_u_y + adjoint_h_z_u_z;
+        const lane t340 = D_p_x_6*t120;
+        const lane t341 = D_p_x_1*t188;
+        const lane t342 = D_p_x_2*t176;
+        const lane t343 = D_p_x_3*t165;
+        const lane t344 = D_p_x_4*t155;
+        const lane t345 = D_p_x_5*t146;
         const lane adjoint_h_x_l_6 =
-            -eigenvalue*t335 - eigenvalue*t336 - eigenvalue*t337 - eigenvalue*t338 - eigenvalue*t339
-            - eigenvalue*t340;
-        const lane t341 = D_p_x_5*t117;
-        const lane t342 = D_p_x_1*t182;
-        const lane t343 = D_p_x_2*t170;
-        const lane t344 = D_p_x_3*t159;
-        const lane t345 = D_p_x_4*t149;
+            -eigenvalue*t340 - eigenvalue*t341 - eigenvalue*t342 - eigenvalue*t343 - eigenvalue*t344
+            - eigenvalue*t345;
+        const lane t346 = D_p_x_5*t122;
+        const lane t347 = D_p_x_1*t187;
+        const lane t348 = D_p_x_2*t175;
+        const lane t349 = D_p_x_3*t164;
+        const lane t350 = D_p_x_4*t154;
         const lane adjoint_h_x_l_5 =
-            -eigenvalue*t341 - eigenvalue*t342 - eigenvalue*t343 - eigenvalue*t344 - eigenvalue*t345;
-        const lane t346 = D_p_x_4*t119;
-        const lane t347 = D_p_x_1*t181;
-        const lane t348 = D_p_x_2*t169;
-        const lane t349 = D_p_x_3*t158;
-        const lane adjoint_h_x_l_4 = -eigenvalue*t346 - eigenvalue*t347 - eigenvalue*t348 - eigenvalue*t349;
-        const lane t350 = D_p_x_3*t121;
-        const lane t351 = D_p_x_1*t180;
-        const lane t352 = D_p_x_2*t168;
-        const lane adjoint_h_x_l_3 = -eigenvalue*t350 - eigenvalue*t351 - eigenvalue*t352;
-        const lane t353 = D_p_x_2*t123;
-        const lane t354 = D_p_x_1*t179;
-        const lane adjoint_h_x_l_2 = -eigenvalue*t353 - eigenvalue*t354;
-        const lane adjoint_f_x_l_1 = D_p_x_1*t125;
+            -eigenvalue*t346 - eigenvalue*t347 - eigenvalue*t348 - eigenvalue*t349 - eigenvalue*t350;
+        const lane t351 = D_p_x_4*t124;
+        const lane t352 = D_p_x_1*t186;
+        const lane t353 = D_p_x_2*t174;
+        const lane t354 = D_p_x_3*t163;
+        const lane adjoint_h_x_l_4 = -eigenvalue*t351 - eigenvalue*t352 - eigenvalue*t353 - eigenvalue*t354;
+        const lane t355 = D_p_x_3*t126;
+        const lane t356 = D_p_x_1*t185;
+        const lane t357 = D_p_x_2*t173;
+        const lane adjoint_h_x_l_3 = -eigenvalue*t355 - eigenvalue*t356 - eigenvalue*t357;
+        const lane t358 = D_p_x_2*t128;
+        const lane t359 = D_p_x_1*t184;
+        const lane adjoint_h_x_l_2 = -eigenvalue*t358 - eigenvalue*t359;
+        const lane adjoint_f_x_l_1 = D_p_x_1*t130;
         const lane adjoint_h_x_l_1 = -adjoint_f_x_l_1*eigenvalue;
         const lane adjoint_M_p_rz_rz =
             D_p_rz_1*adjoint_h_rz_l_1 + D_p_rz_2*adjoint_h_rz_l_2 + D_p_rz_3*adjoint_h_rz_l_3
@@ -8168,27 +8222,30 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_M_p_ry_ry =
             D_p_ry_1*adjoint_h_ry_l_1 + D_p_ry_2*adjoint_h_ry_l_2 + D_p_ry_3*adjoint_h_ry_l_3
             + D_p_ry_4*adjoint_h_ry_l_4 + D_p_ry_5*adjoint_h_ry_l_5 + D_p_ry_6*adjoint_h_ry_l_6;
-        const lane t355 = adjoint_M_p_ry_ry*forward_t212;
-        const lane t356 = adjoint_M_p_rz_rz*forward_t212;
-        const lane adjoint_forward_t219 = t355 + t356;
-        const lane t357 = adjoint_M_p_ry_ry*forward_t209;
-        const lane t358 = adjoint_M_p_rz_rz*forward_t209;
-        const lane adjoint_forward_t218 = t357 + t358;
-        const lane t359 = adjoint_M_p_ry_ry*forward_t206;
-        const lane t360 = adjoint_M_p_rz_rz*forward_t206;
-        const lane adjoint_forward_t217 = t359 + t360;
-        const lane t361 = adjoint_M_p_ry_ry*forward_t203;
-        const lane t362 = adjoint_M_p_rz_rz*forward_t203;
-        const lane adjoint_forward_t216 = t361 + t362;
-        const lane t363 = adjoint_M_p_ry_ry*forward_t200;
-        const lane t364 = adjoint_M_p_rz_rz*forward_t200;
-        const lane adjoint_forward_t215 = t363 + t364;
-        const lane t365 = adjoint_M_p_ry_ry*forward_t197;
-        const lane t366 = adjoint_M_p_rz_rz*forward_t197;
-        const lane adjoint_forward_t214 = t365 + t366;
-        const lane t367 = adjoint_M_p_ry_ry*forward_t194;
-        const lane t368 = adjoint_M_p_rz_rz*forward_t194;
-        const lane adjoint_forward_t213 = t367 + t368;
+        const lane t360 = adjoint_M_p_ry_ry*forward_t222;
+        const lane t361 = adjoint_M_p_rz_rz*forward_t222;
+        const lane adjoint_forward_t230 = t360 + t361;
+        const lane t362 = adjoint_M_p_ry_ry*forward_t219;
+        const lane t363 = adjoint_M_p_rz_rz*forward_t219;
+        const lane adjoint_forward_t229 = t362 + t363;
+        const lane t364 = adjoint_M_p_ry_ry*forward_t216;
+        const lane t365 = adjoint_M_p_rz_rz*forward_t216;
+        const lane adjoint_forward_t228 = t364 + t365;
+        const lane t366 = adjoint_M_p_ry_ry*forward_t213;
+        const lane t367 = adjoint_M_p_rz_rz*forward_t213;
+        const lane adjoint_forward_t227 = t366 + t367;
+        const lane t368 = adjoint_M_p_ry_ry*forward_t210;
+        const lane t369 = adjoint_M_p_rz_rz*forward_t210;
+        const lane adjoint_forward_t226 = t368 + t369;
+        const lane t370 = adjoint_M_p_ry_ry*forward_t207;
+        const lane t371 = adjoint_M_p_rz_rz*forward_t207;
+        const lane adjoint_forward_t225 = t370 + t371;
+        const lane t372 = adjoint_M_p_ry_ry*forward_t204;
+        const lane t373 = adjoint_M_p_rz_rz*forward_t204;
+        const lane adjoint_forward_t224 = t372 + t373;
+        const lane t374 = adjoint_M_p_ry_ry*forward_t201;
+        const lane t375 = adjoint_M_p_rz_rz*forward_t201;
+        const lane adjoint_forward_t223 = t374 + t375;
         const lane adjoint_M_p_rx_rz =
             D_p_rx_1*adjoint_h_rz_l_1 + D_p_rx_2*adjoint_h_rz_l_2 + D_p_rx_3*adjoint_h_rz_l_3
             + D_p_rx_4*adjoint_h_rz_l_4 + D_p_rx_5*adjoint_h_rz_l_5 + D_p_rx_6*adjoint_h_rz_l_6
@@ -8202,41 +8259,46 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_M_p_rx_rx =
             D_p_rx_1*adjoint_h_rx_l_1 + D_p_rx_2*adjoint_h_rx_l_2 + D_p_rx_3*adjoint_h_rx_l_3
             + D_p_rx_4*adjoint_h_rx_l_4 + D_p_rx_5*adjoint_h_rx_l_5 + D_p_rx_6*adjoint_h_rx_l_6;
-        const lane adjoint_forward_t212 =
-            adjoint_M_p_rx_rx*t100 + adjoint_M_p_ry_ry*t107 + adjoint_M_p_rz_rz*t114;
-        const lane t369 = adjoint_M_p_rx_rx*forward_t212;
-        const lane adjoint_forward_t211 = t355 + t369;
-        const lane adjoint_forward_t210 = t356 + t369;
-        const lane adjoint_forward_t209 =
-            adjoint_M_p_rx_rx*t99 + adjoint_M_p_ry_ry*t106 + adjoint_M_p_rz_rz*t113;
-        const lane t370 = adjoint_M_p_rx_rx*forward_t209;
-        const lane adjoint_forward_t208 = t357 + t370;
-        const lane adjoint_forward_t207 = t358 + t370;
-        const lane adjoint_forward_t206 =
-            adjoint_M_p_rx_rx*t98 + adjoint_M_p_ry_ry*t105 + adjoint_M_p_rz_rz*t112;
-        const lane t371 = adjoint_M_p_rx_rx*forward_t206;
-        const lane adjoint_forward_t205 = t359 + t371;
-        const lane adjoint_forward_t204 = t360 + t371;
-        const lane adjoint_forward_t203 =
-            adjoint_M_p_rx_rx*t97 + adjoint_M_p_ry_ry*t104 + adjoint_M_p_rz_rz*t111;
-        const lane t372 = adjoint_M_p_rx_rx*forward_t203;
-        const lane adjoint_forward_t202 = t361 + t372;
-        const lane adjoint_forward_t201 = t362 + t372;
-        const lane adjoint_forward_t200 =
-            adjoint_M_p_rx_rx*t96 + adjoint_M_p_ry_ry*t103 + adjoint_M_p_rz_rz*t110;
-        const lane t373 = adjoint_M_p_rx_rx*forward_t200;
-        const lane adjoint_forward_t199 = t363 + t373;
-        const lane adjoint_forward_t198 = t364 + t373;
-        const lane adjoint_forward_t197 =
-            adjoint_M_p_rx_rx*t95 + adjoint_M_p_ry_ry*t102 + adjoint_M_p_rz_rz*t109;
-        const lane t374 = adjoint_M_p_rx_rx*forward_t197;
-        const lane adjoint_forward_t196 = t365 + t374;
-        const lane adjoint_forward_t195 = t366 + t374;
-        const lane adjoint_forward_t194 =
-            adjoint_M_p_rx_rx*t94 + adjoint_M_p_ry_ry*t101 + adjoint_M_p_rz_rz*t108;
-        const lane t375 = adjoint_M_p_rx_rx*forward_t194;
-        const lane adjoint_forward_t193 = t367 + t375;
-        const lane adjoint_forward_t192 = t368 + t375;
+        const lane adjoint_forward_t222 =
+            adjoint_M_p_rx_rx*t103 + adjoint_M_p_ry_ry*t111 + adjoint_M_p_rz_rz*t119;
+        const lane t376 = adjoint_M_p_rx_rx*forward_t222;
+        const lane adjoint_forward_t221 = t360 + t376;
+        const lane adjoint_forward_t220 = t361 + t376;
+        const lane adjoint_forward_t219 =
+            adjoint_M_p_rx_rx*t102 + adjoint_M_p_ry_ry*t110 + adjoint_M_p_rz_rz*t118;
+        const lane t377 = adjoint_M_p_rx_rx*forward_t219;
+        const lane adjoint_forward_t218 = t362 + t377;
+        const lane adjoint_forward_t217 = t363 + t377;
+        const lane adjoint_forward_t216 =
+            adjoint_M_p_rx_rx*t101 + adjoint_M_p_ry_ry*t109 + adjoint_M_p_rz_rz*t117;
+        const lane t378 = adjoint_M_p_rx_rx*forward_t216;
+        const lane adjoint_forward_t215 = t364 + t378;
+        const lane adjoint_forward_t214 = t365 + t378;
+        const lane adjoint_forward_t213 =
+            adjoint_M_p_rx_rx*t100 + adjoint_M_p_ry_ry*t108 + adjoint_M_p_rz_rz*t116;
+        const lane t379 = adjoint_M_p_rx_rx*forward_t213;
+        const lane adjoint_forward_t212 = t366 + t379;
+        const lane adjoint_forward_t211 = t367 + t379;
+        const lane adjoint_forward_t210 =
+            adjoint_M_p_rx_rx*t99 + adjoint_M_p_ry_ry*t107 + adjoint_M_p_rz_rz*t115;
+        const lane t380 = adjoint_M_p_rx_rx*forward_t210;
+        const lane adjoint_forward_t209 = t368 + t380;
+        const lane adjoint_forward_t208 = t369 + t380;
+        const lane adjoint_forward_t207 =
+            adjoint_M_p_rx_rx*t98 + adjoint_M_p_ry_ry*t106 + adjoint_M_p_rz_rz*t114;
+        const lane t381 = adjoint_M_p_rx_rx*forward_t207;
+        const lane adjoint_forward_t206 = t370 + t381;
+        const lane adjoint_forward_t205 = t371 + t381;
+        const lane adjoint_forward_t204 =
+            adjoint_M_p_rx_rx*t97 + adjoint_M_p_ry_ry*t105 + adjoint_M_p_rz_rz*t113;
+        const lane t382 = adjoint_M_p_rx_rx*forward_t204;
+        const lane adjoint_forward_t203 = t372 + t382;
+        const lane adjoint_forward_t202 = t373 + t382;
+        const lane adjoint_forward_t201 =
+            adjoint_M_p_rx_rx*t96 + adjoint_M_p_ry_ry*t104 + adjoint_M_p_rz_rz*t112;
+        const lane t383 = adjoint_M_p_rx_rx*forward_t201;
+        const lane adjoint_forward_t200 = t374 + t383;
+        const lane adjoint_forward_t199 = t375 + t383;
         const lane adjoint_M_p_z_ry =
             D_p_ry_1*adjoint_h_z_l_1 + D_p_ry_2*adjoint_h_z_l_2 + D_p_ry_3*adjoint_h_z_l_3
             + D_p_ry_4*adjoint_h_z_l_4 + D_p_ry_5*adjoint_h_z_l_5 + D_p_ry_6*adjoint_h_z_l_6
@@ -8249,7 +8311,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_y_1*adjoint_h_rz_l_1 + D_p_y_2*adjoint_h_rz_l_2 + D_p_y_3*adjoint_h_rz_l_3
             + D_p_y_4*adjoint_h_rz_l_4 + D_p_y_5*adjoint_h_rz_l_5 + D_p_y_6*adjoint_h_rz_l_6
             - adjoint_M_p_z_ry + adjoint_h_rz_u_y;
-        const lane adjoint_forward_t191 = adjoint_M_p_y_rz - adjoint_forward_t223;
+        const lane adjoint_forward_t198 = adjoint_M_p_y_rz - adjoint_forward_t234;
         const lane adjoint_M_p_y_rx =
             D_p_rx_1*adjoint_h_y_l_1 + D_p_rx_2*adjoint_h_y_l_2 + D_p_rx_3*adjoint_h_y_l_3
             + D_p_rx_4*adjoint_h_y_l_4 + D_p_rx_5*adjoint_h_y_l_5 + D_p_rx_6*adjoint_h_y_l_6
@@ -8268,28 +8330,31 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_z_1*adjoint_h_rx_l_1 + D_p_z_2*adjoint_h_rx_l_2 + D_p_z_3*adjoint_h_rx_l_3
             + D_p_z_4*adjoint_h_rx_l_4 + D_p_z_5*adjoint_h_rx_l_5 + D_p_z_6*adjoint_h_rx_l_6
             - adjoint_M_p_x_rz + adjoint_h_rx_u_z;
-        const lane adjoint_forward_t185 = -adjoint_M_p_rx_ry*c_x + adjoint_M_p_z_rx;
-        const lane t376 = -adjoint_M_p_z_rx + adjoint_forward_t222;
-        const lane adjoint_forward_t184 = -B_6_x*adjoint_M_p_rx_ry - t376;
-        const lane adjoint_forward_t183 = -B_5_x*adjoint_M_p_rx_ry - t376;
-        const lane adjoint_forward_t182 = -B_4_x*adjoint_M_p_rx_ry - t376;
-        const lane adjoint_forward_t181 = -B_3_x*adjoint_M_p_rx_ry - t376;
-        const lane adjoint_forward_t180 = -B_2_x*adjoint_M_p_rx_ry - t376;
-        const lane adjoint_forward_t179 = -B_1_x*adjoint_M_p_rx_ry - t376;
+        const lane adjoint_forward_t192 = -adjoint_M_p_rx_ry*o_L_x + adjoint_M_p_z_rx;
+        const lane adjoint_forward_t191 = -adjoint_M_p_rx_ry*c_x + adjoint_M_p_z_rx;
+        const lane t384 = -adjoint_M_p_z_rx + adjoint_forward_t233;
+        const lane adjoint_forward_t190 = -B_6_x*adjoint_M_p_rx_ry - t384;
+        const lane adjoint_forward_t189 = -B_5_x*adjoint_M_p_rx_ry - t384;
+        const lane adjoint_forward_t188 = -B_4_x*adjoint_M_p_rx_ry - t384;
+        const lane adjoint_forward_t187 = -B_3_x*adjoint_M_p_rx_ry - t384;
+        const lane adjoint_forward_t186 = -B_2_x*adjoint_M_p_rx_ry - t384;
+        const lane adjoint_forward_t185 = -B_1_x*adjoint_M_p_rx_ry - t384;
         const lane adjoint_M_p_x_ry =
             D_p_ry_1*adjoint_h_x_l_1 + D_p_ry_2*adjoint_h_x_l_2 + D_p_ry_3*adjoint_h_x_l_3
             + D_p_ry_4*adjoint_h_x_l_4 + D_p_ry_5*adjoint_h_x_l_5 + D_p_ry_6*adjoint_h_x_l_6
             + D_p_x_1*adjoint_h_ry_l_1 + D_p_x_2*adjoint_h_ry_l_2 + D_p_x_3*adjoint_h_ry_l_3
             + D_p_x_4*adjoint_h_ry_l_4 + D_p_x_5*adjoint_h_ry_l_5 + D_p_x_6*adjoint_h_ry_l_6
             - adjoint_M_p_y_rx + adjoint_h_ry_u_x;
-        const lane adjoint_forward_t178 = -adjoint_M_p_rx_rz*c_x - adjoint_M_p_ry_rz*c_y + adjoint_M_p_x_ry;
-        const lane t377 = -adjoint_M_p_x_ry + adjoint_forward_t221;
-        const lane adjoint_forward_t177 = -B_6_x*adjoint_M_p_rx_rz - B_6_y*adjoint_M_p_ry_rz - t377;
-        const lane adjoint_forward_t176 = -B_5_x*adjoint_M_p_rx_rz - B_5_y*adjoint_M_p_ry_rz - t377;
-        const lane adjoint_forward_t175 = -B_4_x*adjoint_M_p_rx_rz - B_4_y*adjoint_M_p_ry_rz - t377;
-        const lane adjoint_forward_t174 = -B_3_x*adjoint_M_p_rx_rz - B_3_y*adjoint_M_p_ry_rz - t377;
-        const lane adjoint_forward_t173 = -B_2_x*adjoint_M_p_rx_rz - B_2_y*adjoint_M_p_ry_rz - t377;
-        const lane adjoint_forward_t172 = -B_1_x*adjoint_M_p_rx_rz - B_1_y*adjoint_M_p_ry_rz - t377;
+        const lane adjoint_forward_t184 =
+            -adjoint_M_p_rx_rz*o_L_x - adjoint_M_p_ry_rz*o_L_y + adjoint_M_p_x_ry;
+        const lane adjoint_forward_t183 = -adjoint_M_p_rx_rz*c_x - adjoint_M_p_ry_rz*c_y + adjoint_M_p_x_ry;
+        const lane t385 = -adjoint_M_p_x_ry + adjoint_forward_t232;
+        const lane adjoint_forward_t182 = -B_6_x*adjoint_M_p_rx_rz - B_6_y*adjoint_M_p_ry_rz - t385;
+        const lane adjoint_forward_t181 = -B_5_x*adjoint_M_p_rx_rz - B_5_y*adjoint_M_p_ry_rz - t385;
+        const lane adjoint_forward_t180 = -B_4_x*adjoint_M_p_rx_rz - B_4_y*adjoint_M_p_ry_rz - t385;
+        const lane adjoint_forward_t179 = -B_3_x*adjoint_M_p_rx_rz - B_3_y*adjoint_M_p_ry_rz - t385;
+        const lane adjoint_forward_t178 = -B_2_x*adjoint_M_p_rx_rz - B_2_y*adjoint_M_p_ry_rz - t385;
+        const lane adjoint_forward_t177 = -B_1_x*adjoint_M_p_rx_rz - B_1_y*adjoint_M_p_ry_rz - t385;
         const lane adjoint_M_p_x_x =
             D_p_x_1*adjoint_h_x_l_1 + D_p_x_2*adjoint_h_x_l_2 + D_p_x_3*adjoint_h_x_l_3
             + D_p_x_4*adjoint_h_x_l_4 + D_p_x_5*adjoint_h_x_l_5 + D_p_x_6*adjoint_h_x_l_6
@@ -8297,112 +8362,112 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_y_4*adjoint_h_y_l_4 + D_p_y_5*adjoint_h_y_l_5 + D_p_y_6*adjoint_h_y_l_6
             + D_p_z_1*adjoint_h_z_l_1 + D_p_z_2*adjoint_h_z_l_2 + D_p_z_3*adjoint_h_z_l_3
             + D_p_z_4*adjoint_h_z_l_4 + D_p_z_5*adjoint_h_z_l_5 + D_p_z_6*adjoint_h_z_l_6
-            + adjoint_forward_t220;
-        const lane adjoint_f_rz_l_6 = t204 + t205 + t206 + t207 + t208 + t209;
-        const lane adjoint_forward_t171 = -adjoint_f_rz_l_6 - t204;
-        const lane adjoint_f_rz_l_5 = t210 + t211 + t212 + t213 + t214;
-        const lane adjoint_forward_t170 = -D_p_rz_6*t141 - adjoint_f_rz_l_5 - t210;
-        const lane adjoint_f_rz_l_4 = t215 + t216 + t217 + t218;
-        const lane adjoint_forward_t169 = -D_p_rz_5*t149 - D_p_rz_6*t150 - adjoint_f_rz_l_4 - t215;
-        const lane adjoint_f_rz_l_3 = t219 + t220 + t221;
-        const lane adjoint_forward_t168 =
-            -D_p_rz_4*t158 - D_p_rz_5*t159 - D_p_rz_6*t160 - adjoint_f_rz_l_3 - t219;
-        const lane adjoint_f_rz_l_2 = t222 + t223;
-        const lane adjoint_forward_t167 =
-            -D_p_rz_3*t168 - D_p_rz_4*t169 - D_p_rz_5*t170 - D_p_rz_6*t171 - adjoint_f_rz_l_2 - t222;
-        const lane adjoint_forward_t166 =
-            -D_p_rz_2*t179 - D_p_rz_3*t180 - D_p_rz_4*t181 - D_p_rz_5*t182 - D_p_rz_6*t183
+            + adjoint_forward_t231;
+        const lane adjoint_f_rz_l_6 = t209 + t210 + t211 + t212 + t213 + t214;
+        const lane adjoint_forward_t176 = -adjoint_f_rz_l_6 - t209;
+        const lane adjoint_f_rz_l_5 = t215 + t216 + t217 + t218 + t219;
+        const lane adjoint_forward_t175 = -D_p_rz_6*t146 - adjoint_f_rz_l_5 - t215;
+        const lane adjoint_f_rz_l_4 = t220 + t221 + t222 + t223;
+        const lane adjoint_forward_t174 = -D_p_rz_5*t154 - D_p_rz_6*t155 - adjoint_f_rz_l_4 - t220;
+        const lane adjoint_f_rz_l_3 = t224 + t225 + t226;
+        const lane adjoint_forward_t173 =
+            -D_p_rz_4*t163 - D_p_rz_5*t164 - D_p_rz_6*t165 - adjoint_f_rz_l_3 - t224;
+        const lane adjoint_f_rz_l_2 = t227 + t228;
+        const lane adjoint_forward_t172 =
+            -D_p_rz_3*t173 - D_p_rz_4*t174 - D_p_rz_5*t175 - D_p_rz_6*t176 - adjoint_f_rz_l_2 - t227;
+        const lane adjoint_forward_t171 =
+            -D_p_rz_2*t184 - D_p_rz_3*t185 - D_p_rz_4*t186 - D_p_rz_5*t187 - D_p_rz_6*t188
             - 2.0*adjoint_f_rz_l_1;
-        const lane adjoint_f_ry_l_6 = t231 + t232 + t233 + t234 + t235 + t236;
-        const lane adjoint_forward_t165 = -adjoint_f_ry_l_6 - t231;
-        const lane adjoint_f_ry_l_5 = t237 + t238 + t239 + t240 + t241;
-        const lane adjoint_forward_t164 = -D_p_ry_6*t141 - adjoint_f_ry_l_5 - t237;
-        const lane adjoint_f_ry_l_4 = t242 + t243 + t244 + t245;
-        const lane adjoint_forward_t163 = -D_p_ry_5*t149 - D_p_ry_6*t150 - adjoint_f_ry_l_4 - t242;
-        const lane adjoint_f_ry_l_3 = t246 + t247 + t248;
-        const lane adjoint_forward_t162 =
-            -D_p_ry_4*t158 - D_p_ry_5*t159 - D_p_ry_6*t160 - adjoint_f_ry_l_3 - t246;
-        const lane adjoint_f_ry_l_2 = t249 + t250;
-        const lane adjoint_forward_t161 =
-            -D_p_ry_3*t168 - D_p_ry_4*t169 - D_p_ry_5*t170 - D_p_ry_6*t171 - adjoint_f_ry_l_2 - t249;
-        const lane adjoint_forward_t160 =
-            -D_p_ry_2*t179 - D_p_ry_3*t180 - D_p_ry_4*t181 - D_p_ry_5*t182 - D_p_ry_6*t183
+        const lane adjoint_f_ry_l_6 = t236 + t237 + t238 + t239 + t240 + t241;
+        const lane adjoint_forward_t170 = -adjoint_f_ry_l_6 - t236;
+        const lane adjoint_f_ry_l_5 = t242 + t243 + t244 + t245 + t246;
+        const lane adjoint_forward_t169 = -D_p_ry_6*t146 - adjoint_f_ry_l_5 - t242;
+        const lane adjoint_f_ry_l_4 = t247 + t248 + t249 + t250;
+        const lane adjoint_forward_t168 = -D_p_ry_5*t154 - D_p_ry_6*t155 - adjoint_f_ry_l_4 - t247;
+        const lane adjoint_f_ry_l_3 = t251 + t252 + t253;
+        const lane adjoint_forward_t167 =
+            -D_p_ry_4*t163 - D_p_ry_5*t164 - D_p_ry_6*t165 - adjoint_f_ry_l_3 - t251;
+        const lane adjoint_f_ry_l_2 = t254 + t255;
+        const lane adjoint_forward_t166 =
+            -D_p_ry_3*t173 - D_p_ry_4*t174 - D_p_ry_5*t175 - D_p_ry_6*t176 - adjoint_f_ry_l_2 - t254;
+        const lane adjoint_forward_t165 =
+            -D_p_ry_2*t184 - D_p_ry_3*t185 - D_p_ry_4*t186 - D_p_ry_5*t187 - D_p_ry_6*t188
             - 2.0*adjoint_f_ry_l_1;
-        const lane adjoint_f_rx_l_6 = t257 + t258 + t259 + t260 + t261 + t262;
-        const lane adjoint_forward_t159 = -adjoint_f_rx_l_6 - t257;
-        const lane adjoint_f_rx_l_5 = t263 + t264 + t265 + t266 + t267;
-        const lane adjoint_forward_t158 = -D_p_rx_6*t141 - adjoint_f_rx_l_5 - t263;
-        const lane adjoint_f_rx_l_4 = t268 + t269 + t270 + t271;
-        const lane adjoint_forward_t157 = -D_p_rx_5*t149 - D_p_rx_6*t150 - adjoint_f_rx_l_4 - t268;
-        const lane adjoint_f_rx_l_3 = t272 + t273 + t274;
-        const lane adjoint_forward_t156 =
-            -D_p_rx_4*t158 - D_p_rx_5*t159 - D_p_rx_6*t160 - adjoint_f_rx_l_3 - t272;
-        const lane adjoint_f_rx_l_2 = t275 + t276;
-        const lane adjoint_forward_t155 =
-            -D_p_rx_3*t168 - D_p_rx_4*t169 - D_p_rx_5*t170 - D_p_rx_6*t171 - adjoint_f_rx_l_2 - t275;
-        const lane adjoint_forward_t154 =
-            -D_p_rx_2*t179 - D_p_rx_3*t180 - D_p_rx_4*t181 - D_p_rx_5*t182 - D_p_rx_6*t183
+        const lane adjoint_f_rx_l_6 = t262 + t263 + t264 + t265 + t266 + t267;
+        const lane adjoint_forward_t164 = -adjoint_f_rx_l_6 - t262;
+        const lane adjoint_f_rx_l_5 = t268 + t269 + t270 + t271 + t272;
+        const lane adjoint_forward_t163 = -D_p_rx_6*t146 - adjoint_f_rx_l_5 - t268;
+        const lane adjoint_f_rx_l_4 = t273 + t274 + t275 + t276;
+        const lane adjoint_forward_t162 = -D_p_rx_5*t154 - D_p_rx_6*t155 - adjoint_f_rx_l_4 - t273;
+        const lane adjoint_f_rx_l_3 = t277 + t278 + t279;
+        const lane adjoint_forward_t161 =
+            -D_p_rx_4*t163 - D_p_rx_5*t164 - D_p_rx_6*t165 - adjoint_f_rx_l_3 - t277;
+        const lane adjoint_f_rx_l_2 = t280 + t281;
+        const lane adjoint_forward_t160 =
+            -D_p_rx_3*t173 - D_p_rx_4*t174 - D_p_rx_5*t175 - D_p_rx_6*t176 - adjoint_f_rx_l_2 - t280;
+        const lane adjoint_forward_t159 =
+            -D_p_rx_2*t184 - D_p_rx_3*t185 - D_p_rx_4*t186 - D_p_rx_5*t187 - D_p_rx_6*t188
             - 2.0*adjoint_f_rx_l_1;
-        const lane adjoint_f_z_l_6 = t283 + t284 + t285 + t286 + t287 + t288;
-        const lane adjoint_forward_t153 = adjoint_f_z_l_6 + t283;
-        const lane adjoint_f_z_l_5 = t289 + t290 + t291 + t292 + t293;
-        const lane adjoint_forward_t152 = adjoint_f_z_l_5 + t142 + t289;
-        const lane adjoint_f_z_l_4 = t294 + t295 + t296 + t297;
-        const lane adjoint_forward_t151 = adjoint_f_z_l_4 + t151 + t294;
-        const lane adjoint_f_z_l_3 = t298 + t299 + t300;
-        const lane adjoint_forward_t150 = adjoint_f_z_l_3 + t161 + t298;
-        const lane adjoint_f_z_l_2 = t301 + t302;
-        const lane adjoint_forward_t149 = adjoint_f_z_l_2 + t172 + t301;
-        const lane adjoint_forward_t148 = 2.0*adjoint_f_z_l_1 + t184;
-        const lane adjoint_f_y_l_6 = t309 + t310 + t311 + t312 + t313 + t314;
-        const lane adjoint_forward_t147 = adjoint_f_y_l_6 + t309;
-        const lane adjoint_f_y_l_5 = t315 + t316 + t317 + t318 + t319;
-        const lane adjoint_forward_t146 = adjoint_f_y_l_5 + t144 + t315;
-        const lane adjoint_f_y_l_4 = t320 + t321 + t322 + t323;
-        const lane adjoint_forward_t145 = adjoint_f_y_l_4 + t153 + t320;
-        const lane adjoint_f_y_l_3 = t324 + t325 + t326;
-        const lane adjoint_forward_t144 = adjoint_f_y_l_3 + t163 + t324;
-        const lane adjoint_f_y_l_2 = t327 + t328;
-        const lane adjoint_forward_t143 = adjoint_f_y_l_2 + t174 + t327;
-        const lane adjoint_forward_t142 = 2.0*adjoint_f_y_l_1 + t186;
-        const lane adjoint_f_x_l_6 = t335 + t336 + t337 + t338 + t339 + t340;
-        const lane adjoint_forward_t141 = adjoint_f_x_l_6 + t335;
-        const lane t378 = eigenvalue*t203;
-        const lane t379 = eigenvalue*t201;
-        const lane t380 = eigenvalue*t229;
-        const lane adjoint_forward_t140 =
-            adjoint_forward_t141*g_x + adjoint_forward_t147*g_y + adjoint_forward_t153*g_z
-            + adjoint_forward_t159*t81 + adjoint_forward_t165*t87 + adjoint_forward_t171*t93 + d_6_x*t378
-            + d_6_y*t379 + d_6_z*t380;
-        const lane adjoint_f_x_l_5 = t341 + t342 + t343 + t344 + t345;
-        const lane adjoint_forward_t139 = adjoint_f_x_l_5 + t146 + t341;
-        const lane adjoint_forward_t138 =
-            adjoint_forward_t139*g_x + adjoint_forward_t146*g_y + adjoint_forward_t152*g_z
-            + adjoint_forward_t158*t80 + adjoint_forward_t164*t86 + adjoint_forward_t170*t92 + d_5_x*t333
-            + d_5_y*t307 + d_5_z*t281;
-        const lane adjoint_f_x_l_4 = t346 + t347 + t348 + t349;
-        const lane adjoint_forward_t137 = adjoint_f_x_l_4 + t155 + t346;
-        const lane adjoint_forward_t136 =
-            adjoint_forward_t137*g_x + adjoint_forward_t145*g_y + adjoint_forward_t151*g_z
-            + adjoint_forward_t157*t79 + adjoint_forward_t163*t85 + adjoint_forward_t169*t91 + d_4_x*t332
-            + d_4_y*t306 + d_4_z*t280;
-        const lane adjoint_f_x_l_3 = t350 + t351 + t352;
-        const lane adjoint_forward_t135 = adjoint_f_x_l_3 + t165 + t350;
-        const lane adjoint_forward_t134 =
-            adjoint_forward_t135*g_x + adjoint_forward_t144*g_y + adjoint_forward_t150*g_z
-            + adjoint_forward_t156*t78 + adjoint_forward_t162*t84 + adjoint_forward_t168*t90 + d_3_x*t331
-            + d_3_y*t305 + d_3_z*t279;
-        const lane adjoint_f_x_l_2 = t353 + t354;
-        const lane adjoint_forward_t133 = adjoint_f_x_l_2 + t176 + t353;
-        const lane adjoint_forward_t132 =
-            adjoint_forward_t133*g_x + adjoint_forward_t143*g_y + adjoint_forward_t149*g_z
-            + adjoint_forward_t155*t77 + adjoint_forward_t161*t83 + adjoint_forward_t167*t89 + d_2_x*t330
-            + d_2_y*t304 + d_2_z*t278;
-        const lane adjoint_forward_t131 = 2.0*adjoint_f_x_l_1 + t188;
-        const lane adjoint_forward_t130 =
-            adjoint_forward_t131*g_x + adjoint_forward_t142*g_y + adjoint_forward_t148*g_z
-            + adjoint_forward_t154*t76 + adjoint_forward_t160*t82 + adjoint_forward_t166*t88 + d_1_x*t329
-            + d_1_y*t303 + d_1_z*t277;
+        const lane adjoint_f_z_l_6 = t288 + t289 + t290 + t291 + t292 + t293;
+        const lane adjoint_forward_t158 = adjoint_f_z_l_6 + t288;
+        const lane adjoint_f_z_l_5 = t294 + t295 + t296 + t297 + t298;
+        const lane adjoint_forward_t157 = adjoint_f_z_l_5 + t147 + t294;
+        const lane adjoint_f_z_l_4 = t299 + t300 + t301 + t302;
+        const lane adjoint_forward_t156 = adjoint_f_z_l_4 + t156 + t299;
+        const lane adjoint_f_z_l_3 = t303 + t304 + t305;
+        const lane adjoint_forward_t155 = adjoint_f_z_l_3 + t166 + t303;
+        const lane adjoint_f_z_l_2 = t306 + t307;
+        const lane adjoint_forward_t154 = adjoint_f_z_l_2 + t177 + t306;
+        const lane adjoint_forward_t153 = 2.0*adjoint_f_z_l_1 + t189;
+        const lane adjoint_f_y_l_6 = t314 + t315 + t316 + t317 + t318 + t319;
+        const lane adjoint_forward_t152 = adjoint_f_y_l_6 + t314;
+        const lane adjoint_f_y_l_5 = t320 + t321 + t322 + t323 + t324;
+        const lane adjoint_forward_t151 = adjoint_f_y_l_5 + t149 + t320;
+        const lane adjoint_f_y_l_4 = t325 + t326 + t327 + t328;
+        const lane adjoint_forward_t150 = adjoint_f_y_l_4 + t158 + t325;
+        const lane adjoint_f_y_l_3 = t329 + t330 + t331;
+        const lane adjoint_forward_t149 = adjoint_f_y_l_3 + t168 + t329;
+        const lane adjoint_f_y_l_2 = t332 + t333;
+        const lane adjoint_forward_t148 = adjoint_f_y_l_2 + t179 + t332;
+        const lane adjoint_forward_t147 = 2.0*adjoint_f_y_l_1 + t191;
+        const lane adjoint_f_x_l_6 = t340 + t341 + t342 + t343 + t344 + t345;
+        const lane adjoint_forward_t146 = adjoint_f_x_l_6 + t340;
+        const lane t386 = eigenvalue*t208;
+        const lane t387 = eigenvalue*t206;
+        const lane t388 = eigenvalue*t234;
+        const lane adjoint_forward_t145 =
+            adjoint_forward_t146*g_x + adjoint_forward_t152*g_y + adjoint_forward_t158*g_z
+            + adjoint_forward_t164*t83 + adjoint_forward_t170*t89 + adjoint_forward_t176*t95 + d_6_x*t386
+            + d_6_y*t387 + d_6_z*t388;
+        const lane adjoint_f_x_l_5 = t346 + t347 + t348 + t349 + t350;
+        const lane adjoint_forward_t144 = adjoint_f_x_l_5 + t151 + t346;
+        const lane adjoint_forward_t143 =
+            adjoint_forward_t144*g_x + adjoint_forward_t151*g_y + adjoint_forward_t157*g_z
+            + adjoint_forward_t163*t82 + adjoint_forward_t169*t88 + adjoint_forward_t175*t94 + d_5_x*t338
+            + d_5_y*t312 + d_5_z*t286;
+        const lane adjoint_f_x_l_4 = t351 + t352 + t353 + t354;
+        const lane adjoint_forward_t142 = adjoint_f_x_l_4 + t160 + t351;
+        const lane adjoint_forward_t141 =
+            adjoint_forward_t142*g_x + adjoint_forward_t150*g_y + adjoint_forward_t156*g_z
+            + adjoint_forward_t162*t81 + adjoint_forward_t168*t87 + adjoint_forward_t174*t93 + d_4_x*t337
+            + d_4_y*t311 + d_4_z*t285;
+        const lane adjoint_f_x_l_3 = t355 + t356 + t357;
+        const lane adjoint_forward_t140 = adjoint_f_x_l_3 + t170 + t355;
+        const lane adjoint_forward_t139 =
+            adjoint_forward_t140*g_x + adjoint_forward_t149*g_y + adjoint_forward_t155*g_z
+            + adjoint_forward_t161*t80 + adjoint_forward_t167*t86 + adjoint_forward_t173*t92 + d_3_x*t336
+            + d_3_y*t310 + d_3_z*t284;
+        const lane adjoint_f_x_l_2 = t358 + t359;
+        const lane adjoint_forward_t138 = adjoint_f_x_l_2 + t181 + t358;
+        const lane adjoint_forward_t137 =
+            adjoint_forward_t138*g_x + adjoint_forward_t148*g_y + adjoint_forward_t154*g_z
+            + adjoint_forward_t160*t79 + adjoint_forward_t166*t85 + adjoint_forward_t172*t91 + d_2_x*t335
+            + d_2_y*t309 + d_2_z*t283;
+        const lane adjoint_forward_t136 = 2.0*adjoint_f_x_l_1 + t193;
+        const lane adjoint_forward_t135 =
+            adjoint_forward_t136*g_x + adjoint_forward_t147*g_y + adjoint_forward_t153*g_z
+            + adjoint_forward_t159*t78 + adjoint_forward_t165*t84 + adjoint_forward_t171*t90 + d_1_x*t334
+            + d_1_y*t308 + d_1_z*t282;
         const lane adjoint_L_rz_rz =
             D_p_rz_1*adjoint_f_rz_l_1 + D_p_rz_2*adjoint_f_rz_l_2 + D_p_rz_3*adjoint_f_rz_l_3
             + D_p_rz_4*adjoint_f_rz_l_4 + D_p_rz_5*adjoint_f_rz_l_5 + D_p_rz_6*adjoint_f_rz_l_6;
@@ -8414,13 +8479,13 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_L_ry_ry =
             D_p_ry_1*adjoint_f_ry_l_1 + D_p_ry_2*adjoint_f_ry_l_2 + D_p_ry_3*adjoint_f_ry_l_3
             + D_p_ry_4*adjoint_f_ry_l_4 + D_p_ry_5*adjoint_f_ry_l_5 + D_p_ry_6*adjoint_f_ry_l_6;
-        const lane adjoint_forward_t129 = -adjoint_L_ry_ry - adjoint_L_rz_rz;
-        const lane adjoint_forward_t128 = adjoint_forward_t129*mu_6 + 2.0*adjoint_forward_t219;
-        const lane adjoint_forward_t127 = adjoint_forward_t129*mu_5 + 2.0*adjoint_forward_t218;
-        const lane adjoint_forward_t126 = adjoint_forward_t129*mu_4 + 2.0*adjoint_forward_t217;
-        const lane adjoint_forward_t125 = adjoint_forward_t129*mu_3 + 2.0*adjoint_forward_t216;
-        const lane adjoint_forward_t124 = adjoint_forward_t129*mu_2 + 2.0*adjoint_forward_t215;
-        const lane adjoint_forward_t123 = adjoint_forward_t129*mu_1 + 2.0*adjoint_forward_t214;
+        const lane adjoint_forward_t134 = -adjoint_L_ry_ry - adjoint_L_rz_rz;
+        const lane adjoint_forward_t133 = adjoint_forward_t134*mu_6 + 2.0*adjoint_forward_t230;
+        const lane adjoint_forward_t132 = adjoint_forward_t134*mu_5 + 2.0*adjoint_forward_t229;
+        const lane adjoint_forward_t131 = adjoint_forward_t134*mu_4 + 2.0*adjoint_forward_t228;
+        const lane adjoint_forward_t130 = adjoint_forward_t134*mu_3 + 2.0*adjoint_forward_t227;
+        const lane adjoint_forward_t129 = adjoint_forward_t134*mu_2 + 2.0*adjoint_forward_t226;
+        const lane adjoint_forward_t128 = adjoint_forward_t134*mu_1 + 2.0*adjoint_forward_t225;
         const lane adjoint_L_rx_rz =
             D_p_rx_1*adjoint_f_rz_l_1 + D_p_rx_2*adjoint_f_rz_l_2 + D_p_rx_3*adjoint_f_rz_l_3
             + D_p_rx_4*adjoint_f_rz_l_4 + D_p_rx_5*adjoint_f_rz_l_5 + D_p_rx_6*adjoint_f_rz_l_6
@@ -8431,37 +8496,39 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_rx_4*adjoint_f_ry_l_4 + D_p_rx_5*adjoint_f_ry_l_5 + D_p_rx_6*adjoint_f_ry_l_6
             + D_p_ry_1*adjoint_f_rx_l_1 + D_p_ry_2*adjoint_f_rx_l_2 + D_p_ry_3*adjoint_f_rx_l_3
             + D_p_ry_4*adjoint_f_rx_l_4 + D_p_ry_5*adjoint_f_rx_l_5 + D_p_ry_6*adjoint_f_rx_l_6;
-        const lane adjoint_forward_t122 = adjoint_L_rx_ry*c_y + adjoint_L_rx_rz*c_z;
-        const lane adjoint_forward_t121 = adjoint_L_rx_ry*g_10_y + adjoint_L_rx_rz*g_10_z;
-        const lane adjoint_forward_t120 = B_6_y*adjoint_L_rx_ry + B_6_z*adjoint_L_rx_rz;
-        const lane adjoint_forward_t119 = adjoint_L_rx_ry*g_9_y + adjoint_L_rx_rz*g_9_z;
-        const lane adjoint_forward_t118 = B_5_y*adjoint_L_rx_ry + B_5_z*adjoint_L_rx_rz;
-        const lane adjoint_forward_t117 = adjoint_L_rx_ry*g_8_y + adjoint_L_rx_rz*g_8_z;
-        const lane adjoint_forward_t116 = B_4_y*adjoint_L_rx_ry + B_4_z*adjoint_L_rx_rz;
-        const lane adjoint_forward_t115 = adjoint_L_rx_ry*g_7_y + adjoint_L_rx_rz*g_7_z;
-        const lane adjoint_forward_t114 = B_3_y*adjoint_L_rx_ry + B_3_z*adjoint_L_rx_rz;
-        const lane adjoint_forward_t113 = adjoint_L_rx_ry*g_6_y + adjoint_L_rx_rz*g_6_z;
-        const lane adjoint_forward_t112 = B_2_y*adjoint_L_rx_ry + B_2_z*adjoint_L_rx_rz;
-        const lane adjoint_forward_t111 = adjoint_L_rx_ry*g_5_y + adjoint_L_rx_rz*g_5_z;
-        const lane adjoint_forward_t110 = B_1_y*adjoint_L_rx_ry + B_1_z*adjoint_L_rx_rz;
-        const lane adjoint_forward_t109 = adjoint_L_rx_ry*g_4_y + adjoint_L_rx_rz*g_4_z;
+        const lane adjoint_forward_t127 = adjoint_L_rx_ry*g_11_y + adjoint_L_rx_rz*g_11_z;
+        const lane adjoint_forward_t126 = adjoint_L_rx_ry*o_L_y + adjoint_L_rx_rz*o_L_z;
+        const lane adjoint_forward_t125 = adjoint_L_rx_ry*c_y + adjoint_L_rx_rz*c_z;
+        const lane adjoint_forward_t124 = adjoint_L_rx_ry*g_10_y + adjoint_L_rx_rz*g_10_z;
+        const lane adjoint_forward_t123 = B_6_y*adjoint_L_rx_ry + B_6_z*adjoint_L_rx_rz;
+        const lane adjoint_forward_t122 = adjoint_L_rx_ry*g_9_y + adjoint_L_rx_rz*g_9_z;
+        const lane adjoint_forward_t121 = B_5_y*adjoint_L_rx_ry + B_5_z*adjoint_L_rx_rz;
+        const lane adjoint_forward_t120 = adjoint_L_rx_ry*g_8_y + adjoint_L_rx_rz*g_8_z;
+        const lane adjoint_forward_t119 = B_4_y*adjoint_L_rx_ry + B_4_z*adjoint_L_rx_rz;
+        const lane adjoint_forward_t118 = adjoint_L_rx_ry*g_7_y + adjoint_L_rx_rz*g_7_z;
+        const lane adjoint_forward_t117 = B_3_y*adjoint_L_rx_ry + B_3_z*adjoint_L_rx_rz;
+        const lane adjoint_forward_t116 = adjoint_L_rx_ry*g_6_y + adjoint_L_rx_rz*g_6_z;
+        const lane adjoint_forward_t115 = B_2_y*adjoint_L_rx_ry + B_2_z*adjoint_L_rx_rz;
+        const lane adjoint_forward_t114 = adjoint_L_rx_ry*g_5_y + adjoint_L_rx_rz*g_5_z;
+        const lane adjoint_forward_t113 = B_1_y*adjoint_L_rx_ry + B_1_z*adjoint_L_rx_rz;
+        const lane adjoint_forward_t112 = adjoint_L_rx_ry*g_4_y + adjoint_L_rx_rz*g_4_z;
         const lane adjoint_L_rx_rx =
             D_p_rx_1*adjoint_f_rx_l_1 + D_p_rx_2*adjoint_f_rx_l_2 + D_p_rx_3*adjoint_f_rx_l_3
             + D_p_rx_4*adjoint_f_rx_l_4 + D_p_rx_5*adjoint_f_rx_l_5 + D_p_rx_6*adjoint_f_rx_l_6;
-        const lane adjoint_forward_t108 = -adjoint_L_rx_rx - adjoint_L_rz_rz;
-        const lane adjoint_forward_t107 = adjoint_forward_t108*mu_6 + 2.0*adjoint_forward_t210;
-        const lane adjoint_forward_t106 = adjoint_forward_t108*mu_5 + 2.0*adjoint_forward_t207;
-        const lane adjoint_forward_t105 = adjoint_forward_t108*mu_4 + 2.0*adjoint_forward_t204;
-        const lane adjoint_forward_t104 = adjoint_forward_t108*mu_3 + 2.0*adjoint_forward_t201;
-        const lane adjoint_forward_t103 = adjoint_forward_t108*mu_2 + 2.0*adjoint_forward_t198;
-        const lane adjoint_forward_t102 = adjoint_forward_t108*mu_1 + 2.0*adjoint_forward_t195;
-        const lane adjoint_forward_t101 = -adjoint_L_rx_rx - adjoint_L_ry_ry;
-        const lane adjoint_forward_t100 = adjoint_forward_t101*mu_6 + 2.0*adjoint_forward_t211;
-        const lane adjoint_forward_t99 = adjoint_forward_t101*mu_5 + 2.0*adjoint_forward_t208;
-        const lane adjoint_forward_t98 = adjoint_forward_t101*mu_4 + 2.0*adjoint_forward_t205;
-        const lane adjoint_forward_t97 = adjoint_forward_t101*mu_3 + 2.0*adjoint_forward_t202;
-        const lane adjoint_forward_t96 = adjoint_forward_t101*mu_2 + 2.0*adjoint_forward_t199;
-        const lane adjoint_forward_t95 = adjoint_forward_t101*mu_1 + 2.0*adjoint_forward_t196;
+        const lane adjoint_forward_t111 = -adjoint_L_rx_rx - adjoint_L_rz_rz;
+        const lane adjoint_forward_t110 = adjoint_forward_t111*mu_6 + 2.0*adjoint_forward_t220;
+        const lane adjoint_forward_t109 = adjoint_forward_t111*mu_5 + 2.0*adjoint_forward_t217;
+        const lane adjoint_forward_t108 = adjoint_forward_t111*mu_4 + 2.0*adjoint_forward_t214;
+        const lane adjoint_forward_t107 = adjoint_forward_t111*mu_3 + 2.0*adjoint_forward_t211;
+        const lane adjoint_forward_t106 = adjoint_forward_t111*mu_2 + 2.0*adjoint_forward_t208;
+        const lane adjoint_forward_t105 = adjoint_forward_t111*mu_1 + 2.0*adjoint_forward_t205;
+        const lane adjoint_forward_t104 = -adjoint_L_rx_rx - adjoint_L_ry_ry;
+        const lane adjoint_forward_t103 = adjoint_forward_t104*mu_6 + 2.0*adjoint_forward_t221;
+        const lane adjoint_forward_t102 = adjoint_forward_t104*mu_5 + 2.0*adjoint_forward_t218;
+        const lane adjoint_forward_t101 = adjoint_forward_t104*mu_4 + 2.0*adjoint_forward_t215;
+        const lane adjoint_forward_t100 = adjoint_forward_t104*mu_3 + 2.0*adjoint_forward_t212;
+        const lane adjoint_forward_t99 = adjoint_forward_t104*mu_2 + 2.0*adjoint_forward_t209;
+        const lane adjoint_forward_t98 = adjoint_forward_t104*mu_1 + 2.0*adjoint_forward_t206;
         const lane adjoint_L_z_rx =
             D_p_rx_1*adjoint_f_z_l_1 + D_p_rx_2*adjoint_f_z_l_2 + D_p_rx_3*adjoint_f_z_l_3
             + D_p_rx_4*adjoint_f_z_l_4 + D_p_rx_5*adjoint_f_z_l_5 + D_p_rx_6*adjoint_f_z_l_6
@@ -8482,12 +8549,12 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_rz_4*adjoint_f_x_l_4 + D_p_rz_5*adjoint_f_x_l_5 + D_p_rz_6*adjoint_f_x_l_6
             + D_p_x_1*adjoint_f_rz_l_1 + D_p_x_2*adjoint_f_rz_l_2 + D_p_x_3*adjoint_f_rz_l_3
             + D_p_x_4*adjoint_f_rz_l_4 + D_p_x_5*adjoint_f_rz_l_5 + D_p_x_6*adjoint_f_rz_l_6 - adjoint_L_z_rx;
+        const lane adjoint_forward_t97 = B_1_x*adjoint_L_rx_ry + adjoint_L_x_rz;
+        const lane adjoint_forward_t96 = B_6_x*adjoint_L_rx_ry + adjoint_L_x_rz;
+        const lane adjoint_forward_t95 = B_5_x*adjoint_L_rx_ry + adjoint_L_x_rz;
         const lane adjoint_forward_t94 = B_4_x*adjoint_L_rx_ry + adjoint_L_x_rz;
         const lane adjoint_forward_t93 = B_3_x*adjoint_L_rx_ry + adjoint_L_x_rz;
         const lane adjoint_forward_t92 = B_2_x*adjoint_L_rx_ry + adjoint_L_x_rz;
-        const lane adjoint_forward_t91 = B_1_x*adjoint_L_rx_ry + adjoint_L_x_rz;
-        const lane adjoint_forward_t90 = B_6_x*adjoint_L_rx_ry + adjoint_L_x_rz;
-        const lane adjoint_forward_t89 = B_5_x*adjoint_L_rx_ry + adjoint_L_x_rz;
         const lane adjoint_L_x_ry =
             D_p_ry_1*adjoint_f_x_l_1 + D_p_ry_2*adjoint_f_x_l_2 + D_p_ry_3*adjoint_f_x_l_3
             + D_p_ry_4*adjoint_f_x_l_4 + D_p_ry_5*adjoint_f_x_l_5 + D_p_ry_6*adjoint_f_x_l_6
@@ -8498,18 +8565,18 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_rx_4*adjoint_f_y_l_4 + D_p_rx_5*adjoint_f_y_l_5 + D_p_rx_6*adjoint_f_y_l_6
             + D_p_y_1*adjoint_f_rx_l_1 + D_p_y_2*adjoint_f_rx_l_2 + D_p_y_3*adjoint_f_rx_l_3
             + D_p_y_4*adjoint_f_rx_l_4 + D_p_y_5*adjoint_f_rx_l_5 + D_p_y_6*adjoint_f_rx_l_6 - adjoint_L_x_ry;
-        const lane t381 = B_6_y*adjoint_L_ry_rz;
-        const lane adjoint_forward_t88 = B_6_x*adjoint_L_rx_rz + adjoint_L_y_rx + t381;
-        const lane t382 = B_5_y*adjoint_L_ry_rz;
-        const lane adjoint_forward_t87 = B_5_x*adjoint_L_rx_rz + adjoint_L_y_rx + t382;
-        const lane t383 = B_4_y*adjoint_L_ry_rz;
-        const lane adjoint_forward_t86 = B_4_x*adjoint_L_rx_rz + adjoint_L_y_rx + t383;
-        const lane t384 = B_3_y*adjoint_L_ry_rz;
-        const lane adjoint_forward_t85 = B_3_x*adjoint_L_rx_rz + adjoint_L_y_rx + t384;
-        const lane t385 = B_2_y*adjoint_L_ry_rz;
-        const lane adjoint_forward_t84 = B_2_x*adjoint_L_rx_rz + adjoint_L_y_rx + t385;
-        const lane t386 = B_1_y*adjoint_L_ry_rz;
-        const lane adjoint_forward_t83 = B_1_x*adjoint_L_rx_rz + adjoint_L_y_rx + t386;
+        const lane t389 = B_6_y*adjoint_L_ry_rz;
+        const lane adjoint_forward_t91 = B_6_x*adjoint_L_rx_rz + adjoint_L_y_rx + t389;
+        const lane t390 = B_5_y*adjoint_L_ry_rz;
+        const lane adjoint_forward_t90 = B_5_x*adjoint_L_rx_rz + adjoint_L_y_rx + t390;
+        const lane t391 = B_4_y*adjoint_L_ry_rz;
+        const lane adjoint_forward_t89 = B_4_x*adjoint_L_rx_rz + adjoint_L_y_rx + t391;
+        const lane t392 = B_3_y*adjoint_L_ry_rz;
+        const lane adjoint_forward_t88 = B_3_x*adjoint_L_rx_rz + adjoint_L_y_rx + t392;
+        const lane t393 = B_2_y*adjoint_L_ry_rz;
+        const lane adjoint_forward_t87 = B_2_x*adjoint_L_rx_rz + adjoint_L_y_rx + t393;
+        const lane t394 = B_1_y*adjoint_L_ry_rz;
+        const lane adjoint_forward_t86 = B_1_x*adjoint_L_rx_rz + adjoint_L_y_rx + t394;
         const lane adjoint_L_x_x =
             D_p_x_1*adjoint_f_x_l_1 + D_p_x_2*adjoint_f_x_l_2 + D_p_x_3*adjoint_f_x_l_3
             + D_p_x_4*adjoint_f_x_l_4 + D_p_x_5*adjoint_f_x_l_5 + D_p_x_6*adjoint_f_x_l_6
@@ -8517,82 +8584,90 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + D_p_y_4*adjoint_f_y_l_4 + D_p_y_5*adjoint_f_y_l_5 + D_p_y_6*adjoint_f_y_l_6
             + D_p_z_1*adjoint_f_z_l_1 + D_p_z_2*adjoint_f_z_l_2 + D_p_z_3*adjoint_f_z_l_3
             + D_p_z_4*adjoint_f_z_l_4 + D_p_z_5*adjoint_f_z_l_5 + D_p_z_6*adjoint_f_z_l_6;
+        const lane adjoint_g_11_z =
+            adjoint_L_rx_rz*forward_t127 + adjoint_L_ry_rz*t75 + adjoint_forward_t104*o_L_z;
+        const lane adjoint_g_11_y =
+            adjoint_L_rx_ry*forward_t127 + adjoint_L_ry_rz*t74 + adjoint_forward_t111*o_L_y;
+        const lane adjoint_g_11_x = (1.0/2.0)*adjoint_forward_t126 + adjoint_forward_t134*o_L_x;
         const lane adjoint_g_10_z =
-            adjoint_L_rx_rz*forward_t121 + adjoint_L_ry_rz*t70 + adjoint_forward_t101*c_z;
+            adjoint_L_rx_rz*forward_t124 + adjoint_L_ry_rz*t72 + adjoint_forward_t104*c_z;
         const lane adjoint_g_10_y =
-            adjoint_L_rx_ry*forward_t121 + adjoint_L_ry_rz*t71 + adjoint_forward_t108*c_y;
-        const lane adjoint_g_10_x = (1.0/2.0)*adjoint_forward_t122 + adjoint_forward_t129*c_x;
-        const lane adjoint_g_9_z = B_6_z*adjoint_forward_t101 + adjoint_L_rx_rz*forward_t119 + (1.0/2.0)*t381;
+            adjoint_L_rx_ry*forward_t124 + adjoint_L_ry_rz*t73 + adjoint_forward_t111*c_y;
+        const lane adjoint_g_10_x = (1.0/2.0)*adjoint_forward_t125 + adjoint_forward_t134*c_x;
+        const lane adjoint_g_9_z = B_6_z*adjoint_forward_t104 + adjoint_L_rx_rz*forward_t122 + (1.0/2.0)*t389;
         const lane adjoint_g_9_y =
-            B_6_y*adjoint_forward_t108 + adjoint_L_rx_ry*forward_t119 + adjoint_L_ry_rz*t69;
-        const lane adjoint_g_9_x = B_6_x*adjoint_forward_t129 + (1.0/2.0)*adjoint_forward_t120;
-        const lane adjoint_g_8_z = B_5_z*adjoint_forward_t101 + adjoint_L_rx_rz*forward_t117 + (1.0/2.0)*t382;
+            B_6_y*adjoint_forward_t111 + adjoint_L_rx_ry*forward_t122 + adjoint_L_ry_rz*t71;
+        const lane adjoint_g_9_x = B_6_x*adjoint_forward_t134 + (1.0/2.0)*adjoint_forward_t123;
+        const lane adjoint_g_8_z = B_5_z*adjoint_forward_t104 + adjoint_L_rx_rz*forward_t120 + (1.0/2.0)*t390;
         const lane adjoint_g_8_y =
-            B_5_y*adjoint_forward_t108 + adjoint_L_rx_ry*forward_t117 + adjoint_L_ry_rz*t67;
-        const lane adjoint_g_8_x = B_5_x*adjoint_forward_t129 + (1.0/2.0)*adjoint_forward_t118;
-        const lane adjoint_g_7_z = B_4_z*adjoint_forward_t101 + adjoint_L_rx_rz*forward_t115 + (1.0/2.0)*t383;
+            B_5_y*adjoint_forward_t111 + adjoint_L_rx_ry*forward_t120 + adjoint_L_ry_rz*t69;
+        const lane adjoint_g_8_x = B_5_x*adjoint_forward_t134 + (1.0/2.0)*adjoint_forward_t121;
+        const lane adjoint_g_7_z = B_4_z*adjoint_forward_t104 + adjoint_L_rx_rz*forward_t118 + (1.0/2.0)*t391;
         const lane adjoint_g_7_y =
-            B_4_y*adjoint_forward_t108 + adjoint_L_rx_ry*forward_t115 + adjoint_L_ry_rz*t65;
-        const lane adjoint_g_7_x = B_4_x*adjoint_forward_t129 + (1.0/2.0)*adjoint_forward_t116;
-        const lane adjoint_g_6_z = B_3_z*adjoint_forward_t101 + adjoint_L_rx_rz*forward_t113 + (1.0/2.0)*t384;
+            B_4_y*adjoint_forward_t111 + adjoint_L_rx_ry*forward_t118 + adjoint_L_ry_rz*t67;
+        const lane adjoint_g_7_x = B_4_x*adjoint_forward_t134 + (1.0/2.0)*adjoint_forward_t119;
+        const lane adjoint_g_6_z = B_3_z*adjoint_forward_t104 + adjoint_L_rx_rz*forward_t116 + (1.0/2.0)*t392;
         const lane adjoint_g_6_y =
-            B_3_y*adjoint_forward_t108 + adjoint_L_rx_ry*forward_t113 + adjoint_L_ry_rz*t63;
-        const lane adjoint_g_6_x = B_3_x*adjoint_forward_t129 + (1.0/2.0)*adjoint_forward_t114;
-        const lane adjoint_g_5_z = B_2_z*adjoint_forward_t101 + adjoint_L_rx_rz*forward_t111 + (1.0/2.0)*t385;
+            B_3_y*adjoint_forward_t111 + adjoint_L_rx_ry*forward_t116 + adjoint_L_ry_rz*t65;
+        const lane adjoint_g_6_x = B_3_x*adjoint_forward_t134 + (1.0/2.0)*adjoint_forward_t117;
+        const lane adjoint_g_5_z = B_2_z*adjoint_forward_t104 + adjoint_L_rx_rz*forward_t114 + (1.0/2.0)*t393;
         const lane adjoint_g_5_y =
-            B_2_y*adjoint_forward_t108 + adjoint_L_rx_ry*forward_t111 + adjoint_L_ry_rz*t75;
-        const lane adjoint_g_5_x = B_2_x*adjoint_forward_t129 + (1.0/2.0)*adjoint_forward_t112;
-        const lane adjoint_g_4_z = B_1_z*adjoint_forward_t101 + adjoint_L_rx_rz*forward_t109 + (1.0/2.0)*t386;
+            B_2_y*adjoint_forward_t111 + adjoint_L_rx_ry*forward_t114 + adjoint_L_ry_rz*t63;
+        const lane adjoint_g_5_x = B_2_x*adjoint_forward_t134 + (1.0/2.0)*adjoint_forward_t115;
+        const lane adjoint_g_4_z = B_1_z*adjoint_forward_t104 + adjoint_L_rx_rz*forward_t112 + (1.0/2.0)*t394;
         const lane adjoint_g_4_y =
-            B_1_y*adjoint_forward_t108 + adjoint_L_rx_ry*forward_t109 + adjoint_L_ry_rz*t73;
-        const lane adjoint_g_4_x = B_1_x*adjoint_forward_t129 + (1.0/2.0)*adjoint_forward_t110;
+            B_1_y*adjoint_forward_t111 + adjoint_L_rx_ry*forward_t112 + adjoint_L_ry_rz*t77;
+        const lane adjoint_g_4_x = B_1_x*adjoint_forward_t134 + (1.0/2.0)*adjoint_forward_t113;
         const lane adjoint_mu_6 =
-            B_6_x*adjoint_L_z_ry + B_6_y*adjoint_forward_t90 + B_6_z*adjoint_forward_t88 - adjoint_L_x_x
-            + adjoint_forward_t101*forward_t100 + adjoint_forward_t108*forward_t107
-            + adjoint_forward_t129*forward_t128 - adjoint_g_9_x*d_6_x - adjoint_g_9_y*d_6_y
-            - adjoint_g_9_z*d_6_z + t115;
+            B_6_x*adjoint_L_z_ry + B_6_y*adjoint_forward_t96 + B_6_z*adjoint_forward_t91 - adjoint_L_x_x
+            + adjoint_forward_t104*forward_t103 + adjoint_forward_t111*forward_t110
+            + adjoint_forward_t134*forward_t133 - adjoint_g_9_x*d_6_x - adjoint_g_9_y*d_6_y
+            - adjoint_g_9_z*d_6_z + t120;
         const lane adjoint_mu_5 =
-            B_5_x*adjoint_L_z_ry + B_5_y*adjoint_forward_t89 + B_5_z*adjoint_forward_t87 - adjoint_L_x_x
-            + adjoint_forward_t101*forward_t99 + adjoint_forward_t108*forward_t106
-            + adjoint_forward_t129*forward_t127 - adjoint_g_8_x*d_5_x - adjoint_g_8_y*d_5_y
-            - adjoint_g_8_z*d_5_z + t117;
+            B_5_x*adjoint_L_z_ry + B_5_y*adjoint_forward_t95 + B_5_z*adjoint_forward_t90 - adjoint_L_x_x
+            + adjoint_forward_t104*forward_t102 + adjoint_forward_t111*forward_t109
+            + adjoint_forward_t134*forward_t132 - adjoint_g_8_x*d_5_x - adjoint_g_8_y*d_5_y
+            - adjoint_g_8_z*d_5_z + t122;
         const lane adjoint_mu_4 =
-            B_4_x*adjoint_L_z_ry + B_4_y*adjoint_forward_t94 + B_4_z*adjoint_forward_t86 - adjoint_L_x_x
-            + adjoint_forward_t101*forward_t98 + adjoint_forward_t108*forward_t105
-            + adjoint_forward_t129*forward_t126 - adjoint_g_7_x*d_4_x - adjoint_g_7_y*d_4_y
-            - adjoint_g_7_z*d_4_z + t119;
+            B_4_x*adjoint_L_z_ry + B_4_y*adjoint_forward_t94 + B_4_z*adjoint_forward_t89 - adjoint_L_x_x
+            + adjoint_forward_t104*forward_t101 + adjoint_forward_t111*forward_t108
+            + adjoint_forward_t134*forward_t131 - adjoint_g_7_x*d_4_x - adjoint_g_7_y*d_4_y
+            - adjoint_g_7_z*d_4_z + t124;
         const lane adjoint_mu_3 =
-            B_3_x*adjoint_L_z_ry + B_3_y*adjoint_forward_t93 + B_3_z*adjoint_forward_t85 - adjoint_L_x_x
-            + adjoint_forward_t101*forward_t97 + adjoint_forward_t108*forward_t104
-            + adjoint_forward_t129*forward_t125 - adjoint_g_6_x*d_3_x - adjoint_g_6_y*d_3_y
-            - adjoint_g_6_z*d_3_z + t121;
+            B_3_x*adjoint_L_z_ry + B_3_y*adjoint_forward_t93 + B_3_z*adjoint_forward_t88 - adjoint_L_x_x
+            + adjoint_forward_t104*forward_t100 + adjoint_forward_t111*forward_t107
+            + adjoint_forward_t134*forward_t130 - adjoint_g_6_x*d_3_x - adjoint_g_6_y*d_3_y
+            - adjoint_g_6_z*d_3_z + t126;
         const lane adjoint_mu_2 =
-            B_2_x*adjoint_L_z_ry + B_2_y*adjoint_forward_t92 + B_2_z*adjoint_forward_t84 - adjoint_L_x_x
-            + adjoint_forward_t101*forward_t96 + adjoint_forward_t108*forward_t103
-            + adjoint_forward_t129*forward_t124 - adjoint_g_5_x*d_2_x - adjoint_g_5_y*d_2_y
-            - adjoint_g_5_z*d_2_z + t123;
+            B_2_x*adjoint_L_z_ry + B_2_y*adjoint_forward_t92 + B_2_z*adjoint_forward_t87 - adjoint_L_x_x
+            + adjoint_forward_t104*forward_t99 + adjoint_forward_t111*forward_t106
+            + adjoint_forward_t134*forward_t129 - adjoint_g_5_x*d_2_x - adjoint_g_5_y*d_2_y
+            - adjoint_g_5_z*d_2_z + t128;
         const lane adjoint_mu_1 =
-            B_1_x*adjoint_L_z_ry + B_1_y*adjoint_forward_t91 + B_1_z*adjoint_forward_t83 - adjoint_L_x_x
-            + adjoint_forward_t101*forward_t95 + adjoint_forward_t108*forward_t102
-            + adjoint_forward_t129*forward_t123 - adjoint_g_4_x*d_1_x - adjoint_g_4_y*d_1_y
-            - adjoint_g_4_z*d_1_z + t125;
-        const lane t387 = adjoint_mu_1*forward_22;
-        const lane t388 = adjoint_mu_2*forward_22;
-        const lane t389 = adjoint_mu_3*forward_22;
-        const lane t390 = adjoint_mu_4*forward_22;
-        const lane t391 = adjoint_mu_5*forward_22;
-        const lane t392 = adjoint_mu_6*forward_22;
+            B_1_x*adjoint_L_z_ry + B_1_y*adjoint_forward_t97 + B_1_z*adjoint_forward_t86 - adjoint_L_x_x
+            + adjoint_forward_t104*forward_t98 + adjoint_forward_t111*forward_t105
+            + adjoint_forward_t134*forward_t128 - adjoint_g_4_x*d_1_x - adjoint_g_4_y*d_1_y
+            - adjoint_g_4_z*d_1_z + t130;
+        const lane t395 = adjoint_mu_1*forward_22;
+        const lane t396 = adjoint_mu_2*forward_22;
+        const lane t397 = adjoint_mu_3*forward_22;
+        const lane t398 = adjoint_mu_4*forward_22;
+        const lane t399 = adjoint_mu_5*forward_22;
+        const lane t400 = adjoint_mu_6*forward_22;
         const lane adjoint_G_p_rz =
-            A_rz_1*t387 + A_rz_2*t388 + A_rz_3*t389 + A_rz_4*t390 + A_rz_5*t391 + A_rz_6*t392;
-        const lane adjoint_forward_t82 = -adjoint_G_p_rz*c_x - adjoint_g_10_y;
+            A_rz_1*t395 + A_rz_2*t396 + A_rz_3*t397 + A_rz_4*t398 + A_rz_5*t399 + A_rz_6*t400;
+        const lane adjoint_forward_t85 = -adjoint_G_p_rz*o_L_x - adjoint_g_11_y;
+        const lane adjoint_forward_t84 = -adjoint_G_p_rz*c_x - adjoint_g_10_y;
         const lane adjoint_G_p_ry =
-            A_ry_1*t387 + A_ry_2*t388 + A_ry_3*t389 + A_ry_4*t390 + A_ry_5*t391 + A_ry_6*t392;
-        const lane adjoint_forward_t81 = -adjoint_G_p_ry*c_z - adjoint_g_10_x;
+            A_ry_1*t395 + A_ry_2*t396 + A_ry_3*t397 + A_ry_4*t398 + A_ry_5*t399 + A_ry_6*t400;
+        const lane adjoint_forward_t83 = -adjoint_G_p_ry*o_L_z - adjoint_g_11_x;
+        const lane adjoint_forward_t82 = -adjoint_G_p_ry*c_z - adjoint_g_10_x;
         const lane adjoint_G_p_rx =
-            A_rx_1*t387 + A_rx_2*t388 + A_rx_3*t389 + A_rx_4*t390 + A_rx_5*t391 + A_rx_6*t392;
+            A_rx_1*t395 + A_rx_2*t396 + A_rx_3*t397 + A_rx_4*t398 + A_rx_5*t399 + A_rx_6*t400;
+        const lane adjoint_forward_t81 = -adjoint_G_p_rx*o_L_y + adjoint_G_p_ry*o_L_x - adjoint_g_11_z;
         const lane adjoint_forward_t80 = -adjoint_G_p_rx*c_y + adjoint_G_p_ry*c_x - adjoint_g_10_z;
         const lane adjoint_G_p_z =
-            A_z_1*t387 + A_z_2*t388 + A_z_3*t389 + A_z_4*t390 + A_z_5*t391 + A_z_6*t392;
+            A_z_1*t395 + A_z_2*t396 + A_z_3*t397 + A_z_4*t398 + A_z_5*t399 + A_z_6*t400;
         const lane adjoint_forward_t79 =
             B_6_x*adjoint_G_p_ry - B_6_y*adjoint_G_p_rx - adjoint_G_p_z - adjoint_g_9_z;
         const lane adjoint_forward_t78 =
@@ -8606,7 +8681,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_forward_t74 =
             B_1_x*adjoint_G_p_ry - B_1_y*adjoint_G_p_rx - adjoint_G_p_z - adjoint_g_4_z;
         const lane adjoint_G_p_y =
-            A_y_1*t387 + A_y_2*t388 + A_y_3*t389 + A_y_4*t390 + A_y_5*t391 + A_y_6*t392;
+            A_y_1*t395 + A_y_2*t396 + A_y_3*t397 + A_y_4*t398 + A_y_5*t399 + A_y_6*t400;
         const lane adjoint_forward_t73 = -B_6_x*adjoint_G_p_rz - adjoint_G_p_y - adjoint_g_9_y;
         const lane adjoint_forward_t72 = -B_5_x*adjoint_G_p_rz - adjoint_G_p_y - adjoint_g_8_y;
         const lane adjoint_forward_t71 = -B_4_x*adjoint_G_p_rz - adjoint_G_p_y - adjoint_g_7_y;
@@ -8614,7 +8689,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_forward_t69 = -B_2_x*adjoint_G_p_rz - adjoint_G_p_y - adjoint_g_5_y;
         const lane adjoint_forward_t68 = -B_1_x*adjoint_G_p_rz - adjoint_G_p_y - adjoint_g_4_y;
         const lane adjoint_G_p_x =
-            A_x_1*t387 + A_x_2*t388 + A_x_3*t389 + A_x_4*t390 + A_x_5*t391 + A_x_6*t392;
+            A_x_1*t395 + A_x_2*t396 + A_x_3*t397 + A_x_4*t398 + A_x_5*t399 + A_x_6*t400;
         const lane adjoint_forward_t67 =
             -adjoint_G_p_x*g_x - adjoint_G_p_y*g_y - adjoint_G_p_z*g_z + adjoint_M_p_x_x;
         const lane adjoint_forward_t66 = -B_6_z*adjoint_G_p_ry - adjoint_G_p_x - adjoint_g_9_x;
@@ -8623,287 +8698,287 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_forward_t63 = -B_3_z*adjoint_G_p_ry - adjoint_G_p_x - adjoint_g_6_x;
         const lane adjoint_forward_t62 = -B_2_z*adjoint_G_p_ry - adjoint_G_p_x - adjoint_g_5_x;
         const lane adjoint_forward_t61 = -B_1_z*adjoint_G_p_ry - adjoint_G_p_x - adjoint_g_4_x;
-        const lane adjoint_k_6 = -shape_12*t200 + t115 + t127;
-        const lane adjoint_k_5 = -shape_11*t139 + t117 + t129;
-        const lane adjoint_k_4 = -shape_10*t147 + t119 + t131;
-        const lane adjoint_k_3 = -shape_9*t156 + t121 + t133;
-        const lane adjoint_k_2 = -shape_8*t166 + t123 + t135;
-        const lane adjoint_k_1 = -shape_7*t177 + t125 + t137;
-        const lane t393 = eigenvalue*t115;
+        const lane adjoint_k_6 = -shape_12*t205 + t120 + t132;
+        const lane adjoint_k_5 = -shape_11*t144 + t122 + t134;
+        const lane adjoint_k_4 = -shape_10*t152 + t124 + t136;
+        const lane adjoint_k_3 = -shape_9*t161 + t126 + t138;
+        const lane adjoint_k_2 = -shape_8*t171 + t128 + t140;
+        const lane adjoint_k_1 = -shape_7*t182 + t130 + t142;
+        const lane t401 = eigenvalue*t120;
         const lane adjoint_D_p_rz_6 =
             L_rx_rz*adjoint_f_rx_l_6 + L_ry_rz*adjoint_f_ry_l_6 + L_rz_rz*adjoint_f_rz_l_6
             + L_x_rz*adjoint_f_x_l_6 + L_y_rz*adjoint_f_y_l_6 + M_p_rx_rz*adjoint_h_rx_l_6
             + M_p_ry_rz*adjoint_h_ry_l_6 + M_p_rz_rz*adjoint_h_rz_l_6 + M_p_x_rz*adjoint_h_x_l_6
-            + M_p_y_rz*adjoint_h_y_l_6 - forward_t166*t183 - forward_t167*t171 - forward_t168*t160
-            - forward_t169*t150 - forward_t170*t141 - h_rz_l_6*t393 - h_rz_u_x*t378 - h_rz_u_y*t379
-            + t115*(f_rz_l_6 - forward_t171);
-        const lane t394 = eigenvalue*h_rz_l_6;
-        const lane t395 = eigenvalue*t117;
+            + M_p_y_rz*adjoint_h_y_l_6 - forward_t171*t188 - forward_t172*t176 - forward_t173*t165
+            - forward_t174*t155 - forward_t175*t146 - h_rz_l_6*t401 - h_rz_u_x*t386 - h_rz_u_y*t387
+            + t120*(f_rz_l_6 - forward_t176);
+        const lane t402 = eigenvalue*h_rz_l_6;
+        const lane t403 = eigenvalue*t122;
         const lane adjoint_D_p_rz_5 =
             L_rx_rz*adjoint_f_rx_l_5 + L_ry_rz*adjoint_f_ry_l_5 + L_rz_rz*adjoint_f_rz_l_5
             + L_x_rz*adjoint_f_x_l_5 + L_y_rz*adjoint_f_y_l_5 + M_p_rx_rz*adjoint_h_rx_l_5
             + M_p_ry_rz*adjoint_h_ry_l_5 + M_p_rz_rz*adjoint_h_rz_l_5 + M_p_x_rz*adjoint_h_x_l_5
-            + M_p_y_rz*adjoint_h_y_l_5 + f_rz_l_6*t141 - forward_t166*t182 - forward_t167*t170
-            - forward_t168*t159 - forward_t169*t149 - h_rz_l_5*t395 - h_rz_u_x*t333 - h_rz_u_y*t307
-            + t117*(f_rz_l_5 - forward_t170) - t141*t394;
-        const lane t396 = eigenvalue*h_rz_l_5;
-        const lane t397 = eigenvalue*t119;
+            + M_p_y_rz*adjoint_h_y_l_5 + f_rz_l_6*t146 - forward_t171*t187 - forward_t172*t175
+            - forward_t173*t164 - forward_t174*t154 - h_rz_l_5*t403 - h_rz_u_x*t338 - h_rz_u_y*t312
+            + t122*(f_rz_l_5 - forward_t175) - t146*t402;
+        const lane t404 = eigenvalue*h_rz_l_5;
+        const lane t405 = eigenvalue*t124;
         const lane adjoint_D_p_rz_4 =
             L_rx_rz*adjoint_f_rx_l_4 + L_ry_rz*adjoint_f_ry_l_4 + L_rz_rz*adjoint_f_rz_l_4
             + L_x_rz*adjoint_f_x_l_4 + L_y_rz*adjoint_f_y_l_4 + M_p_rx_rz*adjoint_h_rx_l_4
             + M_p_ry_rz*adjoint_h_ry_l_4 + M_p_rz_rz*adjoint_h_rz_l_4 + M_p_x_rz*adjoint_h_x_l_4
-            + M_p_y_rz*adjoint_h_y_l_4 + f_rz_l_5*t149 + f_rz_l_6*t150 - forward_t166*t181
-            - forward_t167*t169 - forward_t168*t158 - h_rz_l_4*t397 - h_rz_u_x*t332 - h_rz_u_y*t306
-            + t119*(f_rz_l_4 - forward_t169) - t149*t396 - t150*t394;
-        const lane t398 = eigenvalue*h_rz_l_4;
-        const lane t399 = eigenvalue*t121;
+            + M_p_y_rz*adjoint_h_y_l_4 + f_rz_l_5*t154 + f_rz_l_6*t155 - forward_t171*t186
+            - forward_t172*t174 - forward_t173*t163 - h_rz_l_4*t405 - h_rz_u_x*t337 - h_rz_u_y*t311
+            + t124*(f_rz_l_4 - forward_t174) - t154*t404 - t155*t402;
+        const lane t406 = eigenvalue*h_rz_l_4;
+        const lane t407 = eigenvalue*t126;
         const lane adjoint_D_p_rz_3 =
             L_rx_rz*adjoint_f_rx_l_3 + L_ry_rz*adjoint_f_ry_l_3 + L_rz_rz*adjoint_f_rz_l_3
             + L_x_rz*adjoint_f_x_l_3 + L_y_rz*adjoint_f_y_l_3 + M_p_rx_rz*adjoint_h_rx_l_3
             + M_p_ry_rz*adjoint_h_ry_l_3 + M_p_rz_rz*adjoint_h_rz_l_3 + M_p_x_rz*adjoint_h_x_l_3
-            + M_p_y_rz*adjoint_h_y_l_3 + f_rz_l_4*t158 + f_rz_l_5*t159 + f_rz_l_6*t160 - forward_t166*t180
-            - forward_t167*t168 - h_rz_l_3*t399 - h_rz_u_x*t331 - h_rz_u_y*t305 + t121*(f_rz_l_3
-            - forward_t168) - t158*t398 - t159*t396 - t160*t394;
-        const lane t400 = eigenvalue*h_rz_l_3;
-        const lane t401 = eigenvalue*t123;
+            + M_p_y_rz*adjoint_h_y_l_3 + f_rz_l_4*t163 + f_rz_l_5*t164 + f_rz_l_6*t165 - forward_t171*t185
+            - forward_t172*t173 - h_rz_l_3*t407 - h_rz_u_x*t336 - h_rz_u_y*t310 + t126*(f_rz_l_3
+            - forward_t173) - t163*t406 - t164*t404 - t165*t402;
+        const lane t408 = eigenvalue*h_rz_l_3;
+        const lane t409 = eigenvalue*t128;
         const lane adjoint_D_p_rz_2 =
             L_rx_rz*adjoint_f_rx_l_2 + L_ry_rz*adjoint_f_ry_l_2 + L_rz_rz*adjoint_f_rz_l_2
             + L_x_rz*adjoint_f_x_l_2 + L_y_rz*adjoint_f_y_l_2 + M_p_rx_rz*adjoint_h_rx_l_2
             + M_p_ry_rz*adjoint_h_ry_l_2 + M_p_rz_rz*adjoint_h_rz_l_2 + M_p_x_rz*adjoint_h_x_l_2
-            + M_p_y_rz*adjoint_h_y_l_2 + f_rz_l_3*t168 + f_rz_l_4*t169 + f_rz_l_5*t170 + f_rz_l_6*t171
-            - forward_t166*t179 - h_rz_l_2*t401 - h_rz_u_x*t330 - h_rz_u_y*t304 + t123*(f_rz_l_2
-            - forward_t167) - t168*t400 - t169*t398 - t170*t396 - t171*t394;
-        const lane t402 = eigenvalue*t179;
-        const lane t403 = eigenvalue*t125;
+            + M_p_y_rz*adjoint_h_y_l_2 + f_rz_l_3*t173 + f_rz_l_4*t174 + f_rz_l_5*t175 + f_rz_l_6*t176
+            - forward_t171*t184 - h_rz_l_2*t409 - h_rz_u_x*t335 - h_rz_u_y*t309 + t128*(f_rz_l_2
+            - forward_t172) - t173*t408 - t174*t406 - t175*t404 - t176*t402;
+        const lane t410 = eigenvalue*t184;
+        const lane t411 = eigenvalue*t130;
         const lane adjoint_D_p_rz_1 =
             L_rx_rz*adjoint_f_rx_l_1 + L_ry_rz*adjoint_f_ry_l_1 + L_rz_rz*adjoint_f_rz_l_1
             + L_x_rz*adjoint_f_x_l_1 + L_y_rz*adjoint_f_y_l_1 + M_p_rx_rz*adjoint_h_rx_l_1
             + M_p_ry_rz*adjoint_h_ry_l_1 + M_p_rz_rz*adjoint_h_rz_l_1 + M_p_x_rz*adjoint_h_x_l_1
-            + M_p_y_rz*adjoint_h_y_l_1 + f_rz_l_2*t179 + f_rz_l_3*t180 + f_rz_l_4*t181 + f_rz_l_5*t182
-            + f_rz_l_6*t183 - h_rz_l_1*t403 - h_rz_l_2*t402 - h_rz_u_x*t329 - h_rz_u_y*t303 + t125*(f_rz_l_1
-            - forward_t166) - t180*t400 - t181*t398 - t182*t396 - t183*t394;
+            + M_p_y_rz*adjoint_h_y_l_1 + f_rz_l_2*t184 + f_rz_l_3*t185 + f_rz_l_4*t186 + f_rz_l_5*t187
+            + f_rz_l_6*t188 - h_rz_l_1*t411 - h_rz_l_2*t410 - h_rz_u_x*t334 - h_rz_u_y*t308 + t130*(f_rz_l_1
+            - forward_t171) - t185*t408 - t186*t406 - t187*t404 - t188*t402;
         const lane adjoint_D_p_ry_6 =
             L_rx_ry*adjoint_f_rx_l_6 + L_ry_ry*adjoint_f_ry_l_6 + L_ry_rz*adjoint_f_rz_l_6
             + L_x_ry*adjoint_f_x_l_6 + L_z_ry*adjoint_f_z_l_6 + M_p_rx_ry*adjoint_h_rx_l_6
             + M_p_ry_ry*adjoint_h_ry_l_6 + M_p_ry_rz*adjoint_h_rz_l_6 + M_p_x_ry*adjoint_h_x_l_6
-            + M_p_z_ry*adjoint_h_z_l_6 - forward_t160*t183 - forward_t161*t171 - forward_t162*t160
-            - forward_t163*t150 - forward_t164*t141 - h_ry_l_6*t393 - h_ry_u_x*t378 - h_ry_u_z*t380
-            + t115*(f_ry_l_6 - forward_t165);
-        const lane t404 = eigenvalue*h_ry_l_6;
+            + M_p_z_ry*adjoint_h_z_l_6 - forward_t165*t188 - forward_t166*t176 - forward_t167*t165
+            - forward_t168*t155 - forward_t169*t146 - h_ry_l_6*t401 - h_ry_u_x*t386 - h_ry_u_z*t388
+            + t120*(f_ry_l_6 - forward_t170);
+        const lane t412 = eigenvalue*h_ry_l_6;
         const lane adjoint_D_p_ry_5 =
             L_rx_ry*adjoint_f_rx_l_5 + L_ry_ry*adjoint_f_ry_l_5 + L_ry_rz*adjoint_f_rz_l_5
             + L_x_ry*adjoint_f_x_l_5 + L_z_ry*adjoint_f_z_l_5 + M_p_rx_ry*adjoint_h_rx_l_5
             + M_p_ry_ry*adjoint_h_ry_l_5 + M_p_ry_rz*adjoint_h_rz_l_5 + M_p_x_ry*adjoint_h_x_l_5
-            + M_p_z_ry*adjoint_h_z_l_5 + f_ry_l_6*t141 - forward_t160*t182 - forward_t161*t170
-            - forward_t162*t159 - forward_t163*t149 - h_ry_l_5*t395 - h_ry_u_x*t333 - h_ry_u_z*t281
-            + t117*(f_ry_l_5 - forward_t164) - t141*t404;
-        const lane t405 = eigenvalue*h_ry_l_5;
+            + M_p_z_ry*adjoint_h_z_l_5 + f_ry_l_6*t146 - forward_t165*t187 - forward_t166*t175
+            - forward_t167*t164 - forward_t168*t154 - h_ry_l_5*t403 - h_ry_u_x*t338 - h_ry_u_z*t286
+            + t122*(f_ry_l_5 - forward_t169) - t146*t412;
+        const lane t413 = eigenvalue*h_ry_l_5;
         const lane adjoint_D_p_ry_4 =
             L_rx_ry*adjoint_f_rx_l_4 + L_ry_ry*adjoint_f_ry_l_4 + L_ry_rz*adjoint_f_rz_l_4
             + L_x_ry*adjoint_f_x_l_4 + L_z_ry*adjoint_f_z_l_4 + M_p_rx_ry*adjoint_h_rx_l_4
             + M_p_ry_ry*adjoint_h_ry_l_4 + M_p_ry_rz*adjoint_h_rz_l_4 + M_p_x_ry*adjoint_h_x_l_4
-            + M_p_z_ry*adjoint_h_z_l_4 + f_ry_l_5*t149 + f_ry_l_6*t150 - forward_t160*t181
-            - forward_t161*t169 - forward_t162*t158 - h_ry_l_4*t397 - h_ry_u_x*t332 - h_ry_u_z*t280
-            + t119*(f_ry_l_4 - forward_t163) - t149*t405 - t150*t404;
-        const lane t406 = eigenvalue*h_ry_l_4;
+            + M_p_z_ry*adjoint_h_z_l_4 + f_ry_l_5*t154 + f_ry_l_6*t155 - forward_t165*t186
+            - forward_t166*t174 - forward_t167*t163 - h_ry_l_4*t405 - h_ry_u_x*t337 - h_ry_u_z*t285
+            + t124*(f_ry_l_4 - forward_t168) - t154*t413 - t155*t412;
+        const lane t414 = eigenvalue*h_ry_l_4;
         const lane adjoint_D_p_ry_3 =
             L_rx_ry*adjoint_f_rx_l_3 + L_ry_ry*adjoint_f_ry_l_3 + L_ry_rz*adjoint_f_rz_l_3
             + L_x_ry*adjoint_f_x_l_3 + L_z_ry*adjoint_f_z_l_3 + M_p_rx_ry*adjoint_h_rx_l_3
             + M_p_ry_ry*adjoint_h_ry_l_3 + M_p_ry_rz*adjoint_h_rz_l_3 + M_p_x_ry*adjoint_h_x_l_3
-            + M_p_z_ry*adjoint_h_z_l_3 + f_ry_l_4*t158 + f_ry_l_5*t159 + f_ry_l_6*t160 - forward_t160*t180
-            - forward_t161*t168 - h_ry_l_3*t399 - h_ry_u_x*t331 - h_ry_u_z*t279 + t121*(f_ry_l_3
-            - forward_t162) - t158*t406 - t159*t405 - t160*t404;
-        const lane t407 = eigenvalue*h_ry_l_3;
+            + M_p_z_ry*adjoint_h_z_l_3 + f_ry_l_4*t163 + f_ry_l_5*t164 + f_ry_l_6*t165 - forward_t165*t185
+            - forward_t166*t173 - h_ry_l_3*t407 - h_ry_u_x*t336 - h_ry_u_z*t284 + t126*(f_ry_l_3
+            - forward_t167) - t163*t414 - t164*t413 - t165*t412;
+        const lane t415 = eigenvalue*h_ry_l_3;
         const lane adjoint_D_p_ry_2 =
             L_rx_ry*adjoint_f_rx_l_2 + L_ry_ry*adjoint_f_ry_l_2 + L_ry_rz*adjoint_f_rz_l_2
             + L_x_ry*adjoint_f_x_l_2 + L_z_ry*adjoint_f_z_l_2 + M_p_rx_ry*adjoint_h_rx_l_2
             + M_p_ry_ry*adjoint_h_ry_l_2 + M_p_ry_rz*adjoint_h_rz_l_2 + M_p_x_ry*adjoint_h_x_l_2
-            + M_p_z_ry*adjoint_h_z_l_2 + f_ry_l_3*t168 + f_ry_l_4*t169 + f_ry_l_5*t170 + f_ry_l_6*t171
-            - forward_t160*t179 - h_ry_l_2*t401 - h_ry_u_x*t330 - h_ry_u_z*t278 + t123*(f_ry_l_2
-            - forward_t161) - t168*t407 - t169*t406 - t170*t405 - t171*t404;
+            + M_p_z_ry*adjoint_h_z_l_2 + f_ry_l_3*t173 + f_ry_l_4*t174 + f_ry_l_5*t175 + f_ry_l_6*t176
+            - forward_t165*t184 - h_ry_l_2*t409 - h_ry_u_x*t335 - h_ry_u_z*t283 + t128*(f_ry_l_2
+            - forward_t166) - t173*t415 - t174*t414 - t175*t413 - t176*t412;
         const lane adjoint_D_p_ry_1 =
             L_rx_ry*adjoint_f_rx_l_1 + L_ry_ry*adjoint_f_ry_l_1 + L_ry_rz*adjoint_f_rz_l_1
             + L_x_ry*adjoint_f_x_l_1 + L_z_ry*adjoint_f_z_l_1 + M_p_rx_ry*adjoint_h_rx_l_1
             + M_p_ry_ry*adjoint_h_ry_l_1 + M_p_ry_rz*adjoint_h_rz_l_1 + M_p_x_ry*adjoint_h_x_l_1
-            + M_p_z_ry*adjoint_h_z_l_1 + f_ry_l_2*t179 + f_ry_l_3*t180 + f_ry_l_4*t181 + f_ry_l_5*t182
-            + f_ry_l_6*t183 - h_ry_l_1*t403 - h_ry_l_2*t402 - h_ry_u_x*t329 - h_ry_u_z*t277 + t125*(f_ry_l_1
-            - forward_t160) - t180*t407 - t181*t406 - t182*t405 - t183*t404;
+            + M_p_z_ry*adjoint_h_z_l_1 + f_ry_l_2*t184 + f_ry_l_3*t185 + f_ry_l_4*t186 + f_ry_l_5*t187
+            + f_ry_l_6*t188 - h_ry_l_1*t411 - h_ry_l_2*t410 - h_ry_u_x*t334 - h_ry_u_z*t282 + t130*(f_ry_l_1
+            - forward_t165) - t185*t415 - t186*t414 - t187*t413 - t188*t412;
         const lane adjoint_D_p_rx_6 =
             L_rx_rx*adjoint_f_rx_l_6 + L_rx_ry*adjoint_f_ry_l_6 + L_rx_rz*adjoint_f_rz_l_6
             + L_y_rx*adjoint_f_y_l_6 + L_z_rx*adjoint_f_z_l_6 + M_p_rx_rx*adjoint_h_rx_l_6
             + M_p_rx_ry*adjoint_h_ry_l_6 + M_p_rx_rz*adjoint_h_rz_l_6 + M_p_y_rx*adjoint_h_y_l_6
-            + M_p_z_rx*adjoint_h_z_l_6 - forward_t154*t183 - forward_t155*t171 - forward_t156*t160
-            - forward_t157*t150 - forward_t158*t141 - h_rx_l_6*t393 - h_rx_u_y*t379 - h_rx_u_z*t380
-            + t115*(f_rx_l_6 - forward_t159);
-        const lane t408 = eigenvalue*h_rx_l_6;
+            + M_p_z_rx*adjoint_h_z_l_6 - forward_t159*t188 - forward_t160*t176 - forward_t161*t165
+            - forward_t162*t155 - forward_t163*t146 - h_rx_l_6*t401 - h_rx_u_y*t387 - h_rx_u_z*t388
+            + t120*(f_rx_l_6 - forward_t164);
+        const lane t416 = eigenvalue*h_rx_l_6;
         const lane adjoint_D_p_rx_5 =
             L_rx_rx*adjoint_f_rx_l_5 + L_rx_ry*adjoint_f_ry_l_5 + L_rx_rz*adjoint_f_rz_l_5
             + L_y_rx*adjoint_f_y_l_5 + L_z_rx*adjoint_f_z_l_5 + M_p_rx_rx*adjoint_h_rx_l_5
             + M_p_rx_ry*adjoint_h_ry_l_5 + M_p_rx_rz*adjoint_h_rz_l_5 + M_p_y_rx*adjoint_h_y_l_5
-            + M_p_z_rx*adjoint_h_z_l_5 + f_rx_l_6*t141 - forward_t154*t182 - forward_t155*t170
-            - forward_t156*t159 - forward_t157*t149 - h_rx_l_5*t395 - h_rx_u_y*t307 - h_rx_u_z*t281
-            + t117*(f_rx_l_5 - forward_t158) - t141*t408;
-        const lane t409 = eigenvalue*h_rx_l_5;
+            + M_p_z_rx*adjoint_h_z_l_5 + f_rx_l_6*t146 - forward_t159*t187 - forward_t160*t175
+            - forward_t161*t164 - forward_t162*t154 - h_rx_l_5*t403 - h_rx_u_y*t312 - h_rx_u_z*t286
+            + t122*(f_rx_l_5 - forward_t163) - t146*t416;
+        const lane t417 = eigenvalue*h_rx_l_5;
         const lane adjoint_D_p_rx_4 =
             L_rx_rx*adjoint_f_rx_l_4 + L_rx_ry*adjoint_f_ry_l_4 + L_rx_rz*adjoint_f_rz_l_4
             + L_y_rx*adjoint_f_y_l_4 + L_z_rx*adjoint_f_z_l_4 + M_p_rx_rx*adjoint_h_rx_l_4
             + M_p_rx_ry*adjoint_h_ry_l_4 + M_p_rx_rz*adjoint_h_rz_l_4 + M_p_y_rx*adjoint_h_y_l_4
-            + M_p_z_rx*adjoint_h_z_l_4 + f_rx_l_5*t149 + f_rx_l_6*t150 - forward_t154*t181
-            - forward_t155*t169 - forward_t156*t158 - h_rx_l_4*t397 - h_rx_u_y*t306 - h_rx_u_z*t280
-            + t119*(f_rx_l_4 - forward_t157) - t149*t409 - t150*t408;
-        const lane t410 = eigenvalue*h_rx_l_4;
+            + M_p_z_rx*adjoint_h_z_l_4 + f_rx_l_5*t154 + f_rx_l_6*t155 - forward_t159*t186
+            - forward_t160*t174 - forward_t161*t163 - h_rx_l_4*t405 - h_rx_u_y*t311 - h_rx_u_z*t285
+            + t124*(f_rx_l_4 - forward_t162) - t154*t417 - t155*t416;
+        const lane t418 = eigenvalue*h_rx_l_4;
         const lane adjoint_D_p_rx_3 =
             L_rx_rx*adjoint_f_rx_l_3 + L_rx_ry*adjoint_f_ry_l_3 + L_rx_rz*adjoint_f_rz_l_3
             + L_y_rx*adjoint_f_y_l_3 + L_z_rx*adjoint_f_z_l_3 + M_p_rx_rx*adjoint_h_rx_l_3
             + M_p_rx_ry*adjoint_h_ry_l_3 + M_p_rx_rz*adjoint_h_rz_l_3 + M_p_y_rx*adjoint_h_y_l_3
-            + M_p_z_rx*adjoint_h_z_l_3 + f_rx_l_4*t158 + f_rx_l_5*t159 + f_rx_l_6*t160 - forward_t154*t180
-            - forward_t155*t168 - h_rx_l_3*t399 - h_rx_u_y*t305 - h_rx_u_z*t279 + t121*(f_rx_l_3
-            - forward_t156) - t158*t410 - t159*t409 - t160*t408;
-        const lane t411 = eigenvalue*h_rx_l_3;
+            + M_p_z_rx*adjoint_h_z_l_3 + f_rx_l_4*t163 + f_rx_l_5*t164 + f_rx_l_6*t165 - forward_t159*t185
+            - forward_t160*t173 - h_rx_l_3*t407 - h_rx_u_y*t310 - h_rx_u_z*t284 + t126*(f_rx_l_3
+            - forward_t161) - t163*t418 - t164*t417 - t165*t416;
+        const lane t419 = eigenvalue*h_rx_l_3;
         const lane adjoint_D_p_rx_2 =
             L_rx_rx*adjoint_f_rx_l_2 + L_rx_ry*adjoint_f_ry_l_2 + L_rx_rz*adjoint_f_rz_l_2
             + L_y_rx*adjoint_f_y_l_2 + L_z_rx*adjoint_f_z_l_2 + M_p_rx_rx*adjoint_h_rx_l_2
             + M_p_rx_ry*adjoint_h_ry_l_2 + M_p_rx_rz*adjoint_h_rz_l_2 + M_p_y_rx*adjoint_h_y_l_2
-            + M_p_z_rx*adjoint_h_z_l_2 + f_rx_l_3*t168 + f_rx_l_4*t169 + f_rx_l_5*t170 + f_rx_l_6*t171
-            - forward_t154*t179 - h_rx_l_2*t401 - h_rx_u_y*t304 - h_rx_u_z*t278 + t123*(f_rx_l_2
-            - forward_t155) - t168*t411 - t169*t410 - t170*t409 - t171*t408;
+            + M_p_z_rx*adjoint_h_z_l_2 + f_rx_l_3*t173 + f_rx_l_4*t174 + f_rx_l_5*t175 + f_rx_l_6*t176
+            - forward_t159*t184 - h_rx_l_2*t409 - h_rx_u_y*t309 - h_rx_u_z*t283 + t128*(f_rx_l_2
+            - forward_t160) - t173*t419 - t174*t418 - t175*t417 - t176*t416;
         const lane adjoint_D_p_rx_1 =
             L_rx_rx*adjoint_f_rx_l_1 + L_rx_ry*adjoint_f_ry_l_1 + L_rx_rz*adjoint_f_rz_l_1
             + L_y_rx*adjoint_f_y_l_1 + L_z_rx*adjoint_f_z_l_1 + M_p_rx_rx*adjoint_h_rx_l_1
             + M_p_rx_ry*adjoint_h_ry_l_1 + M_p_rx_rz*adjoint_h_rz_l_1 + M_p_y_rx*adjoint_h_y_l_1
-            + M_p_z_rx*adjoint_h_z_l_1 + f_rx_l_2*t179 + f_rx_l_3*t180 + f_rx_l_4*t181 + f_rx_l_5*t182
-            + f_rx_l_6*t183 - h_rx_l_1*t403 - h_rx_l_2*t402 - h_rx_u_y*t303 - h_rx_u_z*t277 + t125*(f_rx_l_1
-            - forward_t154) - t180*t411 - t181*t410 - t182*t409 - t183*t408;
-        const lane t412 = k_C*t200;
+            + M_p_z_rx*adjoint_h_z_l_1 + f_rx_l_2*t184 + f_rx_l_3*t185 + f_rx_l_4*t186 + f_rx_l_5*t187
+            + f_rx_l_6*t188 - h_rx_l_1*t411 - h_rx_l_2*t410 - h_rx_u_y*t308 - h_rx_u_z*t282 + t130*(f_rx_l_1
+            - forward_t159) - t185*t419 - t186*t418 - t187*t417 - t188*t416;
+        const lane t420 = k_C*t205;
         const lane adjoint_D_p_z_6 =
             L_x_x*adjoint_f_z_l_6 + L_z_rx*adjoint_f_rx_l_6 + L_z_ry*adjoint_f_ry_l_6
-            + M_p_x_x*adjoint_h_z_l_6 + M_p_z_rx*adjoint_h_rx_l_6 + M_p_z_ry*adjoint_h_ry_l_6 - h_x_u_x*t380
-            - h_z_l_6*t393 + shape_15*t412 + t115*(D_p_z_6*t417 + f_z_l_6 + forward_t153)
-            + t141*(forward_t152 + forward_t239) + t150*t416 + t160*t415 + t171*t414 + t183*t413;
-        const lane t418 = eigenvalue*h_z_l_6;
+            + M_p_x_x*adjoint_h_z_l_6 + M_p_z_rx*adjoint_h_rx_l_6 + M_p_z_ry*adjoint_h_ry_l_6 - h_x_u_x*t388
+            - h_z_l_6*t401 + shape_15*t420 + t120*(D_p_z_6*t425 + f_z_l_6 + forward_t158)
+            + t146*(forward_t157 + forward_t250) + t155*t424 + t165*t423 + t176*t422 + t188*t421;
+        const lane t426 = eigenvalue*h_z_l_6;
         const lane adjoint_D_p_z_5 =
             L_x_x*adjoint_f_z_l_5 + L_z_rx*adjoint_f_rx_l_5 + L_z_ry*adjoint_f_ry_l_5
             + M_p_x_x*adjoint_h_z_l_5 + M_p_z_rx*adjoint_h_rx_l_5 + M_p_z_ry*adjoint_h_ry_l_5
-            + adjoint_forward_t239*k_C + f_z_l_6*t141 - h_x_u_x*t281 - h_z_l_5*t395 + t117*(f_z_l_5
-            + forward_t152 + 2.0*forward_t239) - t141*t418 + t149*t416 + t159*t415 + t170*t414 + t182*t413;
-        const lane t419 = eigenvalue*h_z_l_5;
+            + adjoint_forward_t250*k_C + f_z_l_6*t146 - h_x_u_x*t286 - h_z_l_5*t403 + t122*(f_z_l_5
+            + forward_t157 + 2.0*forward_t250) - t146*t426 + t154*t424 + t164*t423 + t175*t422 + t187*t421;
+        const lane t427 = eigenvalue*h_z_l_5;
         const lane adjoint_D_p_z_4 =
             L_x_x*adjoint_f_z_l_4 + L_z_rx*adjoint_f_rx_l_4 + L_z_ry*adjoint_f_ry_l_4
             + M_p_x_x*adjoint_h_z_l_4 + M_p_z_rx*adjoint_h_rx_l_4 + M_p_z_ry*adjoint_h_ry_l_4
-            + adjoint_forward_t236*k_C + f_z_l_5*t149 + f_z_l_6*t150 - h_x_u_x*t280 - h_z_l_4*t397
-            + t119*(f_z_l_4 + forward_t151 + 2.0*forward_t236) - t149*t419 - t150*t418 + t158*t415
-            + t169*t414 + t181*t413;
-        const lane t420 = eigenvalue*h_z_l_4;
+            + adjoint_forward_t247*k_C + f_z_l_5*t154 + f_z_l_6*t155 - h_x_u_x*t285 - h_z_l_4*t405
+            + t124*(f_z_l_4 + forward_t156 + 2.0*forward_t247) - t154*t427 - t155*t426 + t163*t423
+            + t174*t422 + t186*t421;
+        const lane t428 = eigenvalue*h_z_l_4;
         const lane adjoint_D_p_z_3 =
             L_x_x*adjoint_f_z_l_3 + L_z_rx*adjoint_f_rx_l_3 + L_z_ry*adjoint_f_ry_l_3
             + M_p_x_x*adjoint_h_z_l_3 + M_p_z_rx*adjoint_h_rx_l_3 + M_p_z_ry*adjoint_h_ry_l_3
-            + adjoint_forward_t233*k_C + f_z_l_4*t158 + f_z_l_5*t159 + f_z_l_6*t160 - h_x_u_x*t279
-            - h_z_l_3*t399 + t121*(f_z_l_3 + forward_t150 + 2.0*forward_t233) - t158*t420 - t159*t419
-            - t160*t418 + t168*t414 + t180*t413;
-        const lane t421 = eigenvalue*h_z_l_3;
+            + adjoint_forward_t244*k_C + f_z_l_4*t163 + f_z_l_5*t164 + f_z_l_6*t165 - h_x_u_x*t284
+            - h_z_l_3*t407 + t126*(f_z_l_3 + forward_t155 + 2.0*forward_t244) - t163*t428 - t164*t427
+            - t165*t426 + t173*t422 + t185*t421;
+        const lane t429 = eigenvalue*h_z_l_3;
         const lane adjoint_D_p_z_2 =
             L_x_x*adjoint_f_z_l_2 + L_z_rx*adjoint_f_rx_l_2 + L_z_ry*adjoint_f_ry_l_2
             + M_p_x_x*adjoint_h_z_l_2 + M_p_z_rx*adjoint_h_rx_l_2 + M_p_z_ry*adjoint_h_ry_l_2
-            + adjoint_forward_t230*k_C + f_z_l_3*t168 + f_z_l_4*t169 + f_z_l_5*t170 + f_z_l_6*t171
-            - h_x_u_x*t278 - h_z_l_2*t401 + t123*(f_z_l_2 + forward_t149 + 2.0*forward_t230) - t168*t421
-            - t169*t420 - t170*t419 - t171*t418 + t179*t413;
+            + adjoint_forward_t241*k_C + f_z_l_3*t173 + f_z_l_4*t174 + f_z_l_5*t175 + f_z_l_6*t176
+            - h_x_u_x*t283 - h_z_l_2*t409 + t128*(f_z_l_2 + forward_t154 + 2.0*forward_t241) - t173*t429
+            - t174*t428 - t175*t427 - t176*t426 + t184*t421;
         const lane adjoint_D_p_z_1 =
             L_x_x*adjoint_f_z_l_1 + L_z_rx*adjoint_f_rx_l_1 + L_z_ry*adjoint_f_ry_l_1
             + M_p_x_x*adjoint_h_z_l_1 + M_p_z_rx*adjoint_h_rx_l_1 + M_p_z_ry*adjoint_h_ry_l_1
-            + adjoint_forward_t227*k_C + f_z_l_2*t179 + f_z_l_3*t180 + f_z_l_4*t181 + f_z_l_5*t182
-            + f_z_l_6*t183 - h_x_u_x*t277 - h_z_l_1*t403 - h_z_l_2*t402 + t125*(f_z_l_1 + forward_t148
-            + 2.0*forward_t227) - t180*t421 - t181*t420 - t182*t419 - t183*t418;
+            + adjoint_forward_t238*k_C + f_z_l_2*t184 + f_z_l_3*t185 + f_z_l_4*t186 + f_z_l_5*t187
+            + f_z_l_6*t188 - h_x_u_x*t282 - h_z_l_1*t411 - h_z_l_2*t410 + t130*(f_z_l_1 + forward_t153
+            + 2.0*forward_t238) - t185*t429 - t186*t428 - t187*t427 - t188*t426;
         const lane adjoint_D_p_y_6 =
             L_x_x*adjoint_f_y_l_6 + L_y_rx*adjoint_f_rx_l_6 + L_y_rz*adjoint_f_rz_l_6
-            + M_p_x_x*adjoint_h_y_l_6 + M_p_y_rx*adjoint_h_rx_l_6 + M_p_y_rz*adjoint_h_rz_l_6 - h_x_u_x*t379
-            - h_y_l_6*t393 + shape_14*t412 + t115*(D_p_y_6*t417 + f_y_l_6 + forward_t147)
-            + t141*(forward_t146 + forward_t238) + t150*t425 + t160*t424 + t171*t423 + t183*t422;
-        const lane t426 = eigenvalue*h_y_l_6;
+            + M_p_x_x*adjoint_h_y_l_6 + M_p_y_rx*adjoint_h_rx_l_6 + M_p_y_rz*adjoint_h_rz_l_6 - h_x_u_x*t387
+            - h_y_l_6*t401 + shape_14*t420 + t120*(D_p_y_6*t425 + f_y_l_6 + forward_t152)
+            + t146*(forward_t151 + forward_t249) + t155*t433 + t165*t432 + t176*t431 + t188*t430;
+        const lane t434 = eigenvalue*h_y_l_6;
         const lane adjoint_D_p_y_5 =
             L_x_x*adjoint_f_y_l_5 + L_y_rx*adjoint_f_rx_l_5 + L_y_rz*adjoint_f_rz_l_5
             + M_p_x_x*adjoint_h_y_l_5 + M_p_y_rx*adjoint_h_rx_l_5 + M_p_y_rz*adjoint_h_rz_l_5
-            + adjoint_forward_t238*k_C + f_y_l_6*t141 - h_x_u_x*t307 - h_y_l_5*t395 + t117*(f_y_l_5
-            + forward_t146 + 2.0*forward_t238) - t141*t426 + t149*t425 + t159*t424 + t170*t423 + t182*t422;
-        const lane t427 = eigenvalue*h_y_l_5;
+            + adjoint_forward_t249*k_C + f_y_l_6*t146 - h_x_u_x*t312 - h_y_l_5*t403 + t122*(f_y_l_5
+            + forward_t151 + 2.0*forward_t249) - t146*t434 + t154*t433 + t164*t432 + t175*t431 + t187*t430;
+        const lane t435 = eigenvalue*h_y_l_5;
         const lane adjoint_D_p_y_4 =
             L_x_x*adjoint_f_y_l_4 + L_y_rx*adjoint_f_rx_l_4 + L_y_rz*adjoint_f_rz_l_4
             + M_p_x_x*adjoint_h_y_l_4 + M_p_y_rx*adjoint_h_rx_l_4 + M_p_y_rz*adjoint_h_rz_l_4
-            + adjoint_forward_t235*k_C + f_y_l_5*t149 + f_y_l_6*t150 - h_x_u_x*t306 - h_y_l_4*t397
-            + t119*(f_y_l_4 + forward_t145 + 2.0*forward_t235) - t149*t427 - t150*t426 + t158*t424
-            + t169*t423 + t181*t422;
-        const lane t428 = eigenvalue*h_y_l_4;
+            + adjoint_forward_t246*k_C + f_y_l_5*t154 + f_y_l_6*t155 - h_x_u_x*t311 - h_y_l_4*t405
+            + t124*(f_y_l_4 + forward_t150 + 2.0*forward_t246) - t154*t435 - t155*t434 + t163*t432
+            + t174*t431 + t186*t430;
+        const lane t436 = eigenvalue*h_y_l_4;
         const lane adjoint_D_p_y_3 =
             L_x_x*adjoint_f_y_l_3 + L_y_rx*adjoint_f_rx_l_3 + L_y_rz*adjoint_f_rz_l_3
             + M_p_x_x*adjoint_h_y_l_3 + M_p_y_rx*adjoint_h_rx_l_3 + M_p_y_rz*adjoint_h_rz_l_3
-            + adjoint_forward_t232*k_C + f_y_l_4*t158 + f_y_l_5*t159 + f_y_l_6*t160 - h_x_u_x*t305
-            - h_y_l_3*t399 + t121*(f_y_l_3 + forward_t144 + 2.0*forward_t232) - t158*t428 - t159*t427
-            - t160*t426 + t168*t423 + t180*t422;
-        const lane t429 = eigenvalue*h_y_l_3;
+            + adjoint_forward_t243*k_C + f_y_l_4*t163 + f_y_l_5*t164 + f_y_l_6*t165 - h_x_u_x*t310
+            - h_y_l_3*t407 + t126*(f_y_l_3 + forward_t149 + 2.0*forward_t243) - t163*t436 - t164*t435
+            - t165*t434 + t173*t431 + t185*t430;
+        const lane t437 = eigenvalue*h_y_l_3;
         const lane adjoint_D_p_y_2 =
             L_x_x*adjoint_f_y_l_2 + L_y_rx*adjoint_f_rx_l_2 + L_y_rz*adjoint_f_rz_l_2
             + M_p_x_x*adjoint_h_y_l_2 + M_p_y_rx*adjoint_h_rx_l_2 + M_p_y_rz*adjoint_h_rz_l_2
-            + adjoint_forward_t229*k_C + f_y_l_3*t168 + f_y_l_4*t169 + f_y_l_5*t170 + f_y_l_6*t171
-            - h_x_u_x*t304 - h_y_l_2*t401 + t123*(f_y_l_2 + forward_t143 + 2.0*forward_t229) - t168*t429
-            - t169*t428 - t170*t427 - t171*t426 + t179*t422;
+            + adjoint_forward_t240*k_C + f_y_l_3*t173 + f_y_l_4*t174 + f_y_l_5*t175 + f_y_l_6*t176
+            - h_x_u_x*t309 - h_y_l_2*t409 + t128*(f_y_l_2 + forward_t148 + 2.0*forward_t240) - t173*t437
+            - t174*t436 - t175*t435 - t176*t434 + t184*t430;
         const lane adjoint_D_p_y_1 =
             L_x_x*adjoint_f_y_l_1 + L_y_rx*adjoint_f_rx_l_1 + L_y_rz*adjoint_f_rz_l_1
             + M_p_x_x*adjoint_h_y_l_1 + M_p_y_rx*adjoint_h_rx_l_1 + M_p_y_rz*adjoint_h_rz_l_1
-            + adjoint_forward_t226*k_C + f_y_l_2*t179 + f_y_l_3*t180 + f_y_l_4*t181 + f_y_l_5*t182
-            + f_y_l_6*t183 - h_x_u_x*t303 - h_y_l_1*t403 - h_y_l_2*t402 + t125*(f_y_l_1 + forward_t142
-            + 2.0*forward_t226) - t180*t429 - t181*t428 - t182*t427 - t183*t426;
+            + adjoint_forward_t237*k_C + f_y_l_2*t184 + f_y_l_3*t185 + f_y_l_4*t186 + f_y_l_5*t187
+            + f_y_l_6*t188 - h_x_u_x*t308 - h_y_l_1*t411 - h_y_l_2*t410 + t130*(f_y_l_1 + forward_t147
+            + 2.0*forward_t237) - t185*t437 - t186*t436 - t187*t435 - t188*t434;
         const lane adjoint_D_p_x_6 =
             L_x_ry*adjoint_f_ry_l_6 + L_x_rz*adjoint_f_rz_l_6 + L_x_x*adjoint_f_x_l_6
-            + M_p_x_ry*adjoint_h_ry_l_6 + M_p_x_rz*adjoint_h_rz_l_6 + M_p_x_x*adjoint_h_x_l_6 - h_x_l_6*t393
-            - h_x_u_x*t378 + shape_13*t412 + t115*(D_p_x_6*t417 + f_x_l_6 + forward_t141)
-            + t141*(forward_t139 + forward_t237) + t150*t433 + t160*t432 + t171*t431 + t183*t430;
+            + M_p_x_ry*adjoint_h_ry_l_6 + M_p_x_rz*adjoint_h_rz_l_6 + M_p_x_x*adjoint_h_x_l_6 - h_x_l_6*t401
+            - h_x_u_x*t386 + shape_13*t420 + t120*(D_p_x_6*t425 + f_x_l_6 + forward_t146)
+            + t146*(forward_t144 + forward_t248) + t155*t441 + t165*t440 + t176*t439 + t188*t438;
         const lane adjoint_forward_t60 =
             A_rx_6*adjoint_D_p_rx_6 + A_ry_6*adjoint_D_p_ry_6 + A_rz_6*adjoint_D_p_rz_6
             + A_x_6*adjoint_D_p_x_6 + A_y_6*adjoint_D_p_y_6 + A_z_6*adjoint_D_p_z_6;
-        const lane t434 = eigenvalue*h_x_l_6;
+        const lane t442 = eigenvalue*h_x_l_6;
         const lane adjoint_D_p_x_5 =
             L_x_ry*adjoint_f_ry_l_5 + L_x_rz*adjoint_f_rz_l_5 + L_x_x*adjoint_f_x_l_5
             + M_p_x_ry*adjoint_h_ry_l_5 + M_p_x_rz*adjoint_h_rz_l_5 + M_p_x_x*adjoint_h_x_l_5
-            + adjoint_forward_t237*k_C + f_x_l_6*t141 - h_x_l_5*t395 - h_x_u_x*t333 + t117*(f_x_l_5
-            + forward_t139 + 2.0*forward_t237) - t141*t434 + t149*t433 + t159*t432 + t170*t431 + t182*t430;
+            + adjoint_forward_t248*k_C + f_x_l_6*t146 - h_x_l_5*t403 - h_x_u_x*t338 + t122*(f_x_l_5
+            + forward_t144 + 2.0*forward_t248) - t146*t442 + t154*t441 + t164*t440 + t175*t439 + t187*t438;
         const lane adjoint_forward_t59 =
             A_rx_5*adjoint_D_p_rx_5 + A_ry_5*adjoint_D_p_ry_5 + A_rz_5*adjoint_D_p_rz_5
             + A_x_5*adjoint_D_p_x_5 + A_y_5*adjoint_D_p_y_5 + A_z_5*adjoint_D_p_z_5;
-        const lane t435 = eigenvalue*h_x_l_5;
+        const lane t443 = eigenvalue*h_x_l_5;
         const lane adjoint_D_p_x_4 =
             L_x_ry*adjoint_f_ry_l_4 + L_x_rz*adjoint_f_rz_l_4 + L_x_x*adjoint_f_x_l_4
             + M_p_x_ry*adjoint_h_ry_l_4 + M_p_x_rz*adjoint_h_rz_l_4 + M_p_x_x*adjoint_h_x_l_4
-            + adjoint_forward_t234*k_C + f_x_l_5*t149 + f_x_l_6*t150 - h_x_l_4*t397 - h_x_u_x*t332
-            + t119*(f_x_l_4 + forward_t137 + 2.0*forward_t234) - t149*t435 - t150*t434 + t158*t432
-            + t169*t431 + t181*t430;
+            + adjoint_forward_t245*k_C + f_x_l_5*t154 + f_x_l_6*t155 - h_x_l_4*t405 - h_x_u_x*t337
+            + t124*(f_x_l_4 + forward_t142 + 2.0*forward_t245) - t154*t443 - t155*t442 + t163*t440
+            + t174*t439 + t186*t438;
         const lane adjoint_forward_t58 =
             A_rx_4*adjoint_D_p_rx_4 + A_ry_4*adjoint_D_p_ry_4 + A_rz_4*adjoint_D_p_rz_4
             + A_x_4*adjoint_D_p_x_4 + A_y_4*adjoint_D_p_y_4 + A_z_4*adjoint_D_p_z_4;
-        const lane t436 = eigenvalue*h_x_l_4;
+        const lane t444 = eigenvalue*h_x_l_4;
         const lane adjoint_D_p_x_3 =
             L_x_ry*adjoint_f_ry_l_3 + L_x_rz*adjoint_f_rz_l_3 + L_x_x*adjoint_f_x_l_3
             + M_p_x_ry*adjoint_h_ry_l_3 + M_p_x_rz*adjoint_h_rz_l_3 + M_p_x_x*adjoint_h_x_l_3
-            + adjoint_forward_t231*k_C + f_x_l_4*t158 + f_x_l_5*t159 + f_x_l_6*t160 - h_x_l_3*t399
-            - h_x_u_x*t331 + t121*(f_x_l_3 + forward_t135 + 2.0*forward_t231) - t158*t436 - t159*t435
-            - t160*t434 + t168*t431 + t180*t430;
+            + adjoint_forward_t242*k_C + f_x_l_4*t163 + f_x_l_5*t164 + f_x_l_6*t165 - h_x_l_3*t407
+            - h_x_u_x*t336 + t126*(f_x_l_3 + forward_t140 + 2.0*forward_t242) - t163*t444 - t164*t443
+            - t165*t442 + t173*t439 + t185*t438;
         const lane adjoint_forward_t57 =
             A_rx_3*adjoint_D_p_rx_3 + A_ry_3*adjoint_D_p_ry_3 + A_rz_3*adjoint_D_p_rz_3
             + A_x_3*adjoint_D_p_x_3 + A_y_3*adjoint_D_p_y_3 + A_z_3*adjoint_D_p_z_3;
-        const lane t437 = eigenvalue*h_x_l_3;
+        const lane t445 = eigenvalue*h_x_l_3;
         const lane adjoint_D_p_x_2 =
             L_x_ry*adjoint_f_ry_l_2 + L_x_rz*adjoint_f_rz_l_2 + L_x_x*adjoint_f_x_l_2
             + M_p_x_ry*adjoint_h_ry_l_2 + M_p_x_rz*adjoint_h_rz_l_2 + M_p_x_x*adjoint_h_x_l_2
-            + adjoint_forward_t228*k_C + f_x_l_3*t168 + f_x_l_4*t169 + f_x_l_5*t170 + f_x_l_6*t171
-            - h_x_l_2*t401 - h_x_u_x*t330 + t123*(f_x_l_2 + forward_t133 + 2.0*forward_t228) - t168*t437
-            - t169*t436 - t170*t435 - t171*t434 + t179*t430;
+            + adjoint_forward_t239*k_C + f_x_l_3*t173 + f_x_l_4*t174 + f_x_l_5*t175 + f_x_l_6*t176
+            - h_x_l_2*t409 - h_x_u_x*t335 + t128*(f_x_l_2 + forward_t138 + 2.0*forward_t239) - t173*t445
+            - t174*t444 - t175*t443 - t176*t442 + t184*t438;
         const lane adjoint_forward_t56 =
             A_rx_2*adjoint_D_p_rx_2 + A_ry_2*adjoint_D_p_ry_2 + A_rz_2*adjoint_D_p_rz_2
             + A_x_2*adjoint_D_p_x_2 + A_y_2*adjoint_D_p_y_2 + A_z_2*adjoint_D_p_z_2;
         const lane adjoint_D_p_x_1 =
             L_x_ry*adjoint_f_ry_l_1 + L_x_rz*adjoint_f_rz_l_1 + L_x_x*adjoint_f_x_l_1
             + M_p_x_ry*adjoint_h_ry_l_1 + M_p_x_rz*adjoint_h_rz_l_1 + M_p_x_x*adjoint_h_x_l_1
-            + adjoint_forward_t225*k_C + f_x_l_2*t179 + f_x_l_3*t180 + f_x_l_4*t181 + f_x_l_5*t182
-            + f_x_l_6*t183 - h_x_l_1*t403 - h_x_l_2*t402 - h_x_u_x*t329 + t125*(f_x_l_1 + forward_t131
-            + 2.0*forward_t225) - t180*t437 - t181*t436 - t182*t435 - t183*t434;
+            + adjoint_forward_t236*k_C + f_x_l_2*t184 + f_x_l_3*t185 + f_x_l_4*t186 + f_x_l_5*t187
+            + f_x_l_6*t188 - h_x_l_1*t411 - h_x_l_2*t410 - h_x_u_x*t334 + t130*(f_x_l_1 + forward_t136
+            + 2.0*forward_t236) - t185*t445 - t186*t444 - t187*t443 - t188*t442;
         const lane adjoint_forward_t55 =
             A_rx_1*adjoint_D_p_rx_1 + A_ry_1*adjoint_D_p_ry_1 + A_rz_1*adjoint_D_p_rz_1
             + A_x_1*adjoint_D_p_x_1 + A_y_1*adjoint_D_p_y_1 + A_z_1*adjoint_D_p_z_1;
@@ -8913,14 +8988,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + adjoint_mu_1*t56 + adjoint_mu_2*t57 + adjoint_mu_3*t58 + adjoint_mu_4*t59 + adjoint_mu_5*t60
             + adjoint_mu_6*t61;
         const lane adjoint_det_D_l = -adjoint_forward_t54*(forward_22*forward_22);
-        const lane adjoint_A_rz_6 = G_p_rz*t392 + adjoint_D_p_rz_6*forward_t60;
-        const lane adjoint_A_ry_6 = G_p_ry*t392 + adjoint_D_p_ry_6*forward_t60;
-        const lane adjoint_A_rx_6 = G_p_rx*t392 + adjoint_D_p_rx_6*forward_t60;
-        const lane adjoint_A_z_6 = G_p_z*t392 + adjoint_D_p_z_6*forward_t60;
+        const lane adjoint_A_rz_6 = G_p_rz*t400 + adjoint_D_p_rz_6*forward_t60;
+        const lane adjoint_A_ry_6 = G_p_ry*t400 + adjoint_D_p_ry_6*forward_t60;
+        const lane adjoint_A_rx_6 = G_p_rx*t400 + adjoint_D_p_rx_6*forward_t60;
+        const lane adjoint_A_z_6 = G_p_z*t400 + adjoint_D_p_z_6*forward_t60;
         const lane adjoint_minor_45_12 =
             adjoint_A_rx_6*minor_123_356 - adjoint_A_ry_6*minor_123_346 + adjoint_A_rz_6*minor_123_345
             - adjoint_A_z_6*minor_123_456;
-        const lane adjoint_A_y_6 = G_p_y*t392 + adjoint_D_p_y_6*forward_t60;
+        const lane adjoint_A_y_6 = G_p_y*t400 + adjoint_D_p_y_6*forward_t60;
         const lane adjoint_minor_45_13 =
             -adjoint_A_rx_6*minor_123_256 + adjoint_A_ry_6*minor_123_246 - adjoint_A_rz_6*minor_123_245
             + adjoint_A_y_6*minor_123_456;
@@ -8933,7 +9008,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_45_16 =
             -adjoint_A_rx_6*minor_123_235 + adjoint_A_ry_6*minor_123_234 - adjoint_A_y_6*minor_123_345
             + adjoint_A_z_6*minor_123_245;
-        const lane adjoint_A_x_6 = G_p_x*t392 + adjoint_D_p_x_6*forward_t60;
+        const lane adjoint_A_x_6 = G_p_x*t400 + adjoint_D_p_x_6*forward_t60;
         const lane adjoint_minor_45_23 =
             adjoint_A_rx_6*minor_123_156 - adjoint_A_ry_6*minor_123_146 + adjoint_A_rz_6*minor_123_145
             - adjoint_A_x_6*minor_123_456;
@@ -8964,14 +9039,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_45_56 =
             adjoint_A_rx_6*minor_123_123 - adjoint_A_x_6*minor_123_234 + adjoint_A_y_6*minor_123_134
             - adjoint_A_z_6*minor_123_124;
-        const lane adjoint_A_rz_5 = G_p_rz*t391 + adjoint_D_p_rz_5*forward_t59;
-        const lane adjoint_A_ry_5 = G_p_ry*t391 + adjoint_D_p_ry_5*forward_t59;
-        const lane adjoint_A_rx_5 = G_p_rx*t391 + adjoint_D_p_rx_5*forward_t59;
-        const lane adjoint_A_z_5 = G_p_z*t391 + adjoint_D_p_z_5*forward_t59;
+        const lane adjoint_A_rz_5 = G_p_rz*t399 + adjoint_D_p_rz_5*forward_t59;
+        const lane adjoint_A_ry_5 = G_p_ry*t399 + adjoint_D_p_ry_5*forward_t59;
+        const lane adjoint_A_rx_5 = G_p_rx*t399 + adjoint_D_p_rx_5*forward_t59;
+        const lane adjoint_A_z_5 = G_p_z*t399 + adjoint_D_p_z_5*forward_t59;
         const lane adjoint_minor_46_12 =
             -adjoint_A_rx_5*minor_123_356 + adjoint_A_ry_5*minor_123_346 - adjoint_A_rz_5*minor_123_345
             + adjoint_A_z_5*minor_123_456;
-        const lane adjoint_A_y_5 = G_p_y*t391 + adjoint_D_p_y_5*forward_t59;
+        const lane adjoint_A_y_5 = G_p_y*t399 + adjoint_D_p_y_5*forward_t59;
         const lane adjoint_minor_46_13 =
             adjoint_A_rx_5*minor_123_256 - adjoint_A_ry_5*minor_123_246 + adjoint_A_rz_5*minor_123_245
             - adjoint_A_y_5*minor_123_456;
@@ -8984,7 +9059,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_46_16 =
             adjoint_A_rx_5*minor_123_235 - adjoint_A_ry_5*minor_123_234 + adjoint_A_y_5*minor_123_345
             - adjoint_A_z_5*minor_123_245;
-        const lane adjoint_A_x_5 = G_p_x*t391 + adjoint_D_p_x_5*forward_t59;
+        const lane adjoint_A_x_5 = G_p_x*t399 + adjoint_D_p_x_5*forward_t59;
         const lane adjoint_minor_46_23 =
             -adjoint_A_rx_5*minor_123_156 + adjoint_A_ry_5*minor_123_146 - adjoint_A_rz_5*minor_123_145
             + adjoint_A_x_5*minor_123_456;
@@ -9015,14 +9090,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_46_56 =
             -adjoint_A_rx_5*minor_123_123 + adjoint_A_x_5*minor_123_234 - adjoint_A_y_5*minor_123_134
             + adjoint_A_z_5*minor_123_124;
-        const lane adjoint_A_rz_4 = G_p_rz*t390 + adjoint_D_p_rz_4*forward_t58;
-        const lane adjoint_A_ry_4 = G_p_ry*t390 + adjoint_D_p_ry_4*forward_t58;
-        const lane adjoint_A_rx_4 = G_p_rx*t390 + adjoint_D_p_rx_4*forward_t58;
+        const lane adjoint_A_rz_4 = G_p_rz*t398 + adjoint_D_p_rz_4*forward_t58;
+        const lane adjoint_A_ry_4 = G_p_ry*t398 + adjoint_D_p_ry_4*forward_t58;
+        const lane adjoint_A_rx_4 = G_p_rx*t398 + adjoint_D_p_rx_4*forward_t58;
         const lane adjoint_minor_123_123 =
             adjoint_A_rx_4*minor_56_56 - adjoint_A_rx_5*minor_46_56 + adjoint_A_rx_6*minor_45_56
             - adjoint_A_ry_4*minor_56_46 + adjoint_A_ry_5*minor_46_46 - adjoint_A_ry_6*minor_45_46
             + adjoint_A_rz_4*minor_56_45 - adjoint_A_rz_5*minor_46_45 + adjoint_A_rz_6*minor_45_45;
-        const lane adjoint_A_z_4 = G_p_z*t390 + adjoint_D_p_z_4*forward_t58;
+        const lane adjoint_A_z_4 = G_p_z*t398 + adjoint_D_p_z_4*forward_t58;
         const lane adjoint_minor_123_126 =
             adjoint_A_rx_4*minor_56_35 - adjoint_A_rx_5*minor_46_35 + adjoint_A_rx_6*minor_45_35
             - adjoint_A_ry_4*minor_56_34 + adjoint_A_ry_5*minor_46_34 - adjoint_A_ry_6*minor_45_34
@@ -9035,7 +9110,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             adjoint_A_ry_4*minor_56_36 - adjoint_A_ry_5*minor_46_36 + adjoint_A_ry_6*minor_45_36
             - adjoint_A_rz_4*minor_56_35 + adjoint_A_rz_5*minor_46_35 - adjoint_A_rz_6*minor_45_35
             - adjoint_A_z_4*minor_56_56 + adjoint_A_z_5*minor_46_56 - adjoint_A_z_6*minor_45_56;
-        const lane adjoint_A_y_4 = G_p_y*t390 + adjoint_D_p_y_4*forward_t58;
+        const lane adjoint_A_y_4 = G_p_y*t398 + adjoint_D_p_y_4*forward_t58;
         const lane adjoint_minor_123_156 =
             adjoint_A_rx_4*minor_56_23 - adjoint_A_rx_5*minor_46_23 + adjoint_A_rx_6*minor_45_23
             + adjoint_A_y_4*minor_56_34 - adjoint_A_y_5*minor_46_34 + adjoint_A_y_6*minor_45_34
@@ -9060,7 +9135,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             -adjoint_A_ry_4*minor_56_26 + adjoint_A_ry_5*minor_46_26 - adjoint_A_ry_6*minor_45_26
             + adjoint_A_rz_4*minor_56_25 - adjoint_A_rz_5*minor_46_25 + adjoint_A_rz_6*minor_45_25
             + adjoint_A_y_4*minor_56_56 - adjoint_A_y_5*minor_46_56 + adjoint_A_y_6*minor_45_56;
-        const lane adjoint_A_x_4 = G_p_x*t390 + adjoint_D_p_x_4*forward_t58;
+        const lane adjoint_A_x_4 = G_p_x*t398 + adjoint_D_p_x_4*forward_t58;
         const lane adjoint_minor_123_456 =
             -adjoint_A_x_4*minor_56_23 + adjoint_A_x_5*minor_46_23 - adjoint_A_x_6*minor_45_23
             + adjoint_A_y_4*minor_56_13 - adjoint_A_y_5*minor_46_13 + adjoint_A_y_6*minor_45_13
@@ -9101,14 +9176,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             adjoint_A_ry_4*minor_56_16 - adjoint_A_ry_5*minor_46_16 + adjoint_A_ry_6*minor_45_16
             - adjoint_A_rz_4*minor_56_15 + adjoint_A_rz_5*minor_46_15 - adjoint_A_rz_6*minor_45_15
             - adjoint_A_x_4*minor_56_56 + adjoint_A_x_5*minor_46_56 - adjoint_A_x_6*minor_45_56;
-        const lane adjoint_A_rz_3 = G_p_rz*t389 + adjoint_D_p_rz_3*forward_t57;
-        const lane adjoint_A_ry_3 = G_p_ry*t389 + adjoint_D_p_ry_3*forward_t57;
-        const lane adjoint_A_rx_3 = G_p_rx*t389 + adjoint_D_p_rx_3*forward_t57;
-        const lane adjoint_A_z_3 = G_p_z*t389 + adjoint_D_p_z_3*forward_t57;
+        const lane adjoint_A_rz_3 = G_p_rz*t397 + adjoint_D_p_rz_3*forward_t57;
+        const lane adjoint_A_ry_3 = G_p_ry*t397 + adjoint_D_p_ry_3*forward_t57;
+        const lane adjoint_A_rx_3 = G_p_rx*t397 + adjoint_D_p_rx_3*forward_t57;
+        const lane adjoint_A_z_3 = G_p_z*t397 + adjoint_D_p_z_3*forward_t57;
         const lane adjoint_minor_12_12 =
             -adjoint_A_rx_3*minor_456_356 + adjoint_A_ry_3*minor_456_346 - adjoint_A_rz_3*minor_456_345
             + adjoint_A_z_3*minor_456_456;
-        const lane adjoint_A_y_3 = G_p_y*t389 + adjoint_D_p_y_3*forward_t57;
+        const lane adjoint_A_y_3 = G_p_y*t397 + adjoint_D_p_y_3*forward_t57;
         const lane adjoint_minor_12_16 =
             adjoint_A_rx_3*minor_456_235 - adjoint_A_ry_3*minor_456_234 + adjoint_A_y_3*minor_456_345
             - adjoint_A_z_3*minor_456_245;
@@ -9121,7 +9196,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_12_13 =
             adjoint_A_rx_3*minor_456_256 - adjoint_A_ry_3*minor_456_246 + adjoint_A_rz_3*minor_456_245
             - adjoint_A_y_3*minor_456_456;
-        const lane adjoint_A_x_3 = G_p_x*t389 + adjoint_D_p_x_3*forward_t57;
+        const lane adjoint_A_x_3 = G_p_x*t397 + adjoint_D_p_x_3*forward_t57;
         const lane adjoint_minor_12_56 =
             -adjoint_A_rx_3*minor_456_123 + adjoint_A_x_3*minor_456_234 - adjoint_A_y_3*minor_456_134
             + adjoint_A_z_3*minor_456_124;
@@ -9152,14 +9227,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_12_23 =
             -adjoint_A_rx_3*minor_456_156 + adjoint_A_ry_3*minor_456_146 - adjoint_A_rz_3*minor_456_145
             + adjoint_A_x_3*minor_456_456;
-        const lane adjoint_A_rz_2 = G_p_rz*t388 + adjoint_D_p_rz_2*forward_t56;
-        const lane adjoint_A_ry_2 = G_p_ry*t388 + adjoint_D_p_ry_2*forward_t56;
-        const lane adjoint_A_rx_2 = G_p_rx*t388 + adjoint_D_p_rx_2*forward_t56;
-        const lane adjoint_A_z_2 = G_p_z*t388 + adjoint_D_p_z_2*forward_t56;
+        const lane adjoint_A_rz_2 = G_p_rz*t396 + adjoint_D_p_rz_2*forward_t56;
+        const lane adjoint_A_ry_2 = G_p_ry*t396 + adjoint_D_p_ry_2*forward_t56;
+        const lane adjoint_A_rx_2 = G_p_rx*t396 + adjoint_D_p_rx_2*forward_t56;
+        const lane adjoint_A_z_2 = G_p_z*t396 + adjoint_D_p_z_2*forward_t56;
         const lane adjoint_minor_13_12 =
             adjoint_A_rx_2*minor_456_356 - adjoint_A_ry_2*minor_456_346 + adjoint_A_rz_2*minor_456_345
             - adjoint_A_z_2*minor_456_456;
-        const lane adjoint_A_y_2 = G_p_y*t388 + adjoint_D_p_y_2*forward_t56;
+        const lane adjoint_A_y_2 = G_p_y*t396 + adjoint_D_p_y_2*forward_t56;
         const lane adjoint_minor_13_16 =
             -adjoint_A_rx_2*minor_456_235 + adjoint_A_ry_2*minor_456_234 - adjoint_A_y_2*minor_456_345
             + adjoint_A_z_2*minor_456_245;
@@ -9172,7 +9247,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_13_13 =
             -adjoint_A_rx_2*minor_456_256 + adjoint_A_ry_2*minor_456_246 - adjoint_A_rz_2*minor_456_245
             + adjoint_A_y_2*minor_456_456;
-        const lane adjoint_A_x_2 = G_p_x*t388 + adjoint_D_p_x_2*forward_t56;
+        const lane adjoint_A_x_2 = G_p_x*t396 + adjoint_D_p_x_2*forward_t56;
         const lane adjoint_minor_13_56 =
             adjoint_A_rx_2*minor_456_123 - adjoint_A_x_2*minor_456_234 + adjoint_A_y_2*minor_456_134
             - adjoint_A_z_2*minor_456_124;
@@ -9203,14 +9278,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_minor_13_23 =
             adjoint_A_rx_2*minor_456_156 - adjoint_A_ry_2*minor_456_146 + adjoint_A_rz_2*minor_456_145
             - adjoint_A_x_2*minor_456_456;
-        const lane adjoint_A_rz_1 = D_l_1_rz*adjoint_det_D_l + G_p_rz*t387 + adjoint_D_p_rz_1*forward_t55;
-        const lane adjoint_A_ry_1 = D_l_1_ry*adjoint_det_D_l + G_p_ry*t387 + adjoint_D_p_ry_1*forward_t55;
-        const lane adjoint_A_rx_1 = D_l_1_rx*adjoint_det_D_l + G_p_rx*t387 + adjoint_D_p_rx_1*forward_t55;
+        const lane adjoint_A_rz_1 = D_l_1_rz*adjoint_det_D_l + G_p_rz*t395 + adjoint_D_p_rz_1*forward_t55;
+        const lane adjoint_A_ry_1 = D_l_1_ry*adjoint_det_D_l + G_p_ry*t395 + adjoint_D_p_ry_1*forward_t55;
+        const lane adjoint_A_rx_1 = D_l_1_rx*adjoint_det_D_l + G_p_rx*t395 + adjoint_D_p_rx_1*forward_t55;
         const lane adjoint_minor_456_123 =
             -adjoint_A_rx_1*minor_23_56 + adjoint_A_rx_2*minor_13_56 - adjoint_A_rx_3*minor_12_56
             + adjoint_A_ry_1*minor_23_46 - adjoint_A_ry_2*minor_13_46 + adjoint_A_ry_3*minor_12_46
             - adjoint_A_rz_1*minor_23_45 + adjoint_A_rz_2*minor_13_45 - adjoint_A_rz_3*minor_12_45;
-        const lane adjoint_A_z_1 = G_p_z*t387 + adjoint_D_p_z_1*forward_t55 + adjoint_det_D_l*d_1_z;
+        const lane adjoint_A_z_1 = G_p_z*t395 + adjoint_D_p_z_1*forward_t55 + adjoint_det_D_l*d_1_z;
         const lane adjoint_minor_456_124 =
             -adjoint_A_ry_1*minor_23_36 + adjoint_A_ry_2*minor_13_36 - adjoint_A_ry_3*minor_12_36
             + adjoint_A_rz_1*minor_23_35 - adjoint_A_rz_2*minor_13_35 + adjoint_A_rz_3*minor_12_35
@@ -9231,7 +9306,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             D_l_1_rx*adjoint_minor_123_124 + D_l_1_ry*adjoint_minor_123_125 + D_l_1_rz*adjoint_minor_123_126
             - adjoint_A_rx_1*minor_456_356 + adjoint_A_ry_1*minor_456_346 - adjoint_A_rz_1*minor_456_345
             + adjoint_A_z_1*minor_456_456 + adjoint_minor_123_123*d_1_z;
-        const lane adjoint_A_y_1 = G_p_y*t387 + adjoint_D_p_y_1*forward_t55 + adjoint_det_D_l*d_1_y;
+        const lane adjoint_A_y_1 = G_p_y*t395 + adjoint_D_p_y_1*forward_t55 + adjoint_det_D_l*d_1_y;
         const lane adjoint_minor_456_134 =
             adjoint_A_ry_1*minor_23_26 - adjoint_A_ry_2*minor_13_26 + adjoint_A_ry_3*minor_12_26
             - adjoint_A_rz_1*minor_23_25 + adjoint_A_rz_2*minor_13_25 - adjoint_A_rz_3*minor_12_25
@@ -9288,7 +9363,7 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             D_l_1_rx*adjoint_minor_123_134 + D_l_1_ry*adjoint_minor_123_135 + D_l_1_rz*adjoint_minor_123_136
             + adjoint_A_rx_1*minor_456_256 - adjoint_A_ry_1*minor_456_246 + adjoint_A_rz_1*minor_456_245
             - adjoint_A_y_1*minor_456_456 - adjoint_minor_123_123*d_1_y;
-        const lane adjoint_A_x_1 = G_p_x*t387 + adjoint_D_p_x_1*forward_t55 + adjoint_det_D_l*d_1_x;
+        const lane adjoint_A_x_1 = G_p_x*t395 + adjoint_D_p_x_1*forward_t55 + adjoint_det_D_l*d_1_x;
         const lane adjoint_minor_456_234 =
             -adjoint_A_ry_1*minor_23_16 + adjoint_A_ry_2*minor_13_16 - adjoint_A_ry_3*minor_12_16
             + adjoint_A_rz_1*minor_23_15 - adjoint_A_rz_2*minor_13_15 + adjoint_A_rz_3*minor_12_15
@@ -9529,133 +9604,145 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + adjoint_minor_123_456*minor_23_56 - adjoint_minor_12_14*d_2_x - adjoint_minor_12_24*d_2_y
             - adjoint_minor_12_34*d_2_z - adjoint_minor_13_14*d_3_x - adjoint_minor_13_24*d_3_y
             - adjoint_minor_13_34*d_3_z;
+        const lane t446 = (1.0/2.0)*adjoint_L_ry_rz;
+        const lane adjoint_o_L_z =
+            adjoint_G_p_rx*forward_t85 - adjoint_G_p_ry*forward_t83 + adjoint_L_rx_rz*forward_t126
+            + adjoint_forward_t104*g_11_z + adjoint_forward_t184*m_L + 4.0*adjoint_forward_t200*o_L_z
+            + g_11_y*t446;
+        const lane adjoint_o_L_y =
+            -adjoint_G_p_rx*forward_t81 + adjoint_G_p_rz*forward_t83 + adjoint_L_rx_ry*forward_t126
+            - adjoint_M_p_ry_rz*forward_t184 + adjoint_forward_t111*g_11_y + adjoint_forward_t192*m_L
+            + 4.0*adjoint_forward_t199*o_L_y + g_11_z*t446;
+        const lane adjoint_o_L_x =
+            adjoint_G_p_ry*forward_t81 - adjoint_G_p_rz*forward_t85 - adjoint_M_p_rx_ry*forward_t192
+            - adjoint_M_p_rx_rz*forward_t184 + adjoint_M_p_y_rz*m_L + (1.0/2.0)*adjoint_forward_t127
+            + adjoint_forward_t134*g_11_x + 4.0*adjoint_forward_t223*o_L_x;
         const lane adjoint_m_lift_6 =
-            B_6_y*adjoint_G_p_rz*g_x + B_6_z*adjoint_G_p_rx*g_y + adjoint_forward_t220
+            B_6_y*adjoint_G_p_rz*g_x + B_6_z*adjoint_G_p_rx*g_y + adjoint_forward_t231
             + adjoint_forward_t66*g_x + adjoint_forward_t73*g_y + adjoint_forward_t79*g_z;
-        const lane t438 =
-            B_6_x*adjoint_forward_t223 + B_6_y*adjoint_forward_t222 + B_6_z*adjoint_forward_t221
-            + adjoint_m_lift_6;
-        const lane adjoint_forward_t53 = -adjoint_forward_t224 + t438;
-        const lane adjoint_forward_t52 =
-            adjoint_forward_t140*forward_20 + adjoint_forward_t53*forward_21 + forward_34*t116;
-        const lane t439 = adjoint_M_p_x_x - adjoint_forward_t220;
-        const lane adjoint_m_perp_6 =
-            B_6_x*adjoint_forward_t191 + B_6_y*adjoint_forward_t184 + B_6_z*adjoint_forward_t177
-            + (1.0/2.0)*adjoint_forward_t212 + t393 + t439;
-        const lane t440 = 2.0*adjoint_m_perp_6*t52;
-        const lane adjoint_forward_t51 = adjoint_forward_t53*forward_t52 - t440*t55;
-        const lane adjoint_forward_t50 =
-            adjoint_forward_t140*forward_t52 + adjoint_m_perp_6*(I_b_6 + I_r_6 + t51);
-        const lane adjoint_m_lift_5 =
-            B_5_y*adjoint_G_p_rz*g_x + B_5_z*adjoint_G_p_rx*g_y + adjoint_forward_t220
-            + adjoint_forward_t65*g_x + adjoint_forward_t72*g_y + adjoint_forward_t78*g_z;
-        const lane t441 =
-            B_5_x*adjoint_forward_t223 + B_5_y*adjoint_forward_t222 + B_5_z*adjoint_forward_t221
-            + adjoint_m_lift_5;
-        const lane adjoint_forward_t49 = -adjoint_forward_t224 + t441;
-        const lane adjoint_forward_t48 =
-            adjoint_forward_t138*forward_18 + adjoint_forward_t49*forward_19 + forward_33*t118;
-        const lane adjoint_m_perp_5 =
-            B_5_x*adjoint_forward_t191 + B_5_y*adjoint_forward_t183 + B_5_z*adjoint_forward_t176
-            + (1.0/2.0)*adjoint_forward_t209 + t395 + t439;
-        const lane t442 = 2.0*adjoint_m_perp_5*t46;
-        const lane adjoint_forward_t47 = adjoint_forward_t49*forward_t48 - t442*t49;
-        const lane adjoint_forward_t46 =
-            adjoint_forward_t138*forward_t48 + adjoint_m_perp_5*(I_b_5 + I_r_5 + t45);
-        const lane adjoint_m_lift_4 =
-            B_4_y*adjoint_G_p_rz*g_x + B_4_z*adjoint_G_p_rx*g_y + adjoint_forward_t220
-            + adjoint_forward_t64*g_x + adjoint_forward_t71*g_y + adjoint_forward_t77*g_z;
-        const lane t443 =
-            B_4_x*adjoint_forward_t223 + B_4_y*adjoint_forward_t222 + B_4_z*adjoint_forward_t221
-            + adjoint_m_lift_4;
-        const lane adjoint_forward_t45 = -adjoint_forward_t224 + t443;
-        const lane adjoint_forward_t44 =
-            adjoint_forward_t136*forward_16 + adjoint_forward_t45*forward_17 + forward_32*t120;
-        const lane adjoint_m_perp_4 =
-            B_4_x*adjoint_forward_t191 + B_4_y*adjoint_forward_t182 + B_4_z*adjoint_forward_t175
-            + (1.0/2.0)*adjoint_forward_t206 + t397 + t439;
-        const lane t444 = 2.0*adjoint_m_perp_4*t40;
-        const lane adjoint_forward_t43 = adjoint_forward_t45*forward_t44 - t43*t444;
-        const lane adjoint_forward_t42 =
-            adjoint_forward_t136*forward_t44 + adjoint_m_perp_4*(I_b_4 + I_r_4 + t39);
-        const lane adjoint_m_lift_3 =
-            B_3_y*adjoint_G_p_rz*g_x + B_3_z*adjoint_G_p_rx*g_y + adjoint_forward_t220
-            + adjoint_forward_t63*g_x + adjoint_forward_t70*g_y + adjoint_forward_t76*g_z;
-        const lane t445 =
-            B_3_x*adjoint_forward_t223 + B_3_y*adjoint_forward_t222 + B_3_z*adjoint_forward_t221
-            + adjoint_m_lift_3;
-        const lane adjoint_forward_t41 = -adjoint_forward_t224 + t445;
-        const lane adjoint_forward_t40 =
-            adjoint_forward_t134*forward_14 + adjoint_forward_t41*forward_15 + forward_31*t122;
-        const lane adjoint_m_perp_3 =
-            B_3_x*adjoint_forward_t191 + B_3_y*adjoint_forward_t181 + B_3_z*adjoint_forward_t174
-            + (1.0/2.0)*adjoint_forward_t203 + t399 + t439;
-        const lane t446 = 2.0*adjoint_m_perp_3*t34;
-        const lane adjoint_forward_t39 = adjoint_forward_t41*forward_t40 - t37*t446;
-        const lane adjoint_forward_t38 =
-            adjoint_forward_t134*forward_t40 + adjoint_m_perp_3*(I_b_3 + I_r_3 + t33);
-        const lane adjoint_m_lift_2 =
-            B_2_y*adjoint_G_p_rz*g_x + B_2_z*adjoint_G_p_rx*g_y + adjoint_forward_t220
-            + adjoint_forward_t62*g_x + adjoint_forward_t69*g_y + adjoint_forward_t75*g_z;
         const lane t447 =
-            B_2_x*adjoint_forward_t223 + B_2_y*adjoint_forward_t222 + B_2_z*adjoint_forward_t221
+            B_6_x*adjoint_forward_t234 + B_6_y*adjoint_forward_t233 + B_6_z*adjoint_forward_t232
+            + adjoint_m_lift_6;
+        const lane adjoint_forward_t53 = -adjoint_forward_t235 + t447;
+        const lane adjoint_forward_t52 =
+            adjoint_forward_t145*forward_20 + adjoint_forward_t53*forward_21 + forward_34*t121;
+        const lane t448 = adjoint_M_p_x_x - adjoint_forward_t231;
+        const lane adjoint_m_perp_6 =
+            B_6_x*adjoint_forward_t198 + B_6_y*adjoint_forward_t190 + B_6_z*adjoint_forward_t182
+            + (1.0/2.0)*adjoint_forward_t222 + t401 + t448;
+        const lane t449 = 2.0*adjoint_m_perp_6*t52;
+        const lane adjoint_forward_t51 = adjoint_forward_t53*forward_t52 - t449*t55;
+        const lane adjoint_forward_t50 =
+            adjoint_forward_t145*forward_t52 + adjoint_m_perp_6*(I_b_6 + I_r_6 + t51);
+        const lane adjoint_m_lift_5 =
+            B_5_y*adjoint_G_p_rz*g_x + B_5_z*adjoint_G_p_rx*g_y + adjoint_forward_t231
+            + adjoint_forward_t65*g_x + adjoint_forward_t72*g_y + adjoint_forward_t78*g_z;
+        const lane t450 =
+            B_5_x*adjoint_forward_t234 + B_5_y*adjoint_forward_t233 + B_5_z*adjoint_forward_t232
+            + adjoint_m_lift_5;
+        const lane adjoint_forward_t49 = -adjoint_forward_t235 + t450;
+        const lane adjoint_forward_t48 =
+            adjoint_forward_t143*forward_18 + adjoint_forward_t49*forward_19 + forward_33*t123;
+        const lane adjoint_m_perp_5 =
+            B_5_x*adjoint_forward_t198 + B_5_y*adjoint_forward_t189 + B_5_z*adjoint_forward_t181
+            + (1.0/2.0)*adjoint_forward_t219 + t403 + t448;
+        const lane t451 = 2.0*adjoint_m_perp_5*t46;
+        const lane adjoint_forward_t47 = adjoint_forward_t49*forward_t48 - t451*t49;
+        const lane adjoint_forward_t46 =
+            adjoint_forward_t143*forward_t48 + adjoint_m_perp_5*(I_b_5 + I_r_5 + t45);
+        const lane adjoint_m_lift_4 =
+            B_4_y*adjoint_G_p_rz*g_x + B_4_z*adjoint_G_p_rx*g_y + adjoint_forward_t231
+            + adjoint_forward_t64*g_x + adjoint_forward_t71*g_y + adjoint_forward_t77*g_z;
+        const lane t452 =
+            B_4_x*adjoint_forward_t234 + B_4_y*adjoint_forward_t233 + B_4_z*adjoint_forward_t232
+            + adjoint_m_lift_4;
+        const lane adjoint_forward_t45 = -adjoint_forward_t235 + t452;
+        const lane adjoint_forward_t44 =
+            adjoint_forward_t141*forward_16 + adjoint_forward_t45*forward_17 + forward_32*t125;
+        const lane adjoint_m_perp_4 =
+            B_4_x*adjoint_forward_t198 + B_4_y*adjoint_forward_t188 + B_4_z*adjoint_forward_t180
+            + (1.0/2.0)*adjoint_forward_t216 + t405 + t448;
+        const lane t453 = 2.0*adjoint_m_perp_4*t40;
+        const lane adjoint_forward_t43 = adjoint_forward_t45*forward_t44 - t43*t453;
+        const lane adjoint_forward_t42 =
+            adjoint_forward_t141*forward_t44 + adjoint_m_perp_4*(I_b_4 + I_r_4 + t39);
+        const lane adjoint_m_lift_3 =
+            B_3_y*adjoint_G_p_rz*g_x + B_3_z*adjoint_G_p_rx*g_y + adjoint_forward_t231
+            + adjoint_forward_t63*g_x + adjoint_forward_t70*g_y + adjoint_forward_t76*g_z;
+        const lane t454 =
+            B_3_x*adjoint_forward_t234 + B_3_y*adjoint_forward_t233 + B_3_z*adjoint_forward_t232
+            + adjoint_m_lift_3;
+        const lane adjoint_forward_t41 = -adjoint_forward_t235 + t454;
+        const lane adjoint_forward_t40 =
+            adjoint_forward_t139*forward_14 + adjoint_forward_t41*forward_15 + forward_31*t127;
+        const lane adjoint_m_perp_3 =
+            B_3_x*adjoint_forward_t198 + B_3_y*adjoint_forward_t187 + B_3_z*adjoint_forward_t179
+            + (1.0/2.0)*adjoint_forward_t213 + t407 + t448;
+        const lane t455 = 2.0*adjoint_m_perp_3*t34;
+        const lane adjoint_forward_t39 = adjoint_forward_t41*forward_t40 - t37*t455;
+        const lane adjoint_forward_t38 =
+            adjoint_forward_t139*forward_t40 + adjoint_m_perp_3*(I_b_3 + I_r_3 + t33);
+        const lane adjoint_m_lift_2 =
+            B_2_y*adjoint_G_p_rz*g_x + B_2_z*adjoint_G_p_rx*g_y + adjoint_forward_t231
+            + adjoint_forward_t62*g_x + adjoint_forward_t69*g_y + adjoint_forward_t75*g_z;
+        const lane t456 =
+            B_2_x*adjoint_forward_t234 + B_2_y*adjoint_forward_t233 + B_2_z*adjoint_forward_t232
             + adjoint_m_lift_2;
-        const lane adjoint_forward_t37 = -adjoint_forward_t224 + t447;
+        const lane adjoint_forward_t37 = -adjoint_forward_t235 + t456;
         const lane adjoint_forward_t36 =
-            adjoint_forward_t132*forward_12 + adjoint_forward_t37*forward_13 + forward_30*t124;
+            adjoint_forward_t137*forward_12 + adjoint_forward_t37*forward_13 + forward_30*t129;
         const lane adjoint_m_perp_2 =
-            B_2_x*adjoint_forward_t191 + B_2_y*adjoint_forward_t180 + B_2_z*adjoint_forward_t173
-            + (1.0/2.0)*adjoint_forward_t200 + t401 + t439;
-        const lane t448 = 2.0*adjoint_m_perp_2*t28;
-        const lane adjoint_forward_t35 = adjoint_forward_t37*forward_t36 - t31*t448;
+            B_2_x*adjoint_forward_t198 + B_2_y*adjoint_forward_t186 + B_2_z*adjoint_forward_t178
+            + (1.0/2.0)*adjoint_forward_t210 + t409 + t448;
+        const lane t457 = 2.0*adjoint_m_perp_2*t28;
+        const lane adjoint_forward_t35 = adjoint_forward_t37*forward_t36 - t31*t457;
         const lane adjoint_forward_t34 =
-            adjoint_forward_t132*forward_t36 + adjoint_m_perp_2*(I_b_2 + I_r_2 + t27);
+            adjoint_forward_t137*forward_t36 + adjoint_m_perp_2*(I_b_2 + I_r_2 + t27);
         const lane adjoint_m_lift_1 =
-            B_1_y*adjoint_G_p_rz*g_x + B_1_z*adjoint_G_p_rx*g_y + adjoint_forward_t220
+            B_1_y*adjoint_G_p_rz*g_x + B_1_z*adjoint_G_p_rx*g_y + adjoint_forward_t231
             + adjoint_forward_t61*g_x + adjoint_forward_t68*g_y + adjoint_forward_t74*g_z;
-        const lane t449 =
-            B_1_x*adjoint_forward_t223 + B_1_y*adjoint_forward_t222 + B_1_z*adjoint_forward_t221
+        const lane t458 =
+            B_1_x*adjoint_forward_t234 + B_1_y*adjoint_forward_t233 + B_1_z*adjoint_forward_t232
             + adjoint_m_lift_1;
-        const lane adjoint_forward_t33 = -adjoint_forward_t224 + t449;
+        const lane adjoint_forward_t33 = -adjoint_forward_t235 + t458;
         const lane adjoint_forward_t32 =
-            adjoint_forward_t130*forward_10 + adjoint_forward_t33*forward_11 + forward_29*t126;
+            adjoint_forward_t135*forward_10 + adjoint_forward_t33*forward_11 + forward_29*t131;
         const lane adjoint_m_perp_1 =
-            B_1_x*adjoint_forward_t191 + B_1_y*adjoint_forward_t179 + B_1_z*adjoint_forward_t172
-            + (1.0/2.0)*adjoint_forward_t197 + t403 + t439;
-        const lane t450 = 2.0*adjoint_m_perp_1*t22;
-        const lane adjoint_forward_t31 = adjoint_forward_t33*forward_t32 - t25*t450;
+            B_1_x*adjoint_forward_t198 + B_1_y*adjoint_forward_t185 + B_1_z*adjoint_forward_t177
+            + (1.0/2.0)*adjoint_forward_t207 + t411 + t448;
+        const lane t459 = 2.0*adjoint_m_perp_1*t22;
+        const lane adjoint_forward_t31 = adjoint_forward_t33*forward_t32 - t25*t459;
         const lane adjoint_forward_t30 =
-            adjoint_forward_t130*forward_t32 + adjoint_m_perp_1*(I_b_1 + I_r_1 + t21);
-        const lane adjoint_forward_t29 = adjoint_M_p_rz_rz*t451;
-        const lane t452 = R_y_z*adjoint_M_p_ry_rz;
-        const lane adjoint_forward_t28 = adjoint_M_p_rz_rz*forward_t29 + t452;
-        const lane t453 = R_y_y*adjoint_M_p_ry_rz;
-        const lane t454 = 2.0*adjoint_M_p_rz_rz;
-        const lane adjoint_forward_t26 = R_z_y*t454 + t453;
+            adjoint_forward_t135*forward_t32 + adjoint_m_perp_1*(I_b_1 + I_r_1 + t21);
+        const lane adjoint_forward_t29 = adjoint_M_p_rz_rz*t460;
+        const lane t461 = R_y_z*adjoint_M_p_ry_rz;
+        const lane adjoint_forward_t28 = adjoint_M_p_rz_rz*forward_t29 + t461;
+        const lane t462 = R_y_y*adjoint_M_p_ry_rz;
+        const lane t463 = 2.0*adjoint_M_p_rz_rz;
+        const lane adjoint_forward_t26 = R_z_y*t463 + t462;
         const lane adjoint_forward_t25 = R_z_z*adjoint_M_p_ry_rz + adjoint_M_p_ry_ry*forward_t24;
-        const lane adjoint_forward_t24 = adjoint_M_p_ry_ry*t455;
-        const lane t456 = 2.0*adjoint_M_p_ry_ry;
-        const lane adjoint_forward_t22 = R_y_y*t456 + R_z_y*adjoint_M_p_ry_rz;
+        const lane adjoint_forward_t24 = adjoint_M_p_ry_ry*t464;
+        const lane t465 = 2.0*adjoint_M_p_ry_ry;
+        const lane adjoint_forward_t22 = R_y_y*t465 + R_z_y*adjoint_M_p_ry_rz;
         const lane adjoint_forward_t21 = R_y_z*adjoint_M_p_rx_ry + R_z_z*adjoint_M_p_rx_rz;
         const lane adjoint_forward_t20 = R_y_y*adjoint_M_p_rx_ry + R_z_y*adjoint_M_p_rx_rz;
         const lane adjoint_forward_t18 = R_y_x*adjoint_M_p_rx_ry + R_z_x*adjoint_M_p_rx_rz;
         const lane adjoint_forward_t15 = adjoint_M_p_rx_rx*forward_t14 + adjoint_forward_t21;
-        const lane adjoint_forward_t14 = adjoint_M_p_rx_rx*t457;
-        const lane t458 = 2.0*adjoint_M_p_rx_rx;
-        const lane adjoint_forward_t12 = R_x_y*t458 + adjoint_forward_t20;
-        const lane t459 = (1.0/2.0)*adjoint_L_ry_rz;
+        const lane adjoint_forward_t14 = adjoint_M_p_rx_rx*t466;
+        const lane t467 = 2.0*adjoint_M_p_rx_rx;
+        const lane adjoint_forward_t12 = R_x_y*t467 + adjoint_forward_t20;
         const lane adjoint_c_z =
-            adjoint_G_p_rx*forward_t82 - adjoint_G_p_ry*forward_t81 + adjoint_L_rx_rz*forward_t122
-            + adjoint_forward_t101*g_10_z + adjoint_forward_t178*m_p + 4.0*adjoint_forward_t193*c_z
-            + g_10_y*t459;
+            adjoint_G_p_rx*forward_t84 - adjoint_G_p_ry*forward_t82 + adjoint_L_rx_rz*forward_t125
+            + adjoint_forward_t104*g_10_z + adjoint_forward_t183*m_p + 4.0*adjoint_forward_t203*c_z
+            + g_10_y*t446;
         const lane adjoint_c_y =
-            -adjoint_G_p_rx*forward_t80 + adjoint_G_p_rz*forward_t81 + adjoint_L_rx_ry*forward_t122
-            - adjoint_M_p_ry_rz*forward_t178 + adjoint_forward_t108*g_10_y + adjoint_forward_t185*m_p
-            + 4.0*adjoint_forward_t192*c_y + g_10_z*t459;
+            -adjoint_G_p_rx*forward_t80 + adjoint_G_p_rz*forward_t82 + adjoint_L_rx_ry*forward_t125
+            - adjoint_M_p_ry_rz*forward_t183 + adjoint_forward_t111*g_10_y + adjoint_forward_t191*m_p
+            + 4.0*adjoint_forward_t202*c_y + g_10_z*t446;
         const lane adjoint_c_x =
-            adjoint_G_p_ry*forward_t80 - adjoint_G_p_rz*forward_t82 - adjoint_M_p_rx_ry*forward_t185
-            - adjoint_M_p_rx_rz*forward_t178 + adjoint_M_p_y_rz*m_p + (1.0/2.0)*adjoint_forward_t121
-            + adjoint_forward_t129*g_10_x + 4.0*adjoint_forward_t213*c_x;
+            adjoint_G_p_ry*forward_t80 - adjoint_G_p_rz*forward_t84 - adjoint_M_p_rx_ry*forward_t191
+            - adjoint_M_p_rx_rz*forward_t183 + adjoint_M_p_y_rz*m_p + (1.0/2.0)*adjoint_forward_t124
+            + adjoint_forward_t134*g_10_x + 4.0*adjoint_forward_t224*c_x;
         const lane adjoint_l_6 =
             -3.0*adjoint_forward_34/(forward_9*forward_9*forward_9*forward_9)
             - 2.0*adjoint_forward_t50*forward_34 - adjoint_forward_t51*(forward_21*forward_21)
@@ -9680,113 +9767,113 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             -3.0*adjoint_forward_29/(forward_4*forward_4*forward_4*forward_4)
             - 2.0*adjoint_forward_t30*forward_29 - adjoint_forward_t31*(forward_11*forward_11)
             + adjoint_forward_t55*forward_22;
-        const lane t461 = forward_34*forward_t52*t115;
+        const lane t469 = forward_34*forward_t52*t120;
         const lane adjoint_d_6_z =
             -B_6_x*adjoint_D_l_6_ry + B_6_y*adjoint_D_l_6_rx - D_l_4_rx*adjoint_minor_46_34
             - D_l_4_ry*adjoint_minor_46_35 - D_l_4_rz*adjoint_minor_46_36 - D_l_5_rx*adjoint_minor_56_34
             - D_l_5_ry*adjoint_minor_56_35 - D_l_5_rz*adjoint_minor_56_36 - adjoint_g_9_z*mu_6
-            + adjoint_l_6*d_6_z*t462 + adjoint_minor_46_13*d_4_x + adjoint_minor_46_23*d_4_y
+            + adjoint_l_6*d_6_z*t470 + adjoint_minor_46_13*d_4_x + adjoint_minor_46_23*d_4_y
             + adjoint_minor_56_13*d_5_x + adjoint_minor_56_23*d_5_y
-            + 2.0*eigenvalue*forward_t140*shape_15*shape_6 - t460*t461;
+            + 2.0*eigenvalue*forward_t145*shape_15*shape_6 - t468*t469;
         const lane adjoint_B_6_z =
-            2.0*B_6_z*adjoint_forward_t100 - adjoint_D_l_6_rx*d_6_y + adjoint_D_l_6_ry*d_6_x
-            + adjoint_G_p_rx*forward_t73 - adjoint_G_p_ry*forward_t66 + adjoint_L_rx_rz*forward_t120
-            + adjoint_d_6_z + adjoint_forward_t101*g_9_z + adjoint_forward_t159*forward_t147
-            - adjoint_forward_t165*forward_t141 + adjoint_forward_t177*m_perp_6
-            + adjoint_forward_t221*m_lift_6 + adjoint_forward_t88*mu_6 + g_9_y*t459;
-        const lane t463 = 2.0*t461;
+            2.0*B_6_z*adjoint_forward_t103 - adjoint_D_l_6_rx*d_6_y + adjoint_D_l_6_ry*d_6_x
+            + adjoint_G_p_rx*forward_t73 - adjoint_G_p_ry*forward_t66 + adjoint_L_rx_rz*forward_t123
+            + adjoint_d_6_z + adjoint_forward_t104*g_9_z + adjoint_forward_t164*forward_t152
+            - adjoint_forward_t170*forward_t146 + adjoint_forward_t182*m_perp_6
+            + adjoint_forward_t232*m_lift_6 + adjoint_forward_t91*mu_6 + g_9_y*t446;
+        const lane t471 = 2.0*t469;
         const lane adjoint_d_6_y =
             B_6_x*adjoint_D_l_6_rz - B_6_z*adjoint_D_l_6_rx - D_l_4_rx*adjoint_minor_46_24
             - D_l_4_ry*adjoint_minor_46_25 - D_l_4_rz*adjoint_minor_46_26 - D_l_5_rx*adjoint_minor_56_24
             - D_l_5_ry*adjoint_minor_56_25 - D_l_5_rz*adjoint_minor_56_26 - adjoint_g_9_y*mu_6
-            + adjoint_l_6*d_6_y*t462 + adjoint_minor_46_12*d_4_x - adjoint_minor_46_23*d_4_z
+            + adjoint_l_6*d_6_y*t470 + adjoint_minor_46_12*d_4_x - adjoint_minor_46_23*d_4_z
             + adjoint_minor_56_12*d_5_x - adjoint_minor_56_23*d_5_z
-            + 2.0*eigenvalue*forward_t140*shape_14*shape_6 - g_y*t463;
+            + 2.0*eigenvalue*forward_t145*shape_14*shape_6 - g_y*t471;
         const lane adjoint_B_6_y =
-            2.0*B_6_y*adjoint_forward_t107 + adjoint_D_l_6_rx*d_6_z - adjoint_D_l_6_rz*d_6_x
-            - adjoint_G_p_rx*forward_t79 + adjoint_G_p_rz*forward_t66 + adjoint_L_rx_ry*forward_t120
-            + adjoint_L_ry_rz*(forward_t88 + t68) - adjoint_M_p_ry_rz*forward_t177 + adjoint_d_6_y
-            + adjoint_forward_t108*g_9_y - adjoint_forward_t159*forward_t153
-            + adjoint_forward_t171*forward_t141 + adjoint_forward_t184*m_perp_6
-            + adjoint_forward_t222*m_lift_6 + adjoint_forward_t90*mu_6;
+            2.0*B_6_y*adjoint_forward_t110 + adjoint_D_l_6_rx*d_6_z - adjoint_D_l_6_rz*d_6_x
+            - adjoint_G_p_rx*forward_t79 + adjoint_G_p_rz*forward_t66 + adjoint_L_rx_ry*forward_t123
+            + adjoint_L_ry_rz*(forward_t91 + t70) - adjoint_M_p_ry_rz*forward_t182 + adjoint_d_6_y
+            + adjoint_forward_t111*g_9_y - adjoint_forward_t164*forward_t158
+            + adjoint_forward_t176*forward_t146 + adjoint_forward_t190*m_perp_6
+            + adjoint_forward_t233*m_lift_6 + adjoint_forward_t96*mu_6;
         const lane adjoint_d_6_x =
             -B_6_y*adjoint_D_l_6_rz + B_6_z*adjoint_D_l_6_ry - D_l_4_rx*adjoint_minor_46_14
             - D_l_4_ry*adjoint_minor_46_15 - D_l_4_rz*adjoint_minor_46_16 - D_l_5_rx*adjoint_minor_56_14
             - D_l_5_ry*adjoint_minor_56_15 - D_l_5_rz*adjoint_minor_56_16 - adjoint_g_9_x*mu_6
-            + adjoint_l_6*d_6_x*t462 - adjoint_minor_46_12*d_4_y - adjoint_minor_46_13*d_4_z
+            + adjoint_l_6*d_6_x*t470 - adjoint_minor_46_12*d_4_y - adjoint_minor_46_13*d_4_z
             - adjoint_minor_56_12*d_5_y - adjoint_minor_56_13*d_5_z
-            + 2.0*eigenvalue*forward_t140*shape_13*shape_6 - g_x*t463;
+            + 2.0*eigenvalue*forward_t145*shape_13*shape_6 - g_x*t471;
         const lane adjoint_B_6_x =
-            2.0*B_6_x*adjoint_forward_t128 - adjoint_D_l_6_ry*d_6_z + adjoint_D_l_6_rz*d_6_y
-            + adjoint_G_p_ry*forward_t79 - adjoint_G_p_rz*forward_t73 + adjoint_L_rx_ry*forward_t90
-            + adjoint_L_rx_rz*forward_t88 + adjoint_L_z_ry*mu_6 - adjoint_M_p_rx_ry*forward_t184
-            - adjoint_M_p_rx_rz*forward_t177 + adjoint_d_6_x + (1.0/2.0)*adjoint_forward_t119
-            + adjoint_forward_t129*g_9_x + adjoint_forward_t165*forward_t153
-            - adjoint_forward_t171*forward_t147 + adjoint_forward_t191*m_perp_6
-            + adjoint_forward_t223*m_lift_6;
-        const lane t464 = forward_33*forward_t48*t117;
+            2.0*B_6_x*adjoint_forward_t133 - adjoint_D_l_6_ry*d_6_z + adjoint_D_l_6_rz*d_6_y
+            + adjoint_G_p_ry*forward_t79 - adjoint_G_p_rz*forward_t73 + adjoint_L_rx_ry*forward_t96
+            + adjoint_L_rx_rz*forward_t91 + adjoint_L_z_ry*mu_6 - adjoint_M_p_rx_ry*forward_t190
+            - adjoint_M_p_rx_rz*forward_t182 + adjoint_d_6_x + (1.0/2.0)*adjoint_forward_t122
+            + adjoint_forward_t134*g_9_x + adjoint_forward_t170*forward_t158
+            - adjoint_forward_t176*forward_t152 + adjoint_forward_t198*m_perp_6
+            + adjoint_forward_t234*m_lift_6;
+        const lane t472 = forward_33*forward_t48*t122;
         const lane adjoint_d_5_z =
             -B_5_x*adjoint_D_l_5_ry + B_5_y*adjoint_D_l_5_rx - D_l_4_rx*adjoint_minor_45_34
             - D_l_4_ry*adjoint_minor_45_35 - D_l_4_rz*adjoint_minor_45_36 + D_l_6_rx*adjoint_minor_56_34
             + D_l_6_ry*adjoint_minor_56_35 + D_l_6_rz*adjoint_minor_56_36 - adjoint_g_8_z*mu_5
-            + adjoint_l_5*d_5_z*t465 + adjoint_minor_45_13*d_4_x + adjoint_minor_45_23*d_4_y
+            + adjoint_l_5*d_5_z*t473 + adjoint_minor_45_13*d_4_x + adjoint_minor_45_23*d_4_y
             - adjoint_minor_56_13*d_6_x - adjoint_minor_56_23*d_6_y
-            + 2.0*eigenvalue*forward_t138*shape_15*shape_5 - t460*t464;
+            + 2.0*eigenvalue*forward_t143*shape_15*shape_5 - t468*t472;
         const lane adjoint_B_5_z =
-            2.0*B_5_z*adjoint_forward_t99 - adjoint_D_l_5_rx*d_5_y + adjoint_D_l_5_ry*d_5_x
-            + adjoint_G_p_rx*forward_t72 - adjoint_G_p_ry*forward_t65 + adjoint_L_rx_rz*forward_t118
-            + adjoint_d_5_z + adjoint_forward_t101*g_8_z + adjoint_forward_t158*forward_t146
-            - adjoint_forward_t164*forward_t139 + adjoint_forward_t176*m_perp_5
-            + adjoint_forward_t221*m_lift_5 + adjoint_forward_t87*mu_5 + g_8_y*t459;
-        const lane t466 = 2.0*t464;
+            2.0*B_5_z*adjoint_forward_t102 - adjoint_D_l_5_rx*d_5_y + adjoint_D_l_5_ry*d_5_x
+            + adjoint_G_p_rx*forward_t72 - adjoint_G_p_ry*forward_t65 + adjoint_L_rx_rz*forward_t121
+            + adjoint_d_5_z + adjoint_forward_t104*g_8_z + adjoint_forward_t163*forward_t151
+            - adjoint_forward_t169*forward_t144 + adjoint_forward_t181*m_perp_5
+            + adjoint_forward_t232*m_lift_5 + adjoint_forward_t90*mu_5 + g_8_y*t446;
+        const lane t474 = 2.0*t472;
         const lane adjoint_d_5_y =
             B_5_x*adjoint_D_l_5_rz - B_5_z*adjoint_D_l_5_rx - D_l_4_rx*adjoint_minor_45_24
             - D_l_4_ry*adjoint_minor_45_25 - D_l_4_rz*adjoint_minor_45_26 + D_l_6_rx*adjoint_minor_56_24
             + D_l_6_ry*adjoint_minor_56_25 + D_l_6_rz*adjoint_minor_56_26 - adjoint_g_8_y*mu_5
-            + adjoint_l_5*d_5_y*t465 + adjoint_minor_45_12*d_4_x - adjoint_minor_45_23*d_4_z
-            - adjoint_minor_56_12*d_6_x + adjoint_minor_56_23*d_6_z + forward_t138*t307 - g_y*t466;
+            + adjoint_l_5*d_5_y*t473 + adjoint_minor_45_12*d_4_x - adjoint_minor_45_23*d_4_z
+            - adjoint_minor_56_12*d_6_x + adjoint_minor_56_23*d_6_z + forward_t143*t312 - g_y*t474;
         const lane adjoint_B_5_y =
-            2.0*B_5_y*adjoint_forward_t106 + adjoint_D_l_5_rx*d_5_z - adjoint_D_l_5_rz*d_5_x
-            - adjoint_G_p_rx*forward_t78 + adjoint_G_p_rz*forward_t65 + adjoint_L_rx_ry*forward_t118
-            + adjoint_L_ry_rz*(forward_t87 + t66) - adjoint_M_p_ry_rz*forward_t176 + adjoint_d_5_y
-            + adjoint_forward_t108*g_8_y - adjoint_forward_t158*forward_t152
-            + adjoint_forward_t170*forward_t139 + adjoint_forward_t183*m_perp_5
-            + adjoint_forward_t222*m_lift_5 + adjoint_forward_t89*mu_5;
+            2.0*B_5_y*adjoint_forward_t109 + adjoint_D_l_5_rx*d_5_z - adjoint_D_l_5_rz*d_5_x
+            - adjoint_G_p_rx*forward_t78 + adjoint_G_p_rz*forward_t65 + adjoint_L_rx_ry*forward_t121
+            + adjoint_L_ry_rz*(forward_t90 + t68) - adjoint_M_p_ry_rz*forward_t181 + adjoint_d_5_y
+            + adjoint_forward_t111*g_8_y - adjoint_forward_t163*forward_t157
+            + adjoint_forward_t175*forward_t144 + adjoint_forward_t189*m_perp_5
+            + adjoint_forward_t233*m_lift_5 + adjoint_forward_t95*mu_5;
         const lane adjoint_d_5_x =
             -B_5_y*adjoint_D_l_5_rz + B_5_z*adjoint_D_l_5_ry - D_l_4_rx*adjoint_minor_45_14
             - D_l_4_ry*adjoint_minor_45_15 - D_l_4_rz*adjoint_minor_45_16 + D_l_6_rx*adjoint_minor_56_14
             + D_l_6_ry*adjoint_minor_56_15 + D_l_6_rz*adjoint_minor_56_16 - adjoint_g_8_x*mu_5
-            + adjoint_l_5*d_5_x*t465 - adjoint_minor_45_12*d_4_y - adjoint_minor_45_13*d_4_z
+            + adjoint_l_5*d_5_x*t473 - adjoint_minor_45_12*d_4_y - adjoint_minor_45_13*d_4_z
             + adjoint_minor_56_12*d_6_y + adjoint_minor_56_13*d_6_z
-            + 2.0*eigenvalue*forward_t138*shape_13*shape_5 - g_x*t466;
+            + 2.0*eigenvalue*forward_t143*shape_13*shape_5 - g_x*t474;
         const lane adjoint_B_5_x =
-            2.0*B_5_x*adjoint_forward_t127 - adjoint_D_l_5_ry*d_5_z + adjoint_D_l_5_rz*d_5_y
-            + adjoint_G_p_ry*forward_t78 - adjoint_G_p_rz*forward_t72 + adjoint_L_rx_ry*forward_t89
-            + adjoint_L_rx_rz*forward_t87 + adjoint_L_z_ry*mu_5 - adjoint_M_p_rx_ry*forward_t183
-            - adjoint_M_p_rx_rz*forward_t176 + adjoint_d_5_x + (1.0/2.0)*adjoint_forward_t117
-            + adjoint_forward_t129*g_8_x + adjoint_forward_t164*forward_t152
-            - adjoint_forward_t170*forward_t146 + adjoint_forward_t191*m_perp_5
-            + adjoint_forward_t223*m_lift_5;
-        const lane t467 = forward_32*forward_t44*t119;
+            2.0*B_5_x*adjoint_forward_t132 - adjoint_D_l_5_ry*d_5_z + adjoint_D_l_5_rz*d_5_y
+            + adjoint_G_p_ry*forward_t78 - adjoint_G_p_rz*forward_t72 + adjoint_L_rx_ry*forward_t95
+            + adjoint_L_rx_rz*forward_t90 + adjoint_L_z_ry*mu_5 - adjoint_M_p_rx_ry*forward_t189
+            - adjoint_M_p_rx_rz*forward_t181 + adjoint_d_5_x + (1.0/2.0)*adjoint_forward_t120
+            + adjoint_forward_t134*g_8_x + adjoint_forward_t169*forward_t157
+            - adjoint_forward_t175*forward_t151 + adjoint_forward_t198*m_perp_5
+            + adjoint_forward_t234*m_lift_5;
+        const lane t475 = forward_32*forward_t44*t124;
         const lane adjoint_d_4_z =
             -B_4_x*adjoint_D_l_4_ry + B_4_y*adjoint_D_l_4_rx + D_l_5_rx*adjoint_minor_45_34
             + D_l_5_ry*adjoint_minor_45_35 + D_l_5_rz*adjoint_minor_45_36 + D_l_6_rx*adjoint_minor_46_34
             + D_l_6_ry*adjoint_minor_46_35 + D_l_6_rz*adjoint_minor_46_36 - adjoint_g_7_z*mu_4
-            + adjoint_l_4*d_4_z*t468 + adjoint_minor_456_123*minor_56_12 - adjoint_minor_456_134*minor_56_14
+            + adjoint_l_4*d_4_z*t476 + adjoint_minor_456_123*minor_56_12 - adjoint_minor_456_134*minor_56_14
             - adjoint_minor_456_135*minor_56_15 - adjoint_minor_456_136*minor_56_16
             - adjoint_minor_456_234*minor_56_24 - adjoint_minor_456_235*minor_56_25
             - adjoint_minor_456_236*minor_56_26 + adjoint_minor_456_345*minor_56_45
             + adjoint_minor_456_346*minor_56_46 + adjoint_minor_456_356*minor_56_56
             - adjoint_minor_45_13*d_5_x - adjoint_minor_45_23*d_5_y - adjoint_minor_46_13*d_6_x
-            - adjoint_minor_46_23*d_6_y + 2.0*eigenvalue*forward_t136*shape_15*shape_4 - t460*t467;
+            - adjoint_minor_46_23*d_6_y + 2.0*eigenvalue*forward_t141*shape_15*shape_4 - t468*t475;
         const lane adjoint_B_4_z =
-            2.0*B_4_z*adjoint_forward_t98 - adjoint_D_l_4_rx*d_4_y + adjoint_D_l_4_ry*d_4_x
-            + adjoint_G_p_rx*forward_t71 - adjoint_G_p_ry*forward_t64 + adjoint_L_rx_rz*forward_t116
-            + adjoint_d_4_z + adjoint_forward_t101*g_7_z + adjoint_forward_t157*forward_t145
-            - adjoint_forward_t163*forward_t137 + adjoint_forward_t175*m_perp_4
-            + adjoint_forward_t221*m_lift_4 + adjoint_forward_t86*mu_4 + g_7_y*t459;
-        const lane t469 = 2.0*t467;
-        const lane t470 = adjoint_l_4*t468;
+            2.0*B_4_z*adjoint_forward_t101 - adjoint_D_l_4_rx*d_4_y + adjoint_D_l_4_ry*d_4_x
+            + adjoint_G_p_rx*forward_t71 - adjoint_G_p_ry*forward_t64 + adjoint_L_rx_rz*forward_t119
+            + adjoint_d_4_z + adjoint_forward_t104*g_7_z + adjoint_forward_t162*forward_t150
+            - adjoint_forward_t168*forward_t142 + adjoint_forward_t180*m_perp_4
+            + adjoint_forward_t232*m_lift_4 + adjoint_forward_t89*mu_4 + g_7_y*t446;
+        const lane t477 = 2.0*t475;
+        const lane t478 = adjoint_l_4*t476;
         const lane adjoint_d_4_y =
             B_4_x*adjoint_D_l_4_rz - B_4_z*adjoint_D_l_4_rx + D_l_5_rx*adjoint_minor_45_24
             + D_l_5_ry*adjoint_minor_45_25 + D_l_5_rz*adjoint_minor_45_26 + D_l_6_rx*adjoint_minor_46_24
@@ -9797,14 +9884,14 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + adjoint_minor_456_236*minor_56_36 + adjoint_minor_456_245*minor_56_45
             + adjoint_minor_456_246*minor_56_46 + adjoint_minor_456_256*minor_56_56
             - adjoint_minor_45_12*d_5_x + adjoint_minor_45_23*d_5_z - adjoint_minor_46_12*d_6_x
-            + adjoint_minor_46_23*d_6_z + d_4_y*t470 + forward_t136*t306 - g_y*t469;
+            + adjoint_minor_46_23*d_6_z + d_4_y*t478 + forward_t141*t311 - g_y*t477;
         const lane adjoint_B_4_y =
-            2.0*B_4_y*adjoint_forward_t105 + adjoint_D_l_4_rx*d_4_z - adjoint_D_l_4_rz*d_4_x
-            - adjoint_G_p_rx*forward_t77 + adjoint_G_p_rz*forward_t64 + adjoint_L_rx_ry*forward_t116
-            + adjoint_L_ry_rz*(forward_t86 + t64) - adjoint_M_p_ry_rz*forward_t175 + adjoint_d_4_y
-            + adjoint_forward_t108*g_7_y - adjoint_forward_t157*forward_t151
-            + adjoint_forward_t169*forward_t137 + adjoint_forward_t182*m_perp_4
-            + adjoint_forward_t222*m_lift_4 + adjoint_forward_t94*mu_4;
+            2.0*B_4_y*adjoint_forward_t108 + adjoint_D_l_4_rx*d_4_z - adjoint_D_l_4_rz*d_4_x
+            - adjoint_G_p_rx*forward_t77 + adjoint_G_p_rz*forward_t64 + adjoint_L_rx_ry*forward_t119
+            + adjoint_L_ry_rz*(forward_t89 + t66) - adjoint_M_p_ry_rz*forward_t180 + adjoint_d_4_y
+            + adjoint_forward_t111*g_7_y - adjoint_forward_t162*forward_t156
+            + adjoint_forward_t174*forward_t142 + adjoint_forward_t188*m_perp_4
+            + adjoint_forward_t233*m_lift_4 + adjoint_forward_t94*mu_4;
         const lane adjoint_d_4_x =
             -B_4_y*adjoint_D_l_4_rz + B_4_z*adjoint_D_l_4_ry + D_l_5_rx*adjoint_minor_45_14
             + D_l_5_ry*adjoint_minor_45_15 + D_l_5_rz*adjoint_minor_45_16 + D_l_6_rx*adjoint_minor_46_14
@@ -9815,104 +9902,104 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + adjoint_minor_456_136*minor_56_36 + adjoint_minor_456_145*minor_56_45
             + adjoint_minor_456_146*minor_56_46 + adjoint_minor_456_156*minor_56_56
             + adjoint_minor_45_12*d_5_y + adjoint_minor_45_13*d_5_z + adjoint_minor_46_12*d_6_y
-            + adjoint_minor_46_13*d_6_z + d_4_x*t470 + forward_t136*t332 - g_x*t469;
+            + adjoint_minor_46_13*d_6_z + d_4_x*t478 + forward_t141*t337 - g_x*t477;
         const lane adjoint_B_4_x =
-            2.0*B_4_x*adjoint_forward_t126 - adjoint_D_l_4_ry*d_4_z + adjoint_D_l_4_rz*d_4_y
+            2.0*B_4_x*adjoint_forward_t131 - adjoint_D_l_4_ry*d_4_z + adjoint_D_l_4_rz*d_4_y
             + adjoint_G_p_ry*forward_t77 - adjoint_G_p_rz*forward_t71 + adjoint_L_rx_ry*forward_t94
-            + adjoint_L_rx_rz*forward_t86 + adjoint_L_z_ry*mu_4 - adjoint_M_p_rx_ry*forward_t182
-            - adjoint_M_p_rx_rz*forward_t175 + adjoint_d_4_x + (1.0/2.0)*adjoint_forward_t115
-            + adjoint_forward_t129*g_7_x + adjoint_forward_t163*forward_t151
-            - adjoint_forward_t169*forward_t145 + adjoint_forward_t191*m_perp_4
-            + adjoint_forward_t223*m_lift_4;
-        const lane t471 = forward_31*forward_t40*t121;
+            + adjoint_L_rx_rz*forward_t89 + adjoint_L_z_ry*mu_4 - adjoint_M_p_rx_ry*forward_t188
+            - adjoint_M_p_rx_rz*forward_t180 + adjoint_d_4_x + (1.0/2.0)*adjoint_forward_t118
+            + adjoint_forward_t134*g_7_x + adjoint_forward_t168*forward_t156
+            - adjoint_forward_t174*forward_t150 + adjoint_forward_t198*m_perp_4
+            + adjoint_forward_t234*m_lift_4;
+        const lane t479 = forward_31*forward_t40*t126;
         const lane adjoint_d_3_z =
             -B_3_x*adjoint_D_l_3_ry + B_3_y*adjoint_D_l_3_rx - D_l_1_rx*adjoint_minor_13_34
             - D_l_1_ry*adjoint_minor_13_35 - D_l_1_rz*adjoint_minor_13_36 - D_l_2_rx*adjoint_minor_23_34
             - D_l_2_ry*adjoint_minor_23_35 - D_l_2_rz*adjoint_minor_23_36 - adjoint_g_6_z*mu_3
-            + adjoint_l_3*d_3_z*t472 + adjoint_minor_13_13*d_1_x + adjoint_minor_13_23*d_1_y
+            + adjoint_l_3*d_3_z*t480 + adjoint_minor_13_13*d_1_x + adjoint_minor_13_23*d_1_y
             + adjoint_minor_23_13*d_2_x + adjoint_minor_23_23*d_2_y
-            + 2.0*eigenvalue*forward_t134*shape_15*shape_3 - t460*t471;
+            + 2.0*eigenvalue*forward_t139*shape_15*shape_3 - t468*t479;
         const lane adjoint_B_3_z =
-            2.0*B_3_z*adjoint_forward_t97 - adjoint_D_l_3_rx*d_3_y + adjoint_D_l_3_ry*d_3_x
-            + adjoint_G_p_rx*forward_t70 - adjoint_G_p_ry*forward_t63 + adjoint_L_rx_rz*forward_t114
-            + adjoint_d_3_z + adjoint_forward_t101*g_6_z + adjoint_forward_t156*forward_t144
-            - adjoint_forward_t162*forward_t135 + adjoint_forward_t174*m_perp_3
-            + adjoint_forward_t221*m_lift_3 + adjoint_forward_t85*mu_3 + g_6_y*t459;
-        const lane t473 = 2.0*t471;
+            2.0*B_3_z*adjoint_forward_t100 - adjoint_D_l_3_rx*d_3_y + adjoint_D_l_3_ry*d_3_x
+            + adjoint_G_p_rx*forward_t70 - adjoint_G_p_ry*forward_t63 + adjoint_L_rx_rz*forward_t117
+            + adjoint_d_3_z + adjoint_forward_t104*g_6_z + adjoint_forward_t161*forward_t149
+            - adjoint_forward_t167*forward_t140 + adjoint_forward_t179*m_perp_3
+            + adjoint_forward_t232*m_lift_3 + adjoint_forward_t88*mu_3 + g_6_y*t446;
+        const lane t481 = 2.0*t479;
         const lane adjoint_d_3_y =
             B_3_x*adjoint_D_l_3_rz - B_3_z*adjoint_D_l_3_rx - D_l_1_rx*adjoint_minor_13_24
             - D_l_1_ry*adjoint_minor_13_25 - D_l_1_rz*adjoint_minor_13_26 - D_l_2_rx*adjoint_minor_23_24
             - D_l_2_ry*adjoint_minor_23_25 - D_l_2_rz*adjoint_minor_23_26 - adjoint_g_6_y*mu_3
-            + adjoint_l_3*d_3_y*t472 + adjoint_minor_13_12*d_1_x - adjoint_minor_13_23*d_1_z
+            + adjoint_l_3*d_3_y*t480 + adjoint_minor_13_12*d_1_x - adjoint_minor_13_23*d_1_z
             + adjoint_minor_23_12*d_2_x - adjoint_minor_23_23*d_2_z
-            + 2.0*eigenvalue*forward_t134*shape_14*shape_3 - g_y*t473;
+            + 2.0*eigenvalue*forward_t139*shape_14*shape_3 - g_y*t481;
         const lane adjoint_B_3_y =
-            2.0*B_3_y*adjoint_forward_t104 + adjoint_D_l_3_rx*d_3_z - adjoint_D_l_3_rz*d_3_x
-            - adjoint_G_p_rx*forward_t76 + adjoint_G_p_rz*forward_t63 + adjoint_L_rx_ry*forward_t114
-            + adjoint_L_ry_rz*(forward_t85 + t62) - adjoint_M_p_ry_rz*forward_t174 + adjoint_d_3_y
-            + adjoint_forward_t108*g_6_y - adjoint_forward_t156*forward_t150
-            + adjoint_forward_t168*forward_t135 + adjoint_forward_t181*m_perp_3
-            + adjoint_forward_t222*m_lift_3 + adjoint_forward_t93*mu_3;
+            2.0*B_3_y*adjoint_forward_t107 + adjoint_D_l_3_rx*d_3_z - adjoint_D_l_3_rz*d_3_x
+            - adjoint_G_p_rx*forward_t76 + adjoint_G_p_rz*forward_t63 + adjoint_L_rx_ry*forward_t117
+            + adjoint_L_ry_rz*(forward_t88 + t64) - adjoint_M_p_ry_rz*forward_t179 + adjoint_d_3_y
+            + adjoint_forward_t111*g_6_y - adjoint_forward_t161*forward_t155
+            + adjoint_forward_t173*forward_t140 + adjoint_forward_t187*m_perp_3
+            + adjoint_forward_t233*m_lift_3 + adjoint_forward_t93*mu_3;
         const lane adjoint_d_3_x =
             -B_3_y*adjoint_D_l_3_rz + B_3_z*adjoint_D_l_3_ry - D_l_1_rx*adjoint_minor_13_14
             - D_l_1_ry*adjoint_minor_13_15 - D_l_1_rz*adjoint_minor_13_16 - D_l_2_rx*adjoint_minor_23_14
             - D_l_2_ry*adjoint_minor_23_15 - D_l_2_rz*adjoint_minor_23_16 - adjoint_g_6_x*mu_3
-            + adjoint_l_3*d_3_x*t472 - adjoint_minor_13_12*d_1_y - adjoint_minor_13_13*d_1_z
+            + adjoint_l_3*d_3_x*t480 - adjoint_minor_13_12*d_1_y - adjoint_minor_13_13*d_1_z
             - adjoint_minor_23_12*d_2_y - adjoint_minor_23_13*d_2_z
-            + 2.0*eigenvalue*forward_t134*shape_13*shape_3 - g_x*t473;
+            + 2.0*eigenvalue*forward_t139*shape_13*shape_3 - g_x*t481;
         const lane adjoint_B_3_x =
-            2.0*B_3_x*adjoint_forward_t125 - adjoint_D_l_3_ry*d_3_z + adjoint_D_l_3_rz*d_3_y
+            2.0*B_3_x*adjoint_forward_t130 - adjoint_D_l_3_ry*d_3_z + adjoint_D_l_3_rz*d_3_y
             + adjoint_G_p_ry*forward_t76 - adjoint_G_p_rz*forward_t70 + adjoint_L_rx_ry*forward_t93
-            + adjoint_L_rx_rz*forward_t85 + adjoint_L_z_ry*mu_3 - adjoint_M_p_rx_ry*forward_t181
-            - adjoint_M_p_rx_rz*forward_t174 + adjoint_d_3_x + (1.0/2.0)*adjoint_forward_t113
-            + adjoint_forward_t129*g_6_x + adjoint_forward_t162*forward_t150
-            - adjoint_forward_t168*forward_t144 + adjoint_forward_t191*m_perp_3
-            + adjoint_forward_t223*m_lift_3;
-        const lane t474 = forward_30*forward_t36*t123;
+            + adjoint_L_rx_rz*forward_t88 + adjoint_L_z_ry*mu_3 - adjoint_M_p_rx_ry*forward_t187
+            - adjoint_M_p_rx_rz*forward_t179 + adjoint_d_3_x + (1.0/2.0)*adjoint_forward_t116
+            + adjoint_forward_t134*g_6_x + adjoint_forward_t167*forward_t155
+            - adjoint_forward_t173*forward_t149 + adjoint_forward_t198*m_perp_3
+            + adjoint_forward_t234*m_lift_3;
+        const lane t482 = forward_30*forward_t36*t128;
         const lane adjoint_d_2_z =
             -B_2_x*adjoint_D_l_2_ry + B_2_y*adjoint_D_l_2_rx - D_l_1_rx*adjoint_minor_12_34
             - D_l_1_ry*adjoint_minor_12_35 - D_l_1_rz*adjoint_minor_12_36 + D_l_3_rx*adjoint_minor_23_34
             + D_l_3_ry*adjoint_minor_23_35 + D_l_3_rz*adjoint_minor_23_36 - adjoint_g_5_z*mu_2
-            + adjoint_l_2*d_2_z*t475 + adjoint_minor_12_13*d_1_x + adjoint_minor_12_23*d_1_y
+            + adjoint_l_2*d_2_z*t483 + adjoint_minor_12_13*d_1_x + adjoint_minor_12_23*d_1_y
             - adjoint_minor_23_13*d_3_x - adjoint_minor_23_23*d_3_y
-            + 2.0*eigenvalue*forward_t132*shape_15*shape_2 - t460*t474;
+            + 2.0*eigenvalue*forward_t137*shape_15*shape_2 - t468*t482;
         const lane adjoint_B_2_z =
-            2.0*B_2_z*adjoint_forward_t96 - adjoint_D_l_2_rx*d_2_y + adjoint_D_l_2_ry*d_2_x
-            + adjoint_G_p_rx*forward_t69 - adjoint_G_p_ry*forward_t62 + adjoint_L_rx_rz*forward_t112
-            + adjoint_d_2_z + adjoint_forward_t101*g_5_z + adjoint_forward_t155*forward_t143
-            - adjoint_forward_t161*forward_t133 + adjoint_forward_t173*m_perp_2
-            + adjoint_forward_t221*m_lift_2 + adjoint_forward_t84*mu_2 + g_5_y*t459;
-        const lane t476 = 2.0*t474;
+            2.0*B_2_z*adjoint_forward_t99 - adjoint_D_l_2_rx*d_2_y + adjoint_D_l_2_ry*d_2_x
+            + adjoint_G_p_rx*forward_t69 - adjoint_G_p_ry*forward_t62 + adjoint_L_rx_rz*forward_t115
+            + adjoint_d_2_z + adjoint_forward_t104*g_5_z + adjoint_forward_t160*forward_t148
+            - adjoint_forward_t166*forward_t138 + adjoint_forward_t178*m_perp_2
+            + adjoint_forward_t232*m_lift_2 + adjoint_forward_t87*mu_2 + g_5_y*t446;
+        const lane t484 = 2.0*t482;
         const lane adjoint_d_2_y =
             B_2_x*adjoint_D_l_2_rz - B_2_z*adjoint_D_l_2_rx - D_l_1_rx*adjoint_minor_12_24
             - D_l_1_ry*adjoint_minor_12_25 - D_l_1_rz*adjoint_minor_12_26 + D_l_3_rx*adjoint_minor_23_24
             + D_l_3_ry*adjoint_minor_23_25 + D_l_3_rz*adjoint_minor_23_26 - adjoint_g_5_y*mu_2
-            + adjoint_l_2*d_2_y*t475 + adjoint_minor_12_12*d_1_x - adjoint_minor_12_23*d_1_z
-            - adjoint_minor_23_12*d_3_x + adjoint_minor_23_23*d_3_z + forward_t132*t304 - g_y*t476;
+            + adjoint_l_2*d_2_y*t483 + adjoint_minor_12_12*d_1_x - adjoint_minor_12_23*d_1_z
+            - adjoint_minor_23_12*d_3_x + adjoint_minor_23_23*d_3_z + forward_t137*t309 - g_y*t484;
         const lane adjoint_B_2_y =
-            2.0*B_2_y*adjoint_forward_t103 + adjoint_D_l_2_rx*d_2_z - adjoint_D_l_2_rz*d_2_x
-            - adjoint_G_p_rx*forward_t75 + adjoint_G_p_rz*forward_t62 + adjoint_L_rx_ry*forward_t112
-            + adjoint_L_ry_rz*(forward_t84 + t74) - adjoint_M_p_ry_rz*forward_t173 + adjoint_d_2_y
-            + adjoint_forward_t108*g_5_y - adjoint_forward_t155*forward_t149
-            + adjoint_forward_t167*forward_t133 + adjoint_forward_t180*m_perp_2
-            + adjoint_forward_t222*m_lift_2 + adjoint_forward_t92*mu_2;
+            2.0*B_2_y*adjoint_forward_t106 + adjoint_D_l_2_rx*d_2_z - adjoint_D_l_2_rz*d_2_x
+            - adjoint_G_p_rx*forward_t75 + adjoint_G_p_rz*forward_t62 + adjoint_L_rx_ry*forward_t115
+            + adjoint_L_ry_rz*(forward_t87 + t62) - adjoint_M_p_ry_rz*forward_t178 + adjoint_d_2_y
+            + adjoint_forward_t111*g_5_y - adjoint_forward_t160*forward_t154
+            + adjoint_forward_t172*forward_t138 + adjoint_forward_t186*m_perp_2
+            + adjoint_forward_t233*m_lift_2 + adjoint_forward_t92*mu_2;
         const lane adjoint_d_2_x =
             -B_2_y*adjoint_D_l_2_rz + B_2_z*adjoint_D_l_2_ry - D_l_1_rx*adjoint_minor_12_14
             - D_l_1_ry*adjoint_minor_12_15 - D_l_1_rz*adjoint_minor_12_16 + D_l_3_rx*adjoint_minor_23_14
             + D_l_3_ry*adjoint_minor_23_15 + D_l_3_rz*adjoint_minor_23_16 - adjoint_g_5_x*mu_2
-            + adjoint_l_2*d_2_x*t475 - adjoint_minor_12_12*d_1_y - adjoint_minor_12_13*d_1_z
+            + adjoint_l_2*d_2_x*t483 - adjoint_minor_12_12*d_1_y - adjoint_minor_12_13*d_1_z
             + adjoint_minor_23_12*d_3_y + adjoint_minor_23_13*d_3_z
-            + 2.0*eigenvalue*forward_t132*shape_13*shape_2 - g_x*t476;
+            + 2.0*eigenvalue*forward_t137*shape_13*shape_2 - g_x*t484;
         const lane adjoint_B_2_x =
-            2.0*B_2_x*adjoint_forward_t124 - adjoint_D_l_2_ry*d_2_z + adjoint_D_l_2_rz*d_2_y
+            2.0*B_2_x*adjoint_forward_t129 - adjoint_D_l_2_ry*d_2_z + adjoint_D_l_2_rz*d_2_y
             + adjoint_G_p_ry*forward_t75 - adjoint_G_p_rz*forward_t69 + adjoint_L_rx_ry*forward_t92
-            + adjoint_L_rx_rz*forward_t84 + adjoint_L_z_ry*mu_2 - adjoint_M_p_rx_ry*forward_t180
-            - adjoint_M_p_rx_rz*forward_t173 + adjoint_d_2_x + (1.0/2.0)*adjoint_forward_t111
-            + adjoint_forward_t129*g_5_x + adjoint_forward_t161*forward_t149
-            - adjoint_forward_t167*forward_t143 + adjoint_forward_t191*m_perp_2
-            + adjoint_forward_t223*m_lift_2;
-        const lane t477 = forward_29*forward_t32*t125;
-        const lane t478 = adjoint_l_1/forward_4;
+            + adjoint_L_rx_rz*forward_t87 + adjoint_L_z_ry*mu_2 - adjoint_M_p_rx_ry*forward_t186
+            - adjoint_M_p_rx_rz*forward_t178 + adjoint_d_2_x + (1.0/2.0)*adjoint_forward_t114
+            + adjoint_forward_t134*g_5_x + adjoint_forward_t166*forward_t154
+            - adjoint_forward_t172*forward_t148 + adjoint_forward_t198*m_perp_2
+            + adjoint_forward_t234*m_lift_2;
+        const lane t485 = forward_29*forward_t32*t130;
+        const lane t486 = adjoint_l_1/forward_4;
         const lane adjoint_d_1_z =
             A_z_1*adjoint_det_D_l - B_1_x*adjoint_D_l_1_ry + B_1_y*adjoint_D_l_1_rx
             + D_l_2_rx*adjoint_minor_12_34 + D_l_2_ry*adjoint_minor_12_35 + D_l_2_rz*adjoint_minor_12_36
@@ -9923,27 +10010,29 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             - adjoint_minor_123_236*minor_23_26 + adjoint_minor_123_345*minor_23_45
             + adjoint_minor_123_346*minor_23_46 + adjoint_minor_123_356*minor_23_56
             - adjoint_minor_12_13*d_2_x - adjoint_minor_12_23*d_2_y - adjoint_minor_13_13*d_3_x
-            - adjoint_minor_13_23*d_3_y + d_1_z*t478 + forward_t130*t277 - t460*t477;
+            - adjoint_minor_13_23*d_3_y + d_1_z*t486 + forward_t135*t282 - t468*t485;
         const lane adjoint_B_1_z =
-            2.0*B_1_z*adjoint_forward_t95 - adjoint_D_l_1_rx*d_1_y + adjoint_D_l_1_ry*d_1_x
-            + adjoint_G_p_rx*forward_t68 - adjoint_G_p_ry*forward_t61 + adjoint_L_rx_rz*forward_t110
-            + adjoint_d_1_z + adjoint_forward_t101*g_4_z + adjoint_forward_t154*forward_t142
-            - adjoint_forward_t160*forward_t131 + adjoint_forward_t172*m_perp_1
-            + adjoint_forward_t221*m_lift_1 + adjoint_forward_t83*mu_1 + g_4_y*t459;
+            2.0*B_1_z*adjoint_forward_t98 - adjoint_D_l_1_rx*d_1_y + adjoint_D_l_1_ry*d_1_x
+            + adjoint_G_p_rx*forward_t68 - adjoint_G_p_ry*forward_t61 + adjoint_L_rx_rz*forward_t113
+            + adjoint_d_1_z + adjoint_forward_t104*g_4_z + adjoint_forward_t159*forward_t147
+            - adjoint_forward_t165*forward_t136 + adjoint_forward_t177*m_perp_1
+            + adjoint_forward_t232*m_lift_1 + adjoint_forward_t86*mu_1 + g_4_y*t446;
         const lane adjoint_R_z_z =
             I_p_z*adjoint_M_p_rz_rz*forward_t29 + adjoint_B_1_z*b_1_z + adjoint_B_2_z*b_2_z
             + adjoint_B_3_z*b_3_z + adjoint_B_4_z*b_4_z + adjoint_B_5_z*b_5_z + adjoint_B_6_z*b_6_z
-            + adjoint_M_p_rx_rz*t479 + adjoint_M_p_ry_rz*(t15 + t455) + adjoint_c_z*c_p_z
-            + 2.0*adjoint_forward_t29;
+            + adjoint_M_p_rx_rz*t487 + adjoint_M_p_ry_rz*(t15 + t464) + adjoint_c_z*c_p_z
+            + 2.0*adjoint_forward_t29 + adjoint_o_L_z*b_L_z;
         const lane adjoint_R_z_y =
             I_p_yz*adjoint_forward_t28 + adjoint_B_1_z*b_1_y + adjoint_B_2_z*b_2_y + adjoint_B_3_z*b_3_y
-            + adjoint_B_4_z*b_4_y + adjoint_B_5_z*b_5_y + adjoint_B_6_z*b_6_y + adjoint_M_p_rx_rz*t480
-            + adjoint_M_p_ry_rz*(forward_t22 + t14) + adjoint_M_p_rz_rz*(t16 + 2.0*t481) + adjoint_c_z*c_p_y;
+            + adjoint_B_4_z*b_4_y + adjoint_B_5_z*b_5_y + adjoint_B_6_z*b_6_y + adjoint_M_p_rx_rz*t488
+            + adjoint_M_p_ry_rz*(forward_t22 + t14) + adjoint_M_p_rz_rz*(t16 + 2.0*t489) + adjoint_c_z*c_p_y
+            + adjoint_o_L_z*b_L_y;
         const lane adjoint_R_z_x =
-            I_p_x*R_z_x*t454 + I_p_xy*adjoint_forward_t26 + I_p_xz*adjoint_forward_t28 + adjoint_B_1_z*b_1_x
+            I_p_x*R_z_x*t463 + I_p_xy*adjoint_forward_t26 + I_p_xz*adjoint_forward_t28 + adjoint_B_1_z*b_1_x
             + adjoint_B_2_z*b_2_x + adjoint_B_3_z*b_3_x + adjoint_B_4_z*b_4_x + adjoint_B_5_z*b_5_x
-            + adjoint_B_6_z*b_6_x + adjoint_M_p_rx_rz*t482 + adjoint_M_p_ry_rz*t13 + adjoint_c_z*c_p_x;
-        const lane t483 = 2.0*t477;
+            + adjoint_B_6_z*b_6_x + adjoint_M_p_rx_rz*t490 + adjoint_M_p_ry_rz*t13 + adjoint_c_z*c_p_x
+            + adjoint_o_L_z*b_L_x;
+        const lane t491 = 2.0*t485;
         const lane adjoint_d_1_y =
             A_y_1*adjoint_det_D_l + B_1_x*adjoint_D_l_1_rz - B_1_z*adjoint_D_l_1_rx
             + D_l_2_rx*adjoint_minor_12_24 + D_l_2_ry*adjoint_minor_12_25 + D_l_2_rz*adjoint_minor_12_26
@@ -9954,29 +10043,31 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + adjoint_minor_123_236*minor_23_36 + adjoint_minor_123_245*minor_23_45
             + adjoint_minor_123_246*minor_23_46 + adjoint_minor_123_256*minor_23_56
             - adjoint_minor_12_12*d_2_x + adjoint_minor_12_23*d_2_z - adjoint_minor_13_12*d_3_x
-            + adjoint_minor_13_23*d_3_z + d_1_y*t478 + forward_t130*t303 - g_y*t483;
+            + adjoint_minor_13_23*d_3_z + d_1_y*t486 + forward_t135*t308 - g_y*t491;
         const lane adjoint_B_1_y =
-            2.0*B_1_y*adjoint_forward_t102 + adjoint_D_l_1_rx*d_1_z - adjoint_D_l_1_rz*d_1_x
-            - adjoint_G_p_rx*forward_t74 + adjoint_G_p_rz*forward_t61 + adjoint_L_rx_ry*forward_t110
-            + adjoint_L_ry_rz*(forward_t83 + t72) - adjoint_M_p_ry_rz*forward_t172 + adjoint_d_1_y
-            + adjoint_forward_t108*g_4_y - adjoint_forward_t154*forward_t148
-            + adjoint_forward_t166*forward_t131 + adjoint_forward_t179*m_perp_1
-            + adjoint_forward_t222*m_lift_1 + adjoint_forward_t91*mu_1;
+            2.0*B_1_y*adjoint_forward_t105 + adjoint_D_l_1_rx*d_1_z - adjoint_D_l_1_rz*d_1_x
+            - adjoint_G_p_rx*forward_t74 + adjoint_G_p_rz*forward_t61 + adjoint_L_rx_ry*forward_t113
+            + adjoint_L_ry_rz*(forward_t86 + t76) - adjoint_M_p_ry_rz*forward_t177 + adjoint_d_1_y
+            + adjoint_forward_t111*g_4_y - adjoint_forward_t159*forward_t153
+            + adjoint_forward_t171*forward_t136 + adjoint_forward_t185*m_perp_1
+            + adjoint_forward_t233*m_lift_1 + adjoint_forward_t97*mu_1;
         const lane adjoint_R_y_z =
             I_p_z*adjoint_M_p_ry_ry*forward_t24 + adjoint_B_1_y*b_1_z + adjoint_B_2_y*b_2_z
             + adjoint_B_3_y*b_3_z + adjoint_B_4_y*b_4_z + adjoint_B_5_y*b_5_z + adjoint_B_6_y*b_6_z
-            + adjoint_M_p_rx_ry*t479 + adjoint_M_p_ry_rz*(I_p_z*R_z_z + t451) + adjoint_c_y*c_p_z
-            + 2.0*adjoint_forward_t24;
+            + adjoint_M_p_rx_ry*t487 + adjoint_M_p_ry_rz*(I_p_z*R_z_z + t460) + adjoint_c_y*c_p_z
+            + 2.0*adjoint_forward_t24 + adjoint_o_L_y*b_L_z;
         const lane adjoint_forward_t11 = -adjoint_R_y_z + adjoint_R_z_y;
         const lane adjoint_R_y_y =
             I_p_yz*adjoint_forward_t25 + adjoint_B_1_y*b_1_y + adjoint_B_2_y*b_2_y + adjoint_B_3_y*b_3_y
-            + adjoint_B_4_y*b_4_y + adjoint_B_5_y*b_5_y + adjoint_B_6_y*b_6_y + adjoint_M_p_rx_ry*t480
-            + adjoint_M_p_ry_ry*(2.0*t14 + t9) + adjoint_M_p_ry_rz*(forward_t26 + t481) + adjoint_c_y*c_p_y;
-        const lane t484 = R_z_x*adjoint_M_p_ry_rz;
+            + adjoint_B_4_y*b_4_y + adjoint_B_5_y*b_5_y + adjoint_B_6_y*b_6_y + adjoint_M_p_rx_ry*t488
+            + adjoint_M_p_ry_ry*(2.0*t14 + t9) + adjoint_M_p_ry_rz*(forward_t26 + t489) + adjoint_c_y*c_p_y
+            + adjoint_o_L_y*b_L_y;
+        const lane t492 = R_z_x*adjoint_M_p_ry_rz;
         const lane adjoint_R_y_x =
-            I_p_x*t484 + I_p_xy*adjoint_forward_t22 + I_p_xz*adjoint_forward_t25 + adjoint_B_1_y*b_1_x
+            I_p_x*t492 + I_p_xy*adjoint_forward_t22 + I_p_xz*adjoint_forward_t25 + adjoint_B_1_y*b_1_x
             + adjoint_B_2_y*b_2_x + adjoint_B_3_y*b_3_x + adjoint_B_4_y*b_4_x + adjoint_B_5_y*b_5_x
-            + adjoint_B_6_y*b_6_x + adjoint_M_p_rx_ry*t482 + adjoint_c_y*c_p_x + t13*t456;
+            + adjoint_B_6_y*b_6_x + adjoint_M_p_rx_ry*t490 + adjoint_c_y*c_p_x + adjoint_o_L_y*b_L_x
+            + t13*t465;
         const lane adjoint_d_1_x =
             A_x_1*adjoint_det_D_l - B_1_y*adjoint_D_l_1_rz + B_1_z*adjoint_D_l_1_ry
             + D_l_2_rx*adjoint_minor_12_14 + D_l_2_ry*adjoint_minor_12_15 + D_l_2_rz*adjoint_minor_12_16
@@ -9987,27 +10078,27 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             + adjoint_minor_123_136*minor_23_36 + adjoint_minor_123_145*minor_23_45
             + adjoint_minor_123_146*minor_23_46 + adjoint_minor_123_156*minor_23_56
             + adjoint_minor_12_12*d_2_y + adjoint_minor_12_13*d_2_z + adjoint_minor_13_12*d_3_y
-            + adjoint_minor_13_13*d_3_z + d_1_x*t478 + forward_t130*t329 - g_x*t483;
+            + adjoint_minor_13_13*d_3_z + d_1_x*t486 + forward_t135*t334 - g_x*t491;
         const lane adjoint_B_1_x =
-            2.0*B_1_x*adjoint_forward_t123 - adjoint_D_l_1_ry*d_1_z + adjoint_D_l_1_rz*d_1_y
-            + adjoint_G_p_ry*forward_t74 - adjoint_G_p_rz*forward_t68 + adjoint_L_rx_ry*forward_t91
-            + adjoint_L_rx_rz*forward_t83 + adjoint_L_z_ry*mu_1 - adjoint_M_p_rx_ry*forward_t179
-            - adjoint_M_p_rx_rz*forward_t172 + adjoint_d_1_x + (1.0/2.0)*adjoint_forward_t109
-            + adjoint_forward_t129*g_4_x + adjoint_forward_t160*forward_t148
-            - adjoint_forward_t166*forward_t142 + adjoint_forward_t191*m_perp_1
-            + adjoint_forward_t223*m_lift_1;
+            2.0*B_1_x*adjoint_forward_t128 - adjoint_D_l_1_ry*d_1_z + adjoint_D_l_1_rz*d_1_y
+            + adjoint_G_p_ry*forward_t74 - adjoint_G_p_rz*forward_t68 + adjoint_L_rx_ry*forward_t97
+            + adjoint_L_rx_rz*forward_t86 + adjoint_L_z_ry*mu_1 - adjoint_M_p_rx_ry*forward_t185
+            - adjoint_M_p_rx_rz*forward_t177 + adjoint_d_1_x + (1.0/2.0)*adjoint_forward_t112
+            + adjoint_forward_t134*g_4_x + adjoint_forward_t165*forward_t153
+            - adjoint_forward_t171*forward_t147 + adjoint_forward_t198*m_perp_1
+            + adjoint_forward_t234*m_lift_1;
         const lane adjoint_R_x_z =
             I_p_xz*adjoint_forward_t18 + I_p_yz*adjoint_forward_t20 + I_p_z*adjoint_M_p_rx_rx*forward_t14
             + I_p_z*adjoint_forward_t21 + adjoint_B_1_x*b_1_z + adjoint_B_2_x*b_2_z + adjoint_B_3_x*b_3_z
             + adjoint_B_4_x*b_4_z + adjoint_B_5_x*b_5_z + adjoint_B_6_x*b_6_z + adjoint_c_x*c_p_z
-            + 2.0*adjoint_forward_t14;
+            + 2.0*adjoint_forward_t14 + adjoint_o_L_x*b_L_z;
         const lane adjoint_forward_t10 = adjoint_R_x_z*rot_z + adjoint_R_y_x*rot_y;
         const lane adjoint_forward_t9 = adjoint_R_x_z - adjoint_R_z_x;
         const lane adjoint_R_x_y =
             I_p_xy*adjoint_forward_t18 + I_p_y*adjoint_forward_t20 + I_p_yz*adjoint_forward_t15
             + adjoint_B_1_x*b_1_y + adjoint_B_2_x*b_2_y + adjoint_B_3_x*b_3_y + adjoint_B_4_x*b_4_y
             + adjoint_B_5_x*b_5_y + adjoint_B_6_x*b_6_y + adjoint_M_p_rx_rx*(2.0*forward_t19 + t5)
-            + adjoint_c_x*c_p_y;
+            + adjoint_c_x*c_p_y + adjoint_o_L_x*b_L_y;
         const lane adjoint_forward_t8 = -adjoint_R_x_y + adjoint_R_y_x;
         const lane adjoint_forward_t7 =
             adjoint_forward_t11*rot_x + adjoint_forward_t8*rot_z + adjoint_forward_t9*rot_y;
@@ -10015,58 +10106,60 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         const lane adjoint_R_x_x =
             I_p_x*adjoint_forward_t18 + I_p_xy*adjoint_forward_t12 + I_p_xz*adjoint_forward_t15
             + adjoint_B_1_x*b_1_x + adjoint_B_2_x*b_2_x + adjoint_B_3_x*b_3_x + adjoint_B_4_x*b_4_x
-            + adjoint_B_5_x*b_5_x + adjoint_B_6_x*b_6_x + adjoint_c_x*c_p_x + forward_t16*t458;
+            + adjoint_B_5_x*b_5_x + adjoint_B_6_x*b_6_x + adjoint_c_x*c_p_x + adjoint_o_L_x*b_L_x
+            + forward_t16*t467;
         const lane adjoint_forward_t6 =
             -adjoint_R_x_x*forward_t4 + adjoint_R_y_y*t2 + adjoint_R_z_y*t3 + adjoint_R_z_z*t4
             + adjoint_forward_t10*rot_x;
-        const lane t486 = adjoint_R_x_y*rot_y;
-        const lane t487 = adjoint_R_z_x*rot_z;
+        const lane t494 = adjoint_R_x_y*rot_y;
+        const lane t495 = adjoint_R_z_x*rot_z;
         const lane adjoint_forward_t5 =
-            (1.0/2.0)*adjoint_R_y_z*t3 + (1.0/2.0)*adjoint_forward_t6 + t485*t486 + t485*t487;
+            (1.0/2.0)*adjoint_R_y_z*t3 + (1.0/2.0)*adjoint_forward_t6 + t493*t494 + t493*t495;
         const lane adjoint_s_half = 2.0*adjoint_forward_t5*s_half + adjoint_forward_t7*forward_3;
         const lane adjoint_forward_2 = adjoint_s_half*forward_1;
         const lane adjoint_forward_1 = adjoint_s_half*forward_2;
         const lane adjoint_half_angle =
             -adjoint_c_half*forward_2 - adjoint_forward_1*(forward_1*forward_1) + adjoint_forward_2*forward_3;
         const lane adjoint_forward_0 = (1.0/2.0)*adjoint_half_angle;
-        const lane t488 = -1.0/2.0*adjoint_forward_0/forward_0;
-        const lane adjoint_forward_t4 = -adjoint_R_x_x*forward_t6 - t488;
-        const lane t489 = adjoint_R_y_y*forward_t6;
-        const lane adjoint_forward_t3 = adjoint_forward_t4 - t489;
-        const lane t490 = adjoint_R_z_z*forward_t6;
-        const lane adjoint_forward_t2 = adjoint_forward_t4 - t490;
-        const lane adjoint_forward_t1 = -t488 - t489 - t490;
-        const lane t491 = adjoint_forward_t166*forward_t130;
-        const lane t492 = adjoint_forward_t167*forward_t132;
-        const lane t493 = adjoint_forward_t168*forward_t134;
-        const lane t494 = adjoint_forward_t169*forward_t136;
-        const lane t495 = adjoint_forward_t170*forward_t138;
-        const lane t496 = adjoint_forward_t171*forward_t140;
-        const lane t503 = adjoint_m_perp_1*forward_10;
-        const lane t504 = adjoint_m_perp_2*forward_12;
-        const lane t505 = adjoint_m_perp_3*forward_14;
-        const lane t506 = adjoint_m_perp_4*forward_16;
-        const lane t507 = adjoint_m_perp_5*forward_18;
-        const lane t508 = adjoint_m_perp_6*forward_20;
-        const lane t509 = adjoint_R_z_y*forward_t6;
-        const lane t510 = adjoint_R_y_z*forward_t6;
-        lanes_clear(gradient, 134);
+        const lane t496 = -1.0/2.0*adjoint_forward_0/forward_0;
+        const lane adjoint_forward_t4 = -adjoint_R_x_x*forward_t6 - t496;
+        const lane t497 = adjoint_R_y_y*forward_t6;
+        const lane adjoint_forward_t3 = adjoint_forward_t4 - t497;
+        const lane t498 = adjoint_R_z_z*forward_t6;
+        const lane adjoint_forward_t2 = adjoint_forward_t4 - t498;
+        const lane adjoint_forward_t1 = -t496 - t497 - t498;
+        const lane t499 = adjoint_G_p_rx*g_y;
+        const lane t500 = adjoint_G_p_rz*g_x;
+        const lane t501 = adjoint_forward_t171*forward_t135;
+        const lane t502 = adjoint_forward_t172*forward_t137;
+        const lane t503 = adjoint_forward_t173*forward_t139;
+        const lane t504 = adjoint_forward_t174*forward_t141;
+        const lane t505 = adjoint_forward_t175*forward_t143;
+        const lane t506 = adjoint_forward_t176*forward_t145;
+        const lane t513 = adjoint_m_perp_1*forward_10;
+        const lane t514 = adjoint_m_perp_2*forward_12;
+        const lane t515 = adjoint_m_perp_3*forward_14;
+        const lane t516 = adjoint_m_perp_4*forward_16;
+        const lane t517 = adjoint_m_perp_5*forward_18;
+        const lane t518 = adjoint_m_perp_6*forward_20;
+        const lane t519 = adjoint_R_z_y*forward_t6;
+        const lane t520 = adjoint_R_y_z*forward_t6;
+        lanes_clear(gradient, 140);
         gradient[0] =
-            LANES(adjoint_G_p_rx*c_z*g_y + adjoint_G_p_rz*c_y*g_x + adjoint_M_p_y_rz*c_x
-            + adjoint_forward_t178*c_z + adjoint_forward_t185*c_y + (1.0/2.0)*adjoint_forward_t194
-            + adjoint_forward_t67 + adjoint_forward_t80*g_z + adjoint_forward_t81*g_x
-            + adjoint_forward_t82*g_y);
+            LANES(adjoint_M_p_y_rz*c_x + adjoint_forward_t183*c_z + adjoint_forward_t191*c_y
+            + (1.0/2.0)*adjoint_forward_t204 + adjoint_forward_t67 + adjoint_forward_t80*g_z
+            + adjoint_forward_t82*g_x + adjoint_forward_t84*g_y + c_y*t500 + c_z*t499);
         gradient[1] = LANES(R_x_x*adjoint_c_x + R_y_x*adjoint_c_y + R_z_x*adjoint_c_z);
         gradient[2] = LANES(R_x_y*adjoint_c_x + R_y_y*adjoint_c_y + R_z_y*adjoint_c_z);
         gradient[3] = LANES(R_x_z*adjoint_c_x + R_y_z*adjoint_c_y + R_z_z*adjoint_c_z);
         gradient[4] =
-            LANES(R_x_x*adjoint_forward_t18 + R_y_x*t484 + adjoint_M_p_rx_rx*t6 + adjoint_M_p_ry_ry*t10
+            LANES(R_x_x*adjoint_forward_t18 + R_y_x*t492 + adjoint_M_p_rx_rx*t6 + adjoint_M_p_ry_ry*t10
             + adjoint_M_p_rz_rz*t17);
         gradient[5] =
-            LANES(R_x_y*adjoint_forward_t20 + R_z_y*t453 + adjoint_M_p_rx_rx*t7 + adjoint_M_p_ry_ry*t11
+            LANES(R_x_y*adjoint_forward_t20 + R_z_y*t462 + adjoint_M_p_rx_rx*t7 + adjoint_M_p_ry_ry*t11
             + adjoint_M_p_rz_rz*t18);
         gradient[6] =
-            LANES(R_x_z*adjoint_forward_t21 + R_z_z*t452 + adjoint_M_p_rx_rx*t8 + adjoint_M_p_ry_ry*t12
+            LANES(R_x_z*adjoint_forward_t21 + R_z_z*t461 + adjoint_M_p_rx_rx*t8 + adjoint_M_p_ry_ry*t12
             + adjoint_M_p_rz_rz*t19);
         gradient[7] =
             LANES(R_x_x*adjoint_forward_t12 + R_x_y*adjoint_forward_t18 + R_y_x*adjoint_forward_t22
@@ -10078,45 +10171,45 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
             LANES(R_x_y*adjoint_forward_t15 + R_x_z*adjoint_forward_t20 + R_y_y*adjoint_forward_t25
             + R_z_y*adjoint_forward_t28);
         gradient[10] =
-            LANES(B_1_y*t491 + B_2_y*t492 + B_3_y*t493 + B_4_y*t494 + B_5_y*t495 + B_6_y*t496
+            LANES(B_1_y*t501 + B_2_y*t502 + B_3_y*t503 + B_4_y*t504 + B_5_y*t505 + B_6_y*t506
             + adjoint_G_p_rz*(B_1_y*m_lift_1 + B_2_y*m_lift_2 + B_3_y*m_lift_3 + B_4_y*m_lift_4
-            + B_5_y*m_lift_5 + B_6_y*m_lift_6 + forward_t185) - adjoint_G_p_x*forward_t67
-            + adjoint_forward_t131*forward_t130 + adjoint_forward_t133*forward_t132
-            + adjoint_forward_t135*forward_t134 + adjoint_forward_t137*forward_t136
-            + adjoint_forward_t139*forward_t138 + adjoint_forward_t141*forward_t140
-            - adjoint_forward_t160*t497 - adjoint_forward_t161*t498 - adjoint_forward_t162*t499
-            - adjoint_forward_t163*t500 - adjoint_forward_t164*t501 - adjoint_forward_t165*t502
+            + B_5_y*m_lift_5 + B_6_y*m_lift_6 + forward_t191 + forward_t192) - adjoint_G_p_x*forward_t67
+            + adjoint_forward_t136*forward_t135 + adjoint_forward_t138*forward_t137
+            + adjoint_forward_t140*forward_t139 + adjoint_forward_t142*forward_t141
+            + adjoint_forward_t144*forward_t143 + adjoint_forward_t146*forward_t145
+            - adjoint_forward_t165*t507 - adjoint_forward_t166*t508 - adjoint_forward_t167*t509
+            - adjoint_forward_t168*t510 - adjoint_forward_t169*t511 - adjoint_forward_t170*t512
             + adjoint_forward_t61*m_lift_1 + adjoint_forward_t62*m_lift_2 + adjoint_forward_t63*m_lift_3
             + adjoint_forward_t64*m_lift_4 + adjoint_forward_t65*m_lift_5 + adjoint_forward_t66*m_lift_6
-            + adjoint_forward_t81*m_p - d_1_x*t483 - d_2_x*t476 - d_3_x*t473 - d_4_x*t469 - d_5_x*t466
-            - d_6_x*t463);
+            + adjoint_forward_t82*m_p + adjoint_forward_t83*m_L - d_1_x*t491 - d_2_x*t484 - d_3_x*t481
+            - d_4_x*t477 - d_5_x*t474 - d_6_x*t471);
         gradient[11] =
-            LANES(-B_1_x*t491 - B_2_x*t492 - B_3_x*t493 - B_4_x*t494 - B_5_x*t495 - B_6_x*t496
+            LANES(-B_1_x*t501 - B_2_x*t502 - B_3_x*t503 - B_4_x*t504 - B_5_x*t505 - B_6_x*t506
             + adjoint_G_p_rx*(B_1_z*m_lift_1 + B_2_z*m_lift_2 + B_3_z*m_lift_3 + B_4_z*m_lift_4
-            + B_5_z*m_lift_5 + B_6_z*m_lift_6 + forward_t178) - adjoint_G_p_y*forward_t67
-            + adjoint_forward_t142*forward_t130 + adjoint_forward_t143*forward_t132
-            + adjoint_forward_t144*forward_t134 + adjoint_forward_t145*forward_t136
-            + adjoint_forward_t146*forward_t138 + adjoint_forward_t147*forward_t140
-            + adjoint_forward_t154*t497 + adjoint_forward_t155*t498 + adjoint_forward_t156*t499
-            + adjoint_forward_t157*t500 + adjoint_forward_t158*t501 + adjoint_forward_t159*t502
+            + B_5_z*m_lift_5 + B_6_z*m_lift_6 + forward_t183 + forward_t184) - adjoint_G_p_y*forward_t67
+            + adjoint_forward_t147*forward_t135 + adjoint_forward_t148*forward_t137
+            + adjoint_forward_t149*forward_t139 + adjoint_forward_t150*forward_t141
+            + adjoint_forward_t151*forward_t143 + adjoint_forward_t152*forward_t145
+            + adjoint_forward_t159*t507 + adjoint_forward_t160*t508 + adjoint_forward_t161*t509
+            + adjoint_forward_t162*t510 + adjoint_forward_t163*t511 + adjoint_forward_t164*t512
             + adjoint_forward_t68*m_lift_1 + adjoint_forward_t69*m_lift_2 + adjoint_forward_t70*m_lift_3
             + adjoint_forward_t71*m_lift_4 + adjoint_forward_t72*m_lift_5 + adjoint_forward_t73*m_lift_6
-            + adjoint_forward_t82*m_p - d_1_y*t483 - d_2_y*t476 - d_3_y*t473 - d_4_y*t469 - d_5_y*t466
-            - d_6_y*t463);
+            + adjoint_forward_t84*m_p + adjoint_forward_t85*m_L - d_1_y*t491 - d_2_y*t484 - d_3_y*t481
+            - d_4_y*t477 - d_5_y*t474 - d_6_y*t471);
         gradient[12] =
-            LANES(B_1_x*adjoint_forward_t160*forward_t130 - B_1_y*adjoint_forward_t154*forward_t130
-            + B_2_x*adjoint_forward_t161*forward_t132 - B_2_y*adjoint_forward_t155*forward_t132
-            + B_3_x*adjoint_forward_t162*forward_t134 - B_3_y*adjoint_forward_t156*forward_t134
-            + B_4_x*adjoint_forward_t163*forward_t136 - B_4_y*adjoint_forward_t157*forward_t136
-            + B_5_x*adjoint_forward_t164*forward_t138 - B_5_y*adjoint_forward_t158*forward_t138
-            + B_6_x*adjoint_forward_t165*forward_t140 - B_6_y*adjoint_forward_t159*forward_t140
-            - adjoint_G_p_z*forward_t67 + adjoint_forward_t148*forward_t130
-            + adjoint_forward_t149*forward_t132 + adjoint_forward_t150*forward_t134
-            + adjoint_forward_t151*forward_t136 + adjoint_forward_t152*forward_t138
-            + adjoint_forward_t153*forward_t140 + adjoint_forward_t74*m_lift_1 + adjoint_forward_t75*m_lift_2
+            LANES(B_1_x*adjoint_forward_t165*forward_t135 - B_1_y*adjoint_forward_t159*forward_t135
+            + B_2_x*adjoint_forward_t166*forward_t137 - B_2_y*adjoint_forward_t160*forward_t137
+            + B_3_x*adjoint_forward_t167*forward_t139 - B_3_y*adjoint_forward_t161*forward_t139
+            + B_4_x*adjoint_forward_t168*forward_t141 - B_4_y*adjoint_forward_t162*forward_t141
+            + B_5_x*adjoint_forward_t169*forward_t143 - B_5_y*adjoint_forward_t163*forward_t143
+            + B_6_x*adjoint_forward_t170*forward_t145 - B_6_y*adjoint_forward_t164*forward_t145
+            - adjoint_G_p_z*forward_t67 + adjoint_forward_t153*forward_t135
+            + adjoint_forward_t154*forward_t137 + adjoint_forward_t155*forward_t139
+            + adjoint_forward_t156*forward_t141 + adjoint_forward_t157*forward_t143
+            + adjoint_forward_t158*forward_t145 + adjoint_forward_t74*m_lift_1 + adjoint_forward_t75*m_lift_2
             + adjoint_forward_t76*m_lift_3 + adjoint_forward_t77*m_lift_4 + adjoint_forward_t78*m_lift_5
-            + adjoint_forward_t79*m_lift_6 + adjoint_forward_t80*m_p - d_1_z*t483 - d_2_z*t476 - d_3_z*t473
-            - d_4_z*t469 - d_5_z*t466 - d_6_z*t463);
+            + adjoint_forward_t79*m_lift_6 + adjoint_forward_t80*m_p + adjoint_forward_t81*m_L - d_1_z*t491
+            - d_2_z*t484 - d_3_z*t481 - d_4_z*t477 - d_5_z*t474 - d_6_z*t471);
         gradient[13] = LANES(-adjoint_d_1_x);
         gradient[14] = LANES(-adjoint_d_1_y);
         gradient[15] = LANES(-adjoint_d_1_z);
@@ -10159,48 +10252,48 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[64] = LANES(adjoint_k_4*(a_S_4 + 1.0));
         gradient[65] = LANES(adjoint_k_5*(a_S_5 + 1.0));
         gradient[66] = LANES(adjoint_k_6*(a_S_6 + 1.0));
-        gradient[67] = LANES(adjoint_forward_t224 + adjoint_forward_t32*c_b_1 + t20*t503);
-        gradient[68] = LANES(adjoint_forward_t224 + adjoint_forward_t36*c_b_2 + t26*t504);
-        gradient[69] = LANES(adjoint_forward_t224 + adjoint_forward_t40*c_b_3 + t32*t505);
-        gradient[70] = LANES(adjoint_forward_t224 + adjoint_forward_t44*c_b_4 + t38*t506);
-        gradient[71] = LANES(adjoint_forward_t224 + adjoint_forward_t48*c_b_5 + t44*t507);
-        gradient[72] = LANES(adjoint_forward_t224 + adjoint_forward_t52*c_b_6 + t50*t508);
-        gradient[73] = LANES(adjoint_forward_t32*m_b_1 + 2.0*t24*t503);
-        gradient[74] = LANES(adjoint_forward_t36*m_b_2 + 2.0*t30*t504);
-        gradient[75] = LANES(adjoint_forward_t40*m_b_3 + 2.0*t36*t505);
-        gradient[76] = LANES(adjoint_forward_t44*m_b_4 + 2.0*t42*t506);
-        gradient[77] = LANES(adjoint_forward_t48*m_b_5 + 2.0*t48*t507);
-        gradient[78] = LANES(adjoint_forward_t52*m_b_6 + 2.0*t508*t54);
-        gradient[79] = LANES(t503);
-        gradient[80] = LANES(t504);
-        gradient[81] = LANES(t505);
-        gradient[82] = LANES(t506);
-        gradient[83] = LANES(t507);
-        gradient[84] = LANES(t508);
-        gradient[85] = LANES(-adjoint_forward_t32*c_r_1 + adjoint_m_perp_1*t23 - t403 + t449);
-        gradient[86] = LANES(-adjoint_forward_t36*c_r_2 + adjoint_m_perp_2*t29 - t401 + t447);
-        gradient[87] = LANES(-adjoint_forward_t40*c_r_3 + adjoint_m_perp_3*t35 - t399 + t445);
-        gradient[88] = LANES(-adjoint_forward_t44*c_r_4 + adjoint_m_perp_4*t41 - t397 + t443);
-        gradient[89] = LANES(-adjoint_forward_t48*c_r_5 + adjoint_m_perp_5*t47 - t395 + t441);
-        gradient[90] = LANES(-adjoint_forward_t52*c_r_6 + adjoint_m_perp_6*t53 - t393 + t438);
-        gradient[91] = LANES(-adjoint_forward_t32*m_r_1 - forward_11*m_r_1*t450);
-        gradient[92] = LANES(-adjoint_forward_t36*m_r_2 - forward_13*m_r_2*t448);
-        gradient[93] = LANES(-adjoint_forward_t40*m_r_3 - forward_15*m_r_3*t446);
-        gradient[94] = LANES(-adjoint_forward_t44*m_r_4 - forward_17*m_r_4*t444);
-        gradient[95] = LANES(-adjoint_forward_t48*m_r_5 - forward_19*m_r_5*t442);
-        gradient[96] = LANES(-adjoint_forward_t52*m_r_6 - forward_21*m_r_6*t440);
-        gradient[97] = LANES(t503);
-        gradient[98] = LANES(t504);
-        gradient[99] = LANES(t505);
-        gradient[100] = LANES(t506);
-        gradient[101] = LANES(t507);
-        gradient[102] = LANES(t508);
-        gradient[103] = LANES(-forward_23*t138);
-        gradient[104] = LANES(-forward_24*t136);
-        gradient[105] = LANES(-forward_25*t134);
-        gradient[106] = LANES(-forward_26*t132);
-        gradient[107] = LANES(-forward_27*t130);
-        gradient[108] = LANES(-forward_28*t128);
+        gradient[67] = LANES(adjoint_forward_t235 + adjoint_forward_t32*c_b_1 + t20*t513);
+        gradient[68] = LANES(adjoint_forward_t235 + adjoint_forward_t36*c_b_2 + t26*t514);
+        gradient[69] = LANES(adjoint_forward_t235 + adjoint_forward_t40*c_b_3 + t32*t515);
+        gradient[70] = LANES(adjoint_forward_t235 + adjoint_forward_t44*c_b_4 + t38*t516);
+        gradient[71] = LANES(adjoint_forward_t235 + adjoint_forward_t48*c_b_5 + t44*t517);
+        gradient[72] = LANES(adjoint_forward_t235 + adjoint_forward_t52*c_b_6 + t50*t518);
+        gradient[73] = LANES(adjoint_forward_t32*m_b_1 + 2.0*t24*t513);
+        gradient[74] = LANES(adjoint_forward_t36*m_b_2 + 2.0*t30*t514);
+        gradient[75] = LANES(adjoint_forward_t40*m_b_3 + 2.0*t36*t515);
+        gradient[76] = LANES(adjoint_forward_t44*m_b_4 + 2.0*t42*t516);
+        gradient[77] = LANES(adjoint_forward_t48*m_b_5 + 2.0*t48*t517);
+        gradient[78] = LANES(adjoint_forward_t52*m_b_6 + 2.0*t518*t54);
+        gradient[79] = LANES(t513);
+        gradient[80] = LANES(t514);
+        gradient[81] = LANES(t515);
+        gradient[82] = LANES(t516);
+        gradient[83] = LANES(t517);
+        gradient[84] = LANES(t518);
+        gradient[85] = LANES(-adjoint_forward_t32*c_r_1 + adjoint_m_perp_1*t23 - t411 + t458);
+        gradient[86] = LANES(-adjoint_forward_t36*c_r_2 + adjoint_m_perp_2*t29 - t409 + t456);
+        gradient[87] = LANES(-adjoint_forward_t40*c_r_3 + adjoint_m_perp_3*t35 - t407 + t454);
+        gradient[88] = LANES(-adjoint_forward_t44*c_r_4 + adjoint_m_perp_4*t41 - t405 + t452);
+        gradient[89] = LANES(-adjoint_forward_t48*c_r_5 + adjoint_m_perp_5*t47 - t403 + t450);
+        gradient[90] = LANES(-adjoint_forward_t52*c_r_6 + adjoint_m_perp_6*t53 - t401 + t447);
+        gradient[91] = LANES(-adjoint_forward_t32*m_r_1 - forward_11*m_r_1*t459);
+        gradient[92] = LANES(-adjoint_forward_t36*m_r_2 - forward_13*m_r_2*t457);
+        gradient[93] = LANES(-adjoint_forward_t40*m_r_3 - forward_15*m_r_3*t455);
+        gradient[94] = LANES(-adjoint_forward_t44*m_r_4 - forward_17*m_r_4*t453);
+        gradient[95] = LANES(-adjoint_forward_t48*m_r_5 - forward_19*m_r_5*t451);
+        gradient[96] = LANES(-adjoint_forward_t52*m_r_6 - forward_21*m_r_6*t449);
+        gradient[97] = LANES(t513);
+        gradient[98] = LANES(t514);
+        gradient[99] = LANES(t515);
+        gradient[100] = LANES(t516);
+        gradient[101] = LANES(t517);
+        gradient[102] = LANES(t518);
+        gradient[103] = LANES(-forward_23*t143);
+        gradient[104] = LANES(-forward_24*t141);
+        gradient[105] = LANES(-forward_25*t139);
+        gradient[106] = LANES(-forward_26*t137);
+        gradient[107] = LANES(-forward_27*t135);
+        gradient[108] = LANES(-forward_28*t133);
         gradient[109] = LANES(-2.0*adjoint_forward_23/(h_m_1*h_m_1*h_m_1));
         gradient[110] = LANES(-2.0*adjoint_forward_24/(h_m_2*h_m_2*h_m_2));
         gradient[111] = LANES(-2.0*adjoint_forward_25/(h_m_3*h_m_3*h_m_3));
@@ -10214,38 +10307,44 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
         gradient[119] = LANES(adjoint_k_5*k_l_5);
         gradient[120] = LANES(adjoint_k_6*k_l_6);
         gradient[121] =
-            LANES(D_p_x_1*adjoint_forward_t225 + D_p_x_2*adjoint_forward_t228 + D_p_x_3*adjoint_forward_t231
-            + D_p_x_4*adjoint_forward_t234 + D_p_x_5*adjoint_forward_t237 + D_p_y_1*adjoint_forward_t226
-            + D_p_y_2*adjoint_forward_t229 + D_p_y_3*adjoint_forward_t232 + D_p_y_4*adjoint_forward_t235
-            + D_p_y_5*adjoint_forward_t238 + D_p_z_1*adjoint_forward_t227 + D_p_z_2*adjoint_forward_t230
-            + D_p_z_3*adjoint_forward_t233 + D_p_z_4*adjoint_forward_t236 + D_p_z_5*adjoint_forward_t239
-            + t115*((D_p_x_6*D_p_x_6) + (D_p_y_6*D_p_y_6) + (D_p_z_6*D_p_z_6)) + t117*((D_p_x_5*D_p_x_5)
-            + (D_p_y_5*D_p_y_5) + (D_p_z_5*D_p_z_5)) + t119*((D_p_x_4*D_p_x_4) + (D_p_y_4*D_p_y_4)
-            + (D_p_z_4*D_p_z_4)) + t121*((D_p_x_3*D_p_x_3) + (D_p_y_3*D_p_y_3) + (D_p_z_3*D_p_z_3))
-            + t123*((D_p_x_2*D_p_x_2) + (D_p_y_2*D_p_y_2) + (D_p_z_2*D_p_z_2)) + t125*((D_p_x_1*D_p_x_1)
-            + (D_p_y_1*D_p_y_1) + (D_p_z_1*D_p_z_1)) + t189 + t191 + t193 + t282 + t308 + t334);
-        gradient[123] = LANES(-t128 - t130 - t132 - t134 - t136 - t138);
-        gradient[124] = LANES(adjoint_forward_t67);
-        gradient[125] = LANES(t127 + t129 + t131 + t133 + t135 + t137);
-        gradient[127] = LANES(adjoint_forward_t224);
-        gradient[128] =
+            LANES(D_p_x_1*adjoint_forward_t236 + D_p_x_2*adjoint_forward_t239 + D_p_x_3*adjoint_forward_t242
+            + D_p_x_4*adjoint_forward_t245 + D_p_x_5*adjoint_forward_t248 + D_p_y_1*adjoint_forward_t237
+            + D_p_y_2*adjoint_forward_t240 + D_p_y_3*adjoint_forward_t243 + D_p_y_4*adjoint_forward_t246
+            + D_p_y_5*adjoint_forward_t249 + D_p_z_1*adjoint_forward_t238 + D_p_z_2*adjoint_forward_t241
+            + D_p_z_3*adjoint_forward_t244 + D_p_z_4*adjoint_forward_t247 + D_p_z_5*adjoint_forward_t250
+            + t120*((D_p_x_6*D_p_x_6) + (D_p_y_6*D_p_y_6) + (D_p_z_6*D_p_z_6)) + t122*((D_p_x_5*D_p_x_5)
+            + (D_p_y_5*D_p_y_5) + (D_p_z_5*D_p_z_5)) + t124*((D_p_x_4*D_p_x_4) + (D_p_y_4*D_p_y_4)
+            + (D_p_z_4*D_p_z_4)) + t126*((D_p_x_3*D_p_x_3) + (D_p_y_3*D_p_y_3) + (D_p_z_3*D_p_z_3))
+            + t128*((D_p_x_2*D_p_x_2) + (D_p_y_2*D_p_y_2) + (D_p_z_2*D_p_z_2)) + t130*((D_p_x_1*D_p_x_1)
+            + (D_p_y_1*D_p_y_1) + (D_p_z_1*D_p_z_1)) + t194 + t196 + t198 + t287 + t313 + t339);
+        gradient[123] = LANES(-t133 - t135 - t137 - t139 - t141 - t143);
+        gradient[124] =
+            LANES(adjoint_M_p_y_rz*o_L_x + adjoint_forward_t184*o_L_z + adjoint_forward_t192*o_L_y
+            + (1.0/2.0)*adjoint_forward_t201 + adjoint_forward_t67 + adjoint_forward_t81*g_z
+            + adjoint_forward_t83*g_x + adjoint_forward_t85*g_y + o_L_y*t500 + o_L_z*t499);
+        gradient[125] = LANES(R_x_x*adjoint_o_L_x + R_y_x*adjoint_o_L_y + R_z_x*adjoint_o_L_z);
+        gradient[126] = LANES(R_x_y*adjoint_o_L_x + R_y_y*adjoint_o_L_y + R_z_y*adjoint_o_L_z);
+        gradient[127] = LANES(R_x_z*adjoint_o_L_x + R_y_z*adjoint_o_L_y + R_z_z*adjoint_o_L_z);
+        gradient[128] = LANES(t132 + t134 + t136 + t138 + t140 + t142);
+        gradient[130] = LANES(adjoint_forward_t235);
+        gradient[134] =
             LANES(adjoint_d_1_x + adjoint_d_2_x + adjoint_d_3_x + adjoint_d_4_x + adjoint_d_5_x
             + adjoint_d_6_x);
-        gradient[129] =
+        gradient[135] =
             LANES(adjoint_d_1_y + adjoint_d_2_y + adjoint_d_3_y + adjoint_d_4_y + adjoint_d_5_y
             + adjoint_d_6_y);
-        gradient[130] =
+        gradient[136] =
             LANES(adjoint_d_1_z + adjoint_d_2_z + adjoint_d_3_z + adjoint_d_4_z + adjoint_d_5_z
             + adjoint_d_6_z);
-        gradient[131] =
+        gradient[137] =
             LANES(2.0*adjoint_forward_t1*rot_x + adjoint_forward_t10*forward_t6
-            + adjoint_forward_t11*forward_t7 + forward_t6*t486 + forward_t6*t487);
-        gradient[132] =
+            + adjoint_forward_t11*forward_t7 + forward_t6*t494 + forward_t6*t495);
+        gradient[138] =
             LANES(adjoint_R_x_y*t1 + adjoint_R_y_x*forward_t10 + 2.0*adjoint_forward_t2*rot_y
-            + adjoint_forward_t9*forward_t7 + rot_z*t509 + rot_z*t510);
-        gradient[133] =
+            + adjoint_forward_t9*forward_t7 + rot_z*t519 + rot_z*t520);
+        gradient[139] =
             LANES(adjoint_R_x_z*forward_t10 + adjoint_R_z_x*t1 + 2.0*adjoint_forward_t3*rot_z
-            + adjoint_forward_t8*forward_t7 + rot_y*t509 + rot_y*t510);
+            + adjoint_forward_t8*forward_t7 + rot_y*t519 + rot_y*t520);
     }
 }
 
@@ -10258,7 +10357,7 @@ static void lanes_take(const struct lanes_paths *paths, int path, const lane *re
 /* Derivatives of the matrices and of the motion of the platform along a direction.
  *
  * Source: forward accumulation through extended.
- * 12032 operations; 218453546334 with every named value expanded.
+ * 12271 operations; 218584316598 with every named value expanded.
  */
 static __attribute__((noinline)) void lanes_extended_tangent(const lane *restrict pose,
     const double *restrict parameters, const double *restrict effects, int count,
@@ -10382,6 +10481,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double a_S_6 = effects[5];
     const double k_C = effects[6];
     const double m_L = effects[9];
+    const double b_L_x = effects[10];
+    const double b_L_y = effects[11];
+    const double b_L_z = effects[12];
     const lane forward_t1 = (rot_x*rot_x);
     const lane forward_t2 = (rot_y*rot_y);
     const lane forward_t3 = (rot_z*rot_z);
@@ -10577,6 +10679,9 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const double forward_t52 = t54 - t55;
     const lane forward_t53 = forward_21*forward_t52;
     const lane m_lift_6 = forward_t53 + m_r_6;
+    const lane o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z;
+    const lane o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z;
+    const lane o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z;
     const lane D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y;
     const lane D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x;
     const lane D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x;
@@ -10976,20 +11081,26 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const lane G_p_z =
         -forward_t67*g_z - forward_t74 - forward_t75 - forward_t76 - forward_t77 - forward_t78 - forward_t79;
     const double forward_t80 = g_z*m_p;
+    const double forward_t81 = g_z*m_L;
     const lane G_p_rx =
         -B_1_y*forward_t74 + B_1_z*g_y*m_lift_1 - B_2_y*forward_t75 + B_2_z*g_y*m_lift_2 - B_3_y*forward_t76
         + B_3_z*g_y*m_lift_3 - B_4_y*forward_t77 + B_4_z*g_y*m_lift_4 - B_5_y*forward_t78
-        + B_5_z*g_y*m_lift_5 - B_6_y*forward_t79 + B_6_z*g_y*m_lift_6 - c_y*forward_t80 + c_z*g_y*m_p;
-    const double forward_t81 = g_x*m_p;
+        + B_5_z*g_y*m_lift_5 - B_6_y*forward_t79 + B_6_z*g_y*m_lift_6 - c_y*forward_t80 + c_z*g_y*m_p
+        - forward_t81*o_L_y + g_y*m_L*o_L_z;
+    const double forward_t82 = g_x*m_p;
+    const double forward_t83 = g_x*m_L;
     const lane G_p_ry =
         B_1_x*forward_t74 - B_1_z*forward_t61 + B_2_x*forward_t75 - B_2_z*forward_t62 + B_3_x*forward_t76
         - B_3_z*forward_t63 + B_4_x*forward_t77 - B_4_z*forward_t64 + B_5_x*forward_t78 - B_5_z*forward_t65
-        + B_6_x*forward_t79 - B_6_z*forward_t66 + c_x*forward_t80 - c_z*forward_t81;
-    const double forward_t82 = g_y*m_p;
+        + B_6_x*forward_t79 - B_6_z*forward_t66 + c_x*forward_t80 - c_z*forward_t82 + forward_t81*o_L_x
+        - forward_t83*o_L_z;
+    const double forward_t84 = g_y*m_p;
+    const double forward_t85 = g_y*m_L;
     const lane G_p_rz =
         -B_1_x*forward_t68 + B_1_y*g_x*m_lift_1 - B_2_x*forward_t69 + B_2_y*g_x*m_lift_2 - B_3_x*forward_t70
         + B_3_y*g_x*m_lift_3 - B_4_x*forward_t71 + B_4_y*g_x*m_lift_4 - B_5_x*forward_t72
-        + B_5_y*g_x*m_lift_5 - B_6_x*forward_t73 + B_6_y*g_x*m_lift_6 - c_x*forward_t82 + c_y*g_x*m_p;
+        + B_5_y*g_x*m_lift_5 - B_6_x*forward_t73 + B_6_y*g_x*m_lift_6 - c_x*forward_t84 + c_y*g_x*m_p
+        - forward_t85*o_L_x + g_x*m_L*o_L_y;
     const lane t56 = A_rx_1*G_p_rx + A_ry_1*G_p_ry + A_rz_1*G_p_rz + A_x_1*G_p_x + A_y_1*G_p_y + A_z_1*G_p_z;
     const lane mu_1 = forward_22*t56;
     const lane t57 = A_rx_2*G_p_rx + A_ry_2*G_p_ry + A_rz_2*G_p_rz + A_x_2*G_p_x + A_y_2*G_p_y + A_z_2*G_p_z;
@@ -11020,346 +11131,364 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const lane g_9_x = -d_6_x*mu_6 - forward_t66;
     const lane g_9_y = -d_6_y*mu_6 - forward_t73;
     const lane g_9_z = -d_6_z*mu_6 - forward_t79;
-    const double g_10_x = -forward_t81;
-    const double g_10_y = -forward_t82;
+    const double g_10_x = -forward_t82;
+    const double g_10_y = -forward_t84;
     const double g_10_z = -forward_t80;
+    const double g_11_x = -forward_t83;
+    const double g_11_y = -forward_t85;
+    const double g_11_z = -forward_t81;
     const lane L_x_x = -mu_1 - mu_2 - mu_3 - mu_4 - mu_5 - mu_6;
-    const lane forward_t83 = B_1_z*mu_1;
-    const lane forward_t84 = B_2_z*mu_2;
-    const lane forward_t85 = B_3_z*mu_3;
-    const lane forward_t86 = B_4_z*mu_4;
-    const lane forward_t87 = B_5_z*mu_5;
-    const lane forward_t88 = B_6_z*mu_6;
-    const lane L_y_rx = forward_t83 + forward_t84 + forward_t85 + forward_t86 + forward_t87 + forward_t88;
+    const lane forward_t86 = B_1_z*mu_1;
+    const lane forward_t87 = B_2_z*mu_2;
+    const lane forward_t88 = B_3_z*mu_3;
+    const lane forward_t89 = B_4_z*mu_4;
+    const lane forward_t90 = B_5_z*mu_5;
+    const lane forward_t91 = B_6_z*mu_6;
+    const lane L_y_rx = forward_t86 + forward_t87 + forward_t88 + forward_t89 + forward_t90 + forward_t91;
     const lane L_x_ry = -L_y_rx;
-    const lane forward_t89 = B_5_y*mu_5;
-    const lane forward_t90 = B_6_y*mu_6;
-    const lane forward_t91 = B_1_y*mu_1;
     const lane forward_t92 = B_2_y*mu_2;
     const lane forward_t93 = B_3_y*mu_3;
     const lane forward_t94 = B_4_y*mu_4;
-    const lane L_x_rz = forward_t89 + forward_t90 + forward_t91 + forward_t92 + forward_t93 + forward_t94;
+    const lane forward_t95 = B_5_y*mu_5;
+    const lane forward_t96 = B_6_y*mu_6;
+    const lane forward_t97 = B_1_y*mu_1;
+    const lane L_x_rz = forward_t92 + forward_t93 + forward_t94 + forward_t95 + forward_t96 + forward_t97;
     const lane L_z_ry = B_1_x*mu_1 + B_2_x*mu_2 + B_3_x*mu_3 + B_4_x*mu_4 + B_5_x*mu_5 + B_6_x*mu_6;
     const lane L_y_rz = -L_z_ry;
     const lane L_z_rx = -L_x_rz;
-    const lane forward_t95 = (B_1_z*B_1_z);
-    const lane forward_t96 = (B_2_z*B_2_z);
-    const lane forward_t97 = (B_3_z*B_3_z);
-    const lane forward_t98 = (B_4_z*B_4_z);
-    const lane forward_t99 = (B_5_z*B_5_z);
-    const lane forward_t100 = (B_6_z*B_6_z);
-    const lane forward_t101 =
+    const lane forward_t98 = (B_1_z*B_1_z);
+    const lane forward_t99 = (B_2_z*B_2_z);
+    const lane forward_t100 = (B_3_z*B_3_z);
+    const lane forward_t101 = (B_4_z*B_4_z);
+    const lane forward_t102 = (B_5_z*B_5_z);
+    const lane forward_t103 = (B_6_z*B_6_z);
+    const lane forward_t104 =
         B_1_z*g_4_z + B_2_z*g_5_z + B_3_z*g_6_z + B_4_z*g_7_z + B_5_z*g_8_z + B_6_z*g_9_z + c_z*g_10_z
-        + forward_t100*mu_6 + forward_t95*mu_1 + forward_t96*mu_2 + forward_t97*mu_3 + forward_t98*mu_4
-        + forward_t99*mu_5;
-    const lane forward_t102 = (B_1_y*B_1_y);
-    const lane forward_t103 = (B_2_y*B_2_y);
-    const lane forward_t104 = (B_3_y*B_3_y);
-    const lane forward_t105 = (B_4_y*B_4_y);
-    const lane forward_t106 = (B_5_y*B_5_y);
-    const lane forward_t107 = (B_6_y*B_6_y);
-    const lane forward_t108 =
+        + forward_t100*mu_3 + forward_t101*mu_4 + forward_t102*mu_5 + forward_t103*mu_6 + forward_t98*mu_1
+        + forward_t99*mu_2 + g_11_z*o_L_z;
+    const lane forward_t105 = (B_1_y*B_1_y);
+    const lane forward_t106 = (B_2_y*B_2_y);
+    const lane forward_t107 = (B_3_y*B_3_y);
+    const lane forward_t108 = (B_4_y*B_4_y);
+    const lane forward_t109 = (B_5_y*B_5_y);
+    const lane forward_t110 = (B_6_y*B_6_y);
+    const lane forward_t111 =
         B_1_y*g_4_y + B_2_y*g_5_y + B_3_y*g_6_y + B_4_y*g_7_y + B_5_y*g_8_y + B_6_y*g_9_y + c_y*g_10_y
-        + forward_t102*mu_1 + forward_t103*mu_2 + forward_t104*mu_3 + forward_t105*mu_4 + forward_t106*mu_5
-        + forward_t107*mu_6;
-    const lane L_rx_rx = -forward_t101 - forward_t108;
-    const lane forward_t109 = (1.0/2.0)*B_1_x;
-    const lane forward_t110 = (1.0/2.0)*g_4_x;
-    const lane forward_t111 = (1.0/2.0)*B_2_x;
-    const lane forward_t112 = (1.0/2.0)*g_5_x;
-    const lane forward_t113 = (1.0/2.0)*B_3_x;
-    const lane forward_t114 = (1.0/2.0)*g_6_x;
-    const lane forward_t115 = (1.0/2.0)*B_4_x;
-    const lane forward_t116 = (1.0/2.0)*g_7_x;
-    const lane forward_t117 = (1.0/2.0)*B_5_x;
-    const lane forward_t118 = (1.0/2.0)*g_8_x;
-    const lane forward_t119 = (1.0/2.0)*B_6_x;
-    const lane forward_t120 = (1.0/2.0)*g_9_x;
-    const lane forward_t121 = (1.0/2.0)*c_x;
-    const double forward_t122 = (1.0/2.0)*g_10_x;
+        + forward_t105*mu_1 + forward_t106*mu_2 + forward_t107*mu_3 + forward_t108*mu_4 + forward_t109*mu_5
+        + forward_t110*mu_6 + g_11_y*o_L_y;
+    const lane L_rx_rx = -forward_t104 - forward_t111;
+    const lane forward_t112 = (1.0/2.0)*B_1_x;
+    const lane forward_t113 = (1.0/2.0)*g_4_x;
+    const lane forward_t114 = (1.0/2.0)*B_2_x;
+    const lane forward_t115 = (1.0/2.0)*g_5_x;
+    const lane forward_t116 = (1.0/2.0)*B_3_x;
+    const lane forward_t117 = (1.0/2.0)*g_6_x;
+    const lane forward_t118 = (1.0/2.0)*B_4_x;
+    const lane forward_t119 = (1.0/2.0)*g_7_x;
+    const lane forward_t120 = (1.0/2.0)*B_5_x;
+    const lane forward_t121 = (1.0/2.0)*g_8_x;
+    const lane forward_t122 = (1.0/2.0)*B_6_x;
+    const lane forward_t123 = (1.0/2.0)*g_9_x;
+    const lane forward_t124 = (1.0/2.0)*c_x;
+    const double forward_t125 = (1.0/2.0)*g_10_x;
+    const double forward_t126 = (1.0/2.0)*g_11_x;
+    const lane forward_t127 = (1.0/2.0)*o_L_x;
     const lane L_rx_ry =
-        B_1_x*forward_t91 + B_1_y*forward_t110 + B_2_x*forward_t92 + B_2_y*forward_t112 + B_3_x*forward_t93
-        + B_3_y*forward_t114 + B_4_x*forward_t94 + B_4_y*forward_t116 + B_5_x*forward_t89
-        + B_5_y*forward_t118 + B_6_x*forward_t90 + B_6_y*forward_t120 + c_y*forward_t122 + forward_t109*g_4_y
-        + forward_t111*g_5_y + forward_t113*g_6_y + forward_t115*g_7_y + forward_t117*g_8_y
-        + forward_t119*g_9_y + forward_t121*g_10_y;
+        B_1_x*forward_t97 + B_1_y*forward_t113 + B_2_x*forward_t92 + B_2_y*forward_t115 + B_3_x*forward_t93
+        + B_3_y*forward_t117 + B_4_x*forward_t94 + B_4_y*forward_t119 + B_5_x*forward_t95
+        + B_5_y*forward_t121 + B_6_x*forward_t96 + B_6_y*forward_t123 + c_y*forward_t125 + forward_t112*g_4_y
+        + forward_t114*g_5_y + forward_t116*g_6_y + forward_t118*g_7_y + forward_t120*g_8_y
+        + forward_t122*g_9_y + forward_t124*g_10_y + forward_t126*o_L_y + forward_t127*g_11_y;
     const lane L_rx_rz =
-        B_1_x*forward_t83 + B_1_z*forward_t110 + B_2_x*forward_t84 + B_2_z*forward_t112 + B_3_x*forward_t85
-        + B_3_z*forward_t114 + B_4_x*forward_t86 + B_4_z*forward_t116 + B_5_x*forward_t87
-        + B_5_z*forward_t118 + B_6_x*forward_t88 + B_6_z*forward_t120 + c_z*forward_t122 + forward_t109*g_4_z
-        + forward_t111*g_5_z + forward_t113*g_6_z + forward_t115*g_7_z + forward_t117*g_8_z
-        + forward_t119*g_9_z + forward_t121*g_10_z;
-    const lane forward_t123 = (B_1_x*B_1_x);
-    const lane forward_t124 = (B_2_x*B_2_x);
-    const lane forward_t125 = (B_3_x*B_3_x);
-    const lane forward_t126 = (B_4_x*B_4_x);
-    const lane forward_t127 = (B_5_x*B_5_x);
-    const lane forward_t128 = (B_6_x*B_6_x);
-    const lane forward_t129 =
+        B_1_x*forward_t86 + B_1_z*forward_t113 + B_2_x*forward_t87 + B_2_z*forward_t115 + B_3_x*forward_t88
+        + B_3_z*forward_t117 + B_4_x*forward_t89 + B_4_z*forward_t119 + B_5_x*forward_t90
+        + B_5_z*forward_t121 + B_6_x*forward_t91 + B_6_z*forward_t123 + c_z*forward_t125 + forward_t112*g_4_z
+        + forward_t114*g_5_z + forward_t116*g_6_z + forward_t118*g_7_z + forward_t120*g_8_z
+        + forward_t122*g_9_z + forward_t124*g_10_z + forward_t126*o_L_z + forward_t127*g_11_z;
+    const lane forward_t128 = (B_1_x*B_1_x);
+    const lane forward_t129 = (B_2_x*B_2_x);
+    const lane forward_t130 = (B_3_x*B_3_x);
+    const lane forward_t131 = (B_4_x*B_4_x);
+    const lane forward_t132 = (B_5_x*B_5_x);
+    const lane forward_t133 = (B_6_x*B_6_x);
+    const lane forward_t134 =
         B_1_x*g_4_x + B_2_x*g_5_x + B_3_x*g_6_x + B_4_x*g_7_x + B_5_x*g_8_x + B_6_x*g_9_x + c_x*g_10_x
-        + forward_t123*mu_1 + forward_t124*mu_2 + forward_t125*mu_3 + forward_t126*mu_4 + forward_t127*mu_5
-        + forward_t128*mu_6;
-    const lane L_ry_ry = -forward_t101 - forward_t129;
-    const lane t62 = (1.0/2.0)*g_6_z;
-    const lane t63 = (1.0/2.0)*B_3_z;
-    const lane t64 = (1.0/2.0)*g_7_z;
-    const lane t65 = (1.0/2.0)*B_4_z;
-    const lane t66 = (1.0/2.0)*g_8_z;
-    const lane t67 = (1.0/2.0)*B_5_z;
-    const lane t68 = (1.0/2.0)*g_9_z;
-    const lane t69 = (1.0/2.0)*B_6_z;
-    const lane t70 = (1.0/2.0)*c_y;
-    const lane t71 = (1.0/2.0)*c_z;
-    const lane t72 = (1.0/2.0)*g_4_z;
-    const lane t73 = (1.0/2.0)*B_1_z;
-    const lane t74 = (1.0/2.0)*g_5_z;
-    const lane t75 = (1.0/2.0)*B_2_z;
+        + forward_t128*mu_1 + forward_t129*mu_2 + forward_t130*mu_3 + forward_t131*mu_4 + forward_t132*mu_5
+        + forward_t133*mu_6 + g_11_x*o_L_x;
+    const lane L_ry_ry = -forward_t104 - forward_t134;
+    const lane t62 = (1.0/2.0)*g_5_z;
+    const lane t63 = (1.0/2.0)*B_2_z;
+    const lane t64 = (1.0/2.0)*g_6_z;
+    const lane t65 = (1.0/2.0)*B_3_z;
+    const lane t66 = (1.0/2.0)*g_7_z;
+    const lane t67 = (1.0/2.0)*B_4_z;
+    const lane t68 = (1.0/2.0)*g_8_z;
+    const lane t69 = (1.0/2.0)*B_5_z;
+    const lane t70 = (1.0/2.0)*g_9_z;
+    const lane t71 = (1.0/2.0)*B_6_z;
+    const lane t72 = (1.0/2.0)*c_y;
+    const lane t73 = (1.0/2.0)*c_z;
+    const double t74 = (1.0/2.0)*g_11_y;
+    const double t75 = (1.0/2.0)*g_11_z;
+    const lane t76 = (1.0/2.0)*g_4_z;
+    const lane t77 = (1.0/2.0)*B_1_z;
     const lane L_ry_rz =
-        B_1_y*forward_t83 + B_1_y*t72 + B_2_y*forward_t84 + B_2_y*t74 + B_3_y*forward_t85 + B_3_y*t62
-        + B_4_y*forward_t86 + B_4_y*t64 + B_5_y*forward_t87 + B_5_y*t66 + B_6_y*forward_t88 + B_6_y*t68
-        + g_10_y*t71 + g_10_z*t70 + g_4_y*t73 + g_5_y*t75 + g_6_y*t63 + g_7_y*t65 + g_8_y*t67 + g_9_y*t69;
-    const lane L_rz_rz = -forward_t108 - forward_t129;
-    const lane forward_t130 = forward_10*forward_t32;
-    const lane forward_t131 = forward_t130*g_x;
-    const lane f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + forward_t131;
-    const lane forward_t132 = forward_12*forward_t36;
-    const lane forward_t133 = forward_t132*g_x;
-    const lane f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + forward_t133;
-    const lane forward_t134 = forward_14*forward_t40;
-    const lane forward_t135 = forward_t134*g_x;
-    const lane f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + forward_t135;
-    const lane forward_t136 = forward_16*forward_t44;
-    const lane forward_t137 = forward_t136*g_x;
-    const lane f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + forward_t137;
-    const lane forward_t138 = forward_18*forward_t48;
-    const lane forward_t139 = forward_t138*g_x;
-    const lane f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + forward_t139;
-    const lane forward_t140 = forward_20*forward_t52;
-    const lane forward_t141 = forward_t140*g_x;
-    const lane f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + forward_t141;
-    const lane forward_t142 = forward_t130*g_y;
-    const lane f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + forward_t142;
-    const lane forward_t143 = forward_t132*g_y;
-    const lane f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + forward_t143;
-    const lane forward_t144 = forward_t134*g_y;
-    const lane f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + forward_t144;
-    const lane forward_t145 = forward_t136*g_y;
-    const lane f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + forward_t145;
-    const lane forward_t146 = forward_t138*g_y;
-    const lane f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + forward_t146;
-    const lane forward_t147 = forward_t140*g_y;
-    const lane f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + forward_t147;
-    const lane forward_t148 = forward_t130*g_z;
-    const lane f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + forward_t148;
-    const lane forward_t149 = forward_t132*g_z;
-    const lane f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + forward_t149;
-    const lane forward_t150 = forward_t134*g_z;
-    const lane f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + forward_t150;
-    const lane forward_t151 = forward_t136*g_z;
-    const lane f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + forward_t151;
-    const lane forward_t152 = forward_t138*g_z;
-    const lane f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + forward_t152;
-    const lane forward_t153 = forward_t140*g_z;
-    const lane f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + forward_t153;
-    const lane t76 = -B_1_y*g_z + B_1_z*g_y;
-    const lane forward_t154 = forward_t130*t76;
+        B_1_y*forward_t86 + B_1_y*t76 + B_2_y*forward_t87 + B_2_y*t62 + B_3_y*forward_t88 + B_3_y*t64
+        + B_4_y*forward_t89 + B_4_y*t66 + B_5_y*forward_t90 + B_5_y*t68 + B_6_y*forward_t91 + B_6_y*t70
+        + g_10_y*t73 + g_10_z*t72 + g_4_y*t77 + g_5_y*t63 + g_6_y*t65 + g_7_y*t67 + g_8_y*t69 + g_9_y*t71
+        + o_L_y*t75 + o_L_z*t74;
+    const lane L_rz_rz = -forward_t111 - forward_t134;
+    const lane forward_t135 = forward_10*forward_t32;
+    const lane forward_t136 = forward_t135*g_x;
+    const lane f_x_l_1 = D_p_ry_1*L_x_ry + D_p_rz_1*L_x_rz + D_p_x_1*L_x_x + forward_t136;
+    const lane forward_t137 = forward_12*forward_t36;
+    const lane forward_t138 = forward_t137*g_x;
+    const lane f_x_l_2 = D_p_ry_2*L_x_ry + D_p_rz_2*L_x_rz + D_p_x_2*L_x_x + forward_t138;
+    const lane forward_t139 = forward_14*forward_t40;
+    const lane forward_t140 = forward_t139*g_x;
+    const lane f_x_l_3 = D_p_ry_3*L_x_ry + D_p_rz_3*L_x_rz + D_p_x_3*L_x_x + forward_t140;
+    const lane forward_t141 = forward_16*forward_t44;
+    const lane forward_t142 = forward_t141*g_x;
+    const lane f_x_l_4 = D_p_ry_4*L_x_ry + D_p_rz_4*L_x_rz + D_p_x_4*L_x_x + forward_t142;
+    const lane forward_t143 = forward_18*forward_t48;
+    const lane forward_t144 = forward_t143*g_x;
+    const lane f_x_l_5 = D_p_ry_5*L_x_ry + D_p_rz_5*L_x_rz + D_p_x_5*L_x_x + forward_t144;
+    const lane forward_t145 = forward_20*forward_t52;
+    const lane forward_t146 = forward_t145*g_x;
+    const lane f_x_l_6 = D_p_ry_6*L_x_ry + D_p_rz_6*L_x_rz + D_p_x_6*L_x_x + forward_t146;
+    const lane forward_t147 = forward_t135*g_y;
+    const lane f_y_l_1 = D_p_rx_1*L_y_rx + D_p_rz_1*L_y_rz + D_p_y_1*L_x_x + forward_t147;
+    const lane forward_t148 = forward_t137*g_y;
+    const lane f_y_l_2 = D_p_rx_2*L_y_rx + D_p_rz_2*L_y_rz + D_p_y_2*L_x_x + forward_t148;
+    const lane forward_t149 = forward_t139*g_y;
+    const lane f_y_l_3 = D_p_rx_3*L_y_rx + D_p_rz_3*L_y_rz + D_p_y_3*L_x_x + forward_t149;
+    const lane forward_t150 = forward_t141*g_y;
+    const lane f_y_l_4 = D_p_rx_4*L_y_rx + D_p_rz_4*L_y_rz + D_p_y_4*L_x_x + forward_t150;
+    const lane forward_t151 = forward_t143*g_y;
+    const lane f_y_l_5 = D_p_rx_5*L_y_rx + D_p_rz_5*L_y_rz + D_p_y_5*L_x_x + forward_t151;
+    const lane forward_t152 = forward_t145*g_y;
+    const lane f_y_l_6 = D_p_rx_6*L_y_rx + D_p_rz_6*L_y_rz + D_p_y_6*L_x_x + forward_t152;
+    const lane forward_t153 = forward_t135*g_z;
+    const lane f_z_l_1 = D_p_rx_1*L_z_rx + D_p_ry_1*L_z_ry + D_p_z_1*L_x_x + forward_t153;
+    const lane forward_t154 = forward_t137*g_z;
+    const lane f_z_l_2 = D_p_rx_2*L_z_rx + D_p_ry_2*L_z_ry + D_p_z_2*L_x_x + forward_t154;
+    const lane forward_t155 = forward_t139*g_z;
+    const lane f_z_l_3 = D_p_rx_3*L_z_rx + D_p_ry_3*L_z_ry + D_p_z_3*L_x_x + forward_t155;
+    const lane forward_t156 = forward_t141*g_z;
+    const lane f_z_l_4 = D_p_rx_4*L_z_rx + D_p_ry_4*L_z_ry + D_p_z_4*L_x_x + forward_t156;
+    const lane forward_t157 = forward_t143*g_z;
+    const lane f_z_l_5 = D_p_rx_5*L_z_rx + D_p_ry_5*L_z_ry + D_p_z_5*L_x_x + forward_t157;
+    const lane forward_t158 = forward_t145*g_z;
+    const lane f_z_l_6 = D_p_rx_6*L_z_rx + D_p_ry_6*L_z_ry + D_p_z_6*L_x_x + forward_t158;
+    const lane t78 = -B_1_y*g_z + B_1_z*g_y;
+    const lane forward_t159 = forward_t135*t78;
     const lane f_rx_l_1 =
         D_p_rx_1*L_rx_rx + D_p_ry_1*L_rx_ry + D_p_rz_1*L_rx_rz + D_p_y_1*L_y_rx + D_p_z_1*L_z_rx
-        - forward_t154;
-    const lane t77 = -B_2_y*g_z + B_2_z*g_y;
-    const lane forward_t155 = forward_t132*t77;
+        - forward_t159;
+    const lane t79 = -B_2_y*g_z + B_2_z*g_y;
+    const lane forward_t160 = forward_t137*t79;
     const lane f_rx_l_2 =
         D_p_rx_2*L_rx_rx + D_p_ry_2*L_rx_ry + D_p_rz_2*L_rx_rz + D_p_y_2*L_y_rx + D_p_z_2*L_z_rx
-        - forward_t155;
-    const lane t78 = -B_3_y*g_z + B_3_z*g_y;
-    const lane forward_t156 = forward_t134*t78;
+        - forward_t160;
+    const lane t80 = -B_3_y*g_z + B_3_z*g_y;
+    const lane forward_t161 = forward_t139*t80;
     const lane f_rx_l_3 =
         D_p_rx_3*L_rx_rx + D_p_ry_3*L_rx_ry + D_p_rz_3*L_rx_rz + D_p_y_3*L_y_rx + D_p_z_3*L_z_rx
-        - forward_t156;
-    const lane t79 = -B_4_y*g_z + B_4_z*g_y;
-    const lane forward_t157 = forward_t136*t79;
+        - forward_t161;
+    const lane t81 = -B_4_y*g_z + B_4_z*g_y;
+    const lane forward_t162 = forward_t141*t81;
     const lane f_rx_l_4 =
         D_p_rx_4*L_rx_rx + D_p_ry_4*L_rx_ry + D_p_rz_4*L_rx_rz + D_p_y_4*L_y_rx + D_p_z_4*L_z_rx
-        - forward_t157;
-    const lane t80 = -B_5_y*g_z + B_5_z*g_y;
-    const lane forward_t158 = forward_t138*t80;
+        - forward_t162;
+    const lane t82 = -B_5_y*g_z + B_5_z*g_y;
+    const lane forward_t163 = forward_t143*t82;
     const lane f_rx_l_5 =
         D_p_rx_5*L_rx_rx + D_p_ry_5*L_rx_ry + D_p_rz_5*L_rx_rz + D_p_y_5*L_y_rx + D_p_z_5*L_z_rx
-        - forward_t158;
-    const lane t81 = -B_6_y*g_z + B_6_z*g_y;
-    const lane forward_t159 = forward_t140*t81;
+        - forward_t163;
+    const lane t83 = -B_6_y*g_z + B_6_z*g_y;
+    const lane forward_t164 = forward_t145*t83;
     const lane f_rx_l_6 =
         D_p_rx_6*L_rx_rx + D_p_ry_6*L_rx_ry + D_p_rz_6*L_rx_rz + D_p_y_6*L_y_rx + D_p_z_6*L_z_rx
-        - forward_t159;
-    const lane t82 = B_1_x*g_z - B_1_z*g_x;
-    const lane forward_t160 = forward_t130*t82;
+        - forward_t164;
+    const lane t84 = B_1_x*g_z - B_1_z*g_x;
+    const lane forward_t165 = forward_t135*t84;
     const lane f_ry_l_1 =
         D_p_rx_1*L_rx_ry + D_p_ry_1*L_ry_ry + D_p_rz_1*L_ry_rz + D_p_x_1*L_x_ry + D_p_z_1*L_z_ry
-        - forward_t160;
-    const lane t83 = B_2_x*g_z - B_2_z*g_x;
-    const lane forward_t161 = forward_t132*t83;
+        - forward_t165;
+    const lane t85 = B_2_x*g_z - B_2_z*g_x;
+    const lane forward_t166 = forward_t137*t85;
     const lane f_ry_l_2 =
         D_p_rx_2*L_rx_ry + D_p_ry_2*L_ry_ry + D_p_rz_2*L_ry_rz + D_p_x_2*L_x_ry + D_p_z_2*L_z_ry
-        - forward_t161;
-    const lane t84 = B_3_x*g_z - B_3_z*g_x;
-    const lane forward_t162 = forward_t134*t84;
+        - forward_t166;
+    const lane t86 = B_3_x*g_z - B_3_z*g_x;
+    const lane forward_t167 = forward_t139*t86;
     const lane f_ry_l_3 =
         D_p_rx_3*L_rx_ry + D_p_ry_3*L_ry_ry + D_p_rz_3*L_ry_rz + D_p_x_3*L_x_ry + D_p_z_3*L_z_ry
-        - forward_t162;
-    const lane t85 = B_4_x*g_z - B_4_z*g_x;
-    const lane forward_t163 = forward_t136*t85;
+        - forward_t167;
+    const lane t87 = B_4_x*g_z - B_4_z*g_x;
+    const lane forward_t168 = forward_t141*t87;
     const lane f_ry_l_4 =
         D_p_rx_4*L_rx_ry + D_p_ry_4*L_ry_ry + D_p_rz_4*L_ry_rz + D_p_x_4*L_x_ry + D_p_z_4*L_z_ry
-        - forward_t163;
-    const lane t86 = B_5_x*g_z - B_5_z*g_x;
-    const lane forward_t164 = forward_t138*t86;
+        - forward_t168;
+    const lane t88 = B_5_x*g_z - B_5_z*g_x;
+    const lane forward_t169 = forward_t143*t88;
     const lane f_ry_l_5 =
         D_p_rx_5*L_rx_ry + D_p_ry_5*L_ry_ry + D_p_rz_5*L_ry_rz + D_p_x_5*L_x_ry + D_p_z_5*L_z_ry
-        - forward_t164;
-    const lane t87 = B_6_x*g_z - B_6_z*g_x;
-    const lane forward_t165 = forward_t140*t87;
+        - forward_t169;
+    const lane t89 = B_6_x*g_z - B_6_z*g_x;
+    const lane forward_t170 = forward_t145*t89;
     const lane f_ry_l_6 =
         D_p_rx_6*L_rx_ry + D_p_ry_6*L_ry_ry + D_p_rz_6*L_ry_rz + D_p_x_6*L_x_ry + D_p_z_6*L_z_ry
-        - forward_t165;
-    const lane t88 = -B_1_x*g_y + B_1_y*g_x;
-    const lane forward_t166 = forward_t130*t88;
+        - forward_t170;
+    const lane t90 = -B_1_x*g_y + B_1_y*g_x;
+    const lane forward_t171 = forward_t135*t90;
     const lane f_rz_l_1 =
         D_p_rx_1*L_rx_rz + D_p_ry_1*L_ry_rz + D_p_rz_1*L_rz_rz + D_p_x_1*L_x_rz + D_p_y_1*L_y_rz
-        - forward_t166;
-    const lane t89 = -B_2_x*g_y + B_2_y*g_x;
-    const lane forward_t167 = forward_t132*t89;
+        - forward_t171;
+    const lane t91 = -B_2_x*g_y + B_2_y*g_x;
+    const lane forward_t172 = forward_t137*t91;
     const lane f_rz_l_2 =
         D_p_rx_2*L_rx_rz + D_p_ry_2*L_ry_rz + D_p_rz_2*L_rz_rz + D_p_x_2*L_x_rz + D_p_y_2*L_y_rz
-        - forward_t167;
-    const lane t90 = -B_3_x*g_y + B_3_y*g_x;
-    const lane forward_t168 = forward_t134*t90;
+        - forward_t172;
+    const lane t92 = -B_3_x*g_y + B_3_y*g_x;
+    const lane forward_t173 = forward_t139*t92;
     const lane f_rz_l_3 =
         D_p_rx_3*L_rx_rz + D_p_ry_3*L_ry_rz + D_p_rz_3*L_rz_rz + D_p_x_3*L_x_rz + D_p_y_3*L_y_rz
-        - forward_t168;
-    const lane t91 = -B_4_x*g_y + B_4_y*g_x;
-    const lane forward_t169 = forward_t136*t91;
+        - forward_t173;
+    const lane t93 = -B_4_x*g_y + B_4_y*g_x;
+    const lane forward_t174 = forward_t141*t93;
     const lane f_rz_l_4 =
         D_p_rx_4*L_rx_rz + D_p_ry_4*L_ry_rz + D_p_rz_4*L_rz_rz + D_p_x_4*L_x_rz + D_p_y_4*L_y_rz
-        - forward_t169;
-    const lane t92 = -B_5_x*g_y + B_5_y*g_x;
-    const lane forward_t170 = forward_t138*t92;
+        - forward_t174;
+    const lane t94 = -B_5_x*g_y + B_5_y*g_x;
+    const lane forward_t175 = forward_t143*t94;
     const lane f_rz_l_5 =
         D_p_rx_5*L_rx_rz + D_p_ry_5*L_ry_rz + D_p_rz_5*L_rz_rz + D_p_x_5*L_x_rz + D_p_y_5*L_y_rz
-        - forward_t170;
-    const lane t93 = -B_6_x*g_y + B_6_y*g_x;
-    const lane forward_t171 = forward_t140*t93;
+        - forward_t175;
+    const lane t95 = -B_6_x*g_y + B_6_y*g_x;
+    const lane forward_t176 = forward_t145*t95;
     const lane f_rz_l_6 =
         D_p_rx_6*L_rx_rz + D_p_ry_6*L_ry_rz + D_p_rz_6*L_rz_rz + D_p_x_6*L_x_rz + D_p_y_6*L_y_rz
-        - forward_t171;
+        - forward_t176;
     const lane M_p_x_x = forward_t67 + m_perp_1 + m_perp_2 + m_perp_3 + m_perp_4 + m_perp_5 + m_perp_6;
-    const lane forward_t172 = B_1_z*m_perp_1;
-    const lane forward_t173 = B_2_z*m_perp_2;
-    const lane forward_t174 = B_3_z*m_perp_3;
-    const lane forward_t175 = B_4_z*m_perp_4;
-    const lane forward_t176 = B_5_z*m_perp_5;
-    const lane forward_t177 = B_6_z*m_perp_6;
-    const lane forward_t178 = c_z*m_p;
+    const lane forward_t177 = B_1_z*m_perp_1;
+    const lane forward_t178 = B_2_z*m_perp_2;
+    const lane forward_t179 = B_3_z*m_perp_3;
+    const lane forward_t180 = B_4_z*m_perp_4;
+    const lane forward_t181 = B_5_z*m_perp_5;
+    const lane forward_t182 = B_6_z*m_perp_6;
+    const lane forward_t183 = c_z*m_p;
+    const lane forward_t184 = m_L*o_L_z;
     const lane M_p_x_ry =
-        forward_t172 + forward_t173 + forward_t174 + forward_t175 + forward_t176 + forward_t177
-        + forward_t178;
-    const lane forward_t179 = B_1_y*m_perp_1;
-    const lane forward_t180 = B_2_y*m_perp_2;
-    const lane forward_t181 = B_3_y*m_perp_3;
-    const lane forward_t182 = B_4_y*m_perp_4;
-    const lane forward_t183 = B_5_y*m_perp_5;
-    const lane forward_t184 = B_6_y*m_perp_6;
-    const lane forward_t185 = c_y*m_p;
+        forward_t177 + forward_t178 + forward_t179 + forward_t180 + forward_t181 + forward_t182
+        + forward_t183 + forward_t184;
+    const lane forward_t185 = B_1_y*m_perp_1;
+    const lane forward_t186 = B_2_y*m_perp_2;
+    const lane forward_t187 = B_3_y*m_perp_3;
+    const lane forward_t188 = B_4_y*m_perp_4;
+    const lane forward_t189 = B_5_y*m_perp_5;
+    const lane forward_t190 = B_6_y*m_perp_6;
+    const lane forward_t191 = c_y*m_p;
+    const lane forward_t192 = m_L*o_L_y;
     const lane M_p_z_rx =
-        forward_t179 + forward_t180 + forward_t181 + forward_t182 + forward_t183 + forward_t184
-        + forward_t185;
+        forward_t185 + forward_t186 + forward_t187 + forward_t188 + forward_t189 + forward_t190
+        + forward_t191 + forward_t192;
     const lane M_p_x_rz = -M_p_z_rx;
     const lane M_p_y_rx = -M_p_x_ry;
-    const lane forward_t186 = B_1_x*m_perp_1;
-    const lane forward_t187 = B_2_x*m_perp_2;
-    const lane forward_t188 = B_3_x*m_perp_3;
-    const lane forward_t189 = B_4_x*m_perp_4;
-    const lane forward_t190 = B_5_x*m_perp_5;
-    const lane forward_t191 = B_6_x*m_perp_6;
+    const lane forward_t193 = B_1_x*m_perp_1;
+    const lane forward_t194 = B_2_x*m_perp_2;
+    const lane forward_t195 = B_3_x*m_perp_3;
+    const lane forward_t196 = B_4_x*m_perp_4;
+    const lane forward_t197 = B_5_x*m_perp_5;
+    const lane forward_t198 = B_6_x*m_perp_6;
     const lane M_p_y_rz =
-        c_x*m_p + forward_t186 + forward_t187 + forward_t188 + forward_t189 + forward_t190 + forward_t191;
+        c_x*m_p + forward_t193 + forward_t194 + forward_t195 + forward_t196 + forward_t197 + forward_t198
+        + m_L*o_L_x;
     const lane M_p_z_ry = -M_p_y_rz;
-    const lane forward_t192 = 2.0*(c_y*c_y);
-    const lane forward_t193 = 2.0*(c_z*c_z);
-    const double forward_t194 = (1.0/2.0)*m_p;
-    const lane forward_t195 = 2.0*forward_t102;
-    const lane forward_t196 = 2.0*forward_t95;
-    const lane forward_t197 = (1.0/2.0)*m_perp_1;
-    const lane forward_t198 = 2.0*forward_t103;
-    const lane forward_t199 = 2.0*forward_t96;
-    const lane forward_t200 = (1.0/2.0)*m_perp_2;
-    const lane forward_t201 = 2.0*forward_t104;
-    const lane forward_t202 = 2.0*forward_t97;
-    const lane forward_t203 = (1.0/2.0)*m_perp_3;
-    const lane forward_t204 = 2.0*forward_t105;
-    const lane forward_t205 = 2.0*forward_t98;
-    const lane forward_t206 = (1.0/2.0)*m_perp_4;
-    const lane forward_t207 = 2.0*forward_t106;
-    const lane forward_t208 = 2.0*forward_t99;
-    const lane forward_t209 = (1.0/2.0)*m_perp_5;
-    const lane forward_t210 = 2.0*forward_t107;
-    const lane forward_t211 = 2.0*forward_t100;
-    const lane forward_t212 = (1.0/2.0)*m_perp_6;
-    const lane t94 = forward_t192 + forward_t193;
-    const lane t95 = forward_t195 + forward_t196;
-    const lane t96 = forward_t198 + forward_t199;
-    const lane t97 = forward_t201 + forward_t202;
-    const lane t98 = forward_t204 + forward_t205;
-    const lane t99 = forward_t207 + forward_t208;
-    const lane t100 = forward_t210 + forward_t211;
+    const lane forward_t199 = 2.0*(o_L_y*o_L_y);
+    const lane forward_t200 = 2.0*(o_L_z*o_L_z);
+    const double forward_t201 = (1.0/2.0)*m_L;
+    const lane forward_t202 = 2.0*(c_y*c_y);
+    const lane forward_t203 = 2.0*(c_z*c_z);
+    const double forward_t204 = (1.0/2.0)*m_p;
+    const lane forward_t205 = 2.0*forward_t105;
+    const lane forward_t206 = 2.0*forward_t98;
+    const lane forward_t207 = (1.0/2.0)*m_perp_1;
+    const lane forward_t208 = 2.0*forward_t106;
+    const lane forward_t209 = 2.0*forward_t99;
+    const lane forward_t210 = (1.0/2.0)*m_perp_2;
+    const lane forward_t211 = 2.0*forward_t107;
+    const lane forward_t212 = 2.0*forward_t100;
+    const lane forward_t213 = (1.0/2.0)*m_perp_3;
+    const lane forward_t214 = 2.0*forward_t108;
+    const lane forward_t215 = 2.0*forward_t101;
+    const lane forward_t216 = (1.0/2.0)*m_perp_4;
+    const lane forward_t217 = 2.0*forward_t109;
+    const lane forward_t218 = 2.0*forward_t102;
+    const lane forward_t219 = (1.0/2.0)*m_perp_5;
+    const lane forward_t220 = 2.0*forward_t110;
+    const lane forward_t221 = 2.0*forward_t103;
+    const lane forward_t222 = (1.0/2.0)*m_perp_6;
+    const lane t96 = forward_t199 + forward_t200;
+    const lane t97 = forward_t202 + forward_t203;
+    const lane t98 = forward_t205 + forward_t206;
+    const lane t99 = forward_t208 + forward_t209;
+    const lane t100 = forward_t211 + forward_t212;
+    const lane t101 = forward_t214 + forward_t215;
+    const lane t102 = forward_t217 + forward_t218;
+    const lane t103 = forward_t220 + forward_t221;
     const lane M_p_rx_rx =
-        J_x_x + forward_t194*t94 + forward_t197*t95 + forward_t200*t96 + forward_t203*t97 + forward_t206*t98
-        + forward_t209*t99 + forward_t212*t100;
+        J_x_x + forward_t201*t96 + forward_t204*t97 + forward_t207*t98 + forward_t210*t99 + forward_t213*t100
+        + forward_t216*t101 + forward_t219*t102 + forward_t222*t103;
     const lane M_p_rx_ry =
-        -B_1_x*forward_t179 - B_2_x*forward_t180 - B_3_x*forward_t181 - B_4_x*forward_t182
-        - B_5_x*forward_t183 - B_6_x*forward_t184 + J_x_y - c_x*forward_t185;
+        -B_1_x*forward_t185 - B_2_x*forward_t186 - B_3_x*forward_t187 - B_4_x*forward_t188
+        - B_5_x*forward_t189 - B_6_x*forward_t190 + J_x_y - c_x*forward_t191 - forward_t192*o_L_x;
     const lane M_p_rx_rz =
-        -B_1_x*forward_t172 - B_2_x*forward_t173 - B_3_x*forward_t174 - B_4_x*forward_t175
-        - B_5_x*forward_t176 - B_6_x*forward_t177 + J_x_z - c_x*forward_t178;
-    const lane forward_t213 = 2.0*(c_x*c_x);
-    const lane forward_t214 = 2.0*forward_t123;
-    const lane forward_t215 = 2.0*forward_t124;
-    const lane forward_t216 = 2.0*forward_t125;
-    const lane forward_t217 = 2.0*forward_t126;
-    const lane forward_t218 = 2.0*forward_t127;
-    const lane forward_t219 = 2.0*forward_t128;
-    const lane t101 = forward_t193 + forward_t213;
-    const lane t102 = forward_t196 + forward_t214;
-    const lane t103 = forward_t199 + forward_t215;
-    const lane t104 = forward_t202 + forward_t216;
-    const lane t105 = forward_t205 + forward_t217;
-    const lane t106 = forward_t208 + forward_t218;
-    const lane t107 = forward_t211 + forward_t219;
+        -B_1_x*forward_t177 - B_2_x*forward_t178 - B_3_x*forward_t179 - B_4_x*forward_t180
+        - B_5_x*forward_t181 - B_6_x*forward_t182 + J_x_z - c_x*forward_t183 - forward_t184*o_L_x;
+    const lane forward_t223 = 2.0*(o_L_x*o_L_x);
+    const lane forward_t224 = 2.0*(c_x*c_x);
+    const lane forward_t225 = 2.0*forward_t128;
+    const lane forward_t226 = 2.0*forward_t129;
+    const lane forward_t227 = 2.0*forward_t130;
+    const lane forward_t228 = 2.0*forward_t131;
+    const lane forward_t229 = 2.0*forward_t132;
+    const lane forward_t230 = 2.0*forward_t133;
+    const lane t104 = forward_t200 + forward_t223;
+    const lane t105 = forward_t203 + forward_t224;
+    const lane t106 = forward_t206 + forward_t225;
+    const lane t107 = forward_t209 + forward_t226;
+    const lane t108 = forward_t212 + forward_t227;
+    const lane t109 = forward_t215 + forward_t228;
+    const lane t110 = forward_t218 + forward_t229;
+    const lane t111 = forward_t221 + forward_t230;
     const lane M_p_ry_ry =
-        J_y_y + forward_t194*t101 + forward_t197*t102 + forward_t200*t103 + forward_t203*t104
-        + forward_t206*t105 + forward_t209*t106 + forward_t212*t107;
+        J_y_y + forward_t201*t104 + forward_t204*t105 + forward_t207*t106 + forward_t210*t107
+        + forward_t213*t108 + forward_t216*t109 + forward_t219*t110 + forward_t222*t111;
     const lane M_p_ry_rz =
-        -B_1_y*forward_t172 - B_2_y*forward_t173 - B_3_y*forward_t174 - B_4_y*forward_t175
-        - B_5_y*forward_t176 - B_6_y*forward_t177 + J_y_z - c_y*forward_t178;
-    const lane t108 = forward_t192 + forward_t213;
-    const lane t109 = forward_t195 + forward_t214;
-    const lane t110 = forward_t198 + forward_t215;
-    const lane t111 = forward_t201 + forward_t216;
-    const lane t112 = forward_t204 + forward_t217;
-    const lane t113 = forward_t207 + forward_t218;
-    const lane t114 = forward_t210 + forward_t219;
+        -B_1_y*forward_t177 - B_2_y*forward_t178 - B_3_y*forward_t179 - B_4_y*forward_t180
+        - B_5_y*forward_t181 - B_6_y*forward_t182 + J_y_z - c_y*forward_t183 - forward_t184*o_L_y;
+    const lane t112 = forward_t199 + forward_t223;
+    const lane t113 = forward_t202 + forward_t224;
+    const lane t114 = forward_t205 + forward_t225;
+    const lane t115 = forward_t208 + forward_t226;
+    const lane t116 = forward_t211 + forward_t227;
+    const lane t117 = forward_t214 + forward_t228;
+    const lane t118 = forward_t217 + forward_t229;
+    const lane t119 = forward_t220 + forward_t230;
     const lane M_p_rz_rz =
-        J_z_z + forward_t194*t108 + forward_t197*t109 + forward_t200*t110 + forward_t203*t111
-        + forward_t206*t112 + forward_t209*t113 + forward_t212*t114;
+        J_z_z + forward_t201*t112 + forward_t204*t113 + forward_t207*t114 + forward_t210*t115
+        + forward_t213*t116 + forward_t216*t117 + forward_t219*t118 + forward_t222*t119;
     const lane h_x_l_1 = D_p_ry_1*M_p_x_ry + D_p_rz_1*M_p_x_rz + D_p_x_1*M_p_x_x;
     const lane h_x_l_2 = D_p_ry_2*M_p_x_ry + D_p_rz_2*M_p_x_rz + D_p_x_2*M_p_x_x;
     const lane h_x_l_3 = D_p_ry_3*M_p_x_ry + D_p_rz_3*M_p_x_rz + D_p_x_3*M_p_x_x;
     const lane h_x_l_4 = D_p_ry_4*M_p_x_ry + D_p_rz_4*M_p_x_rz + D_p_x_4*M_p_x_x;
     const lane h_x_l_5 = D_p_ry_5*M_p_x_ry + D_p_rz_5*M_p_x_rz + D_p_x_5*M_p_x_x;
     const lane h_x_l_6 = D_p_ry_6*M_p_x_ry + D_p_rz_6*M_p_x_rz + D_p_x_6*M_p_x_x;
-    const lane forward_t220 =
+    const lane forward_t231 =
         m_lift_1 + m_lift_2 + m_lift_3 + m_lift_4 + m_lift_5 + m_lift_6 - m_perp_1 - m_perp_2 - m_perp_3
         - m_perp_4 - m_perp_5 - m_perp_6;
-    const lane h_x_u_x = M_p_x_x + forward_t220;
+    const lane h_x_u_x = M_p_x_x + forward_t231;
     const lane h_y_l_1 = D_p_rx_1*M_p_y_rx + D_p_rz_1*M_p_y_rz + D_p_y_1*M_p_x_x;
     const lane h_y_l_2 = D_p_rx_2*M_p_y_rx + D_p_rz_2*M_p_y_rz + D_p_y_2*M_p_x_x;
     const lane h_y_l_3 = D_p_rx_3*M_p_y_rx + D_p_rz_3*M_p_y_rz + D_p_y_3*M_p_x_x;
@@ -11384,16 +11513,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         D_p_rx_5*M_p_rx_rx + D_p_ry_5*M_p_rx_ry + D_p_rz_5*M_p_rx_rz + D_p_y_5*M_p_y_rx + D_p_z_5*M_p_z_rx;
     const lane h_rx_l_6 =
         D_p_rx_6*M_p_rx_rx + D_p_ry_6*M_p_rx_ry + D_p_rz_6*M_p_rx_rz + D_p_y_6*M_p_y_rx + D_p_z_6*M_p_z_rx;
-    const lane forward_t221 =
+    const lane forward_t232 =
         B_1_z*forward_t33 + B_1_z*m_r_1 + B_2_z*forward_t37 + B_2_z*m_r_2 + B_3_z*forward_t41 + B_3_z*m_r_3
         + B_4_z*forward_t45 + B_4_z*m_r_4 + B_5_z*forward_t49 + B_5_z*m_r_5 + B_6_z*forward_t53 + B_6_z*m_r_6
-        - forward_t172 - forward_t173 - forward_t174 - forward_t175 - forward_t176 - forward_t177;
-    const lane h_rx_u_y = M_p_y_rx - forward_t221;
-    const lane forward_t222 =
+        - forward_t177 - forward_t178 - forward_t179 - forward_t180 - forward_t181 - forward_t182;
+    const lane h_rx_u_y = M_p_y_rx - forward_t232;
+    const lane forward_t233 =
         B_1_y*forward_t33 + B_1_y*m_r_1 + B_2_y*forward_t37 + B_2_y*m_r_2 + B_3_y*forward_t41 + B_3_y*m_r_3
         + B_4_y*forward_t45 + B_4_y*m_r_4 + B_5_y*forward_t49 + B_5_y*m_r_5 + B_6_y*forward_t53 + B_6_y*m_r_6
-        - forward_t179 - forward_t180 - forward_t181 - forward_t182 - forward_t183 - forward_t184;
-    const lane h_rx_u_z = M_p_z_rx + forward_t222;
+        - forward_t185 - forward_t186 - forward_t187 - forward_t188 - forward_t189 - forward_t190;
+    const lane h_rx_u_z = M_p_z_rx + forward_t233;
     const lane h_ry_l_1 =
         D_p_rx_1*M_p_rx_ry + D_p_ry_1*M_p_ry_ry + D_p_rz_1*M_p_ry_rz + D_p_x_1*M_p_x_ry + D_p_z_1*M_p_z_ry;
     const lane h_ry_l_2 =
@@ -11406,12 +11535,12 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         D_p_rx_5*M_p_rx_ry + D_p_ry_5*M_p_ry_ry + D_p_rz_5*M_p_ry_rz + D_p_x_5*M_p_x_ry + D_p_z_5*M_p_z_ry;
     const lane h_ry_l_6 =
         D_p_rx_6*M_p_rx_ry + D_p_ry_6*M_p_ry_ry + D_p_rz_6*M_p_ry_rz + D_p_x_6*M_p_x_ry + D_p_z_6*M_p_z_ry;
-    const lane h_ry_u_x = M_p_x_ry + forward_t221;
-    const lane forward_t223 =
+    const lane h_ry_u_x = M_p_x_ry + forward_t232;
+    const lane forward_t234 =
         B_1_x*forward_t33 + B_1_x*m_r_1 + B_2_x*forward_t37 + B_2_x*m_r_2 + B_3_x*forward_t41 + B_3_x*m_r_3
         + B_4_x*forward_t45 + B_4_x*m_r_4 + B_5_x*forward_t49 + B_5_x*m_r_5 + B_6_x*forward_t53 + B_6_x*m_r_6
-        - forward_t186 - forward_t187 - forward_t188 - forward_t189 - forward_t190 - forward_t191;
-    const lane h_ry_u_z = M_p_z_ry - forward_t223;
+        - forward_t193 - forward_t194 - forward_t195 - forward_t196 - forward_t197 - forward_t198;
+    const lane h_ry_u_z = M_p_z_ry - forward_t234;
     const lane h_rz_l_1 =
         D_p_rx_1*M_p_rx_rz + D_p_ry_1*M_p_ry_rz + D_p_rz_1*M_p_rz_rz + D_p_x_1*M_p_x_rz + D_p_y_1*M_p_y_rz;
     const lane h_rz_l_2 =
@@ -11424,23 +11553,23 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         D_p_rx_5*M_p_rx_rz + D_p_ry_5*M_p_ry_rz + D_p_rz_5*M_p_rz_rz + D_p_x_5*M_p_x_rz + D_p_y_5*M_p_y_rz;
     const lane h_rz_l_6 =
         D_p_rx_6*M_p_rx_rz + D_p_ry_6*M_p_ry_rz + D_p_rz_6*M_p_rz_rz + D_p_x_6*M_p_x_rz + D_p_y_6*M_p_y_rz;
-    const lane h_rz_u_x = M_p_x_rz - forward_t222;
-    const lane h_rz_u_y = M_p_y_rz + forward_t223;
-    const lane forward_t225 = D_p_x_1*k_C;
-    const lane forward_t226 = D_p_y_1*k_C;
-    const lane forward_t227 = D_p_z_1*k_C;
-    const lane forward_t228 = D_p_x_2*k_C;
-    const lane forward_t229 = D_p_y_2*k_C;
-    const lane forward_t230 = D_p_z_2*k_C;
-    const lane forward_t231 = D_p_x_3*k_C;
-    const lane forward_t232 = D_p_y_3*k_C;
-    const lane forward_t233 = D_p_z_3*k_C;
-    const lane forward_t234 = D_p_x_4*k_C;
-    const lane forward_t235 = D_p_y_4*k_C;
-    const lane forward_t236 = D_p_z_4*k_C;
-    const lane forward_t237 = D_p_x_5*k_C;
-    const lane forward_t238 = D_p_y_5*k_C;
-    const lane forward_t239 = D_p_z_5*k_C;
+    const lane h_rz_u_x = M_p_x_rz - forward_t233;
+    const lane h_rz_u_y = M_p_y_rz + forward_t234;
+    const lane forward_t236 = D_p_x_1*k_C;
+    const lane forward_t237 = D_p_y_1*k_C;
+    const lane forward_t238 = D_p_z_1*k_C;
+    const lane forward_t239 = D_p_x_2*k_C;
+    const lane forward_t240 = D_p_y_2*k_C;
+    const lane forward_t241 = D_p_z_2*k_C;
+    const lane forward_t242 = D_p_x_3*k_C;
+    const lane forward_t243 = D_p_y_3*k_C;
+    const lane forward_t244 = D_p_z_3*k_C;
+    const lane forward_t245 = D_p_x_4*k_C;
+    const lane forward_t246 = D_p_y_4*k_C;
+    const lane forward_t247 = D_p_z_4*k_C;
+    const lane forward_t248 = D_p_x_5*k_C;
+    const lane forward_t249 = D_p_y_5*k_C;
+    const lane forward_t250 = D_p_z_5*k_C;
     const double forward_23 = 1.0/((h_m_1*h_m_1));
     const double forward_24 = 1.0/((h_m_2*h_m_2));
     const double forward_25 = 1.0/((h_m_3*h_m_3));
@@ -11453,65 +11582,65 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const lane forward_32 = 1.0/((forward_7*forward_7*forward_7));
     const lane forward_33 = 1.0/((forward_8*forward_8*forward_8));
     const lane forward_34 = 1.0/((forward_9*forward_9*forward_9));
-    const lane t115 = (1.0/2.0)/forward_0;
-    const lane t120 = rot_y*rot_z;
-    const lane t121 = 1.0/forward_4;
-    const lane t122 = 1.0/forward_5;
-    const lane t123 = 1.0/forward_6;
-    const lane t124 = 1.0/forward_7;
-    const lane t125 = 1.0/forward_8;
-    const lane t126 = 1.0/forward_9;
-    const lane t127 = forward_t13 + forward_t15;
-    const lane t129 = forward_t16 + forward_t17 + forward_t18;
-    const lane t130 = forward_t12 + forward_t19 + forward_t20;
-    const lane t131 = forward_t21 + t127;
-    const lane t132 = forward_t23 + forward_t25;
-    const lane t133 = I_p_y*R_y_y;
-    const lane t134 = I_p_x*R_z_x;
-    const lane t135 = forward_t27 + forward_t28;
-    const lane t137 = 2.0*t22;
-    const lane t139 = 2.0*t28;
-    const lane t141 = 2.0*t34;
-    const lane t143 = 2.0*t40;
-    const lane t145 = 2.0*t46;
-    const lane t147 = 2.0*t52;
-    const lane t156 = G_p_rx*forward_22;
-    const lane t157 = G_p_ry*forward_22;
-    const lane t158 = G_p_rz*forward_22;
-    const lane t159 = G_p_x*forward_22;
-    const lane t160 = G_p_y*forward_22;
-    const lane t161 = G_p_z*forward_22;
-    const lane t184 = forward_29*forward_t32;
-    const lane t185 = 2.0*t184;
-    const lane t186 = -2.0*d_1_x*g_x - 2.0*d_1_y*g_y - 2.0*d_1_z*g_z;
-    const lane t187 = forward_t131 + forward_t225;
-    const lane t188 = forward_t142 + forward_t226;
-    const lane t189 = forward_t148 + forward_t227;
-    const lane t190 = forward_30*forward_t36;
-    const lane t191 = 2.0*t190;
-    const lane t192 = -2.0*d_2_x*g_x - 2.0*d_2_y*g_y - 2.0*d_2_z*g_z;
-    const lane t193 = forward_t133 + forward_t228;
-    const lane t194 = forward_t143 + forward_t229;
-    const lane t195 = forward_t149 + forward_t230;
-    const lane t196 = forward_31*forward_t40;
-    const lane t197 = 2.0*t196;
-    const lane t198 = -2.0*d_3_x*g_x - 2.0*d_3_y*g_y - 2.0*d_3_z*g_z;
-    const lane t199 = forward_t135 + forward_t231;
-    const lane t200 = forward_t144 + forward_t232;
-    const lane t201 = forward_t150 + forward_t233;
-    const lane t202 = forward_32*forward_t44;
-    const lane t203 = 2.0*t202;
-    const lane t204 = -2.0*d_4_x*g_x - 2.0*d_4_y*g_y - 2.0*d_4_z*g_z;
-    const lane t205 = forward_t137 + forward_t234;
-    const lane t206 = forward_t145 + forward_t235;
-    const lane t207 = forward_t151 + forward_t236;
-    const lane t208 = forward_33*forward_t48;
-    const lane t209 = 2.0*t208;
-    const lane t210 = -2.0*d_5_x*g_x - 2.0*d_5_y*g_y - 2.0*d_5_z*g_z;
-    const lane t211 = forward_34*forward_t52;
-    const lane t212 = 2.0*t211;
-    const double t213 = 2.0*k_C;
-    const lane t214 = -2.0*d_6_x*g_x - 2.0*d_6_y*g_y - 2.0*d_6_z*g_z;
+    const lane t120 = (1.0/2.0)/forward_0;
+    const lane t125 = rot_y*rot_z;
+    const lane t126 = 1.0/forward_4;
+    const lane t127 = 1.0/forward_5;
+    const lane t128 = 1.0/forward_6;
+    const lane t129 = 1.0/forward_7;
+    const lane t130 = 1.0/forward_8;
+    const lane t131 = 1.0/forward_9;
+    const lane t132 = forward_t13 + forward_t15;
+    const lane t134 = forward_t16 + forward_t17 + forward_t18;
+    const lane t135 = forward_t12 + forward_t19 + forward_t20;
+    const lane t136 = forward_t21 + t132;
+    const lane t137 = forward_t23 + forward_t25;
+    const lane t138 = I_p_y*R_y_y;
+    const lane t139 = I_p_x*R_z_x;
+    const lane t140 = forward_t27 + forward_t28;
+    const lane t142 = 2.0*t22;
+    const lane t144 = 2.0*t28;
+    const lane t146 = 2.0*t34;
+    const lane t148 = 2.0*t40;
+    const lane t150 = 2.0*t46;
+    const lane t152 = 2.0*t52;
+    const lane t163 = G_p_rx*forward_22;
+    const lane t164 = G_p_ry*forward_22;
+    const lane t165 = G_p_rz*forward_22;
+    const lane t166 = G_p_x*forward_22;
+    const lane t167 = G_p_y*forward_22;
+    const lane t168 = G_p_z*forward_22;
+    const lane t191 = forward_29*forward_t32;
+    const lane t192 = 2.0*t191;
+    const lane t193 = -2.0*d_1_x*g_x - 2.0*d_1_y*g_y - 2.0*d_1_z*g_z;
+    const lane t194 = forward_t136 + forward_t236;
+    const lane t195 = forward_t147 + forward_t237;
+    const lane t196 = forward_t153 + forward_t238;
+    const lane t197 = forward_30*forward_t36;
+    const lane t198 = 2.0*t197;
+    const lane t199 = -2.0*d_2_x*g_x - 2.0*d_2_y*g_y - 2.0*d_2_z*g_z;
+    const lane t200 = forward_t138 + forward_t239;
+    const lane t201 = forward_t148 + forward_t240;
+    const lane t202 = forward_t154 + forward_t241;
+    const lane t203 = forward_31*forward_t40;
+    const lane t204 = 2.0*t203;
+    const lane t205 = -2.0*d_3_x*g_x - 2.0*d_3_y*g_y - 2.0*d_3_z*g_z;
+    const lane t206 = forward_t140 + forward_t242;
+    const lane t207 = forward_t149 + forward_t243;
+    const lane t208 = forward_t155 + forward_t244;
+    const lane t209 = forward_32*forward_t44;
+    const lane t210 = 2.0*t209;
+    const lane t211 = -2.0*d_4_x*g_x - 2.0*d_4_y*g_y - 2.0*d_4_z*g_z;
+    const lane t212 = forward_t142 + forward_t245;
+    const lane t213 = forward_t150 + forward_t246;
+    const lane t214 = forward_t156 + forward_t247;
+    const lane t215 = forward_33*forward_t48;
+    const lane t216 = 2.0*t215;
+    const lane t217 = -2.0*d_5_x*g_x - 2.0*d_5_y*g_y - 2.0*d_5_z*g_z;
+    const lane t218 = forward_34*forward_t52;
+    const lane t219 = 2.0*t218;
+    const double t220 = 2.0*k_C;
+    const lane t221 = -2.0*d_6_x*g_x - 2.0*d_6_y*g_y - 2.0*d_6_z*g_z;
     for (int path = 0; path < count; path++) {
         lane direction[LANES_GRADIENT], motion_rate[LANES_DIRECTIONS * LANES_ALL];
         lane mass_rate[LANES_ALL * LANES_ALL], stiffness_rate[LANES_ALL * LANES_ALL];
@@ -11629,18 +11758,21 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane along_124 = direction[123];
         const lane along_125 = direction[124];
         const lane along_126 = direction[125];
+        const lane along_127 = direction[126];
         const lane along_128 = direction[127];
         const lane along_129 = direction[128];
-        const lane along_130 = direction[129];
         const lane along_131 = direction[130];
-        const lane along_132 = direction[131];
-        const lane along_133 = direction[132];
-        const lane along_134 = direction[133];
-        const lane tangent_forward_t1 = 2.0*along_132*rot_x;
-        const lane tangent_forward_t2 = 2.0*along_133*rot_y;
-        const lane tangent_forward_t3 = 2.0*along_134*rot_z;
+        const lane along_135 = direction[134];
+        const lane along_136 = direction[135];
+        const lane along_137 = direction[136];
+        const lane along_138 = direction[137];
+        const lane along_139 = direction[138];
+        const lane along_140 = direction[139];
+        const lane tangent_forward_t1 = 2.0*along_138*rot_x;
+        const lane tangent_forward_t2 = 2.0*along_139*rot_y;
+        const lane tangent_forward_t3 = 2.0*along_140*rot_z;
         const lane tangent_forward_t4 = tangent_forward_t2 + tangent_forward_t3;
-        const lane tangent_forward_0 = t115*tangent_forward_t1 + t115*tangent_forward_t4;
+        const lane tangent_forward_0 = t120*tangent_forward_t1 + t120*tangent_forward_t4;
         const lane tangent_half_angle = (1.0/2.0)*tangent_forward_0;
         const lane tangent_forward_1 = -(forward_1*forward_1)*tangent_half_angle;
         const lane tangent_forward_2 = forward_3*tangent_half_angle;
@@ -11650,108 +11782,108 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_R_x_x = -forward_t4*tangent_forward_t6 - forward_t6*tangent_forward_t4;
         const lane tangent_forward_3 = -forward_2*tangent_half_angle;
         const lane tangent_forward_t7 = forward_3*tangent_s_half + s_half*tangent_forward_3;
-        const lane tangent_forward_t8 = along_134*forward_t7 + rot_z*tangent_forward_t7;
-        const lane t116 = along_132*forward_t6;
-        const lane t117 = rot_x*tangent_forward_t6;
-        const lane tangent_R_x_y = along_133*t1 + rot_y*t116 + rot_y*t117 - tangent_forward_t8;
-        const lane tangent_forward_t9 = along_133*forward_t7 + rot_y*tangent_forward_t7;
-        const lane tangent_forward_t10 = along_132*forward_t6 + rot_x*tangent_forward_t6;
-        const lane tangent_R_x_z = along_134*forward_t10 + rot_z*tangent_forward_t10 + tangent_forward_t9;
+        const lane tangent_forward_t8 = along_140*forward_t7 + rot_z*tangent_forward_t7;
+        const lane t121 = along_138*forward_t6;
+        const lane t122 = rot_x*tangent_forward_t6;
+        const lane tangent_R_x_y = along_139*t1 + rot_y*t121 + rot_y*t122 - tangent_forward_t8;
+        const lane tangent_forward_t9 = along_139*forward_t7 + rot_y*tangent_forward_t7;
+        const lane tangent_forward_t10 = along_138*forward_t6 + rot_x*tangent_forward_t6;
+        const lane tangent_R_x_z = along_140*forward_t10 + rot_z*tangent_forward_t10 + tangent_forward_t9;
         const lane tangent_B_1_x =
             R_x_x*along_32 + R_x_y*along_33 + R_x_z*along_34 + b_1_x*tangent_R_x_x + b_1_y*tangent_R_x_y
             + b_1_z*tangent_R_x_z;
-        const lane tangent_d_1_x = along_129 - along_14 + tangent_B_1_x;
-        const lane tangent_R_y_x = along_133*forward_t10 + rot_y*tangent_forward_t10 + tangent_forward_t8;
-        const lane t118 = forward_t6*tangent_forward_t1;
-        const lane tangent_R_y_y = -forward_t6*tangent_forward_t3 - t118 + t2*tangent_forward_t6;
-        const lane tangent_forward_t11 = along_132*forward_t7 + rot_x*tangent_forward_t7;
-        const lane t119 = along_134*rot_y;
+        const lane tangent_d_1_x = along_135 - along_14 + tangent_B_1_x;
+        const lane tangent_R_y_x = along_139*forward_t10 + rot_y*tangent_forward_t10 + tangent_forward_t8;
+        const lane t123 = forward_t6*tangent_forward_t1;
+        const lane tangent_R_y_y = -forward_t6*tangent_forward_t3 - t123 + t2*tangent_forward_t6;
+        const lane tangent_forward_t11 = along_138*forward_t7 + rot_x*tangent_forward_t7;
+        const lane t124 = along_140*rot_y;
         const lane tangent_R_y_z =
-            along_133*forward_t6*rot_z + forward_t6*t119 + t120*tangent_forward_t6 - tangent_forward_t11;
+            along_139*forward_t6*rot_z + forward_t6*t124 + t125*tangent_forward_t6 - tangent_forward_t11;
         const lane tangent_B_1_y =
             R_y_x*along_32 + R_y_y*along_33 + R_y_z*along_34 + b_1_x*tangent_R_y_x + b_1_y*tangent_R_y_y
             + b_1_z*tangent_R_y_z;
-        const lane tangent_d_1_y = along_130 - along_15 + tangent_B_1_y;
-        const lane tangent_R_z_x = along_134*t1 + rot_z*t116 + rot_z*t117 - tangent_forward_t9;
+        const lane tangent_d_1_y = along_136 - along_15 + tangent_B_1_y;
+        const lane tangent_R_z_x = along_140*t1 + rot_z*t121 + rot_z*t122 - tangent_forward_t9;
         const lane tangent_R_z_y =
-            along_133*t3 + forward_t6*t119 + t120*tangent_forward_t6 + tangent_forward_t11;
-        const lane tangent_R_z_z = -forward_t6*tangent_forward_t2 - t118 + t4*tangent_forward_t6;
+            along_139*t3 + forward_t6*t124 + t125*tangent_forward_t6 + tangent_forward_t11;
+        const lane tangent_R_z_z = -forward_t6*tangent_forward_t2 - t123 + t4*tangent_forward_t6;
         const lane tangent_B_1_z =
             R_z_x*along_32 + R_z_y*along_33 + R_z_z*along_34 + b_1_x*tangent_R_z_x + b_1_y*tangent_R_z_y
             + b_1_z*tangent_R_z_z;
-        const lane tangent_d_1_z = along_131 - along_16 + tangent_B_1_z;
+        const lane tangent_d_1_z = along_137 - along_16 + tangent_B_1_z;
         const lane tangent_B_2_x =
             R_x_x*along_35 + R_x_y*along_36 + R_x_z*along_37 + b_2_x*tangent_R_x_x + b_2_y*tangent_R_x_y
             + b_2_z*tangent_R_x_z;
-        const lane tangent_d_2_x = along_129 - along_17 + tangent_B_2_x;
+        const lane tangent_d_2_x = along_135 - along_17 + tangent_B_2_x;
         const lane tangent_B_2_y =
             R_y_x*along_35 + R_y_y*along_36 + R_y_z*along_37 + b_2_x*tangent_R_y_x + b_2_y*tangent_R_y_y
             + b_2_z*tangent_R_y_z;
-        const lane tangent_d_2_y = along_130 - along_18 + tangent_B_2_y;
+        const lane tangent_d_2_y = along_136 - along_18 + tangent_B_2_y;
         const lane tangent_B_2_z =
             R_z_x*along_35 + R_z_y*along_36 + R_z_z*along_37 + b_2_x*tangent_R_z_x + b_2_y*tangent_R_z_y
             + b_2_z*tangent_R_z_z;
-        const lane tangent_d_2_z = along_131 - along_19 + tangent_B_2_z;
+        const lane tangent_d_2_z = along_137 - along_19 + tangent_B_2_z;
         const lane tangent_B_3_x =
             R_x_x*along_38 + R_x_y*along_39 + R_x_z*along_40 + b_3_x*tangent_R_x_x + b_3_y*tangent_R_x_y
             + b_3_z*tangent_R_x_z;
-        const lane tangent_d_3_x = along_129 - along_20 + tangent_B_3_x;
+        const lane tangent_d_3_x = along_135 - along_20 + tangent_B_3_x;
         const lane tangent_B_3_y =
             R_y_x*along_38 + R_y_y*along_39 + R_y_z*along_40 + b_3_x*tangent_R_y_x + b_3_y*tangent_R_y_y
             + b_3_z*tangent_R_y_z;
-        const lane tangent_d_3_y = along_130 - along_21 + tangent_B_3_y;
+        const lane tangent_d_3_y = along_136 - along_21 + tangent_B_3_y;
         const lane tangent_B_3_z =
             R_z_x*along_38 + R_z_y*along_39 + R_z_z*along_40 + b_3_x*tangent_R_z_x + b_3_y*tangent_R_z_y
             + b_3_z*tangent_R_z_z;
-        const lane tangent_d_3_z = along_131 - along_22 + tangent_B_3_z;
+        const lane tangent_d_3_z = along_137 - along_22 + tangent_B_3_z;
         const lane tangent_B_4_x =
             R_x_x*along_41 + R_x_y*along_42 + R_x_z*along_43 + b_4_x*tangent_R_x_x + b_4_y*tangent_R_x_y
             + b_4_z*tangent_R_x_z;
-        const lane tangent_d_4_x = along_129 - along_23 + tangent_B_4_x;
+        const lane tangent_d_4_x = along_135 - along_23 + tangent_B_4_x;
         const lane tangent_B_4_y =
             R_y_x*along_41 + R_y_y*along_42 + R_y_z*along_43 + b_4_x*tangent_R_y_x + b_4_y*tangent_R_y_y
             + b_4_z*tangent_R_y_z;
-        const lane tangent_d_4_y = along_130 - along_24 + tangent_B_4_y;
+        const lane tangent_d_4_y = along_136 - along_24 + tangent_B_4_y;
         const lane tangent_B_4_z =
             R_z_x*along_41 + R_z_y*along_42 + R_z_z*along_43 + b_4_x*tangent_R_z_x + b_4_y*tangent_R_z_y
             + b_4_z*tangent_R_z_z;
-        const lane tangent_d_4_z = along_131 - along_25 + tangent_B_4_z;
+        const lane tangent_d_4_z = along_137 - along_25 + tangent_B_4_z;
         const lane tangent_B_5_x =
             R_x_x*along_44 + R_x_y*along_45 + R_x_z*along_46 + b_5_x*tangent_R_x_x + b_5_y*tangent_R_x_y
             + b_5_z*tangent_R_x_z;
-        const lane tangent_d_5_x = along_129 - along_26 + tangent_B_5_x;
+        const lane tangent_d_5_x = along_135 - along_26 + tangent_B_5_x;
         const lane tangent_B_5_y =
             R_y_x*along_44 + R_y_y*along_45 + R_y_z*along_46 + b_5_x*tangent_R_y_x + b_5_y*tangent_R_y_y
             + b_5_z*tangent_R_y_z;
-        const lane tangent_d_5_y = along_130 - along_27 + tangent_B_5_y;
+        const lane tangent_d_5_y = along_136 - along_27 + tangent_B_5_y;
         const lane tangent_B_5_z =
             R_z_x*along_44 + R_z_y*along_45 + R_z_z*along_46 + b_5_x*tangent_R_z_x + b_5_y*tangent_R_z_y
             + b_5_z*tangent_R_z_z;
-        const lane tangent_d_5_z = along_131 - along_28 + tangent_B_5_z;
+        const lane tangent_d_5_z = along_137 - along_28 + tangent_B_5_z;
         const lane tangent_B_6_x =
             R_x_x*along_47 + R_x_y*along_48 + R_x_z*along_49 + b_6_x*tangent_R_x_x + b_6_y*tangent_R_x_y
             + b_6_z*tangent_R_x_z;
-        const lane tangent_d_6_x = along_129 - along_29 + tangent_B_6_x;
+        const lane tangent_d_6_x = along_135 - along_29 + tangent_B_6_x;
         const lane tangent_B_6_y =
             R_y_x*along_47 + R_y_y*along_48 + R_y_z*along_49 + b_6_x*tangent_R_y_x + b_6_y*tangent_R_y_y
             + b_6_z*tangent_R_y_z;
-        const lane tangent_d_6_y = along_130 - along_30 + tangent_B_6_y;
+        const lane tangent_d_6_y = along_136 - along_30 + tangent_B_6_y;
         const lane tangent_B_6_z =
             R_z_x*along_47 + R_z_y*along_48 + R_z_z*along_49 + b_6_x*tangent_R_z_x + b_6_y*tangent_R_z_y
             + b_6_z*tangent_R_z_z;
-        const lane tangent_d_6_z = along_131 - along_31 + tangent_B_6_z;
+        const lane tangent_d_6_z = along_137 - along_31 + tangent_B_6_z;
         const lane tangent_forward_4 =
-            d_1_x*t121*tangent_d_1_x + d_1_y*t121*tangent_d_1_y + d_1_z*t121*tangent_d_1_z;
+            d_1_x*t126*tangent_d_1_x + d_1_y*t126*tangent_d_1_y + d_1_z*t126*tangent_d_1_z;
         const lane tangent_forward_5 =
-            d_2_x*t122*tangent_d_2_x + d_2_y*t122*tangent_d_2_y + d_2_z*t122*tangent_d_2_z;
+            d_2_x*t127*tangent_d_2_x + d_2_y*t127*tangent_d_2_y + d_2_z*t127*tangent_d_2_z;
         const lane tangent_forward_6 =
-            d_3_x*t123*tangent_d_3_x + d_3_y*t123*tangent_d_3_y + d_3_z*t123*tangent_d_3_z;
+            d_3_x*t128*tangent_d_3_x + d_3_y*t128*tangent_d_3_y + d_3_z*t128*tangent_d_3_z;
         const lane tangent_forward_7 =
-            d_4_x*t124*tangent_d_4_x + d_4_y*t124*tangent_d_4_y + d_4_z*t124*tangent_d_4_z;
+            d_4_x*t129*tangent_d_4_x + d_4_y*t129*tangent_d_4_y + d_4_z*t129*tangent_d_4_z;
         const lane tangent_forward_8 =
-            d_5_x*t125*tangent_d_5_x + d_5_y*t125*tangent_d_5_y + d_5_z*t125*tangent_d_5_z;
+            d_5_x*t130*tangent_d_5_x + d_5_y*t130*tangent_d_5_y + d_5_z*t130*tangent_d_5_z;
         const lane tangent_forward_9 =
-            d_6_x*t126*tangent_d_6_x + d_6_y*t126*tangent_d_6_y + d_6_z*t126*tangent_d_6_z;
+            d_6_x*t131*tangent_d_6_x + d_6_y*t131*tangent_d_6_y + d_6_z*t131*tangent_d_6_z;
         const lane tangent_c_x =
             R_x_x*along_2 + R_x_y*along_3 + R_x_z*along_4 + c_p_x*tangent_R_x_x + c_p_y*tangent_R_x_y
             + c_p_z*tangent_R_x_z;
@@ -11765,27 +11897,27 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_t13 = I_p_xz*tangent_R_x_x + R_x_x*along_9;
         const lane tangent_forward_t14 = 2.0*tangent_R_x_z;
         const lane tangent_forward_t15 = I_p_yz*tangent_R_x_y + R_x_y*along_10;
-        const lane t128 = I_p_z*tangent_R_x_z;
+        const lane t133 = I_p_z*tangent_R_x_z;
         const lane tangent_J_x_x =
-            2.0*R_x_y*tangent_forward_t12 + along_5*t6 + along_6*t7 + along_7*t8 + forward_t14*t128
+            2.0*R_x_y*tangent_forward_t12 + along_5*t6 + along_6*t7 + along_7*t8 + forward_t14*t133
             + forward_t14*tangent_forward_t13 + forward_t14*tangent_forward_t15
-            + 2.0*forward_t16*tangent_R_x_x + t127*tangent_forward_t14 + tangent_R_x_y*(2.0*forward_t19 + t5);
+            + 2.0*forward_t16*tangent_R_x_x + t132*tangent_forward_t14 + tangent_R_x_y*(2.0*forward_t19 + t5);
         const lane tangent_forward_t16 = I_p_x*tangent_R_x_x + R_x_x*along_5;
         const lane tangent_forward_t17 = I_p_xy*tangent_R_x_y + R_x_y*along_8;
         const lane tangent_forward_t18 = I_p_xz*tangent_R_x_z + R_x_z*along_9;
         const lane tangent_forward_t19 = I_p_y*tangent_R_x_y + R_x_y*along_6;
         const lane tangent_forward_t20 = I_p_yz*tangent_R_x_z + R_x_z*along_10;
-        const lane tangent_forward_t21 = R_x_z*along_7 + t128;
+        const lane tangent_forward_t21 = R_x_z*along_7 + t133;
         const lane tangent_J_x_y =
             R_y_x*tangent_forward_t16 + R_y_x*tangent_forward_t17 + R_y_x*tangent_forward_t18
             + R_y_y*tangent_forward_t12 + R_y_y*tangent_forward_t19 + R_y_y*tangent_forward_t20
             + R_y_z*tangent_forward_t13 + R_y_z*tangent_forward_t15 + R_y_z*tangent_forward_t21
-            + t129*tangent_R_y_x + t130*tangent_R_y_y + t131*tangent_R_y_z;
+            + t134*tangent_R_y_x + t135*tangent_R_y_y + t136*tangent_R_y_z;
         const lane tangent_J_x_z =
             R_z_x*tangent_forward_t16 + R_z_x*tangent_forward_t17 + R_z_x*tangent_forward_t18
             + R_z_y*tangent_forward_t12 + R_z_y*tangent_forward_t19 + R_z_y*tangent_forward_t20
             + R_z_z*tangent_forward_t13 + R_z_z*tangent_forward_t15 + R_z_z*tangent_forward_t21
-            + t129*tangent_R_z_x + t130*tangent_R_z_y + t131*tangent_R_z_z;
+            + t134*tangent_R_z_x + t135*tangent_R_z_y + t136*tangent_R_z_z;
         const lane tangent_forward_t22 = I_p_xy*tangent_R_y_x + R_y_x*along_8;
         const lane tangent_forward_t23 = I_p_xz*tangent_R_y_x + R_y_x*along_9;
         const lane tangent_forward_t24 = 2.0*tangent_R_y_z;
@@ -11793,81 +11925,90 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_J_y_y =
             I_p_z*forward_t24*tangent_R_y_z + 2.0*R_y_y*tangent_forward_t22 + along_5*t10 + along_6*t11
             + along_7*t12 + forward_t24*tangent_forward_t23 + forward_t24*tangent_forward_t25
-            + 2.0*t13*tangent_R_y_x + t132*tangent_forward_t24 + tangent_R_y_y*(2.0*t133 + t9);
+            + 2.0*t13*tangent_R_y_x + t137*tangent_forward_t24 + tangent_R_y_y*(2.0*t138 + t9);
         const lane tangent_forward_t26 = I_p_xy*tangent_R_z_x + R_z_x*along_8;
         const lane tangent_forward_t27 = I_p_xz*tangent_R_z_x + R_z_x*along_9;
         const lane tangent_forward_t28 = I_p_yz*tangent_R_z_y + R_z_y*along_10;
         const lane tangent_J_y_z =
             R_y_x*R_z_x*along_5 + R_y_y*R_z_y*along_6 + R_y_y*tangent_forward_t26 + R_y_z*R_z_z*along_7
             + R_y_z*tangent_forward_t27 + R_y_z*tangent_forward_t28 + R_z_y*tangent_forward_t22
-            + R_z_z*tangent_forward_t23 + R_z_z*tangent_forward_t25 + t13*tangent_R_z_x + t134*tangent_R_y_x
-            + tangent_R_y_y*(forward_t26 + t14) + tangent_R_y_z*(t135 + t15) + tangent_R_z_y*(forward_t22
-            + t133) + tangent_R_z_z*(I_p_z*R_y_z + t132);
+            + R_z_z*tangent_forward_t23 + R_z_z*tangent_forward_t25 + t13*tangent_R_z_x + t139*tangent_R_y_x
+            + tangent_R_y_y*(forward_t26 + t14) + tangent_R_y_z*(t140 + t15) + tangent_R_z_y*(forward_t22
+            + t138) + tangent_R_z_z*(I_p_z*R_y_z + t137);
         const lane tangent_forward_t29 = 2.0*tangent_R_z_z;
         const lane tangent_J_z_z =
             I_p_z*forward_t29*tangent_R_z_z + 2.0*R_z_y*tangent_forward_t26 + along_5*t17 + along_6*t18
             + along_7*t19 + forward_t29*tangent_forward_t27 + forward_t29*tangent_forward_t28
-            + 2.0*t134*tangent_R_z_x + t135*tangent_forward_t29 + tangent_R_z_y*(2.0*t14 + t16);
+            + 2.0*t139*tangent_R_z_x + t140*tangent_forward_t29 + tangent_R_z_y*(2.0*t14 + t16);
         const lane tangent_forward_10 = -2.0*forward_29*tangent_forward_4;
         const lane tangent_forward_11 = -(forward_11*forward_11)*tangent_forward_4;
-        const lane t136 = along_92*m_r_1;
+        const lane t141 = along_92*m_r_1;
         const lane tangent_m_perp_1 =
             along_68*forward_10*t20 + 2.0*along_74*forward_10*t24 + along_80*forward_10 + along_86*t23
-            + along_98*forward_10 - forward_11*t136*t137 - t137*t25*tangent_forward_11
+            + along_98*forward_10 - forward_11*t141*t142 - t142*t25*tangent_forward_11
             + tangent_forward_10*(I_b_1 + I_r_1 + t21);
-        const lane tangent_forward_t32 = along_68*c_b_1 + along_74*m_b_1 - along_86*c_r_1 - t136;
+        const lane tangent_forward_t32 = along_68*c_b_1 + along_74*m_b_1 - along_86*c_r_1 - t141;
         const lane tangent_forward_t33 = forward_11*tangent_forward_t32 + forward_t32*tangent_forward_11;
         const lane tangent_m_lift_1 = along_86 + tangent_forward_t33;
         const lane tangent_forward_12 = -2.0*forward_30*tangent_forward_5;
         const lane tangent_forward_13 = -(forward_13*forward_13)*tangent_forward_5;
-        const lane t138 = along_93*m_r_2;
+        const lane t143 = along_93*m_r_2;
         const lane tangent_m_perp_2 =
             along_69*forward_12*t26 + 2.0*along_75*forward_12*t30 + along_81*forward_12 + along_87*t29
-            + along_99*forward_12 - forward_13*t138*t139 - t139*t31*tangent_forward_13
+            + along_99*forward_12 - forward_13*t143*t144 - t144*t31*tangent_forward_13
             + tangent_forward_12*(I_b_2 + I_r_2 + t27);
-        const lane tangent_forward_t36 = along_69*c_b_2 + along_75*m_b_2 - along_87*c_r_2 - t138;
+        const lane tangent_forward_t36 = along_69*c_b_2 + along_75*m_b_2 - along_87*c_r_2 - t143;
         const lane tangent_forward_t37 = forward_13*tangent_forward_t36 + forward_t36*tangent_forward_13;
         const lane tangent_m_lift_2 = along_87 + tangent_forward_t37;
         const lane tangent_forward_14 = -2.0*forward_31*tangent_forward_6;
         const lane tangent_forward_15 = -(forward_15*forward_15)*tangent_forward_6;
-        const lane t140 = along_94*m_r_3;
+        const lane t145 = along_94*m_r_3;
         const lane tangent_m_perp_3 =
             along_100*forward_14 + along_70*forward_14*t32 + 2.0*along_76*forward_14*t36
-            + along_82*forward_14 + along_88*t35 - forward_15*t140*t141 - t141*t37*tangent_forward_15
+            + along_82*forward_14 + along_88*t35 - forward_15*t145*t146 - t146*t37*tangent_forward_15
             + tangent_forward_14*(I_b_3 + I_r_3 + t33);
-        const lane tangent_forward_t40 = along_70*c_b_3 + along_76*m_b_3 - along_88*c_r_3 - t140;
+        const lane tangent_forward_t40 = along_70*c_b_3 + along_76*m_b_3 - along_88*c_r_3 - t145;
         const lane tangent_forward_t41 = forward_15*tangent_forward_t40 + forward_t40*tangent_forward_15;
         const lane tangent_m_lift_3 = along_88 + tangent_forward_t41;
         const lane tangent_forward_16 = -2.0*forward_32*tangent_forward_7;
         const lane tangent_forward_17 = -(forward_17*forward_17)*tangent_forward_7;
-        const lane t142 = along_95*m_r_4;
+        const lane t147 = along_95*m_r_4;
         const lane tangent_m_perp_4 =
             along_101*forward_16 + along_71*forward_16*t38 + 2.0*along_77*forward_16*t42
-            + along_83*forward_16 + along_89*t41 - forward_17*t142*t143 - t143*t43*tangent_forward_17
+            + along_83*forward_16 + along_89*t41 - forward_17*t147*t148 - t148*t43*tangent_forward_17
             + tangent_forward_16*(I_b_4 + I_r_4 + t39);
-        const lane tangent_forward_t44 = along_71*c_b_4 + along_77*m_b_4 - along_89*c_r_4 - t142;
+        const lane tangent_forward_t44 = along_71*c_b_4 + along_77*m_b_4 - along_89*c_r_4 - t147;
         const lane tangent_forward_t45 = forward_17*tangent_forward_t44 + forward_t44*tangent_forward_17;
         const lane tangent_m_lift_4 = along_89 + tangent_forward_t45;
         const lane tangent_forward_18 = -2.0*forward_33*tangent_forward_8;
         const lane tangent_forward_19 = -(forward_19*forward_19)*tangent_forward_8;
-        const lane t144 = along_96*m_r_5;
+        const lane t149 = along_96*m_r_5;
         const lane tangent_m_perp_5 =
             along_102*forward_18 + along_72*forward_18*t44 + 2.0*along_78*forward_18*t48
-            + along_84*forward_18 + along_90*t47 - forward_19*t144*t145 - t145*t49*tangent_forward_19
+            + along_84*forward_18 + along_90*t47 - forward_19*t149*t150 - t150*t49*tangent_forward_19
             + tangent_forward_18*(I_b_5 + I_r_5 + t45);
-        const lane tangent_forward_t48 = along_72*c_b_5 + along_78*m_b_5 - along_90*c_r_5 - t144;
+        const lane tangent_forward_t48 = along_72*c_b_5 + along_78*m_b_5 - along_90*c_r_5 - t149;
         const lane tangent_forward_t49 = forward_19*tangent_forward_t48 + forward_t48*tangent_forward_19;
         const lane tangent_m_lift_5 = along_90 + tangent_forward_t49;
         const lane tangent_forward_20 = -2.0*forward_34*tangent_forward_9;
         const lane tangent_forward_21 = -(forward_21*forward_21)*tangent_forward_9;
-        const lane t146 = along_97*m_r_6;
+        const lane t151 = along_97*m_r_6;
         const lane tangent_m_perp_6 =
             along_103*forward_20 + along_73*forward_20*t50 + 2.0*along_79*forward_20*t54
-            + along_85*forward_20 + along_91*t53 - forward_21*t146*t147 - t147*t55*tangent_forward_21
+            + along_85*forward_20 + along_91*t53 - forward_21*t151*t152 - t152*t55*tangent_forward_21
             + tangent_forward_20*(I_b_6 + I_r_6 + t51);
-        const lane tangent_forward_t52 = along_73*c_b_6 + along_79*m_b_6 - along_91*c_r_6 - t146;
+        const lane tangent_forward_t52 = along_73*c_b_6 + along_79*m_b_6 - along_91*c_r_6 - t151;
         const lane tangent_forward_t53 = forward_21*tangent_forward_t52 + forward_t52*tangent_forward_21;
         const lane tangent_m_lift_6 = along_91 + tangent_forward_t53;
+        const lane tangent_o_L_x =
+            R_x_x*along_126 + R_x_y*along_127 + R_x_z*along_128 + b_L_x*tangent_R_x_x + b_L_y*tangent_R_x_y
+            + b_L_z*tangent_R_x_z;
+        const lane tangent_o_L_y =
+            R_y_x*along_126 + R_y_y*along_127 + R_y_z*along_128 + b_L_x*tangent_R_y_x + b_L_y*tangent_R_y_y
+            + b_L_z*tangent_R_y_z;
+        const lane tangent_o_L_z =
+            R_z_x*along_126 + R_z_y*along_127 + R_z_z*along_128 + b_L_x*tangent_R_z_x + b_L_y*tangent_R_z_y
+            + b_L_z*tangent_R_z_z;
         const lane tangent_D_l_1_rx =
             B_1_y*tangent_d_1_z - B_1_z*tangent_d_1_y - d_1_y*tangent_B_1_z + d_1_z*tangent_B_1_y;
         const lane tangent_D_l_1_ry =
@@ -12754,75 +12895,83 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             -along_13*forward_t67 - g_z*tangent_forward_t67 - tangent_forward_t74 - tangent_forward_t75
             - tangent_forward_t76 - tangent_forward_t77 - tangent_forward_t78 - tangent_forward_t79;
         const lane tangent_forward_t80 = along_1*g_z + along_13*m_p;
-        const lane t148 = along_1*g_y;
+        const lane tangent_forward_t81 = along_125*g_z + along_13*m_L;
+        const lane t153 = along_1*g_y;
+        const lane t154 = along_125*g_y;
         const lane tangent_G_p_rx =
             -B_1_y*tangent_forward_t74 + B_1_z*g_y*tangent_m_lift_1 - B_2_y*tangent_forward_t75
             + B_2_z*g_y*tangent_m_lift_2 - B_3_y*tangent_forward_t76 + B_3_z*g_y*tangent_m_lift_3
             - B_4_y*tangent_forward_t77 + B_4_z*g_y*tangent_m_lift_4 - B_5_y*tangent_forward_t78
             + B_5_z*g_y*tangent_m_lift_5 - B_6_y*tangent_forward_t79 + B_6_z*g_y*tangent_m_lift_6
             + along_12*(B_1_z*m_lift_1 + B_2_z*m_lift_2 + B_3_z*m_lift_3 + B_4_z*m_lift_4 + B_5_z*m_lift_5
-            + B_6_z*m_lift_6 + forward_t178) - c_y*tangent_forward_t80 + c_z*t148 + forward_t68*tangent_B_1_z
-            + forward_t69*tangent_B_2_z + forward_t70*tangent_B_3_z + forward_t71*tangent_B_4_z
-            + forward_t72*tangent_B_5_z + forward_t73*tangent_B_6_z - forward_t74*tangent_B_1_y
-            - forward_t75*tangent_B_2_y - forward_t76*tangent_B_3_y - forward_t77*tangent_B_4_y
-            - forward_t78*tangent_B_5_y - forward_t79*tangent_B_6_y - forward_t80*tangent_c_y
-            + forward_t82*tangent_c_z;
-        const lane t149 = along_1*g_x;
-        const lane tangent_forward_t81 = along_11*m_p + t149;
+            + B_6_z*m_lift_6 + forward_t183 + forward_t184) - c_y*tangent_forward_t80 + c_z*t153
+            + forward_t68*tangent_B_1_z + forward_t69*tangent_B_2_z + forward_t70*tangent_B_3_z
+            + forward_t71*tangent_B_4_z + forward_t72*tangent_B_5_z + forward_t73*tangent_B_6_z
+            - forward_t74*tangent_B_1_y - forward_t75*tangent_B_2_y - forward_t76*tangent_B_3_y
+            - forward_t77*tangent_B_4_y - forward_t78*tangent_B_5_y - forward_t79*tangent_B_6_y
+            - forward_t80*tangent_c_y - forward_t81*tangent_o_L_y + forward_t84*tangent_c_z
+            + forward_t85*tangent_o_L_z - o_L_y*tangent_forward_t81 + o_L_z*t154;
+        const lane t155 = along_1*g_x;
+        const lane tangent_forward_t82 = along_11*m_p + t155;
+        const lane t156 = along_125*g_x;
+        const lane tangent_forward_t83 = along_11*m_L + t156;
         const lane tangent_G_p_ry =
             B_1_x*tangent_forward_t74 - B_1_z*tangent_forward_t61 + B_2_x*tangent_forward_t75
             - B_2_z*tangent_forward_t62 + B_3_x*tangent_forward_t76 - B_3_z*tangent_forward_t63
             + B_4_x*tangent_forward_t77 - B_4_z*tangent_forward_t64 + B_5_x*tangent_forward_t78
             - B_5_z*tangent_forward_t65 + B_6_x*tangent_forward_t79 - B_6_z*tangent_forward_t66
-            + c_x*tangent_forward_t80 - c_z*tangent_forward_t81 - forward_t61*tangent_B_1_z
+            + c_x*tangent_forward_t80 - c_z*tangent_forward_t82 - forward_t61*tangent_B_1_z
             - forward_t62*tangent_B_2_z - forward_t63*tangent_B_3_z - forward_t64*tangent_B_4_z
             - forward_t65*tangent_B_5_z - forward_t66*tangent_B_6_z + forward_t74*tangent_B_1_x
             + forward_t75*tangent_B_2_x + forward_t76*tangent_B_3_x + forward_t77*tangent_B_4_x
             + forward_t78*tangent_B_5_x + forward_t79*tangent_B_6_x + forward_t80*tangent_c_x
-            - forward_t81*tangent_c_z;
-        const lane tangent_forward_t82 = along_12*m_p + t148;
+            + forward_t81*tangent_o_L_x - forward_t82*tangent_c_z - forward_t83*tangent_o_L_z
+            + o_L_x*tangent_forward_t81 - o_L_z*tangent_forward_t83;
+        const lane tangent_forward_t84 = along_12*m_p + t153;
+        const lane tangent_forward_t85 = along_12*m_L + t154;
         const lane tangent_G_p_rz =
             -B_1_x*tangent_forward_t68 + B_1_y*g_x*tangent_m_lift_1 - B_2_x*tangent_forward_t69
             + B_2_y*g_x*tangent_m_lift_2 - B_3_x*tangent_forward_t70 + B_3_y*g_x*tangent_m_lift_3
             - B_4_x*tangent_forward_t71 + B_4_y*g_x*tangent_m_lift_4 - B_5_x*tangent_forward_t72
             + B_5_y*g_x*tangent_m_lift_5 - B_6_x*tangent_forward_t73 + B_6_y*g_x*tangent_m_lift_6
             + along_11*(B_1_y*m_lift_1 + B_2_y*m_lift_2 + B_3_y*m_lift_3 + B_4_y*m_lift_4 + B_5_y*m_lift_5
-            + B_6_y*m_lift_6 + forward_t185) - c_x*tangent_forward_t82 + c_y*t149 + forward_t61*tangent_B_1_y
-            + forward_t62*tangent_B_2_y + forward_t63*tangent_B_3_y + forward_t64*tangent_B_4_y
-            + forward_t65*tangent_B_5_y + forward_t66*tangent_B_6_y - forward_t68*tangent_B_1_x
-            - forward_t69*tangent_B_2_x - forward_t70*tangent_B_3_x - forward_t71*tangent_B_4_x
-            - forward_t72*tangent_B_5_x - forward_t73*tangent_B_6_x + forward_t81*tangent_c_y
-            - forward_t82*tangent_c_x;
-        const lane t150 = forward_22*tangent_G_p_rx;
-        const lane t151 = forward_22*tangent_G_p_ry;
-        const lane t152 = forward_22*tangent_G_p_rz;
-        const lane t153 = forward_22*tangent_G_p_x;
-        const lane t154 = forward_22*tangent_G_p_y;
-        const lane t155 = forward_22*tangent_G_p_z;
+            + B_6_y*m_lift_6 + forward_t191 + forward_t192) - c_x*tangent_forward_t84 + c_y*t155
+            + forward_t61*tangent_B_1_y + forward_t62*tangent_B_2_y + forward_t63*tangent_B_3_y
+            + forward_t64*tangent_B_4_y + forward_t65*tangent_B_5_y + forward_t66*tangent_B_6_y
+            - forward_t68*tangent_B_1_x - forward_t69*tangent_B_2_x - forward_t70*tangent_B_3_x
+            - forward_t71*tangent_B_4_x - forward_t72*tangent_B_5_x - forward_t73*tangent_B_6_x
+            + forward_t82*tangent_c_y + forward_t83*tangent_o_L_y - forward_t84*tangent_c_x
+            - forward_t85*tangent_o_L_x - o_L_x*tangent_forward_t85 + o_L_y*t156;
+        const lane t157 = forward_22*tangent_G_p_rx;
+        const lane t158 = forward_22*tangent_G_p_ry;
+        const lane t159 = forward_22*tangent_G_p_rz;
+        const lane t160 = forward_22*tangent_G_p_x;
+        const lane t161 = forward_22*tangent_G_p_y;
+        const lane t162 = forward_22*tangent_G_p_z;
         const lane tangent_mu_1 =
-            A_rx_1*t150 + A_ry_1*t151 + A_rz_1*t152 + A_x_1*t153 + A_y_1*t154 + A_z_1*t155
-            + t156*tangent_A_rx_1 + t157*tangent_A_ry_1 + t158*tangent_A_rz_1 + t159*tangent_A_x_1
-            + t160*tangent_A_y_1 + t161*tangent_A_z_1 + t56*tangent_forward_22;
+            A_rx_1*t157 + A_ry_1*t158 + A_rz_1*t159 + A_x_1*t160 + A_y_1*t161 + A_z_1*t162
+            + t163*tangent_A_rx_1 + t164*tangent_A_ry_1 + t165*tangent_A_rz_1 + t166*tangent_A_x_1
+            + t167*tangent_A_y_1 + t168*tangent_A_z_1 + t56*tangent_forward_22;
         const lane tangent_mu_2 =
-            A_rx_2*t150 + A_ry_2*t151 + A_rz_2*t152 + A_x_2*t153 + A_y_2*t154 + A_z_2*t155
-            + t156*tangent_A_rx_2 + t157*tangent_A_ry_2 + t158*tangent_A_rz_2 + t159*tangent_A_x_2
-            + t160*tangent_A_y_2 + t161*tangent_A_z_2 + t57*tangent_forward_22;
+            A_rx_2*t157 + A_ry_2*t158 + A_rz_2*t159 + A_x_2*t160 + A_y_2*t161 + A_z_2*t162
+            + t163*tangent_A_rx_2 + t164*tangent_A_ry_2 + t165*tangent_A_rz_2 + t166*tangent_A_x_2
+            + t167*tangent_A_y_2 + t168*tangent_A_z_2 + t57*tangent_forward_22;
         const lane tangent_mu_3 =
-            A_rx_3*t150 + A_ry_3*t151 + A_rz_3*t152 + A_x_3*t153 + A_y_3*t154 + A_z_3*t155
-            + t156*tangent_A_rx_3 + t157*tangent_A_ry_3 + t158*tangent_A_rz_3 + t159*tangent_A_x_3
-            + t160*tangent_A_y_3 + t161*tangent_A_z_3 + t58*tangent_forward_22;
+            A_rx_3*t157 + A_ry_3*t158 + A_rz_3*t159 + A_x_3*t160 + A_y_3*t161 + A_z_3*t162
+            + t163*tangent_A_rx_3 + t164*tangent_A_ry_3 + t165*tangent_A_rz_3 + t166*tangent_A_x_3
+            + t167*tangent_A_y_3 + t168*tangent_A_z_3 + t58*tangent_forward_22;
         const lane tangent_mu_4 =
-            A_rx_4*t150 + A_ry_4*t151 + A_rz_4*t152 + A_x_4*t153 + A_y_4*t154 + A_z_4*t155
-            + t156*tangent_A_rx_4 + t157*tangent_A_ry_4 + t158*tangent_A_rz_4 + t159*tangent_A_x_4
-            + t160*tangent_A_y_4 + t161*tangent_A_z_4 + t59*tangent_forward_22;
+            A_rx_4*t157 + A_ry_4*t158 + A_rz_4*t159 + A_x_4*t160 + A_y_4*t161 + A_z_4*t162
+            + t163*tangent_A_rx_4 + t164*tangent_A_ry_4 + t165*tangent_A_rz_4 + t166*tangent_A_x_4
+            + t167*tangent_A_y_4 + t168*tangent_A_z_4 + t59*tangent_forward_22;
         const lane tangent_mu_5 =
-            A_rx_5*t150 + A_ry_5*t151 + A_rz_5*t152 + A_x_5*t153 + A_y_5*t154 + A_z_5*t155
-            + t156*tangent_A_rx_5 + t157*tangent_A_ry_5 + t158*tangent_A_rz_5 + t159*tangent_A_x_5
-            + t160*tangent_A_y_5 + t161*tangent_A_z_5 + t60*tangent_forward_22;
+            A_rx_5*t157 + A_ry_5*t158 + A_rz_5*t159 + A_x_5*t160 + A_y_5*t161 + A_z_5*t162
+            + t163*tangent_A_rx_5 + t164*tangent_A_ry_5 + t165*tangent_A_rz_5 + t166*tangent_A_x_5
+            + t167*tangent_A_y_5 + t168*tangent_A_z_5 + t60*tangent_forward_22;
         const lane tangent_mu_6 =
-            A_rx_6*t150 + A_ry_6*t151 + A_rz_6*t152 + A_x_6*t153 + A_y_6*t154 + A_z_6*t155
-            + t156*tangent_A_rx_6 + t157*tangent_A_ry_6 + t158*tangent_A_rz_6 + t159*tangent_A_x_6
-            + t160*tangent_A_y_6 + t161*tangent_A_z_6 + t61*tangent_forward_22;
+            A_rx_6*t157 + A_ry_6*t158 + A_rz_6*t159 + A_x_6*t160 + A_y_6*t161 + A_z_6*t162
+            + t163*tangent_A_rx_6 + t164*tangent_A_ry_6 + t165*tangent_A_rz_6 + t166*tangent_A_x_6
+            + t167*tangent_A_y_6 + t168*tangent_A_z_6 + t61*tangent_forward_22;
         const lane tangent_g_4_x = -d_1_x*tangent_mu_1 - mu_1*tangent_d_1_x - tangent_forward_t61;
         const lane tangent_g_4_y = -d_1_y*tangent_mu_1 - mu_1*tangent_d_1_y - tangent_forward_t68;
         const lane tangent_g_4_z = -d_1_z*tangent_mu_1 - mu_1*tangent_d_1_z - tangent_forward_t74;
@@ -12841,495 +12990,513 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_g_9_x = -d_6_x*tangent_mu_6 - mu_6*tangent_d_6_x - tangent_forward_t66;
         const lane tangent_g_9_y = -d_6_y*tangent_mu_6 - mu_6*tangent_d_6_y - tangent_forward_t73;
         const lane tangent_g_9_z = -d_6_z*tangent_mu_6 - mu_6*tangent_d_6_z - tangent_forward_t79;
-        const lane tangent_g_10_x = -tangent_forward_t81;
-        const lane tangent_g_10_y = -tangent_forward_t82;
+        const lane tangent_g_10_x = -tangent_forward_t82;
+        const lane tangent_g_10_y = -tangent_forward_t84;
         const lane tangent_g_10_z = -tangent_forward_t80;
+        const lane tangent_g_11_x = -tangent_forward_t83;
+        const lane tangent_g_11_y = -tangent_forward_t85;
+        const lane tangent_g_11_z = -tangent_forward_t81;
         const lane tangent_L_x_x =
             -tangent_mu_1 - tangent_mu_2 - tangent_mu_3 - tangent_mu_4 - tangent_mu_5 - tangent_mu_6;
-        const lane tangent_forward_t83 = B_1_z*tangent_mu_1 + mu_1*tangent_B_1_z;
-        const lane tangent_forward_t84 = B_2_z*tangent_mu_2 + mu_2*tangent_B_2_z;
-        const lane tangent_forward_t85 = B_3_z*tangent_mu_3 + mu_3*tangent_B_3_z;
-        const lane tangent_forward_t86 = B_4_z*tangent_mu_4 + mu_4*tangent_B_4_z;
-        const lane tangent_forward_t87 = B_5_z*tangent_mu_5 + mu_5*tangent_B_5_z;
-        const lane tangent_forward_t88 = B_6_z*tangent_mu_6 + mu_6*tangent_B_6_z;
+        const lane tangent_forward_t86 = B_1_z*tangent_mu_1 + mu_1*tangent_B_1_z;
+        const lane tangent_forward_t87 = B_2_z*tangent_mu_2 + mu_2*tangent_B_2_z;
+        const lane tangent_forward_t88 = B_3_z*tangent_mu_3 + mu_3*tangent_B_3_z;
+        const lane tangent_forward_t89 = B_4_z*tangent_mu_4 + mu_4*tangent_B_4_z;
+        const lane tangent_forward_t90 = B_5_z*tangent_mu_5 + mu_5*tangent_B_5_z;
+        const lane tangent_forward_t91 = B_6_z*tangent_mu_6 + mu_6*tangent_B_6_z;
         const lane tangent_L_y_rx =
-            tangent_forward_t83 + tangent_forward_t84 + tangent_forward_t85 + tangent_forward_t86
-            + tangent_forward_t87 + tangent_forward_t88;
+            tangent_forward_t86 + tangent_forward_t87 + tangent_forward_t88 + tangent_forward_t89
+            + tangent_forward_t90 + tangent_forward_t91;
         const lane tangent_L_x_ry = -tangent_L_y_rx;
-        const lane tangent_forward_t89 = B_5_y*tangent_mu_5 + mu_5*tangent_B_5_y;
-        const lane tangent_forward_t90 = B_6_y*tangent_mu_6 + mu_6*tangent_B_6_y;
-        const lane tangent_forward_t91 = B_1_y*tangent_mu_1 + mu_1*tangent_B_1_y;
         const lane tangent_forward_t92 = B_2_y*tangent_mu_2 + mu_2*tangent_B_2_y;
         const lane tangent_forward_t93 = B_3_y*tangent_mu_3 + mu_3*tangent_B_3_y;
         const lane tangent_forward_t94 = B_4_y*tangent_mu_4 + mu_4*tangent_B_4_y;
+        const lane tangent_forward_t95 = B_5_y*tangent_mu_5 + mu_5*tangent_B_5_y;
+        const lane tangent_forward_t96 = B_6_y*tangent_mu_6 + mu_6*tangent_B_6_y;
+        const lane tangent_forward_t97 = B_1_y*tangent_mu_1 + mu_1*tangent_B_1_y;
         const lane tangent_L_x_rz =
-            tangent_forward_t89 + tangent_forward_t90 + tangent_forward_t91 + tangent_forward_t92
-            + tangent_forward_t93 + tangent_forward_t94;
+            tangent_forward_t92 + tangent_forward_t93 + tangent_forward_t94 + tangent_forward_t95
+            + tangent_forward_t96 + tangent_forward_t97;
         const lane tangent_L_z_ry =
             B_1_x*tangent_mu_1 + B_2_x*tangent_mu_2 + B_3_x*tangent_mu_3 + B_4_x*tangent_mu_4
             + B_5_x*tangent_mu_5 + B_6_x*tangent_mu_6 + mu_1*tangent_B_1_x + mu_2*tangent_B_2_x
             + mu_3*tangent_B_3_x + mu_4*tangent_B_4_x + mu_5*tangent_B_5_x + mu_6*tangent_B_6_x;
         const lane tangent_L_y_rz = -tangent_L_z_ry;
         const lane tangent_L_z_rx = -tangent_L_x_rz;
-        const lane tangent_forward_t95 = 2.0*B_1_z*tangent_B_1_z;
-        const lane tangent_forward_t96 = 2.0*B_2_z*tangent_B_2_z;
-        const lane tangent_forward_t97 = 2.0*B_3_z*tangent_B_3_z;
-        const lane tangent_forward_t98 = 2.0*B_4_z*tangent_B_4_z;
-        const lane tangent_forward_t99 = 2.0*B_5_z*tangent_B_5_z;
-        const lane tangent_forward_t100 = 2.0*B_6_z*tangent_B_6_z;
-        const lane tangent_forward_t101 =
+        const lane tangent_forward_t98 = 2.0*B_1_z*tangent_B_1_z;
+        const lane tangent_forward_t99 = 2.0*B_2_z*tangent_B_2_z;
+        const lane tangent_forward_t100 = 2.0*B_3_z*tangent_B_3_z;
+        const lane tangent_forward_t101 = 2.0*B_4_z*tangent_B_4_z;
+        const lane tangent_forward_t102 = 2.0*B_5_z*tangent_B_5_z;
+        const lane tangent_forward_t103 = 2.0*B_6_z*tangent_B_6_z;
+        const lane tangent_forward_t104 =
             B_1_z*tangent_g_4_z + B_2_z*tangent_g_5_z + B_3_z*tangent_g_6_z + B_4_z*tangent_g_7_z
-            + B_5_z*tangent_g_8_z + B_6_z*tangent_g_9_z + c_z*tangent_g_10_z + forward_t100*tangent_mu_6
-            + forward_t95*tangent_mu_1 + forward_t96*tangent_mu_2 + forward_t97*tangent_mu_3
-            + forward_t98*tangent_mu_4 + forward_t99*tangent_mu_5 + g_10_z*tangent_c_z + g_4_z*tangent_B_1_z
-            + g_5_z*tangent_B_2_z + g_6_z*tangent_B_3_z + g_7_z*tangent_B_4_z + g_8_z*tangent_B_5_z
-            + g_9_z*tangent_B_6_z + mu_1*tangent_forward_t95 + mu_2*tangent_forward_t96
-            + mu_3*tangent_forward_t97 + mu_4*tangent_forward_t98 + mu_5*tangent_forward_t99
-            + mu_6*tangent_forward_t100;
-        const lane tangent_forward_t102 = 2.0*B_1_y*tangent_B_1_y;
-        const lane tangent_forward_t103 = 2.0*B_2_y*tangent_B_2_y;
-        const lane tangent_forward_t104 = 2.0*B_3_y*tangent_B_3_y;
-        const lane tangent_forward_t105 = 2.0*B_4_y*tangent_B_4_y;
-        const lane tangent_forward_t106 = 2.0*B_5_y*tangent_B_5_y;
-        const lane tangent_forward_t107 = 2.0*B_6_y*tangent_B_6_y;
-        const lane tangent_forward_t108 =
+            + B_5_z*tangent_g_8_z + B_6_z*tangent_g_9_z + c_z*tangent_g_10_z + forward_t100*tangent_mu_3
+            + forward_t101*tangent_mu_4 + forward_t102*tangent_mu_5 + forward_t103*tangent_mu_6
+            + forward_t98*tangent_mu_1 + forward_t99*tangent_mu_2 + g_10_z*tangent_c_z + g_11_z*tangent_o_L_z
+            + g_4_z*tangent_B_1_z + g_5_z*tangent_B_2_z + g_6_z*tangent_B_3_z + g_7_z*tangent_B_4_z
+            + g_8_z*tangent_B_5_z + g_9_z*tangent_B_6_z + mu_1*tangent_forward_t98 + mu_2*tangent_forward_t99
+            + mu_3*tangent_forward_t100 + mu_4*tangent_forward_t101 + mu_5*tangent_forward_t102
+            + mu_6*tangent_forward_t103 + o_L_z*tangent_g_11_z;
+        const lane tangent_forward_t105 = 2.0*B_1_y*tangent_B_1_y;
+        const lane tangent_forward_t106 = 2.0*B_2_y*tangent_B_2_y;
+        const lane tangent_forward_t107 = 2.0*B_3_y*tangent_B_3_y;
+        const lane tangent_forward_t108 = 2.0*B_4_y*tangent_B_4_y;
+        const lane tangent_forward_t109 = 2.0*B_5_y*tangent_B_5_y;
+        const lane tangent_forward_t110 = 2.0*B_6_y*tangent_B_6_y;
+        const lane tangent_forward_t111 =
             B_1_y*tangent_g_4_y + B_2_y*tangent_g_5_y + B_3_y*tangent_g_6_y + B_4_y*tangent_g_7_y
-            + B_5_y*tangent_g_8_y + B_6_y*tangent_g_9_y + c_y*tangent_g_10_y + forward_t102*tangent_mu_1
-            + forward_t103*tangent_mu_2 + forward_t104*tangent_mu_3 + forward_t105*tangent_mu_4
-            + forward_t106*tangent_mu_5 + forward_t107*tangent_mu_6 + g_10_y*tangent_c_y
-            + g_4_y*tangent_B_1_y + g_5_y*tangent_B_2_y + g_6_y*tangent_B_3_y + g_7_y*tangent_B_4_y
-            + g_8_y*tangent_B_5_y + g_9_y*tangent_B_6_y + mu_1*tangent_forward_t102
-            + mu_2*tangent_forward_t103 + mu_3*tangent_forward_t104 + mu_4*tangent_forward_t105
-            + mu_5*tangent_forward_t106 + mu_6*tangent_forward_t107;
-        const lane tangent_L_rx_rx = -tangent_forward_t101 - tangent_forward_t108;
-        const lane tangent_forward_t109 = (1.0/2.0)*tangent_B_1_x;
-        const lane tangent_forward_t110 = (1.0/2.0)*tangent_g_4_x;
-        const lane tangent_forward_t111 = (1.0/2.0)*tangent_B_2_x;
-        const lane tangent_forward_t112 = (1.0/2.0)*tangent_g_5_x;
-        const lane tangent_forward_t113 = (1.0/2.0)*tangent_B_3_x;
-        const lane tangent_forward_t114 = (1.0/2.0)*tangent_g_6_x;
-        const lane tangent_forward_t115 = (1.0/2.0)*tangent_B_4_x;
-        const lane tangent_forward_t116 = (1.0/2.0)*tangent_g_7_x;
-        const lane tangent_forward_t117 = (1.0/2.0)*tangent_B_5_x;
-        const lane tangent_forward_t118 = (1.0/2.0)*tangent_g_8_x;
-        const lane tangent_forward_t119 = (1.0/2.0)*tangent_B_6_x;
-        const lane tangent_forward_t120 = (1.0/2.0)*tangent_g_9_x;
-        const lane tangent_forward_t121 = (1.0/2.0)*tangent_c_x;
-        const lane tangent_forward_t122 = (1.0/2.0)*tangent_g_10_x;
+            + B_5_y*tangent_g_8_y + B_6_y*tangent_g_9_y + c_y*tangent_g_10_y + forward_t105*tangent_mu_1
+            + forward_t106*tangent_mu_2 + forward_t107*tangent_mu_3 + forward_t108*tangent_mu_4
+            + forward_t109*tangent_mu_5 + forward_t110*tangent_mu_6 + g_10_y*tangent_c_y
+            + g_11_y*tangent_o_L_y + g_4_y*tangent_B_1_y + g_5_y*tangent_B_2_y + g_6_y*tangent_B_3_y
+            + g_7_y*tangent_B_4_y + g_8_y*tangent_B_5_y + g_9_y*tangent_B_6_y + mu_1*tangent_forward_t105
+            + mu_2*tangent_forward_t106 + mu_3*tangent_forward_t107 + mu_4*tangent_forward_t108
+            + mu_5*tangent_forward_t109 + mu_6*tangent_forward_t110 + o_L_y*tangent_g_11_y;
+        const lane tangent_L_rx_rx = -tangent_forward_t104 - tangent_forward_t111;
+        const lane tangent_forward_t112 = (1.0/2.0)*tangent_B_1_x;
+        const lane tangent_forward_t113 = (1.0/2.0)*tangent_g_4_x;
+        const lane tangent_forward_t114 = (1.0/2.0)*tangent_B_2_x;
+        const lane tangent_forward_t115 = (1.0/2.0)*tangent_g_5_x;
+        const lane tangent_forward_t116 = (1.0/2.0)*tangent_B_3_x;
+        const lane tangent_forward_t117 = (1.0/2.0)*tangent_g_6_x;
+        const lane tangent_forward_t118 = (1.0/2.0)*tangent_B_4_x;
+        const lane tangent_forward_t119 = (1.0/2.0)*tangent_g_7_x;
+        const lane tangent_forward_t120 = (1.0/2.0)*tangent_B_5_x;
+        const lane tangent_forward_t121 = (1.0/2.0)*tangent_g_8_x;
+        const lane tangent_forward_t122 = (1.0/2.0)*tangent_B_6_x;
+        const lane tangent_forward_t123 = (1.0/2.0)*tangent_g_9_x;
+        const lane tangent_forward_t124 = (1.0/2.0)*tangent_c_x;
+        const lane tangent_forward_t125 = (1.0/2.0)*tangent_g_10_x;
+        const lane tangent_forward_t126 = (1.0/2.0)*tangent_g_11_x;
+        const lane tangent_forward_t127 = (1.0/2.0)*tangent_o_L_x;
         const lane tangent_L_rx_ry =
-            B_1_x*tangent_forward_t91 + B_1_y*tangent_forward_t110 + B_2_x*tangent_forward_t92
-            + B_2_y*tangent_forward_t112 + B_3_x*tangent_forward_t93 + B_3_y*tangent_forward_t114
-            + B_4_x*tangent_forward_t94 + B_4_y*tangent_forward_t116 + B_5_x*tangent_forward_t89
-            + B_5_y*tangent_forward_t118 + B_6_x*tangent_forward_t90 + B_6_y*tangent_forward_t120
-            + c_y*tangent_forward_t122 + forward_t109*tangent_g_4_y + forward_t110*tangent_B_1_y
-            + forward_t111*tangent_g_5_y + forward_t112*tangent_B_2_y + forward_t113*tangent_g_6_y
-            + forward_t114*tangent_B_3_y + forward_t115*tangent_g_7_y + forward_t116*tangent_B_4_y
-            + forward_t117*tangent_g_8_y + forward_t118*tangent_B_5_y + forward_t119*tangent_g_9_y
-            + forward_t120*tangent_B_6_y + forward_t121*tangent_g_10_y + forward_t122*tangent_c_y
-            + forward_t89*tangent_B_5_x + forward_t90*tangent_B_6_x + forward_t91*tangent_B_1_x
-            + forward_t92*tangent_B_2_x + forward_t93*tangent_B_3_x + forward_t94*tangent_B_4_x
-            + g_10_y*tangent_forward_t121 + g_4_y*tangent_forward_t109 + g_5_y*tangent_forward_t111
-            + g_6_y*tangent_forward_t113 + g_7_y*tangent_forward_t115 + g_8_y*tangent_forward_t117
-            + g_9_y*tangent_forward_t119;
+            B_1_x*tangent_forward_t97 + B_1_y*tangent_forward_t113 + B_2_x*tangent_forward_t92
+            + B_2_y*tangent_forward_t115 + B_3_x*tangent_forward_t93 + B_3_y*tangent_forward_t117
+            + B_4_x*tangent_forward_t94 + B_4_y*tangent_forward_t119 + B_5_x*tangent_forward_t95
+            + B_5_y*tangent_forward_t121 + B_6_x*tangent_forward_t96 + B_6_y*tangent_forward_t123
+            + c_y*tangent_forward_t125 + forward_t112*tangent_g_4_y + forward_t113*tangent_B_1_y
+            + forward_t114*tangent_g_5_y + forward_t115*tangent_B_2_y + forward_t116*tangent_g_6_y
+            + forward_t117*tangent_B_3_y + forward_t118*tangent_g_7_y + forward_t119*tangent_B_4_y
+            + forward_t120*tangent_g_8_y + forward_t121*tangent_B_5_y + forward_t122*tangent_g_9_y
+            + forward_t123*tangent_B_6_y + forward_t124*tangent_g_10_y + forward_t125*tangent_c_y
+            + forward_t126*tangent_o_L_y + forward_t127*tangent_g_11_y + forward_t92*tangent_B_2_x
+            + forward_t93*tangent_B_3_x + forward_t94*tangent_B_4_x + forward_t95*tangent_B_5_x
+            + forward_t96*tangent_B_6_x + forward_t97*tangent_B_1_x + g_10_y*tangent_forward_t124
+            + g_11_y*tangent_forward_t127 + g_4_y*tangent_forward_t112 + g_5_y*tangent_forward_t114
+            + g_6_y*tangent_forward_t116 + g_7_y*tangent_forward_t118 + g_8_y*tangent_forward_t120
+            + g_9_y*tangent_forward_t122 + o_L_y*tangent_forward_t126;
         const lane tangent_L_rx_rz =
-            B_1_x*tangent_forward_t83 + B_1_z*tangent_forward_t110 + B_2_x*tangent_forward_t84
-            + B_2_z*tangent_forward_t112 + B_3_x*tangent_forward_t85 + B_3_z*tangent_forward_t114
-            + B_4_x*tangent_forward_t86 + B_4_z*tangent_forward_t116 + B_5_x*tangent_forward_t87
-            + B_5_z*tangent_forward_t118 + B_6_x*tangent_forward_t88 + B_6_z*tangent_forward_t120
-            + c_z*tangent_forward_t122 + forward_t109*tangent_g_4_z + forward_t110*tangent_B_1_z
-            + forward_t111*tangent_g_5_z + forward_t112*tangent_B_2_z + forward_t113*tangent_g_6_z
-            + forward_t114*tangent_B_3_z + forward_t115*tangent_g_7_z + forward_t116*tangent_B_4_z
-            + forward_t117*tangent_g_8_z + forward_t118*tangent_B_5_z + forward_t119*tangent_g_9_z
-            + forward_t120*tangent_B_6_z + forward_t121*tangent_g_10_z + forward_t122*tangent_c_z
-            + forward_t83*tangent_B_1_x + forward_t84*tangent_B_2_x + forward_t85*tangent_B_3_x
-            + forward_t86*tangent_B_4_x + forward_t87*tangent_B_5_x + forward_t88*tangent_B_6_x
-            + g_10_z*tangent_forward_t121 + g_4_z*tangent_forward_t109 + g_5_z*tangent_forward_t111
-            + g_6_z*tangent_forward_t113 + g_7_z*tangent_forward_t115 + g_8_z*tangent_forward_t117
-            + g_9_z*tangent_forward_t119;
-        const lane tangent_forward_t123 = 2.0*B_1_x*tangent_B_1_x;
-        const lane tangent_forward_t124 = 2.0*B_2_x*tangent_B_2_x;
-        const lane tangent_forward_t125 = 2.0*B_3_x*tangent_B_3_x;
-        const lane tangent_forward_t126 = 2.0*B_4_x*tangent_B_4_x;
-        const lane tangent_forward_t127 = 2.0*B_5_x*tangent_B_5_x;
-        const lane tangent_forward_t128 = 2.0*B_6_x*tangent_B_6_x;
-        const lane tangent_forward_t129 =
+            B_1_x*tangent_forward_t86 + B_1_z*tangent_forward_t113 + B_2_x*tangent_forward_t87
+            + B_2_z*tangent_forward_t115 + B_3_x*tangent_forward_t88 + B_3_z*tangent_forward_t117
+            + B_4_x*tangent_forward_t89 + B_4_z*tangent_forward_t119 + B_5_x*tangent_forward_t90
+            + B_5_z*tangent_forward_t121 + B_6_x*tangent_forward_t91 + B_6_z*tangent_forward_t123
+            + c_z*tangent_forward_t125 + forward_t112*tangent_g_4_z + forward_t113*tangent_B_1_z
+            + forward_t114*tangent_g_5_z + forward_t115*tangent_B_2_z + forward_t116*tangent_g_6_z
+            + forward_t117*tangent_B_3_z + forward_t118*tangent_g_7_z + forward_t119*tangent_B_4_z
+            + forward_t120*tangent_g_8_z + forward_t121*tangent_B_5_z + forward_t122*tangent_g_9_z
+            + forward_t123*tangent_B_6_z + forward_t124*tangent_g_10_z + forward_t125*tangent_c_z
+            + forward_t126*tangent_o_L_z + forward_t127*tangent_g_11_z + forward_t86*tangent_B_1_x
+            + forward_t87*tangent_B_2_x + forward_t88*tangent_B_3_x + forward_t89*tangent_B_4_x
+            + forward_t90*tangent_B_5_x + forward_t91*tangent_B_6_x + g_10_z*tangent_forward_t124
+            + g_11_z*tangent_forward_t127 + g_4_z*tangent_forward_t112 + g_5_z*tangent_forward_t114
+            + g_6_z*tangent_forward_t116 + g_7_z*tangent_forward_t118 + g_8_z*tangent_forward_t120
+            + g_9_z*tangent_forward_t122 + o_L_z*tangent_forward_t126;
+        const lane tangent_forward_t128 = 2.0*B_1_x*tangent_B_1_x;
+        const lane tangent_forward_t129 = 2.0*B_2_x*tangent_B_2_x;
+        const lane tangent_forward_t130 = 2.0*B_3_x*tangent_B_3_x;
+        const lane tangent_forward_t131 = 2.0*B_4_x*tangent_B_4_x;
+        const lane tangent_forward_t132 = 2.0*B_5_x*tangent_B_5_x;
+        const lane tangent_forward_t133 = 2.0*B_6_x*tangent_B_6_x;
+        const lane tangent_forward_t134 =
             B_1_x*tangent_g_4_x + B_2_x*tangent_g_5_x + B_3_x*tangent_g_6_x + B_4_x*tangent_g_7_x
-            + B_5_x*tangent_g_8_x + B_6_x*tangent_g_9_x + c_x*tangent_g_10_x + forward_t123*tangent_mu_1
-            + forward_t124*tangent_mu_2 + forward_t125*tangent_mu_3 + forward_t126*tangent_mu_4
-            + forward_t127*tangent_mu_5 + forward_t128*tangent_mu_6 + g_10_x*tangent_c_x
-            + g_4_x*tangent_B_1_x + g_5_x*tangent_B_2_x + g_6_x*tangent_B_3_x + g_7_x*tangent_B_4_x
-            + g_8_x*tangent_B_5_x + g_9_x*tangent_B_6_x + mu_1*tangent_forward_t123
-            + mu_2*tangent_forward_t124 + mu_3*tangent_forward_t125 + mu_4*tangent_forward_t126
-            + mu_5*tangent_forward_t127 + mu_6*tangent_forward_t128;
-        const lane tangent_L_ry_ry = -tangent_forward_t101 - tangent_forward_t129;
+            + B_5_x*tangent_g_8_x + B_6_x*tangent_g_9_x + c_x*tangent_g_10_x + forward_t128*tangent_mu_1
+            + forward_t129*tangent_mu_2 + forward_t130*tangent_mu_3 + forward_t131*tangent_mu_4
+            + forward_t132*tangent_mu_5 + forward_t133*tangent_mu_6 + g_10_x*tangent_c_x
+            + g_11_x*tangent_o_L_x + g_4_x*tangent_B_1_x + g_5_x*tangent_B_2_x + g_6_x*tangent_B_3_x
+            + g_7_x*tangent_B_4_x + g_8_x*tangent_B_5_x + g_9_x*tangent_B_6_x + mu_1*tangent_forward_t128
+            + mu_2*tangent_forward_t129 + mu_3*tangent_forward_t130 + mu_4*tangent_forward_t131
+            + mu_5*tangent_forward_t132 + mu_6*tangent_forward_t133 + o_L_x*tangent_g_11_x;
+        const lane tangent_L_ry_ry = -tangent_forward_t104 - tangent_forward_t134;
         const lane tangent_L_ry_rz =
-            B_1_y*tangent_forward_t83 + (1.0/2.0)*B_1_y*tangent_g_4_z + B_2_y*tangent_forward_t84
-            + (1.0/2.0)*B_2_y*tangent_g_5_z + B_3_y*tangent_forward_t85 + (1.0/2.0)*B_3_y*tangent_g_6_z
-            + B_4_y*tangent_forward_t86 + (1.0/2.0)*B_4_y*tangent_g_7_z + B_5_y*tangent_forward_t87
-            + (1.0/2.0)*B_5_y*tangent_g_8_z + B_6_y*tangent_forward_t88 + (1.0/2.0)*B_6_y*tangent_g_9_z
+            B_1_y*tangent_forward_t86 + (1.0/2.0)*B_1_y*tangent_g_4_z + B_2_y*tangent_forward_t87
+            + (1.0/2.0)*B_2_y*tangent_g_5_z + B_3_y*tangent_forward_t88 + (1.0/2.0)*B_3_y*tangent_g_6_z
+            + B_4_y*tangent_forward_t89 + (1.0/2.0)*B_4_y*tangent_g_7_z + B_5_y*tangent_forward_t90
+            + (1.0/2.0)*B_5_y*tangent_g_8_z + B_6_y*tangent_forward_t91 + (1.0/2.0)*B_6_y*tangent_g_9_z
             + (1.0/2.0)*g_10_y*tangent_c_z + (1.0/2.0)*g_10_z*tangent_c_y + (1.0/2.0)*g_4_y*tangent_B_1_z
             + (1.0/2.0)*g_5_y*tangent_B_2_z + (1.0/2.0)*g_6_y*tangent_B_3_z + (1.0/2.0)*g_7_y*tangent_B_4_z
-            + (1.0/2.0)*g_8_y*tangent_B_5_z + (1.0/2.0)*g_9_y*tangent_B_6_z + t63*tangent_g_6_y
-            + t65*tangent_g_7_y + t67*tangent_g_8_y + t69*tangent_g_9_y + t70*tangent_g_10_z
-            + t71*tangent_g_10_y + t73*tangent_g_4_y + t75*tangent_g_5_y + tangent_B_1_y*(forward_t83 + t72)
-            + tangent_B_2_y*(forward_t84 + t74) + tangent_B_3_y*(forward_t85 + t62)
-            + tangent_B_4_y*(forward_t86 + t64) + tangent_B_5_y*(forward_t87 + t66)
-            + tangent_B_6_y*(forward_t88 + t68);
-        const lane tangent_L_rz_rz = -tangent_forward_t108 - tangent_forward_t129;
-        const lane tangent_forward_t130 = forward_10*tangent_forward_t32 + forward_t32*tangent_forward_10;
-        const lane t162 = along_11*forward_t130;
-        const lane tangent_forward_t131 = g_x*tangent_forward_t130 + t162;
+            + (1.0/2.0)*g_8_y*tangent_B_5_z + (1.0/2.0)*g_9_y*tangent_B_6_z + (1.0/2.0)*o_L_y*tangent_g_11_z
+            + (1.0/2.0)*o_L_z*tangent_g_11_y + t63*tangent_g_5_y + t65*tangent_g_6_y + t67*tangent_g_7_y
+            + t69*tangent_g_8_y + t71*tangent_g_9_y + t72*tangent_g_10_z + t73*tangent_g_10_y
+            + t74*tangent_o_L_z + t75*tangent_o_L_y + t77*tangent_g_4_y + tangent_B_1_y*(forward_t86 + t76)
+            + tangent_B_2_y*(forward_t87 + t62) + tangent_B_3_y*(forward_t88 + t64)
+            + tangent_B_4_y*(forward_t89 + t66) + tangent_B_5_y*(forward_t90 + t68)
+            + tangent_B_6_y*(forward_t91 + t70);
+        const lane tangent_L_rz_rz = -tangent_forward_t111 - tangent_forward_t134;
+        const lane tangent_forward_t135 = forward_10*tangent_forward_t32 + forward_t32*tangent_forward_10;
+        const lane t169 = along_11*forward_t135;
+        const lane tangent_forward_t136 = g_x*tangent_forward_t135 + t169;
         const lane tangent_f_x_l_1 =
             D_p_ry_1*tangent_L_x_ry + D_p_rz_1*tangent_L_x_rz + D_p_x_1*tangent_L_x_x
             + L_x_ry*tangent_D_p_ry_1 + L_x_rz*tangent_D_p_rz_1 + L_x_x*tangent_D_p_x_1
-            + tangent_forward_t131;
-        const lane tangent_forward_t132 = forward_12*tangent_forward_t36 + forward_t36*tangent_forward_12;
-        const lane t163 = along_11*forward_t132;
-        const lane tangent_forward_t133 = g_x*tangent_forward_t132 + t163;
+            + tangent_forward_t136;
+        const lane tangent_forward_t137 = forward_12*tangent_forward_t36 + forward_t36*tangent_forward_12;
+        const lane t170 = along_11*forward_t137;
+        const lane tangent_forward_t138 = g_x*tangent_forward_t137 + t170;
         const lane tangent_f_x_l_2 =
             D_p_ry_2*tangent_L_x_ry + D_p_rz_2*tangent_L_x_rz + D_p_x_2*tangent_L_x_x
             + L_x_ry*tangent_D_p_ry_2 + L_x_rz*tangent_D_p_rz_2 + L_x_x*tangent_D_p_x_2
-            + tangent_forward_t133;
-        const lane tangent_forward_t134 = forward_14*tangent_forward_t40 + forward_t40*tangent_forward_14;
-        const lane t164 = along_11*forward_t134;
-        const lane tangent_forward_t135 = g_x*tangent_forward_t134 + t164;
+            + tangent_forward_t138;
+        const lane tangent_forward_t139 = forward_14*tangent_forward_t40 + forward_t40*tangent_forward_14;
+        const lane t171 = along_11*forward_t139;
+        const lane tangent_forward_t140 = g_x*tangent_forward_t139 + t171;
         const lane tangent_f_x_l_3 =
             D_p_ry_3*tangent_L_x_ry + D_p_rz_3*tangent_L_x_rz + D_p_x_3*tangent_L_x_x
             + L_x_ry*tangent_D_p_ry_3 + L_x_rz*tangent_D_p_rz_3 + L_x_x*tangent_D_p_x_3
-            + tangent_forward_t135;
-        const lane tangent_forward_t136 = forward_16*tangent_forward_t44 + forward_t44*tangent_forward_16;
-        const lane t165 = along_11*forward_t136;
-        const lane tangent_forward_t137 = g_x*tangent_forward_t136 + t165;
+            + tangent_forward_t140;
+        const lane tangent_forward_t141 = forward_16*tangent_forward_t44 + forward_t44*tangent_forward_16;
+        const lane t172 = along_11*forward_t141;
+        const lane tangent_forward_t142 = g_x*tangent_forward_t141 + t172;
         const lane tangent_f_x_l_4 =
             D_p_ry_4*tangent_L_x_ry + D_p_rz_4*tangent_L_x_rz + D_p_x_4*tangent_L_x_x
             + L_x_ry*tangent_D_p_ry_4 + L_x_rz*tangent_D_p_rz_4 + L_x_x*tangent_D_p_x_4
-            + tangent_forward_t137;
-        const lane tangent_forward_t138 = forward_18*tangent_forward_t48 + forward_t48*tangent_forward_18;
-        const lane t166 = along_11*forward_t138;
-        const lane tangent_forward_t139 = g_x*tangent_forward_t138 + t166;
+            + tangent_forward_t142;
+        const lane tangent_forward_t143 = forward_18*tangent_forward_t48 + forward_t48*tangent_forward_18;
+        const lane t173 = along_11*forward_t143;
+        const lane tangent_forward_t144 = g_x*tangent_forward_t143 + t173;
         const lane tangent_f_x_l_5 =
             D_p_ry_5*tangent_L_x_ry + D_p_rz_5*tangent_L_x_rz + D_p_x_5*tangent_L_x_x
             + L_x_ry*tangent_D_p_ry_5 + L_x_rz*tangent_D_p_rz_5 + L_x_x*tangent_D_p_x_5
-            + tangent_forward_t139;
-        const lane tangent_forward_t140 = forward_20*tangent_forward_t52 + forward_t52*tangent_forward_20;
-        const lane t167 = along_11*forward_t140;
-        const lane tangent_forward_t141 = g_x*tangent_forward_t140 + t167;
+            + tangent_forward_t144;
+        const lane tangent_forward_t145 = forward_20*tangent_forward_t52 + forward_t52*tangent_forward_20;
+        const lane t174 = along_11*forward_t145;
+        const lane tangent_forward_t146 = g_x*tangent_forward_t145 + t174;
         const lane tangent_f_x_l_6 =
             D_p_ry_6*tangent_L_x_ry + D_p_rz_6*tangent_L_x_rz + D_p_x_6*tangent_L_x_x
             + L_x_ry*tangent_D_p_ry_6 + L_x_rz*tangent_D_p_rz_6 + L_x_x*tangent_D_p_x_6
-            + tangent_forward_t141;
-        const lane t168 = along_12*forward_t130;
-        const lane tangent_forward_t142 = g_y*tangent_forward_t130 + t168;
+            + tangent_forward_t146;
+        const lane t175 = along_12*forward_t135;
+        const lane tangent_forward_t147 = g_y*tangent_forward_t135 + t175;
         const lane tangent_f_y_l_1 =
             D_p_rx_1*tangent_L_y_rx + D_p_rz_1*tangent_L_y_rz + D_p_y_1*tangent_L_x_x + L_x_x*tangent_D_p_y_1
-            + L_y_rx*tangent_D_p_rx_1 + L_y_rz*tangent_D_p_rz_1 + tangent_forward_t142;
-        const lane t169 = along_12*forward_t132;
-        const lane tangent_forward_t143 = g_y*tangent_forward_t132 + t169;
+            + L_y_rx*tangent_D_p_rx_1 + L_y_rz*tangent_D_p_rz_1 + tangent_forward_t147;
+        const lane t176 = along_12*forward_t137;
+        const lane tangent_forward_t148 = g_y*tangent_forward_t137 + t176;
         const lane tangent_f_y_l_2 =
             D_p_rx_2*tangent_L_y_rx + D_p_rz_2*tangent_L_y_rz + D_p_y_2*tangent_L_x_x + L_x_x*tangent_D_p_y_2
-            + L_y_rx*tangent_D_p_rx_2 + L_y_rz*tangent_D_p_rz_2 + tangent_forward_t143;
-        const lane t170 = along_12*forward_t134;
-        const lane tangent_forward_t144 = g_y*tangent_forward_t134 + t170;
+            + L_y_rx*tangent_D_p_rx_2 + L_y_rz*tangent_D_p_rz_2 + tangent_forward_t148;
+        const lane t177 = along_12*forward_t139;
+        const lane tangent_forward_t149 = g_y*tangent_forward_t139 + t177;
         const lane tangent_f_y_l_3 =
             D_p_rx_3*tangent_L_y_rx + D_p_rz_3*tangent_L_y_rz + D_p_y_3*tangent_L_x_x + L_x_x*tangent_D_p_y_3
-            + L_y_rx*tangent_D_p_rx_3 + L_y_rz*tangent_D_p_rz_3 + tangent_forward_t144;
-        const lane t171 = along_12*forward_t136;
-        const lane tangent_forward_t145 = g_y*tangent_forward_t136 + t171;
+            + L_y_rx*tangent_D_p_rx_3 + L_y_rz*tangent_D_p_rz_3 + tangent_forward_t149;
+        const lane t178 = along_12*forward_t141;
+        const lane tangent_forward_t150 = g_y*tangent_forward_t141 + t178;
         const lane tangent_f_y_l_4 =
             D_p_rx_4*tangent_L_y_rx + D_p_rz_4*tangent_L_y_rz + D_p_y_4*tangent_L_x_x + L_x_x*tangent_D_p_y_4
-            + L_y_rx*tangent_D_p_rx_4 + L_y_rz*tangent_D_p_rz_4 + tangent_forward_t145;
-        const lane t172 = along_12*forward_t138;
-        const lane tangent_forward_t146 = g_y*tangent_forward_t138 + t172;
+            + L_y_rx*tangent_D_p_rx_4 + L_y_rz*tangent_D_p_rz_4 + tangent_forward_t150;
+        const lane t179 = along_12*forward_t143;
+        const lane tangent_forward_t151 = g_y*tangent_forward_t143 + t179;
         const lane tangent_f_y_l_5 =
             D_p_rx_5*tangent_L_y_rx + D_p_rz_5*tangent_L_y_rz + D_p_y_5*tangent_L_x_x + L_x_x*tangent_D_p_y_5
-            + L_y_rx*tangent_D_p_rx_5 + L_y_rz*tangent_D_p_rz_5 + tangent_forward_t146;
-        const lane t173 = along_12*forward_t140;
-        const lane tangent_forward_t147 = g_y*tangent_forward_t140 + t173;
+            + L_y_rx*tangent_D_p_rx_5 + L_y_rz*tangent_D_p_rz_5 + tangent_forward_t151;
+        const lane t180 = along_12*forward_t145;
+        const lane tangent_forward_t152 = g_y*tangent_forward_t145 + t180;
         const lane tangent_f_y_l_6 =
             D_p_rx_6*tangent_L_y_rx + D_p_rz_6*tangent_L_y_rz + D_p_y_6*tangent_L_x_x + L_x_x*tangent_D_p_y_6
-            + L_y_rx*tangent_D_p_rx_6 + L_y_rz*tangent_D_p_rz_6 + tangent_forward_t147;
-        const lane t174 = along_13*forward_t130;
-        const lane tangent_forward_t148 = g_z*tangent_forward_t130 + t174;
+            + L_y_rx*tangent_D_p_rx_6 + L_y_rz*tangent_D_p_rz_6 + tangent_forward_t152;
+        const lane t181 = along_13*forward_t135;
+        const lane tangent_forward_t153 = g_z*tangent_forward_t135 + t181;
         const lane tangent_f_z_l_1 =
             D_p_rx_1*tangent_L_z_rx + D_p_ry_1*tangent_L_z_ry + D_p_z_1*tangent_L_x_x + L_x_x*tangent_D_p_z_1
-            + L_z_rx*tangent_D_p_rx_1 + L_z_ry*tangent_D_p_ry_1 + tangent_forward_t148;
-        const lane t175 = along_13*forward_t132;
-        const lane tangent_forward_t149 = g_z*tangent_forward_t132 + t175;
+            + L_z_rx*tangent_D_p_rx_1 + L_z_ry*tangent_D_p_ry_1 + tangent_forward_t153;
+        const lane t182 = along_13*forward_t137;
+        const lane tangent_forward_t154 = g_z*tangent_forward_t137 + t182;
         const lane tangent_f_z_l_2 =
             D_p_rx_2*tangent_L_z_rx + D_p_ry_2*tangent_L_z_ry + D_p_z_2*tangent_L_x_x + L_x_x*tangent_D_p_z_2
-            + L_z_rx*tangent_D_p_rx_2 + L_z_ry*tangent_D_p_ry_2 + tangent_forward_t149;
-        const lane t176 = along_13*forward_t134;
-        const lane tangent_forward_t150 = g_z*tangent_forward_t134 + t176;
+            + L_z_rx*tangent_D_p_rx_2 + L_z_ry*tangent_D_p_ry_2 + tangent_forward_t154;
+        const lane t183 = along_13*forward_t139;
+        const lane tangent_forward_t155 = g_z*tangent_forward_t139 + t183;
         const lane tangent_f_z_l_3 =
             D_p_rx_3*tangent_L_z_rx + D_p_ry_3*tangent_L_z_ry + D_p_z_3*tangent_L_x_x + L_x_x*tangent_D_p_z_3
-            + L_z_rx*tangent_D_p_rx_3 + L_z_ry*tangent_D_p_ry_3 + tangent_forward_t150;
-        const lane t177 = along_13*forward_t136;
-        const lane tangent_forward_t151 = g_z*tangent_forward_t136 + t177;
+            + L_z_rx*tangent_D_p_rx_3 + L_z_ry*tangent_D_p_ry_3 + tangent_forward_t155;
+        const lane t184 = along_13*forward_t141;
+        const lane tangent_forward_t156 = g_z*tangent_forward_t141 + t184;
         const lane tangent_f_z_l_4 =
             D_p_rx_4*tangent_L_z_rx + D_p_ry_4*tangent_L_z_ry + D_p_z_4*tangent_L_x_x + L_x_x*tangent_D_p_z_4
-            + L_z_rx*tangent_D_p_rx_4 + L_z_ry*tangent_D_p_ry_4 + tangent_forward_t151;
-        const lane t178 = along_13*forward_t138;
-        const lane tangent_forward_t152 = g_z*tangent_forward_t138 + t178;
+            + L_z_rx*tangent_D_p_rx_4 + L_z_ry*tangent_D_p_ry_4 + tangent_forward_t156;
+        const lane t185 = along_13*forward_t143;
+        const lane tangent_forward_t157 = g_z*tangent_forward_t143 + t185;
         const lane tangent_f_z_l_5 =
             D_p_rx_5*tangent_L_z_rx + D_p_ry_5*tangent_L_z_ry + D_p_z_5*tangent_L_x_x + L_x_x*tangent_D_p_z_5
-            + L_z_rx*tangent_D_p_rx_5 + L_z_ry*tangent_D_p_ry_5 + tangent_forward_t152;
-        const lane t179 = along_13*forward_t140;
-        const lane tangent_forward_t153 = g_z*tangent_forward_t140 + t179;
+            + L_z_rx*tangent_D_p_rx_5 + L_z_ry*tangent_D_p_ry_5 + tangent_forward_t157;
+        const lane t186 = along_13*forward_t145;
+        const lane tangent_forward_t158 = g_z*tangent_forward_t145 + t186;
         const lane tangent_f_z_l_6 =
             D_p_rx_6*tangent_L_z_rx + D_p_ry_6*tangent_L_z_ry + D_p_z_6*tangent_L_x_x + L_x_x*tangent_D_p_z_6
-            + L_z_rx*tangent_D_p_rx_6 + L_z_ry*tangent_D_p_ry_6 + tangent_forward_t153;
-        const lane tangent_forward_t154 =
-            -B_1_y*t174 + B_1_z*t168 + forward_t142*tangent_B_1_z - forward_t148*tangent_B_1_y
-            + t76*tangent_forward_t130;
+            + L_z_rx*tangent_D_p_rx_6 + L_z_ry*tangent_D_p_ry_6 + tangent_forward_t158;
+        const lane tangent_forward_t159 =
+            -B_1_y*t181 + B_1_z*t175 + forward_t147*tangent_B_1_z - forward_t153*tangent_B_1_y
+            + t78*tangent_forward_t135;
         const lane tangent_f_rx_l_1 =
             D_p_rx_1*tangent_L_rx_rx + D_p_ry_1*tangent_L_rx_ry + D_p_rz_1*tangent_L_rx_rz
             + D_p_y_1*tangent_L_y_rx + D_p_z_1*tangent_L_z_rx + L_rx_rx*tangent_D_p_rx_1
             + L_rx_ry*tangent_D_p_ry_1 + L_rx_rz*tangent_D_p_rz_1 + L_y_rx*tangent_D_p_y_1
-            + L_z_rx*tangent_D_p_z_1 - tangent_forward_t154;
-        const lane tangent_forward_t155 =
-            -B_2_y*t175 + B_2_z*t169 + forward_t143*tangent_B_2_z - forward_t149*tangent_B_2_y
-            + t77*tangent_forward_t132;
+            + L_z_rx*tangent_D_p_z_1 - tangent_forward_t159;
+        const lane tangent_forward_t160 =
+            -B_2_y*t182 + B_2_z*t176 + forward_t148*tangent_B_2_z - forward_t154*tangent_B_2_y
+            + t79*tangent_forward_t137;
         const lane tangent_f_rx_l_2 =
             D_p_rx_2*tangent_L_rx_rx + D_p_ry_2*tangent_L_rx_ry + D_p_rz_2*tangent_L_rx_rz
             + D_p_y_2*tangent_L_y_rx + D_p_z_2*tangent_L_z_rx + L_rx_rx*tangent_D_p_rx_2
             + L_rx_ry*tangent_D_p_ry_2 + L_rx_rz*tangent_D_p_rz_2 + L_y_rx*tangent_D_p_y_2
-            + L_z_rx*tangent_D_p_z_2 - tangent_forward_t155;
-        const lane tangent_forward_t156 =
-            -B_3_y*t176 + B_3_z*t170 + forward_t144*tangent_B_3_z - forward_t150*tangent_B_3_y
-            + t78*tangent_forward_t134;
+            + L_z_rx*tangent_D_p_z_2 - tangent_forward_t160;
+        const lane tangent_forward_t161 =
+            -B_3_y*t183 + B_3_z*t177 + forward_t149*tangent_B_3_z - forward_t155*tangent_B_3_y
+            + t80*tangent_forward_t139;
         const lane tangent_f_rx_l_3 =
             D_p_rx_3*tangent_L_rx_rx + D_p_ry_3*tangent_L_rx_ry + D_p_rz_3*tangent_L_rx_rz
             + D_p_y_3*tangent_L_y_rx + D_p_z_3*tangent_L_z_rx + L_rx_rx*tangent_D_p_rx_3
             + L_rx_ry*tangent_D_p_ry_3 + L_rx_rz*tangent_D_p_rz_3 + L_y_rx*tangent_D_p_y_3
-            + L_z_rx*tangent_D_p_z_3 - tangent_forward_t156;
-        const lane tangent_forward_t157 =
-            -B_4_y*t177 + B_4_z*t171 + forward_t145*tangent_B_4_z - forward_t151*tangent_B_4_y
-            + t79*tangent_forward_t136;
+            + L_z_rx*tangent_D_p_z_3 - tangent_forward_t161;
+        const lane tangent_forward_t162 =
+            -B_4_y*t184 + B_4_z*t178 + forward_t150*tangent_B_4_z - forward_t156*tangent_B_4_y
+            + t81*tangent_forward_t141;
         const lane tangent_f_rx_l_4 =
             D_p_rx_4*tangent_L_rx_rx + D_p_ry_4*tangent_L_rx_ry + D_p_rz_4*tangent_L_rx_rz
             + D_p_y_4*tangent_L_y_rx + D_p_z_4*tangent_L_z_rx + L_rx_rx*tangent_D_p_rx_4
             + L_rx_ry*tangent_D_p_ry_4 + L_rx_rz*tangent_D_p_rz_4 + L_y_rx*tangent_D_p_y_4
-            + L_z_rx*tangent_D_p_z_4 - tangent_forward_t157;
-        const lane tangent_forward_t158 =
-            -B_5_y*t178 + B_5_z*t172 + forward_t146*tangent_B_5_z - forward_t152*tangent_B_5_y
-            + t80*tangent_forward_t138;
+            + L_z_rx*tangent_D_p_z_4 - tangent_forward_t162;
+        const lane tangent_forward_t163 =
+            -B_5_y*t185 + B_5_z*t179 + forward_t151*tangent_B_5_z - forward_t157*tangent_B_5_y
+            + t82*tangent_forward_t143;
         const lane tangent_f_rx_l_5 =
             D_p_rx_5*tangent_L_rx_rx + D_p_ry_5*tangent_L_rx_ry + D_p_rz_5*tangent_L_rx_rz
             + D_p_y_5*tangent_L_y_rx + D_p_z_5*tangent_L_z_rx + L_rx_rx*tangent_D_p_rx_5
             + L_rx_ry*tangent_D_p_ry_5 + L_rx_rz*tangent_D_p_rz_5 + L_y_rx*tangent_D_p_y_5
-            + L_z_rx*tangent_D_p_z_5 - tangent_forward_t158;
-        const lane tangent_forward_t159 =
-            -B_6_y*t179 + B_6_z*t173 + forward_t147*tangent_B_6_z - forward_t153*tangent_B_6_y
-            + t81*tangent_forward_t140;
+            + L_z_rx*tangent_D_p_z_5 - tangent_forward_t163;
+        const lane tangent_forward_t164 =
+            -B_6_y*t186 + B_6_z*t180 + forward_t152*tangent_B_6_z - forward_t158*tangent_B_6_y
+            + t83*tangent_forward_t145;
         const lane tangent_f_rx_l_6 =
             D_p_rx_6*tangent_L_rx_rx + D_p_ry_6*tangent_L_rx_ry + D_p_rz_6*tangent_L_rx_rz
             + D_p_y_6*tangent_L_y_rx + D_p_z_6*tangent_L_z_rx + L_rx_rx*tangent_D_p_rx_6
             + L_rx_ry*tangent_D_p_ry_6 + L_rx_rz*tangent_D_p_rz_6 + L_y_rx*tangent_D_p_y_6
-            + L_z_rx*tangent_D_p_z_6 - tangent_forward_t159;
-        const lane tangent_forward_t160 =
-            B_1_x*t174 - B_1_z*t162 - forward_t131*tangent_B_1_z + forward_t148*tangent_B_1_x
-            + t82*tangent_forward_t130;
+            + L_z_rx*tangent_D_p_z_6 - tangent_forward_t164;
+        const lane tangent_forward_t165 =
+            B_1_x*t181 - B_1_z*t169 - forward_t136*tangent_B_1_z + forward_t153*tangent_B_1_x
+            + t84*tangent_forward_t135;
         const lane tangent_f_ry_l_1 =
             D_p_rx_1*tangent_L_rx_ry + D_p_ry_1*tangent_L_ry_ry + D_p_rz_1*tangent_L_ry_rz
             + D_p_x_1*tangent_L_x_ry + D_p_z_1*tangent_L_z_ry + L_rx_ry*tangent_D_p_rx_1
             + L_ry_ry*tangent_D_p_ry_1 + L_ry_rz*tangent_D_p_rz_1 + L_x_ry*tangent_D_p_x_1
-            + L_z_ry*tangent_D_p_z_1 - tangent_forward_t160;
-        const lane tangent_forward_t161 =
-            B_2_x*t175 - B_2_z*t163 - forward_t133*tangent_B_2_z + forward_t149*tangent_B_2_x
-            + t83*tangent_forward_t132;
+            + L_z_ry*tangent_D_p_z_1 - tangent_forward_t165;
+        const lane tangent_forward_t166 =
+            B_2_x*t182 - B_2_z*t170 - forward_t138*tangent_B_2_z + forward_t154*tangent_B_2_x
+            + t85*tangent_forward_t137;
         const lane tangent_f_ry_l_2 =
             D_p_rx_2*tangent_L_rx_ry + D_p_ry_2*tangent_L_ry_ry + D_p_rz_2*tangent_L_ry_rz
             + D_p_x_2*tangent_L_x_ry + D_p_z_2*tangent_L_z_ry + L_rx_ry*tangent_D_p_rx_2
             + L_ry_ry*tangent_D_p_ry_2 + L_ry_rz*tangent_D_p_rz_2 + L_x_ry*tangent_D_p_x_2
-            + L_z_ry*tangent_D_p_z_2 - tangent_forward_t161;
-        const lane tangent_forward_t162 =
-            B_3_x*t176 - B_3_z*t164 - forward_t135*tangent_B_3_z + forward_t150*tangent_B_3_x
-            + t84*tangent_forward_t134;
+            + L_z_ry*tangent_D_p_z_2 - tangent_forward_t166;
+        const lane tangent_forward_t167 =
+            B_3_x*t183 - B_3_z*t171 - forward_t140*tangent_B_3_z + forward_t155*tangent_B_3_x
+            + t86*tangent_forward_t139;
         const lane tangent_f_ry_l_3 =
             D_p_rx_3*tangent_L_rx_ry + D_p_ry_3*tangent_L_ry_ry + D_p_rz_3*tangent_L_ry_rz
             + D_p_x_3*tangent_L_x_ry + D_p_z_3*tangent_L_z_ry + L_rx_ry*tangent_D_p_rx_3
             + L_ry_ry*tangent_D_p_ry_3 + L_ry_rz*tangent_D_p_rz_3 + L_x_ry*tangent_D_p_x_3
-            + L_z_ry*tangent_D_p_z_3 - tangent_forward_t162;
-        const lane tangent_forward_t163 =
-            B_4_x*t177 - B_4_z*t165 - forward_t137*tangent_B_4_z + forward_t151*tangent_B_4_x
-            + t85*tangent_forward_t136;
+            + L_z_ry*tangent_D_p_z_3 - tangent_forward_t167;
+        const lane tangent_forward_t168 =
+            B_4_x*t184 - B_4_z*t172 - forward_t142*tangent_B_4_z + forward_t156*tangent_B_4_x
+            + t87*tangent_forward_t141;
         const lane tangent_f_ry_l_4 =
             D_p_rx_4*tangent_L_rx_ry + D_p_ry_4*tangent_L_ry_ry + D_p_rz_4*tangent_L_ry_rz
             + D_p_x_4*tangent_L_x_ry + D_p_z_4*tangent_L_z_ry + L_rx_ry*tangent_D_p_rx_4
             + L_ry_ry*tangent_D_p_ry_4 + L_ry_rz*tangent_D_p_rz_4 + L_x_ry*tangent_D_p_x_4
-            + L_z_ry*tangent_D_p_z_4 - tangent_forward_t163;
-        const lane tangent_forward_t164 =
-            B_5_x*t178 - B_5_z*t166 - forward_t139*tangent_B_5_z + forward_t152*tangent_B_5_x
-            + t86*tangent_forward_t138;
+            + L_z_ry*tangent_D_p_z_4 - tangent_forward_t168;
+        const lane tangent_forward_t169 =
+            B_5_x*t185 - B_5_z*t173 - forward_t144*tangent_B_5_z + forward_t157*tangent_B_5_x
+            + t88*tangent_forward_t143;
         const lane tangent_f_ry_l_5 =
             D_p_rx_5*tangent_L_rx_ry + D_p_ry_5*tangent_L_ry_ry + D_p_rz_5*tangent_L_ry_rz
             + D_p_x_5*tangent_L_x_ry + D_p_z_5*tangent_L_z_ry + L_rx_ry*tangent_D_p_rx_5
             + L_ry_ry*tangent_D_p_ry_5 + L_ry_rz*tangent_D_p_rz_5 + L_x_ry*tangent_D_p_x_5
-            + L_z_ry*tangent_D_p_z_5 - tangent_forward_t164;
-        const lane tangent_forward_t165 =
-            B_6_x*t179 - B_6_z*t167 - forward_t141*tangent_B_6_z + forward_t153*tangent_B_6_x
-            + t87*tangent_forward_t140;
+            + L_z_ry*tangent_D_p_z_5 - tangent_forward_t169;
+        const lane tangent_forward_t170 =
+            B_6_x*t186 - B_6_z*t174 - forward_t146*tangent_B_6_z + forward_t158*tangent_B_6_x
+            + t89*tangent_forward_t145;
         const lane tangent_f_ry_l_6 =
             D_p_rx_6*tangent_L_rx_ry + D_p_ry_6*tangent_L_ry_ry + D_p_rz_6*tangent_L_ry_rz
             + D_p_x_6*tangent_L_x_ry + D_p_z_6*tangent_L_z_ry + L_rx_ry*tangent_D_p_rx_6
             + L_ry_ry*tangent_D_p_ry_6 + L_ry_rz*tangent_D_p_rz_6 + L_x_ry*tangent_D_p_x_6
-            + L_z_ry*tangent_D_p_z_6 - tangent_forward_t165;
-        const lane tangent_forward_t166 =
-            -B_1_x*t168 + B_1_y*t162 + forward_t131*tangent_B_1_y - forward_t142*tangent_B_1_x
-            + t88*tangent_forward_t130;
+            + L_z_ry*tangent_D_p_z_6 - tangent_forward_t170;
+        const lane tangent_forward_t171 =
+            -B_1_x*t175 + B_1_y*t169 + forward_t136*tangent_B_1_y - forward_t147*tangent_B_1_x
+            + t90*tangent_forward_t135;
         const lane tangent_f_rz_l_1 =
             D_p_rx_1*tangent_L_rx_rz + D_p_ry_1*tangent_L_ry_rz + D_p_rz_1*tangent_L_rz_rz
             + D_p_x_1*tangent_L_x_rz + D_p_y_1*tangent_L_y_rz + L_rx_rz*tangent_D_p_rx_1
             + L_ry_rz*tangent_D_p_ry_1 + L_rz_rz*tangent_D_p_rz_1 + L_x_rz*tangent_D_p_x_1
-            + L_y_rz*tangent_D_p_y_1 - tangent_forward_t166;
-        const lane tangent_forward_t167 =
-            -B_2_x*t169 + B_2_y*t163 + forward_t133*tangent_B_2_y - forward_t143*tangent_B_2_x
-            + t89*tangent_forward_t132;
+            + L_y_rz*tangent_D_p_y_1 - tangent_forward_t171;
+        const lane tangent_forward_t172 =
+            -B_2_x*t176 + B_2_y*t170 + forward_t138*tangent_B_2_y - forward_t148*tangent_B_2_x
+            + t91*tangent_forward_t137;
         const lane tangent_f_rz_l_2 =
             D_p_rx_2*tangent_L_rx_rz + D_p_ry_2*tangent_L_ry_rz + D_p_rz_2*tangent_L_rz_rz
             + D_p_x_2*tangent_L_x_rz + D_p_y_2*tangent_L_y_rz + L_rx_rz*tangent_D_p_rx_2
             + L_ry_rz*tangent_D_p_ry_2 + L_rz_rz*tangent_D_p_rz_2 + L_x_rz*tangent_D_p_x_2
-            + L_y_rz*tangent_D_p_y_2 - tangent_forward_t167;
-        const lane tangent_forward_t168 =
-            -B_3_x*t170 + B_3_y*t164 + forward_t135*tangent_B_3_y - forward_t144*tangent_B_3_x
-            + t90*tangent_forward_t134;
+            + L_y_rz*tangent_D_p_y_2 - tangent_forward_t172;
+        const lane tangent_forward_t173 =
+            -B_3_x*t177 + B_3_y*t171 + forward_t140*tangent_B_3_y - forward_t149*tangent_B_3_x
+            + t92*tangent_forward_t139;
         const lane tangent_f_rz_l_3 =
             D_p_rx_3*tangent_L_rx_rz + D_p_ry_3*tangent_L_ry_rz + D_p_rz_3*tangent_L_rz_rz
             + D_p_x_3*tangent_L_x_rz + D_p_y_3*tangent_L_y_rz + L_rx_rz*tangent_D_p_rx_3
             + L_ry_rz*tangent_D_p_ry_3 + L_rz_rz*tangent_D_p_rz_3 + L_x_rz*tangent_D_p_x_3
-            + L_y_rz*tangent_D_p_y_3 - tangent_forward_t168;
-        const lane tangent_forward_t169 =
-            -B_4_x*t171 + B_4_y*t165 + forward_t137*tangent_B_4_y - forward_t145*tangent_B_4_x
-            + t91*tangent_forward_t136;
+            + L_y_rz*tangent_D_p_y_3 - tangent_forward_t173;
+        const lane tangent_forward_t174 =
+            -B_4_x*t178 + B_4_y*t172 + forward_t142*tangent_B_4_y - forward_t150*tangent_B_4_x
+            + t93*tangent_forward_t141;
         const lane tangent_f_rz_l_4 =
             D_p_rx_4*tangent_L_rx_rz + D_p_ry_4*tangent_L_ry_rz + D_p_rz_4*tangent_L_rz_rz
             + D_p_x_4*tangent_L_x_rz + D_p_y_4*tangent_L_y_rz + L_rx_rz*tangent_D_p_rx_4
             + L_ry_rz*tangent_D_p_ry_4 + L_rz_rz*tangent_D_p_rz_4 + L_x_rz*tangent_D_p_x_4
-            + L_y_rz*tangent_D_p_y_4 - tangent_forward_t169;
-        const lane tangent_forward_t170 =
-            -B_5_x*t172 + B_5_y*t166 + forward_t139*tangent_B_5_y - forward_t146*tangent_B_5_x
-            + t92*tangent_forward_t138;
+            + L_y_rz*tangent_D_p_y_4 - tangent_forward_t174;
+        const lane tangent_forward_t175 =
+            -B_5_x*t179 + B_5_y*t173 + forward_t144*tangent_B_5_y - forward_t151*tangent_B_5_x
+            + t94*tangent_forward_t143;
         const lane tangent_f_rz_l_5 =
             D_p_rx_5*tangent_L_rx_rz + D_p_ry_5*tangent_L_ry_rz + D_p_rz_5*tangent_L_rz_rz
             + D_p_x_5*tangent_L_x_rz + D_p_y_5*tangent_L_y_rz + L_rx_rz*tangent_D_p_rx_5
             + L_ry_rz*tangent_D_p_ry_5 + L_rz_rz*tangent_D_p_rz_5 + L_x_rz*tangent_D_p_x_5
-            + L_y_rz*tangent_D_p_y_5 - tangent_forward_t170;
-        const lane tangent_forward_t171 =
-            -B_6_x*t173 + B_6_y*t167 + forward_t141*tangent_B_6_y - forward_t147*tangent_B_6_x
-            + t93*tangent_forward_t140;
+            + L_y_rz*tangent_D_p_y_5 - tangent_forward_t175;
+        const lane tangent_forward_t176 =
+            -B_6_x*t180 + B_6_y*t174 + forward_t146*tangent_B_6_y - forward_t152*tangent_B_6_x
+            + t95*tangent_forward_t145;
         const lane tangent_f_rz_l_6 =
             D_p_rx_6*tangent_L_rx_rz + D_p_ry_6*tangent_L_ry_rz + D_p_rz_6*tangent_L_rz_rz
             + D_p_x_6*tangent_L_x_rz + D_p_y_6*tangent_L_y_rz + L_rx_rz*tangent_D_p_rx_6
             + L_ry_rz*tangent_D_p_ry_6 + L_rz_rz*tangent_D_p_rz_6 + L_x_rz*tangent_D_p_x_6
-            + L_y_rz*tangent_D_p_y_6 - tangent_forward_t171;
+            + L_y_rz*tangent_D_p_y_6 - tangent_forward_t176;
         const lane tangent_M_p_x_x =
             tangent_forward_t67 + tangent_m_perp_1 + tangent_m_perp_2 + tangent_m_perp_3 + tangent_m_perp_4
             + tangent_m_perp_5 + tangent_m_perp_6;
-        const lane tangent_forward_t172 = B_1_z*tangent_m_perp_1 + m_perp_1*tangent_B_1_z;
-        const lane tangent_forward_t173 = B_2_z*tangent_m_perp_2 + m_perp_2*tangent_B_2_z;
-        const lane tangent_forward_t174 = B_3_z*tangent_m_perp_3 + m_perp_3*tangent_B_3_z;
-        const lane tangent_forward_t175 = B_4_z*tangent_m_perp_4 + m_perp_4*tangent_B_4_z;
-        const lane tangent_forward_t176 = B_5_z*tangent_m_perp_5 + m_perp_5*tangent_B_5_z;
-        const lane tangent_forward_t177 = B_6_z*tangent_m_perp_6 + m_perp_6*tangent_B_6_z;
-        const lane tangent_forward_t178 = along_1*c_z + m_p*tangent_c_z;
+        const lane tangent_forward_t177 = B_1_z*tangent_m_perp_1 + m_perp_1*tangent_B_1_z;
+        const lane tangent_forward_t178 = B_2_z*tangent_m_perp_2 + m_perp_2*tangent_B_2_z;
+        const lane tangent_forward_t179 = B_3_z*tangent_m_perp_3 + m_perp_3*tangent_B_3_z;
+        const lane tangent_forward_t180 = B_4_z*tangent_m_perp_4 + m_perp_4*tangent_B_4_z;
+        const lane tangent_forward_t181 = B_5_z*tangent_m_perp_5 + m_perp_5*tangent_B_5_z;
+        const lane tangent_forward_t182 = B_6_z*tangent_m_perp_6 + m_perp_6*tangent_B_6_z;
+        const lane tangent_forward_t183 = along_1*c_z + m_p*tangent_c_z;
+        const lane tangent_forward_t184 = along_125*o_L_z + m_L*tangent_o_L_z;
         const lane tangent_M_p_x_ry =
-            tangent_forward_t172 + tangent_forward_t173 + tangent_forward_t174 + tangent_forward_t175
-            + tangent_forward_t176 + tangent_forward_t177 + tangent_forward_t178;
-        const lane tangent_forward_t179 = B_1_y*tangent_m_perp_1 + m_perp_1*tangent_B_1_y;
-        const lane tangent_forward_t180 = B_2_y*tangent_m_perp_2 + m_perp_2*tangent_B_2_y;
-        const lane tangent_forward_t181 = B_3_y*tangent_m_perp_3 + m_perp_3*tangent_B_3_y;
-        const lane tangent_forward_t182 = B_4_y*tangent_m_perp_4 + m_perp_4*tangent_B_4_y;
-        const lane tangent_forward_t183 = B_5_y*tangent_m_perp_5 + m_perp_5*tangent_B_5_y;
-        const lane tangent_forward_t184 = B_6_y*tangent_m_perp_6 + m_perp_6*tangent_B_6_y;
-        const lane tangent_forward_t185 = along_1*c_y + m_p*tangent_c_y;
+            tangent_forward_t177 + tangent_forward_t178 + tangent_forward_t179 + tangent_forward_t180
+            + tangent_forward_t181 + tangent_forward_t182 + tangent_forward_t183 + tangent_forward_t184;
+        const lane tangent_forward_t185 = B_1_y*tangent_m_perp_1 + m_perp_1*tangent_B_1_y;
+        const lane tangent_forward_t186 = B_2_y*tangent_m_perp_2 + m_perp_2*tangent_B_2_y;
+        const lane tangent_forward_t187 = B_3_y*tangent_m_perp_3 + m_perp_3*tangent_B_3_y;
+        const lane tangent_forward_t188 = B_4_y*tangent_m_perp_4 + m_perp_4*tangent_B_4_y;
+        const lane tangent_forward_t189 = B_5_y*tangent_m_perp_5 + m_perp_5*tangent_B_5_y;
+        const lane tangent_forward_t190 = B_6_y*tangent_m_perp_6 + m_perp_6*tangent_B_6_y;
+        const lane tangent_forward_t191 = along_1*c_y + m_p*tangent_c_y;
+        const lane tangent_forward_t192 = along_125*o_L_y + m_L*tangent_o_L_y;
         const lane tangent_M_p_z_rx =
-            tangent_forward_t179 + tangent_forward_t180 + tangent_forward_t181 + tangent_forward_t182
-            + tangent_forward_t183 + tangent_forward_t184 + tangent_forward_t185;
+            tangent_forward_t185 + tangent_forward_t186 + tangent_forward_t187 + tangent_forward_t188
+            + tangent_forward_t189 + tangent_forward_t190 + tangent_forward_t191 + tangent_forward_t192;
         const lane tangent_M_p_x_rz = -tangent_M_p_z_rx;
         const lane tangent_M_p_y_rx = -tangent_M_p_x_ry;
-        const lane tangent_forward_t186 = B_1_x*tangent_m_perp_1 + m_perp_1*tangent_B_1_x;
-        const lane tangent_forward_t187 = B_2_x*tangent_m_perp_2 + m_perp_2*tangent_B_2_x;
-        const lane tangent_forward_t188 = B_3_x*tangent_m_perp_3 + m_perp_3*tangent_B_3_x;
-        const lane tangent_forward_t189 = B_4_x*tangent_m_perp_4 + m_perp_4*tangent_B_4_x;
-        const lane tangent_forward_t190 = B_5_x*tangent_m_perp_5 + m_perp_5*tangent_B_5_x;
-        const lane tangent_forward_t191 = B_6_x*tangent_m_perp_6 + m_perp_6*tangent_B_6_x;
+        const lane tangent_forward_t193 = B_1_x*tangent_m_perp_1 + m_perp_1*tangent_B_1_x;
+        const lane tangent_forward_t194 = B_2_x*tangent_m_perp_2 + m_perp_2*tangent_B_2_x;
+        const lane tangent_forward_t195 = B_3_x*tangent_m_perp_3 + m_perp_3*tangent_B_3_x;
+        const lane tangent_forward_t196 = B_4_x*tangent_m_perp_4 + m_perp_4*tangent_B_4_x;
+        const lane tangent_forward_t197 = B_5_x*tangent_m_perp_5 + m_perp_5*tangent_B_5_x;
+        const lane tangent_forward_t198 = B_6_x*tangent_m_perp_6 + m_perp_6*tangent_B_6_x;
         const lane tangent_M_p_y_rz =
-            along_1*c_x + m_p*tangent_c_x + tangent_forward_t186 + tangent_forward_t187
-            + tangent_forward_t188 + tangent_forward_t189 + tangent_forward_t190 + tangent_forward_t191;
+            along_1*c_x + along_125*o_L_x + m_L*tangent_o_L_x + m_p*tangent_c_x + tangent_forward_t193
+            + tangent_forward_t194 + tangent_forward_t195 + tangent_forward_t196 + tangent_forward_t197
+            + tangent_forward_t198;
         const lane tangent_M_p_z_ry = -tangent_M_p_y_rz;
-        const lane tangent_forward_t192 = 4.0*c_y*tangent_c_y;
-        const lane tangent_forward_t193 = 4.0*c_z*tangent_c_z;
-        const lane tangent_forward_t194 = (1.0/2.0)*along_1;
-        const lane tangent_forward_t195 = 2.0*tangent_forward_t102;
-        const lane tangent_forward_t196 = 2.0*tangent_forward_t95;
-        const lane tangent_forward_t197 = (1.0/2.0)*tangent_m_perp_1;
-        const lane tangent_forward_t198 = 2.0*tangent_forward_t103;
-        const lane tangent_forward_t199 = 2.0*tangent_forward_t96;
-        const lane tangent_forward_t200 = (1.0/2.0)*tangent_m_perp_2;
-        const lane tangent_forward_t201 = 2.0*tangent_forward_t104;
-        const lane tangent_forward_t202 = 2.0*tangent_forward_t97;
-        const lane tangent_forward_t203 = (1.0/2.0)*tangent_m_perp_3;
-        const lane tangent_forward_t204 = 2.0*tangent_forward_t105;
-        const lane tangent_forward_t205 = 2.0*tangent_forward_t98;
-        const lane tangent_forward_t206 = (1.0/2.0)*tangent_m_perp_4;
-        const lane tangent_forward_t207 = 2.0*tangent_forward_t106;
-        const lane tangent_forward_t208 = 2.0*tangent_forward_t99;
-        const lane tangent_forward_t209 = (1.0/2.0)*tangent_m_perp_5;
-        const lane tangent_forward_t210 = 2.0*tangent_forward_t107;
-        const lane tangent_forward_t211 = 2.0*tangent_forward_t100;
-        const lane tangent_forward_t212 = (1.0/2.0)*tangent_m_perp_6;
-        const lane t180 =
-            forward_t194*tangent_forward_t193 + forward_t197*tangent_forward_t196
-            + forward_t200*tangent_forward_t199 + forward_t203*tangent_forward_t202
-            + forward_t206*tangent_forward_t205 + forward_t209*tangent_forward_t208
-            + forward_t212*tangent_forward_t211;
-        const lane t181 =
-            forward_t194*tangent_forward_t192 + forward_t197*tangent_forward_t195
-            + forward_t200*tangent_forward_t198 + forward_t203*tangent_forward_t201
-            + forward_t206*tangent_forward_t204 + forward_t209*tangent_forward_t207
-            + forward_t212*tangent_forward_t210;
+        const lane tangent_forward_t199 = 4.0*o_L_y*tangent_o_L_y;
+        const lane tangent_forward_t200 = 4.0*o_L_z*tangent_o_L_z;
+        const lane tangent_forward_t201 = (1.0/2.0)*along_125;
+        const lane tangent_forward_t202 = 4.0*c_y*tangent_c_y;
+        const lane tangent_forward_t203 = 4.0*c_z*tangent_c_z;
+        const lane tangent_forward_t204 = (1.0/2.0)*along_1;
+        const lane tangent_forward_t205 = 2.0*tangent_forward_t105;
+        const lane tangent_forward_t206 = 2.0*tangent_forward_t98;
+        const lane tangent_forward_t207 = (1.0/2.0)*tangent_m_perp_1;
+        const lane tangent_forward_t208 = 2.0*tangent_forward_t106;
+        const lane tangent_forward_t209 = 2.0*tangent_forward_t99;
+        const lane tangent_forward_t210 = (1.0/2.0)*tangent_m_perp_2;
+        const lane tangent_forward_t211 = 2.0*tangent_forward_t107;
+        const lane tangent_forward_t212 = 2.0*tangent_forward_t100;
+        const lane tangent_forward_t213 = (1.0/2.0)*tangent_m_perp_3;
+        const lane tangent_forward_t214 = 2.0*tangent_forward_t108;
+        const lane tangent_forward_t215 = 2.0*tangent_forward_t101;
+        const lane tangent_forward_t216 = (1.0/2.0)*tangent_m_perp_4;
+        const lane tangent_forward_t217 = 2.0*tangent_forward_t109;
+        const lane tangent_forward_t218 = 2.0*tangent_forward_t102;
+        const lane tangent_forward_t219 = (1.0/2.0)*tangent_m_perp_5;
+        const lane tangent_forward_t220 = 2.0*tangent_forward_t110;
+        const lane tangent_forward_t221 = 2.0*tangent_forward_t103;
+        const lane tangent_forward_t222 = (1.0/2.0)*tangent_m_perp_6;
+        const lane t187 =
+            forward_t201*tangent_forward_t200 + forward_t204*tangent_forward_t203
+            + forward_t207*tangent_forward_t206 + forward_t210*tangent_forward_t209
+            + forward_t213*tangent_forward_t212 + forward_t216*tangent_forward_t215
+            + forward_t219*tangent_forward_t218 + forward_t222*tangent_forward_t221;
+        const lane t188 =
+            forward_t201*tangent_forward_t199 + forward_t204*tangent_forward_t202
+            + forward_t207*tangent_forward_t205 + forward_t210*tangent_forward_t208
+            + forward_t213*tangent_forward_t211 + forward_t216*tangent_forward_t214
+            + forward_t219*tangent_forward_t217 + forward_t222*tangent_forward_t220;
         const lane tangent_M_p_rx_rx =
-            t100*tangent_forward_t212 + t180 + t181 + t94*tangent_forward_t194 + t95*tangent_forward_t197
-            + t96*tangent_forward_t200 + t97*tangent_forward_t203 + t98*tangent_forward_t206
-            + t99*tangent_forward_t209 + tangent_J_x_x;
+            t100*tangent_forward_t213 + t101*tangent_forward_t216 + t102*tangent_forward_t219
+            + t103*tangent_forward_t222 + t187 + t188 + t96*tangent_forward_t201 + t97*tangent_forward_t204
+            + t98*tangent_forward_t207 + t99*tangent_forward_t210 + tangent_J_x_x;
         const lane tangent_M_p_rx_ry =
-            -B_1_x*tangent_forward_t179 - B_2_x*tangent_forward_t180 - B_3_x*tangent_forward_t181
-            - B_4_x*tangent_forward_t182 - B_5_x*tangent_forward_t183 - B_6_x*tangent_forward_t184
-            - c_x*tangent_forward_t185 - forward_t179*tangent_B_1_x - forward_t180*tangent_B_2_x
-            - forward_t181*tangent_B_3_x - forward_t182*tangent_B_4_x - forward_t183*tangent_B_5_x
-            - forward_t184*tangent_B_6_x - forward_t185*tangent_c_x + tangent_J_x_y;
+            -B_1_x*tangent_forward_t185 - B_2_x*tangent_forward_t186 - B_3_x*tangent_forward_t187
+            - B_4_x*tangent_forward_t188 - B_5_x*tangent_forward_t189 - B_6_x*tangent_forward_t190
+            - c_x*tangent_forward_t191 - forward_t185*tangent_B_1_x - forward_t186*tangent_B_2_x
+            - forward_t187*tangent_B_3_x - forward_t188*tangent_B_4_x - forward_t189*tangent_B_5_x
+            - forward_t190*tangent_B_6_x - forward_t191*tangent_c_x - forward_t192*tangent_o_L_x
+            - o_L_x*tangent_forward_t192 + tangent_J_x_y;
         const lane tangent_M_p_rx_rz =
-            -B_1_x*tangent_forward_t172 - B_2_x*tangent_forward_t173 - B_3_x*tangent_forward_t174
-            - B_4_x*tangent_forward_t175 - B_5_x*tangent_forward_t176 - B_6_x*tangent_forward_t177
-            - c_x*tangent_forward_t178 - forward_t172*tangent_B_1_x - forward_t173*tangent_B_2_x
-            - forward_t174*tangent_B_3_x - forward_t175*tangent_B_4_x - forward_t176*tangent_B_5_x
-            - forward_t177*tangent_B_6_x - forward_t178*tangent_c_x + tangent_J_x_z;
-        const lane tangent_forward_t213 = 4.0*c_x*tangent_c_x;
-        const lane tangent_forward_t214 = 2.0*tangent_forward_t123;
-        const lane tangent_forward_t215 = 2.0*tangent_forward_t124;
-        const lane tangent_forward_t216 = 2.0*tangent_forward_t125;
-        const lane tangent_forward_t217 = 2.0*tangent_forward_t126;
-        const lane tangent_forward_t218 = 2.0*tangent_forward_t127;
-        const lane tangent_forward_t219 = 2.0*tangent_forward_t128;
-        const lane t182 =
-            forward_t194*tangent_forward_t213 + forward_t197*tangent_forward_t214
-            + forward_t200*tangent_forward_t215 + forward_t203*tangent_forward_t216
-            + forward_t206*tangent_forward_t217 + forward_t209*tangent_forward_t218
-            + forward_t212*tangent_forward_t219;
+            -B_1_x*tangent_forward_t177 - B_2_x*tangent_forward_t178 - B_3_x*tangent_forward_t179
+            - B_4_x*tangent_forward_t180 - B_5_x*tangent_forward_t181 - B_6_x*tangent_forward_t182
+            - c_x*tangent_forward_t183 - forward_t177*tangent_B_1_x - forward_t178*tangent_B_2_x
+            - forward_t179*tangent_B_3_x - forward_t180*tangent_B_4_x - forward_t181*tangent_B_5_x
+            - forward_t182*tangent_B_6_x - forward_t183*tangent_c_x - forward_t184*tangent_o_L_x
+            - o_L_x*tangent_forward_t184 + tangent_J_x_z;
+        const lane tangent_forward_t223 = 4.0*o_L_x*tangent_o_L_x;
+        const lane tangent_forward_t224 = 4.0*c_x*tangent_c_x;
+        const lane tangent_forward_t225 = 2.0*tangent_forward_t128;
+        const lane tangent_forward_t226 = 2.0*tangent_forward_t129;
+        const lane tangent_forward_t227 = 2.0*tangent_forward_t130;
+        const lane tangent_forward_t228 = 2.0*tangent_forward_t131;
+        const lane tangent_forward_t229 = 2.0*tangent_forward_t132;
+        const lane tangent_forward_t230 = 2.0*tangent_forward_t133;
+        const lane t189 =
+            forward_t201*tangent_forward_t223 + forward_t204*tangent_forward_t224
+            + forward_t207*tangent_forward_t225 + forward_t210*tangent_forward_t226
+            + forward_t213*tangent_forward_t227 + forward_t216*tangent_forward_t228
+            + forward_t219*tangent_forward_t229 + forward_t222*tangent_forward_t230;
         const lane tangent_M_p_ry_ry =
-            t101*tangent_forward_t194 + t102*tangent_forward_t197 + t103*tangent_forward_t200
-            + t104*tangent_forward_t203 + t105*tangent_forward_t206 + t106*tangent_forward_t209
-            + t107*tangent_forward_t212 + t180 + t182 + tangent_J_y_y;
+            t104*tangent_forward_t201 + t105*tangent_forward_t204 + t106*tangent_forward_t207
+            + t107*tangent_forward_t210 + t108*tangent_forward_t213 + t109*tangent_forward_t216
+            + t110*tangent_forward_t219 + t111*tangent_forward_t222 + t187 + t189 + tangent_J_y_y;
         const lane tangent_M_p_ry_rz =
-            -B_1_y*tangent_forward_t172 - B_2_y*tangent_forward_t173 - B_3_y*tangent_forward_t174
-            - B_4_y*tangent_forward_t175 - B_5_y*tangent_forward_t176 - B_6_y*tangent_forward_t177
-            - c_y*tangent_forward_t178 - forward_t172*tangent_B_1_y - forward_t173*tangent_B_2_y
-            - forward_t174*tangent_B_3_y - forward_t175*tangent_B_4_y - forward_t176*tangent_B_5_y
-            - forward_t177*tangent_B_6_y - forward_t178*tangent_c_y + tangent_J_y_z;
+            -B_1_y*tangent_forward_t177 - B_2_y*tangent_forward_t178 - B_3_y*tangent_forward_t179
+            - B_4_y*tangent_forward_t180 - B_5_y*tangent_forward_t181 - B_6_y*tangent_forward_t182
+            - c_y*tangent_forward_t183 - forward_t177*tangent_B_1_y - forward_t178*tangent_B_2_y
+            - forward_t179*tangent_B_3_y - forward_t180*tangent_B_4_y - forward_t181*tangent_B_5_y
+            - forward_t182*tangent_B_6_y - forward_t183*tangent_c_y - forward_t184*tangent_o_L_y
+            - o_L_y*tangent_forward_t184 + tangent_J_y_z;
         const lane tangent_M_p_rz_rz =
-            t108*tangent_forward_t194 + t109*tangent_forward_t197 + t110*tangent_forward_t200
-            + t111*tangent_forward_t203 + t112*tangent_forward_t206 + t113*tangent_forward_t209
-            + t114*tangent_forward_t212 + t181 + t182 + tangent_J_z_z;
+            t112*tangent_forward_t201 + t113*tangent_forward_t204 + t114*tangent_forward_t207
+            + t115*tangent_forward_t210 + t116*tangent_forward_t213 + t117*tangent_forward_t216
+            + t118*tangent_forward_t219 + t119*tangent_forward_t222 + t188 + t189 + tangent_J_z_z;
         const lane tangent_h_x_l_1 =
             D_p_ry_1*tangent_M_p_x_ry + D_p_rz_1*tangent_M_p_x_rz + D_p_x_1*tangent_M_p_x_x
             + M_p_x_ry*tangent_D_p_ry_1 + M_p_x_rz*tangent_D_p_rz_1 + M_p_x_x*tangent_D_p_x_1;
@@ -13348,11 +13515,11 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_h_x_l_6 =
             D_p_ry_6*tangent_M_p_x_ry + D_p_rz_6*tangent_M_p_x_rz + D_p_x_6*tangent_M_p_x_x
             + M_p_x_ry*tangent_D_p_ry_6 + M_p_x_rz*tangent_D_p_rz_6 + M_p_x_x*tangent_D_p_x_6;
-        const lane tangent_forward_t220 =
+        const lane tangent_forward_t231 =
             tangent_m_lift_1 + tangent_m_lift_2 + tangent_m_lift_3 + tangent_m_lift_4 + tangent_m_lift_5
             + tangent_m_lift_6 - tangent_m_perp_1 - tangent_m_perp_2 - tangent_m_perp_3 - tangent_m_perp_4
             - tangent_m_perp_5 - tangent_m_perp_6;
-        const lane tangent_h_x_u_x = tangent_M_p_x_x + tangent_forward_t220;
+        const lane tangent_h_x_u_x = tangent_M_p_x_x + tangent_forward_t231;
         const lane tangent_h_y_l_1 =
             D_p_rx_1*tangent_M_p_y_rx + D_p_rz_1*tangent_M_p_y_rz + D_p_y_1*tangent_M_p_x_x
             + M_p_x_x*tangent_D_p_y_1 + M_p_y_rx*tangent_D_p_rx_1 + M_p_y_rz*tangent_D_p_rz_1;
@@ -13419,24 +13586,24 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + D_p_y_6*tangent_M_p_y_rx + D_p_z_6*tangent_M_p_z_rx + M_p_rx_rx*tangent_D_p_rx_6
             + M_p_rx_ry*tangent_D_p_ry_6 + M_p_rx_rz*tangent_D_p_rz_6 + M_p_y_rx*tangent_D_p_y_6
             + M_p_z_rx*tangent_D_p_z_6;
-        const lane tangent_forward_t221 =
+        const lane tangent_forward_t232 =
             B_1_z*along_86 + B_1_z*tangent_forward_t33 + B_2_z*along_87 + B_2_z*tangent_forward_t37
             + B_3_z*along_88 + B_3_z*tangent_forward_t41 + B_4_z*along_89 + B_4_z*tangent_forward_t45
             + B_5_z*along_90 + B_5_z*tangent_forward_t49 + B_6_z*along_91 + B_6_z*tangent_forward_t53
             + m_lift_1*tangent_B_1_z + m_lift_2*tangent_B_2_z + m_lift_3*tangent_B_3_z
-            + m_lift_4*tangent_B_4_z + m_lift_5*tangent_B_5_z + m_lift_6*tangent_B_6_z - tangent_forward_t172
-            - tangent_forward_t173 - tangent_forward_t174 - tangent_forward_t175 - tangent_forward_t176
-            - tangent_forward_t177;
-        const lane tangent_h_rx_u_y = tangent_M_p_y_rx - tangent_forward_t221;
-        const lane tangent_forward_t222 =
+            + m_lift_4*tangent_B_4_z + m_lift_5*tangent_B_5_z + m_lift_6*tangent_B_6_z - tangent_forward_t177
+            - tangent_forward_t178 - tangent_forward_t179 - tangent_forward_t180 - tangent_forward_t181
+            - tangent_forward_t182;
+        const lane tangent_h_rx_u_y = tangent_M_p_y_rx - tangent_forward_t232;
+        const lane tangent_forward_t233 =
             B_1_y*along_86 + B_1_y*tangent_forward_t33 + B_2_y*along_87 + B_2_y*tangent_forward_t37
             + B_3_y*along_88 + B_3_y*tangent_forward_t41 + B_4_y*along_89 + B_4_y*tangent_forward_t45
             + B_5_y*along_90 + B_5_y*tangent_forward_t49 + B_6_y*along_91 + B_6_y*tangent_forward_t53
             + m_lift_1*tangent_B_1_y + m_lift_2*tangent_B_2_y + m_lift_3*tangent_B_3_y
-            + m_lift_4*tangent_B_4_y + m_lift_5*tangent_B_5_y + m_lift_6*tangent_B_6_y - tangent_forward_t179
-            - tangent_forward_t180 - tangent_forward_t181 - tangent_forward_t182 - tangent_forward_t183
-            - tangent_forward_t184;
-        const lane tangent_h_rx_u_z = tangent_M_p_z_rx + tangent_forward_t222;
+            + m_lift_4*tangent_B_4_y + m_lift_5*tangent_B_5_y + m_lift_6*tangent_B_6_y - tangent_forward_t185
+            - tangent_forward_t186 - tangent_forward_t187 - tangent_forward_t188 - tangent_forward_t189
+            - tangent_forward_t190;
+        const lane tangent_h_rx_u_z = tangent_M_p_z_rx + tangent_forward_t233;
         const lane tangent_h_ry_l_1 =
             D_p_rx_1*tangent_M_p_rx_ry + D_p_ry_1*tangent_M_p_ry_ry + D_p_rz_1*tangent_M_p_ry_rz
             + D_p_x_1*tangent_M_p_x_ry + D_p_z_1*tangent_M_p_z_ry + M_p_rx_ry*tangent_D_p_rx_1
@@ -13467,16 +13634,16 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + D_p_x_6*tangent_M_p_x_ry + D_p_z_6*tangent_M_p_z_ry + M_p_rx_ry*tangent_D_p_rx_6
             + M_p_ry_ry*tangent_D_p_ry_6 + M_p_ry_rz*tangent_D_p_rz_6 + M_p_x_ry*tangent_D_p_x_6
             + M_p_z_ry*tangent_D_p_z_6;
-        const lane tangent_h_ry_u_x = tangent_M_p_x_ry + tangent_forward_t221;
-        const lane tangent_forward_t223 =
+        const lane tangent_h_ry_u_x = tangent_M_p_x_ry + tangent_forward_t232;
+        const lane tangent_forward_t234 =
             B_1_x*along_86 + B_1_x*tangent_forward_t33 + B_2_x*along_87 + B_2_x*tangent_forward_t37
             + B_3_x*along_88 + B_3_x*tangent_forward_t41 + B_4_x*along_89 + B_4_x*tangent_forward_t45
             + B_5_x*along_90 + B_5_x*tangent_forward_t49 + B_6_x*along_91 + B_6_x*tangent_forward_t53
             + m_lift_1*tangent_B_1_x + m_lift_2*tangent_B_2_x + m_lift_3*tangent_B_3_x
-            + m_lift_4*tangent_B_4_x + m_lift_5*tangent_B_5_x + m_lift_6*tangent_B_6_x - tangent_forward_t186
-            - tangent_forward_t187 - tangent_forward_t188 - tangent_forward_t189 - tangent_forward_t190
-            - tangent_forward_t191;
-        const lane tangent_h_ry_u_z = tangent_M_p_z_ry - tangent_forward_t223;
+            + m_lift_4*tangent_B_4_x + m_lift_5*tangent_B_5_x + m_lift_6*tangent_B_6_x - tangent_forward_t193
+            - tangent_forward_t194 - tangent_forward_t195 - tangent_forward_t196 - tangent_forward_t197
+            - tangent_forward_t198;
+        const lane tangent_h_ry_u_z = tangent_M_p_z_ry - tangent_forward_t234;
         const lane tangent_h_rz_l_1 =
             D_p_rx_1*tangent_M_p_rx_rz + D_p_ry_1*tangent_M_p_ry_rz + D_p_rz_1*tangent_M_p_rz_rz
             + D_p_x_1*tangent_M_p_x_rz + D_p_y_1*tangent_M_p_y_rz + M_p_rx_rz*tangent_D_p_rx_1
@@ -13507,27 +13674,27 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + D_p_x_6*tangent_M_p_x_rz + D_p_y_6*tangent_M_p_y_rz + M_p_rx_rz*tangent_D_p_rx_6
             + M_p_ry_rz*tangent_D_p_ry_6 + M_p_rz_rz*tangent_D_p_rz_6 + M_p_x_rz*tangent_D_p_x_6
             + M_p_y_rz*tangent_D_p_y_6;
-        const lane tangent_h_rz_u_x = tangent_M_p_x_rz - tangent_forward_t222;
-        const lane tangent_h_rz_u_y = tangent_M_p_y_rz + tangent_forward_t223;
-        const lane tangent_forward_t224 =
-            along_128 + along_68 + along_69 + along_70 + along_71 + along_72 + along_73 - tangent_forward_t33
+        const lane tangent_h_rz_u_x = tangent_M_p_x_rz - tangent_forward_t233;
+        const lane tangent_h_rz_u_y = tangent_M_p_y_rz + tangent_forward_t234;
+        const lane tangent_forward_t235 =
+            along_131 + along_68 + along_69 + along_70 + along_71 + along_72 + along_73 - tangent_forward_t33
             - tangent_forward_t37 - tangent_forward_t41 - tangent_forward_t45 - tangent_forward_t49
             - tangent_forward_t53;
-        const lane tangent_forward_t225 = D_p_x_1*along_122 + k_C*tangent_D_p_x_1;
-        const lane tangent_forward_t226 = D_p_y_1*along_122 + k_C*tangent_D_p_y_1;
-        const lane tangent_forward_t227 = D_p_z_1*along_122 + k_C*tangent_D_p_z_1;
-        const lane tangent_forward_t228 = D_p_x_2*along_122 + k_C*tangent_D_p_x_2;
-        const lane tangent_forward_t229 = D_p_y_2*along_122 + k_C*tangent_D_p_y_2;
-        const lane tangent_forward_t230 = D_p_z_2*along_122 + k_C*tangent_D_p_z_2;
-        const lane tangent_forward_t231 = D_p_x_3*along_122 + k_C*tangent_D_p_x_3;
-        const lane tangent_forward_t232 = D_p_y_3*along_122 + k_C*tangent_D_p_y_3;
-        const lane tangent_forward_t233 = D_p_z_3*along_122 + k_C*tangent_D_p_z_3;
-        const lane tangent_forward_t234 = D_p_x_4*along_122 + k_C*tangent_D_p_x_4;
-        const lane tangent_forward_t235 = D_p_y_4*along_122 + k_C*tangent_D_p_y_4;
-        const lane tangent_forward_t236 = D_p_z_4*along_122 + k_C*tangent_D_p_z_4;
-        const lane tangent_forward_t237 = D_p_x_5*along_122 + k_C*tangent_D_p_x_5;
-        const lane tangent_forward_t238 = D_p_y_5*along_122 + k_C*tangent_D_p_y_5;
-        const lane tangent_forward_t239 = D_p_z_5*along_122 + k_C*tangent_D_p_z_5;
+        const lane tangent_forward_t236 = D_p_x_1*along_122 + k_C*tangent_D_p_x_1;
+        const lane tangent_forward_t237 = D_p_y_1*along_122 + k_C*tangent_D_p_y_1;
+        const lane tangent_forward_t238 = D_p_z_1*along_122 + k_C*tangent_D_p_z_1;
+        const lane tangent_forward_t239 = D_p_x_2*along_122 + k_C*tangent_D_p_x_2;
+        const lane tangent_forward_t240 = D_p_y_2*along_122 + k_C*tangent_D_p_y_2;
+        const lane tangent_forward_t241 = D_p_z_2*along_122 + k_C*tangent_D_p_z_2;
+        const lane tangent_forward_t242 = D_p_x_3*along_122 + k_C*tangent_D_p_x_3;
+        const lane tangent_forward_t243 = D_p_y_3*along_122 + k_C*tangent_D_p_y_3;
+        const lane tangent_forward_t244 = D_p_z_3*along_122 + k_C*tangent_D_p_z_3;
+        const lane tangent_forward_t245 = D_p_x_4*along_122 + k_C*tangent_D_p_x_4;
+        const lane tangent_forward_t246 = D_p_y_4*along_122 + k_C*tangent_D_p_y_4;
+        const lane tangent_forward_t247 = D_p_z_4*along_122 + k_C*tangent_D_p_z_4;
+        const lane tangent_forward_t248 = D_p_x_5*along_122 + k_C*tangent_D_p_x_5;
+        const lane tangent_forward_t249 = D_p_y_5*along_122 + k_C*tangent_D_p_y_5;
+        const lane tangent_forward_t250 = D_p_z_5*along_122 + k_C*tangent_D_p_z_5;
         const lane tangent_forward_23 = -2.0*along_110/(h_m_1*h_m_1*h_m_1);
         const lane tangent_forward_24 = -2.0*along_111/(h_m_2*h_m_2*h_m_2);
         const lane tangent_forward_25 = -2.0*along_112/(h_m_3*h_m_3*h_m_3);
@@ -13540,7 +13707,7 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         const lane tangent_forward_32 = -3.0*tangent_forward_7/(forward_7*forward_7*forward_7*forward_7);
         const lane tangent_forward_33 = -3.0*tangent_forward_8/(forward_8*forward_8*forward_8*forward_8);
         const lane tangent_forward_34 = -3.0*tangent_forward_9/(forward_9*forward_9*forward_9*forward_9);
-        const lane t183 = 2.0*along_11;
+        const lane t190 = 2.0*along_11;
         lanes_clear(mass_rate, 225);
         mass_rate[0] =
             LANES(D_p_rx_1*tangent_h_rx_l_1 + D_p_ry_1*tangent_h_ry_l_1 + D_p_rz_1*tangent_h_rz_l_1
@@ -13574,15 +13741,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + h_x_l_6*tangent_D_p_x_1 + h_y_l_6*tangent_D_p_y_1 + h_z_l_6*tangent_D_p_z_1);
         mass_rate[12] = mass_rate[180] =
             LANES(D_p_ry_1*tangent_h_ry_u_x + D_p_rz_1*tangent_h_rz_u_x + D_p_x_1*tangent_h_x_u_x
-            - d_1_x*tangent_forward_t130 - forward_t130*tangent_d_1_x + h_ry_u_x*tangent_D_p_ry_1
+            - d_1_x*tangent_forward_t135 - forward_t135*tangent_d_1_x + h_ry_u_x*tangent_D_p_ry_1
             + h_rz_u_x*tangent_D_p_rz_1 + h_x_u_x*tangent_D_p_x_1);
         mass_rate[13] = mass_rate[195] =
             LANES(D_p_rx_1*tangent_h_rx_u_y + D_p_rz_1*tangent_h_rz_u_y + D_p_y_1*tangent_h_x_u_x
-            - d_1_y*tangent_forward_t130 - forward_t130*tangent_d_1_y + h_rx_u_y*tangent_D_p_rx_1
+            - d_1_y*tangent_forward_t135 - forward_t135*tangent_d_1_y + h_rx_u_y*tangent_D_p_rx_1
             + h_rz_u_y*tangent_D_p_rz_1 + h_x_u_x*tangent_D_p_y_1);
         mass_rate[14] = mass_rate[210] =
             LANES(D_p_rx_1*tangent_h_rx_u_z + D_p_ry_1*tangent_h_ry_u_z + D_p_z_1*tangent_h_x_u_x
-            - d_1_z*tangent_forward_t130 - forward_t130*tangent_d_1_z + h_rx_u_z*tangent_D_p_rx_1
+            - d_1_z*tangent_forward_t135 - forward_t135*tangent_d_1_z + h_rx_u_z*tangent_D_p_rx_1
             + h_ry_u_z*tangent_D_p_ry_1 + h_x_u_x*tangent_D_p_z_1);
         mass_rate[16] =
             LANES(D_p_rx_2*tangent_h_rx_l_2 + D_p_ry_2*tangent_h_ry_l_2 + D_p_rz_2*tangent_h_rz_l_2
@@ -13611,15 +13778,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + h_x_l_6*tangent_D_p_x_2 + h_y_l_6*tangent_D_p_y_2 + h_z_l_6*tangent_D_p_z_2);
         mass_rate[27] = mass_rate[181] =
             LANES(D_p_ry_2*tangent_h_ry_u_x + D_p_rz_2*tangent_h_rz_u_x + D_p_x_2*tangent_h_x_u_x
-            - d_2_x*tangent_forward_t132 - forward_t132*tangent_d_2_x + h_ry_u_x*tangent_D_p_ry_2
+            - d_2_x*tangent_forward_t137 - forward_t137*tangent_d_2_x + h_ry_u_x*tangent_D_p_ry_2
             + h_rz_u_x*tangent_D_p_rz_2 + h_x_u_x*tangent_D_p_x_2);
         mass_rate[28] = mass_rate[196] =
             LANES(D_p_rx_2*tangent_h_rx_u_y + D_p_rz_2*tangent_h_rz_u_y + D_p_y_2*tangent_h_x_u_x
-            - d_2_y*tangent_forward_t132 - forward_t132*tangent_d_2_y + h_rx_u_y*tangent_D_p_rx_2
+            - d_2_y*tangent_forward_t137 - forward_t137*tangent_d_2_y + h_rx_u_y*tangent_D_p_rx_2
             + h_rz_u_y*tangent_D_p_rz_2 + h_x_u_x*tangent_D_p_y_2);
         mass_rate[29] = mass_rate[211] =
             LANES(D_p_rx_2*tangent_h_rx_u_z + D_p_ry_2*tangent_h_ry_u_z + D_p_z_2*tangent_h_x_u_x
-            - d_2_z*tangent_forward_t132 - forward_t132*tangent_d_2_z + h_rx_u_z*tangent_D_p_rx_2
+            - d_2_z*tangent_forward_t137 - forward_t137*tangent_d_2_z + h_rx_u_z*tangent_D_p_rx_2
             + h_ry_u_z*tangent_D_p_ry_2 + h_x_u_x*tangent_D_p_z_2);
         mass_rate[32] =
             LANES(D_p_rx_3*tangent_h_rx_l_3 + D_p_ry_3*tangent_h_ry_l_3 + D_p_rz_3*tangent_h_rz_l_3
@@ -13643,15 +13810,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + h_x_l_6*tangent_D_p_x_3 + h_y_l_6*tangent_D_p_y_3 + h_z_l_6*tangent_D_p_z_3);
         mass_rate[42] = mass_rate[182] =
             LANES(D_p_ry_3*tangent_h_ry_u_x + D_p_rz_3*tangent_h_rz_u_x + D_p_x_3*tangent_h_x_u_x
-            - d_3_x*tangent_forward_t134 - forward_t134*tangent_d_3_x + h_ry_u_x*tangent_D_p_ry_3
+            - d_3_x*tangent_forward_t139 - forward_t139*tangent_d_3_x + h_ry_u_x*tangent_D_p_ry_3
             + h_rz_u_x*tangent_D_p_rz_3 + h_x_u_x*tangent_D_p_x_3);
         mass_rate[43] = mass_rate[197] =
             LANES(D_p_rx_3*tangent_h_rx_u_y + D_p_rz_3*tangent_h_rz_u_y + D_p_y_3*tangent_h_x_u_x
-            - d_3_y*tangent_forward_t134 - forward_t134*tangent_d_3_y + h_rx_u_y*tangent_D_p_rx_3
+            - d_3_y*tangent_forward_t139 - forward_t139*tangent_d_3_y + h_rx_u_y*tangent_D_p_rx_3
             + h_rz_u_y*tangent_D_p_rz_3 + h_x_u_x*tangent_D_p_y_3);
         mass_rate[44] = mass_rate[212] =
             LANES(D_p_rx_3*tangent_h_rx_u_z + D_p_ry_3*tangent_h_ry_u_z + D_p_z_3*tangent_h_x_u_x
-            - d_3_z*tangent_forward_t134 - forward_t134*tangent_d_3_z + h_rx_u_z*tangent_D_p_rx_3
+            - d_3_z*tangent_forward_t139 - forward_t139*tangent_d_3_z + h_rx_u_z*tangent_D_p_rx_3
             + h_ry_u_z*tangent_D_p_ry_3 + h_x_u_x*tangent_D_p_z_3);
         mass_rate[48] =
             LANES(D_p_rx_4*tangent_h_rx_l_4 + D_p_ry_4*tangent_h_ry_l_4 + D_p_rz_4*tangent_h_rz_l_4
@@ -13670,15 +13837,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + h_x_l_6*tangent_D_p_x_4 + h_y_l_6*tangent_D_p_y_4 + h_z_l_6*tangent_D_p_z_4);
         mass_rate[57] = mass_rate[183] =
             LANES(D_p_ry_4*tangent_h_ry_u_x + D_p_rz_4*tangent_h_rz_u_x + D_p_x_4*tangent_h_x_u_x
-            - d_4_x*tangent_forward_t136 - forward_t136*tangent_d_4_x + h_ry_u_x*tangent_D_p_ry_4
+            - d_4_x*tangent_forward_t141 - forward_t141*tangent_d_4_x + h_ry_u_x*tangent_D_p_ry_4
             + h_rz_u_x*tangent_D_p_rz_4 + h_x_u_x*tangent_D_p_x_4);
         mass_rate[58] = mass_rate[198] =
             LANES(D_p_rx_4*tangent_h_rx_u_y + D_p_rz_4*tangent_h_rz_u_y + D_p_y_4*tangent_h_x_u_x
-            - d_4_y*tangent_forward_t136 - forward_t136*tangent_d_4_y + h_rx_u_y*tangent_D_p_rx_4
+            - d_4_y*tangent_forward_t141 - forward_t141*tangent_d_4_y + h_rx_u_y*tangent_D_p_rx_4
             + h_rz_u_y*tangent_D_p_rz_4 + h_x_u_x*tangent_D_p_y_4);
         mass_rate[59] = mass_rate[213] =
             LANES(D_p_rx_4*tangent_h_rx_u_z + D_p_ry_4*tangent_h_ry_u_z + D_p_z_4*tangent_h_x_u_x
-            - d_4_z*tangent_forward_t136 - forward_t136*tangent_d_4_z + h_rx_u_z*tangent_D_p_rx_4
+            - d_4_z*tangent_forward_t141 - forward_t141*tangent_d_4_z + h_rx_u_z*tangent_D_p_rx_4
             + h_ry_u_z*tangent_D_p_ry_4 + h_x_u_x*tangent_D_p_z_4);
         mass_rate[64] =
             LANES(D_p_rx_5*tangent_h_rx_l_5 + D_p_ry_5*tangent_h_ry_l_5 + D_p_rz_5*tangent_h_rz_l_5
@@ -13692,15 +13859,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + h_x_l_6*tangent_D_p_x_5 + h_y_l_6*tangent_D_p_y_5 + h_z_l_6*tangent_D_p_z_5);
         mass_rate[72] = mass_rate[184] =
             LANES(D_p_ry_5*tangent_h_ry_u_x + D_p_rz_5*tangent_h_rz_u_x + D_p_x_5*tangent_h_x_u_x
-            - d_5_x*tangent_forward_t138 - forward_t138*tangent_d_5_x + h_ry_u_x*tangent_D_p_ry_5
+            - d_5_x*tangent_forward_t143 - forward_t143*tangent_d_5_x + h_ry_u_x*tangent_D_p_ry_5
             + h_rz_u_x*tangent_D_p_rz_5 + h_x_u_x*tangent_D_p_x_5);
         mass_rate[73] = mass_rate[199] =
             LANES(D_p_rx_5*tangent_h_rx_u_y + D_p_rz_5*tangent_h_rz_u_y + D_p_y_5*tangent_h_x_u_x
-            - d_5_y*tangent_forward_t138 - forward_t138*tangent_d_5_y + h_rx_u_y*tangent_D_p_rx_5
+            - d_5_y*tangent_forward_t143 - forward_t143*tangent_d_5_y + h_rx_u_y*tangent_D_p_rx_5
             + h_rz_u_y*tangent_D_p_rz_5 + h_x_u_x*tangent_D_p_y_5);
         mass_rate[74] = mass_rate[214] =
             LANES(D_p_rx_5*tangent_h_rx_u_z + D_p_ry_5*tangent_h_ry_u_z + D_p_z_5*tangent_h_x_u_x
-            - d_5_z*tangent_forward_t138 - forward_t138*tangent_d_5_z + h_rx_u_z*tangent_D_p_rx_5
+            - d_5_z*tangent_forward_t143 - forward_t143*tangent_d_5_z + h_rx_u_z*tangent_D_p_rx_5
             + h_ry_u_z*tangent_D_p_ry_5 + h_x_u_x*tangent_D_p_z_5);
         mass_rate[80] =
             LANES(D_p_rx_6*tangent_h_rx_l_6 + D_p_ry_6*tangent_h_ry_l_6 + D_p_rz_6*tangent_h_rz_l_6
@@ -13709,15 +13876,15 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
             + h_x_l_6*tangent_D_p_x_6 + h_y_l_6*tangent_D_p_y_6 + h_z_l_6*tangent_D_p_z_6 - tangent_m_perp_6);
         mass_rate[87] = mass_rate[185] =
             LANES(D_p_ry_6*tangent_h_ry_u_x + D_p_rz_6*tangent_h_rz_u_x + D_p_x_6*tangent_h_x_u_x
-            - d_6_x*tangent_forward_t140 - forward_t140*tangent_d_6_x + h_ry_u_x*tangent_D_p_ry_6
+            - d_6_x*tangent_forward_t145 - forward_t145*tangent_d_6_x + h_ry_u_x*tangent_D_p_ry_6
             + h_rz_u_x*tangent_D_p_rz_6 + h_x_u_x*tangent_D_p_x_6);
         mass_rate[88] = mass_rate[200] =
             LANES(D_p_rx_6*tangent_h_rx_u_y + D_p_rz_6*tangent_h_rz_u_y + D_p_y_6*tangent_h_x_u_x
-            - d_6_y*tangent_forward_t140 - forward_t140*tangent_d_6_y + h_rx_u_y*tangent_D_p_rx_6
+            - d_6_y*tangent_forward_t145 - forward_t145*tangent_d_6_y + h_rx_u_y*tangent_D_p_rx_6
             + h_rz_u_y*tangent_D_p_rz_6 + h_x_u_x*tangent_D_p_y_6);
         mass_rate[89] = mass_rate[215] =
             LANES(D_p_rx_6*tangent_h_rx_u_z + D_p_ry_6*tangent_h_ry_u_z + D_p_z_6*tangent_h_x_u_x
-            - d_6_z*tangent_forward_t140 - forward_t140*tangent_d_6_z + h_rx_u_z*tangent_D_p_rx_6
+            - d_6_z*tangent_forward_t145 - forward_t145*tangent_d_6_z + h_rx_u_z*tangent_D_p_rx_6
             + h_ry_u_z*tangent_D_p_ry_6 + h_x_u_x*tangent_D_p_z_6);
         mass_rate[96] = LANES(I_m_1*tangent_forward_23 + along_104*forward_23 + along_124);
         mass_rate[112] = LANES(I_m_2*tangent_forward_24 + along_105*forward_24 + along_124);
@@ -13725,269 +13892,269 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
         mass_rate[144] = LANES(I_m_4*tangent_forward_26 + along_107*forward_26 + along_124);
         mass_rate[160] = LANES(I_m_5*tangent_forward_27 + along_108*forward_27 + along_124);
         mass_rate[176] = LANES(I_m_6*tangent_forward_28 + along_109*forward_28 + along_124);
-        mass_rate[192] = LANES(tangent_forward_t224 + tangent_h_x_u_x);
-        mass_rate[208] = LANES(tangent_forward_t224 + tangent_h_x_u_x);
-        mass_rate[224] = LANES(tangent_forward_t224 + tangent_h_x_u_x);
+        mass_rate[192] = LANES(tangent_forward_t235 + tangent_h_x_u_x);
+        mass_rate[208] = LANES(tangent_forward_t235 + tangent_h_x_u_x);
+        mass_rate[224] = LANES(tangent_forward_t235 + tangent_h_x_u_x);
         lanes_clear(stiffness_rate, 225);
         stiffness_rate[0] =
-            LANES(D_p_rx_1*tangent_f_rx_l_1 - D_p_rx_1*tangent_forward_t154 + D_p_ry_1*tangent_f_ry_l_1
-            - D_p_ry_1*tangent_forward_t160 + D_p_rz_1*tangent_f_rz_l_1 - D_p_rz_1*tangent_forward_t166
-            + D_p_x_1*tangent_f_x_l_1 + D_p_x_1*tangent_forward_t131 + D_p_y_1*tangent_f_y_l_1
-            + D_p_y_1*tangent_forward_t142 + D_p_z_1*tangent_f_z_l_1 + D_p_z_1*tangent_forward_t148
-            - along_12*d_1_y*t185 + along_122*((D_p_x_1*D_p_x_1) + (D_p_y_1*D_p_y_1) + (D_p_z_1*D_p_z_1))
-            - along_13*d_1_z*t185 - d_1_x*t183*t184 + forward_29*t186*tangent_forward_t32
-            + forward_t32*t186*tangent_forward_29 - g_x*t185*tangent_d_1_x - g_y*t185*tangent_d_1_y
-            - g_z*t185*tangent_d_1_z + tangent_D_p_rx_1*(f_rx_l_1 - forward_t154)
-            + tangent_D_p_ry_1*(f_ry_l_1 - forward_t160) + tangent_D_p_rz_1*(f_rz_l_1 - forward_t166)
-            + tangent_D_p_x_1*(f_x_l_1 + forward_t131 + 2.0*forward_t225) + tangent_D_p_y_1*(f_y_l_1
-            + forward_t142 + 2.0*forward_t226) + tangent_D_p_z_1*(f_z_l_1 + forward_t148 + 2.0*forward_t227)
+            LANES(D_p_rx_1*tangent_f_rx_l_1 - D_p_rx_1*tangent_forward_t159 + D_p_ry_1*tangent_f_ry_l_1
+            - D_p_ry_1*tangent_forward_t165 + D_p_rz_1*tangent_f_rz_l_1 - D_p_rz_1*tangent_forward_t171
+            + D_p_x_1*tangent_f_x_l_1 + D_p_x_1*tangent_forward_t136 + D_p_y_1*tangent_f_y_l_1
+            + D_p_y_1*tangent_forward_t147 + D_p_z_1*tangent_f_z_l_1 + D_p_z_1*tangent_forward_t153
+            - along_12*d_1_y*t192 + along_122*((D_p_x_1*D_p_x_1) + (D_p_y_1*D_p_y_1) + (D_p_z_1*D_p_z_1))
+            - along_13*d_1_z*t192 - d_1_x*t190*t191 + forward_29*t193*tangent_forward_t32
+            + forward_t32*t193*tangent_forward_29 - g_x*t192*tangent_d_1_x - g_y*t192*tangent_d_1_y
+            - g_z*t192*tangent_d_1_z + tangent_D_p_rx_1*(f_rx_l_1 - forward_t159)
+            + tangent_D_p_ry_1*(f_ry_l_1 - forward_t165) + tangent_D_p_rz_1*(f_rz_l_1 - forward_t171)
+            + tangent_D_p_x_1*(f_x_l_1 + forward_t136 + 2.0*forward_t236) + tangent_D_p_y_1*(f_y_l_1
+            + forward_t147 + 2.0*forward_t237) + tangent_D_p_z_1*(f_z_l_1 + forward_t153 + 2.0*forward_t238)
             + tangent_k_1 + tangent_mu_1);
         stiffness_rate[1] = stiffness_rate[15] =
-            LANES(D_p_rx_1*tangent_f_rx_l_2 - D_p_rx_2*tangent_forward_t154 + D_p_ry_1*tangent_f_ry_l_2
-            - D_p_ry_2*tangent_forward_t160 + D_p_rz_1*tangent_f_rz_l_2 - D_p_rz_2*tangent_forward_t166
-            + D_p_x_1*tangent_f_x_l_2 + D_p_x_2*tangent_forward_t131 + D_p_x_2*tangent_forward_t225
-            + D_p_y_1*tangent_f_y_l_2 + D_p_y_2*tangent_forward_t142 + D_p_y_2*tangent_forward_t226
-            + D_p_z_1*tangent_f_z_l_2 + D_p_z_2*tangent_forward_t148 + D_p_z_2*tangent_forward_t227
+            LANES(D_p_rx_1*tangent_f_rx_l_2 - D_p_rx_2*tangent_forward_t159 + D_p_ry_1*tangent_f_ry_l_2
+            - D_p_ry_2*tangent_forward_t165 + D_p_rz_1*tangent_f_rz_l_2 - D_p_rz_2*tangent_forward_t171
+            + D_p_x_1*tangent_f_x_l_2 + D_p_x_2*tangent_forward_t136 + D_p_x_2*tangent_forward_t236
+            + D_p_y_1*tangent_f_y_l_2 + D_p_y_2*tangent_forward_t147 + D_p_y_2*tangent_forward_t237
+            + D_p_z_1*tangent_f_z_l_2 + D_p_z_2*tangent_forward_t153 + D_p_z_2*tangent_forward_t238
             + f_rx_l_2*tangent_D_p_rx_1 + f_ry_l_2*tangent_D_p_ry_1 + f_rz_l_2*tangent_D_p_rz_1
             + f_x_l_2*tangent_D_p_x_1 + f_y_l_2*tangent_D_p_y_1 + f_z_l_2*tangent_D_p_z_1
-            - forward_t154*tangent_D_p_rx_2 - forward_t160*tangent_D_p_ry_2 - forward_t166*tangent_D_p_rz_2
-            + t187*tangent_D_p_x_2 + t188*tangent_D_p_y_2 + t189*tangent_D_p_z_2);
+            - forward_t159*tangent_D_p_rx_2 - forward_t165*tangent_D_p_ry_2 - forward_t171*tangent_D_p_rz_2
+            + t194*tangent_D_p_x_2 + t195*tangent_D_p_y_2 + t196*tangent_D_p_z_2);
         stiffness_rate[2] = stiffness_rate[30] =
-            LANES(D_p_rx_1*tangent_f_rx_l_3 - D_p_rx_3*tangent_forward_t154 + D_p_ry_1*tangent_f_ry_l_3
-            - D_p_ry_3*tangent_forward_t160 + D_p_rz_1*tangent_f_rz_l_3 - D_p_rz_3*tangent_forward_t166
-            + D_p_x_1*tangent_f_x_l_3 + D_p_x_3*tangent_forward_t131 + D_p_x_3*tangent_forward_t225
-            + D_p_y_1*tangent_f_y_l_3 + D_p_y_3*tangent_forward_t142 + D_p_y_3*tangent_forward_t226
-            + D_p_z_1*tangent_f_z_l_3 + D_p_z_3*tangent_forward_t148 + D_p_z_3*tangent_forward_t227
+            LANES(D_p_rx_1*tangent_f_rx_l_3 - D_p_rx_3*tangent_forward_t159 + D_p_ry_1*tangent_f_ry_l_3
+            - D_p_ry_3*tangent_forward_t165 + D_p_rz_1*tangent_f_rz_l_3 - D_p_rz_3*tangent_forward_t171
+            + D_p_x_1*tangent_f_x_l_3 + D_p_x_3*tangent_forward_t136 + D_p_x_3*tangent_forward_t236
+            + D_p_y_1*tangent_f_y_l_3 + D_p_y_3*tangent_forward_t147 + D_p_y_3*tangent_forward_t237
+            + D_p_z_1*tangent_f_z_l_3 + D_p_z_3*tangent_forward_t153 + D_p_z_3*tangent_forward_t238
             + f_rx_l_3*tangent_D_p_rx_1 + f_ry_l_3*tangent_D_p_ry_1 + f_rz_l_3*tangent_D_p_rz_1
             + f_x_l_3*tangent_D_p_x_1 + f_y_l_3*tangent_D_p_y_1 + f_z_l_3*tangent_D_p_z_1
-            - forward_t154*tangent_D_p_rx_3 - forward_t160*tangent_D_p_ry_3 - forward_t166*tangent_D_p_rz_3
-            + t187*tangent_D_p_x_3 + t188*tangent_D_p_y_3 + t189*tangent_D_p_z_3);
+            - forward_t159*tangent_D_p_rx_3 - forward_t165*tangent_D_p_ry_3 - forward_t171*tangent_D_p_rz_3
+            + t194*tangent_D_p_x_3 + t195*tangent_D_p_y_3 + t196*tangent_D_p_z_3);
         stiffness_rate[3] = stiffness_rate[45] =
-            LANES(D_p_rx_1*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t154 + D_p_ry_1*tangent_f_ry_l_4
-            - D_p_ry_4*tangent_forward_t160 + D_p_rz_1*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t166
-            + D_p_x_1*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t131 + D_p_x_4*tangent_forward_t225
-            + D_p_y_1*tangent_f_y_l_4 + D_p_y_4*tangent_forward_t142 + D_p_y_4*tangent_forward_t226
-            + D_p_z_1*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t148 + D_p_z_4*tangent_forward_t227
+            LANES(D_p_rx_1*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t159 + D_p_ry_1*tangent_f_ry_l_4
+            - D_p_ry_4*tangent_forward_t165 + D_p_rz_1*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t171
+            + D_p_x_1*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t136 + D_p_x_4*tangent_forward_t236
+            + D_p_y_1*tangent_f_y_l_4 + D_p_y_4*tangent_forward_t147 + D_p_y_4*tangent_forward_t237
+            + D_p_z_1*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t153 + D_p_z_4*tangent_forward_t238
             + f_rx_l_4*tangent_D_p_rx_1 + f_ry_l_4*tangent_D_p_ry_1 + f_rz_l_4*tangent_D_p_rz_1
             + f_x_l_4*tangent_D_p_x_1 + f_y_l_4*tangent_D_p_y_1 + f_z_l_4*tangent_D_p_z_1
-            - forward_t154*tangent_D_p_rx_4 - forward_t160*tangent_D_p_ry_4 - forward_t166*tangent_D_p_rz_4
-            + t187*tangent_D_p_x_4 + t188*tangent_D_p_y_4 + t189*tangent_D_p_z_4);
+            - forward_t159*tangent_D_p_rx_4 - forward_t165*tangent_D_p_ry_4 - forward_t171*tangent_D_p_rz_4
+            + t194*tangent_D_p_x_4 + t195*tangent_D_p_y_4 + t196*tangent_D_p_z_4);
         stiffness_rate[4] = stiffness_rate[60] =
-            LANES(D_p_rx_1*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t154 + D_p_ry_1*tangent_f_ry_l_5
-            - D_p_ry_5*tangent_forward_t160 + D_p_rz_1*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t166
-            + D_p_x_1*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t131 + D_p_x_5*tangent_forward_t225
-            + D_p_y_1*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t142 + D_p_y_5*tangent_forward_t226
-            + D_p_z_1*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t148 + D_p_z_5*tangent_forward_t227
+            LANES(D_p_rx_1*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t159 + D_p_ry_1*tangent_f_ry_l_5
+            - D_p_ry_5*tangent_forward_t165 + D_p_rz_1*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t171
+            + D_p_x_1*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t136 + D_p_x_5*tangent_forward_t236
+            + D_p_y_1*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t147 + D_p_y_5*tangent_forward_t237
+            + D_p_z_1*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t153 + D_p_z_5*tangent_forward_t238
             + f_rx_l_5*tangent_D_p_rx_1 + f_ry_l_5*tangent_D_p_ry_1 + f_rz_l_5*tangent_D_p_rz_1
             + f_x_l_5*tangent_D_p_x_1 + f_y_l_5*tangent_D_p_y_1 + f_z_l_5*tangent_D_p_z_1
-            - forward_t154*tangent_D_p_rx_5 - forward_t160*tangent_D_p_ry_5 - forward_t166*tangent_D_p_rz_5
-            + t187*tangent_D_p_x_5 + t188*tangent_D_p_y_5 + t189*tangent_D_p_z_5);
+            - forward_t159*tangent_D_p_rx_5 - forward_t165*tangent_D_p_ry_5 - forward_t171*tangent_D_p_rz_5
+            + t194*tangent_D_p_x_5 + t195*tangent_D_p_y_5 + t196*tangent_D_p_z_5);
         stiffness_rate[5] = stiffness_rate[75] =
-            LANES(D_p_rx_1*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t154 + D_p_ry_1*tangent_f_ry_l_6
-            - D_p_ry_6*tangent_forward_t160 + D_p_rz_1*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t166
-            + D_p_x_1*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t131 + D_p_x_6*tangent_forward_t225
-            + D_p_y_1*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t142 + D_p_y_6*tangent_forward_t226
-            + D_p_z_1*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t148 + D_p_z_6*tangent_forward_t227
+            LANES(D_p_rx_1*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t159 + D_p_ry_1*tangent_f_ry_l_6
+            - D_p_ry_6*tangent_forward_t165 + D_p_rz_1*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t171
+            + D_p_x_1*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t136 + D_p_x_6*tangent_forward_t236
+            + D_p_y_1*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t147 + D_p_y_6*tangent_forward_t237
+            + D_p_z_1*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t153 + D_p_z_6*tangent_forward_t238
             + f_rx_l_6*tangent_D_p_rx_1 + f_ry_l_6*tangent_D_p_ry_1 + f_rz_l_6*tangent_D_p_rz_1
             + f_x_l_6*tangent_D_p_x_1 + f_y_l_6*tangent_D_p_y_1 + f_z_l_6*tangent_D_p_z_1
-            - forward_t154*tangent_D_p_rx_6 - forward_t160*tangent_D_p_ry_6 - forward_t166*tangent_D_p_rz_6
-            + t187*tangent_D_p_x_6 + t188*tangent_D_p_y_6 + t189*tangent_D_p_z_6);
+            - forward_t159*tangent_D_p_rx_6 - forward_t165*tangent_D_p_ry_6 - forward_t171*tangent_D_p_rz_6
+            + t194*tangent_D_p_x_6 + t195*tangent_D_p_y_6 + t196*tangent_D_p_z_6);
         stiffness_rate[6] = stiffness_rate[90] = LANES(-tangent_k_1);
-        stiffness_rate[12] = stiffness_rate[180] = LANES(tangent_forward_t225);
-        stiffness_rate[13] = stiffness_rate[195] = LANES(tangent_forward_t226);
-        stiffness_rate[14] = stiffness_rate[210] = LANES(tangent_forward_t227);
+        stiffness_rate[12] = stiffness_rate[180] = LANES(tangent_forward_t236);
+        stiffness_rate[13] = stiffness_rate[195] = LANES(tangent_forward_t237);
+        stiffness_rate[14] = stiffness_rate[210] = LANES(tangent_forward_t238);
         stiffness_rate[16] =
-            LANES(D_p_rx_2*tangent_f_rx_l_2 - D_p_rx_2*tangent_forward_t155 + D_p_ry_2*tangent_f_ry_l_2
-            - D_p_ry_2*tangent_forward_t161 + D_p_rz_2*tangent_f_rz_l_2 - D_p_rz_2*tangent_forward_t167
-            + D_p_x_2*tangent_f_x_l_2 + D_p_x_2*tangent_forward_t133 + D_p_y_2*tangent_f_y_l_2
-            + D_p_y_2*tangent_forward_t143 + D_p_z_2*tangent_f_z_l_2 + D_p_z_2*tangent_forward_t149
-            - along_12*d_2_y*t191 + along_122*((D_p_x_2*D_p_x_2) + (D_p_y_2*D_p_y_2) + (D_p_z_2*D_p_z_2))
-            - along_13*d_2_z*t191 - d_2_x*t183*t190 + forward_30*t192*tangent_forward_t36
-            + forward_t36*t192*tangent_forward_30 - g_x*t191*tangent_d_2_x - g_y*t191*tangent_d_2_y
-            - g_z*t191*tangent_d_2_z + tangent_D_p_rx_2*(f_rx_l_2 - forward_t155)
-            + tangent_D_p_ry_2*(f_ry_l_2 - forward_t161) + tangent_D_p_rz_2*(f_rz_l_2 - forward_t167)
-            + tangent_D_p_x_2*(f_x_l_2 + forward_t133 + 2.0*forward_t228) + tangent_D_p_y_2*(f_y_l_2
-            + forward_t143 + 2.0*forward_t229) + tangent_D_p_z_2*(f_z_l_2 + forward_t149 + 2.0*forward_t230)
+            LANES(D_p_rx_2*tangent_f_rx_l_2 - D_p_rx_2*tangent_forward_t160 + D_p_ry_2*tangent_f_ry_l_2
+            - D_p_ry_2*tangent_forward_t166 + D_p_rz_2*tangent_f_rz_l_2 - D_p_rz_2*tangent_forward_t172
+            + D_p_x_2*tangent_f_x_l_2 + D_p_x_2*tangent_forward_t138 + D_p_y_2*tangent_f_y_l_2
+            + D_p_y_2*tangent_forward_t148 + D_p_z_2*tangent_f_z_l_2 + D_p_z_2*tangent_forward_t154
+            - along_12*d_2_y*t198 + along_122*((D_p_x_2*D_p_x_2) + (D_p_y_2*D_p_y_2) + (D_p_z_2*D_p_z_2))
+            - along_13*d_2_z*t198 - d_2_x*t190*t197 + forward_30*t199*tangent_forward_t36
+            + forward_t36*t199*tangent_forward_30 - g_x*t198*tangent_d_2_x - g_y*t198*tangent_d_2_y
+            - g_z*t198*tangent_d_2_z + tangent_D_p_rx_2*(f_rx_l_2 - forward_t160)
+            + tangent_D_p_ry_2*(f_ry_l_2 - forward_t166) + tangent_D_p_rz_2*(f_rz_l_2 - forward_t172)
+            + tangent_D_p_x_2*(f_x_l_2 + forward_t138 + 2.0*forward_t239) + tangent_D_p_y_2*(f_y_l_2
+            + forward_t148 + 2.0*forward_t240) + tangent_D_p_z_2*(f_z_l_2 + forward_t154 + 2.0*forward_t241)
             + tangent_k_2 + tangent_mu_2);
         stiffness_rate[17] = stiffness_rate[31] =
-            LANES(D_p_rx_2*tangent_f_rx_l_3 - D_p_rx_3*tangent_forward_t155 + D_p_ry_2*tangent_f_ry_l_3
-            - D_p_ry_3*tangent_forward_t161 + D_p_rz_2*tangent_f_rz_l_3 - D_p_rz_3*tangent_forward_t167
-            + D_p_x_2*tangent_f_x_l_3 + D_p_x_3*tangent_forward_t133 + D_p_x_3*tangent_forward_t228
-            + D_p_y_2*tangent_f_y_l_3 + D_p_y_3*tangent_forward_t143 + D_p_y_3*tangent_forward_t229
-            + D_p_z_2*tangent_f_z_l_3 + D_p_z_3*tangent_forward_t149 + D_p_z_3*tangent_forward_t230
+            LANES(D_p_rx_2*tangent_f_rx_l_3 - D_p_rx_3*tangent_forward_t160 + D_p_ry_2*tangent_f_ry_l_3
+            - D_p_ry_3*tangent_forward_t166 + D_p_rz_2*tangent_f_rz_l_3 - D_p_rz_3*tangent_forward_t172
+            + D_p_x_2*tangent_f_x_l_3 + D_p_x_3*tangent_forward_t138 + D_p_x_3*tangent_forward_t239
+            + D_p_y_2*tangent_f_y_l_3 + D_p_y_3*tangent_forward_t148 + D_p_y_3*tangent_forward_t240
+            + D_p_z_2*tangent_f_z_l_3 + D_p_z_3*tangent_forward_t154 + D_p_z_3*tangent_forward_t241
             + f_rx_l_3*tangent_D_p_rx_2 + f_ry_l_3*tangent_D_p_ry_2 + f_rz_l_3*tangent_D_p_rz_2
             + f_x_l_3*tangent_D_p_x_2 + f_y_l_3*tangent_D_p_y_2 + f_z_l_3*tangent_D_p_z_2
-            - forward_t155*tangent_D_p_rx_3 - forward_t161*tangent_D_p_ry_3 - forward_t167*tangent_D_p_rz_3
-            + t193*tangent_D_p_x_3 + t194*tangent_D_p_y_3 + t195*tangent_D_p_z_3);
+            - forward_t160*tangent_D_p_rx_3 - forward_t166*tangent_D_p_ry_3 - forward_t172*tangent_D_p_rz_3
+            + t200*tangent_D_p_x_3 + t201*tangent_D_p_y_3 + t202*tangent_D_p_z_3);
         stiffness_rate[18] = stiffness_rate[46] =
-            LANES(D_p_rx_2*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t155 + D_p_ry_2*tangent_f_ry_l_4
-            - D_p_ry_4*tangent_forward_t161 + D_p_rz_2*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t167
-            + D_p_x_2*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t133 + D_p_x_4*tangent_forward_t228
-            + D_p_y_2*tangent_f_y_l_4 + D_p_y_4*tangent_forward_t143 + D_p_y_4*tangent_forward_t229
-            + D_p_z_2*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t149 + D_p_z_4*tangent_forward_t230
+            LANES(D_p_rx_2*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t160 + D_p_ry_2*tangent_f_ry_l_4
+            - D_p_ry_4*tangent_forward_t166 + D_p_rz_2*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t172
+            + D_p_x_2*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t138 + D_p_x_4*tangent_forward_t239
+            + D_p_y_2*tangent_f_y_l_4 + D_p_y_4*tangent_forward_t148 + D_p_y_4*tangent_forward_t240
+            + D_p_z_2*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t154 + D_p_z_4*tangent_forward_t241
             + f_rx_l_4*tangent_D_p_rx_2 + f_ry_l_4*tangent_D_p_ry_2 + f_rz_l_4*tangent_D_p_rz_2
             + f_x_l_4*tangent_D_p_x_2 + f_y_l_4*tangent_D_p_y_2 + f_z_l_4*tangent_D_p_z_2
-            - forward_t155*tangent_D_p_rx_4 - forward_t161*tangent_D_p_ry_4 - forward_t167*tangent_D_p_rz_4
-            + t193*tangent_D_p_x_4 + t194*tangent_D_p_y_4 + t195*tangent_D_p_z_4);
+            - forward_t160*tangent_D_p_rx_4 - forward_t166*tangent_D_p_ry_4 - forward_t172*tangent_D_p_rz_4
+            + t200*tangent_D_p_x_4 + t201*tangent_D_p_y_4 + t202*tangent_D_p_z_4);
         stiffness_rate[19] = stiffness_rate[61] =
-            LANES(D_p_rx_2*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t155 + D_p_ry_2*tangent_f_ry_l_5
-            - D_p_ry_5*tangent_forward_t161 + D_p_rz_2*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t167
-            + D_p_x_2*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t133 + D_p_x_5*tangent_forward_t228
-            + D_p_y_2*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t143 + D_p_y_5*tangent_forward_t229
-            + D_p_z_2*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t149 + D_p_z_5*tangent_forward_t230
+            LANES(D_p_rx_2*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t160 + D_p_ry_2*tangent_f_ry_l_5
+            - D_p_ry_5*tangent_forward_t166 + D_p_rz_2*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t172
+            + D_p_x_2*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t138 + D_p_x_5*tangent_forward_t239
+            + D_p_y_2*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t148 + D_p_y_5*tangent_forward_t240
+            + D_p_z_2*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t154 + D_p_z_5*tangent_forward_t241
             + f_rx_l_5*tangent_D_p_rx_2 + f_ry_l_5*tangent_D_p_ry_2 + f_rz_l_5*tangent_D_p_rz_2
             + f_x_l_5*tangent_D_p_x_2 + f_y_l_5*tangent_D_p_y_2 + f_z_l_5*tangent_D_p_z_2
-            - forward_t155*tangent_D_p_rx_5 - forward_t161*tangent_D_p_ry_5 - forward_t167*tangent_D_p_rz_5
-            + t193*tangent_D_p_x_5 + t194*tangent_D_p_y_5 + t195*tangent_D_p_z_5);
+            - forward_t160*tangent_D_p_rx_5 - forward_t166*tangent_D_p_ry_5 - forward_t172*tangent_D_p_rz_5
+            + t200*tangent_D_p_x_5 + t201*tangent_D_p_y_5 + t202*tangent_D_p_z_5);
         stiffness_rate[20] = stiffness_rate[76] =
-            LANES(D_p_rx_2*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t155 + D_p_ry_2*tangent_f_ry_l_6
-            - D_p_ry_6*tangent_forward_t161 + D_p_rz_2*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t167
-            + D_p_x_2*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t133 + D_p_x_6*tangent_forward_t228
-            + D_p_y_2*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t143 + D_p_y_6*tangent_forward_t229
-            + D_p_z_2*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t149 + D_p_z_6*tangent_forward_t230
+            LANES(D_p_rx_2*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t160 + D_p_ry_2*tangent_f_ry_l_6
+            - D_p_ry_6*tangent_forward_t166 + D_p_rz_2*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t172
+            + D_p_x_2*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t138 + D_p_x_6*tangent_forward_t239
+            + D_p_y_2*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t148 + D_p_y_6*tangent_forward_t240
+            + D_p_z_2*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t154 + D_p_z_6*tangent_forward_t241
             + f_rx_l_6*tangent_D_p_rx_2 + f_ry_l_6*tangent_D_p_ry_2 + f_rz_l_6*tangent_D_p_rz_2
             + f_x_l_6*tangent_D_p_x_2 + f_y_l_6*tangent_D_p_y_2 + f_z_l_6*tangent_D_p_z_2
-            - forward_t155*tangent_D_p_rx_6 - forward_t161*tangent_D_p_ry_6 - forward_t167*tangent_D_p_rz_6
-            + t193*tangent_D_p_x_6 + t194*tangent_D_p_y_6 + t195*tangent_D_p_z_6);
+            - forward_t160*tangent_D_p_rx_6 - forward_t166*tangent_D_p_ry_6 - forward_t172*tangent_D_p_rz_6
+            + t200*tangent_D_p_x_6 + t201*tangent_D_p_y_6 + t202*tangent_D_p_z_6);
         stiffness_rate[22] = stiffness_rate[106] = LANES(-tangent_k_2);
-        stiffness_rate[27] = stiffness_rate[181] = LANES(tangent_forward_t228);
-        stiffness_rate[28] = stiffness_rate[196] = LANES(tangent_forward_t229);
-        stiffness_rate[29] = stiffness_rate[211] = LANES(tangent_forward_t230);
+        stiffness_rate[27] = stiffness_rate[181] = LANES(tangent_forward_t239);
+        stiffness_rate[28] = stiffness_rate[196] = LANES(tangent_forward_t240);
+        stiffness_rate[29] = stiffness_rate[211] = LANES(tangent_forward_t241);
         stiffness_rate[32] =
-            LANES(D_p_rx_3*tangent_f_rx_l_3 - D_p_rx_3*tangent_forward_t156 + D_p_ry_3*tangent_f_ry_l_3
-            - D_p_ry_3*tangent_forward_t162 + D_p_rz_3*tangent_f_rz_l_3 - D_p_rz_3*tangent_forward_t168
-            + D_p_x_3*tangent_f_x_l_3 + D_p_x_3*tangent_forward_t135 + D_p_y_3*tangent_f_y_l_3
-            + D_p_y_3*tangent_forward_t144 + D_p_z_3*tangent_f_z_l_3 + D_p_z_3*tangent_forward_t150
-            - along_12*d_3_y*t197 + along_122*((D_p_x_3*D_p_x_3) + (D_p_y_3*D_p_y_3) + (D_p_z_3*D_p_z_3))
-            - along_13*d_3_z*t197 - d_3_x*t183*t196 + forward_31*t198*tangent_forward_t40
-            + forward_t40*t198*tangent_forward_31 - g_x*t197*tangent_d_3_x - g_y*t197*tangent_d_3_y
-            - g_z*t197*tangent_d_3_z + tangent_D_p_rx_3*(f_rx_l_3 - forward_t156)
-            + tangent_D_p_ry_3*(f_ry_l_3 - forward_t162) + tangent_D_p_rz_3*(f_rz_l_3 - forward_t168)
-            + tangent_D_p_x_3*(f_x_l_3 + forward_t135 + 2.0*forward_t231) + tangent_D_p_y_3*(f_y_l_3
-            + forward_t144 + 2.0*forward_t232) + tangent_D_p_z_3*(f_z_l_3 + forward_t150 + 2.0*forward_t233)
+            LANES(D_p_rx_3*tangent_f_rx_l_3 - D_p_rx_3*tangent_forward_t161 + D_p_ry_3*tangent_f_ry_l_3
+            - D_p_ry_3*tangent_forward_t167 + D_p_rz_3*tangent_f_rz_l_3 - D_p_rz_3*tangent_forward_t173
+            + D_p_x_3*tangent_f_x_l_3 + D_p_x_3*tangent_forward_t140 + D_p_y_3*tangent_f_y_l_3
+            + D_p_y_3*tangent_forward_t149 + D_p_z_3*tangent_f_z_l_3 + D_p_z_3*tangent_forward_t155
+            - along_12*d_3_y*t204 + along_122*((D_p_x_3*D_p_x_3) + (D_p_y_3*D_p_y_3) + (D_p_z_3*D_p_z_3))
+            - along_13*d_3_z*t204 - d_3_x*t190*t203 + forward_31*t205*tangent_forward_t40
+            + forward_t40*t205*tangent_forward_31 - g_x*t204*tangent_d_3_x - g_y*t204*tangent_d_3_y
+            - g_z*t204*tangent_d_3_z + tangent_D_p_rx_3*(f_rx_l_3 - forward_t161)
+            + tangent_D_p_ry_3*(f_ry_l_3 - forward_t167) + tangent_D_p_rz_3*(f_rz_l_3 - forward_t173)
+            + tangent_D_p_x_3*(f_x_l_3 + forward_t140 + 2.0*forward_t242) + tangent_D_p_y_3*(f_y_l_3
+            + forward_t149 + 2.0*forward_t243) + tangent_D_p_z_3*(f_z_l_3 + forward_t155 + 2.0*forward_t244)
             + tangent_k_3 + tangent_mu_3);
         stiffness_rate[33] = stiffness_rate[47] =
-            LANES(D_p_rx_3*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t156 + D_p_ry_3*tangent_f_ry_l_4
-            - D_p_ry_4*tangent_forward_t162 + D_p_rz_3*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t168
-            + D_p_x_3*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t135 + D_p_x_4*tangent_forward_t231
-            + D_p_y_3*tangent_f_y_l_4 + D_p_y_4*tangent_forward_t144 + D_p_y_4*tangent_forward_t232
-            + D_p_z_3*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t150 + D_p_z_4*tangent_forward_t233
+            LANES(D_p_rx_3*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t161 + D_p_ry_3*tangent_f_ry_l_4
+            - D_p_ry_4*tangent_forward_t167 + D_p_rz_3*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t173
+            + D_p_x_3*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t140 + D_p_x_4*tangent_forward_t242
+            + D_p_y_3*tangent_f_y_l_4 + D_p_y_4*tangent_forward_t149 + D_p_y_4*tangent_forward_t243
+            + D_p_z_3*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t155 + D_p_z_4*tangent_forward_t244
             + f_rx_l_4*tangent_D_p_rx_3 + f_ry_l_4*tangent_D_p_ry_3 + f_rz_l_4*tangent_D_p_rz_3
             + f_x_l_4*tangent_D_p_x_3 + f_y_l_4*tangent_D_p_y_3 + f_z_l_4*tangent_D_p_z_3
-            - forward_t156*tangent_D_p_rx_4 - forward_t162*tangent_D_p_ry_4 - forward_t168*tangent_D_p_rz_4
-            + t199*tangent_D_p_x_4 + t200*tangent_D_p_y_4 + t201*tangent_D_p_z_4);
+            - forward_t161*tangent_D_p_rx_4 - forward_t167*tangent_D_p_ry_4 - forward_t173*tangent_D_p_rz_4
+            + t206*tangent_D_p_x_4 + t207*tangent_D_p_y_4 + t208*tangent_D_p_z_4);
         stiffness_rate[34] = stiffness_rate[62] =
-            LANES(D_p_rx_3*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t156 + D_p_ry_3*tangent_f_ry_l_5
-            - D_p_ry_5*tangent_forward_t162 + D_p_rz_3*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t168
-            + D_p_x_3*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t135 + D_p_x_5*tangent_forward_t231
-            + D_p_y_3*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t144 + D_p_y_5*tangent_forward_t232
-            + D_p_z_3*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t150 + D_p_z_5*tangent_forward_t233
+            LANES(D_p_rx_3*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t161 + D_p_ry_3*tangent_f_ry_l_5
+            - D_p_ry_5*tangent_forward_t167 + D_p_rz_3*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t173
+            + D_p_x_3*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t140 + D_p_x_5*tangent_forward_t242
+            + D_p_y_3*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t149 + D_p_y_5*tangent_forward_t243
+            + D_p_z_3*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t155 + D_p_z_5*tangent_forward_t244
             + f_rx_l_5*tangent_D_p_rx_3 + f_ry_l_5*tangent_D_p_ry_3 + f_rz_l_5*tangent_D_p_rz_3
             + f_x_l_5*tangent_D_p_x_3 + f_y_l_5*tangent_D_p_y_3 + f_z_l_5*tangent_D_p_z_3
-            - forward_t156*tangent_D_p_rx_5 - forward_t162*tangent_D_p_ry_5 - forward_t168*tangent_D_p_rz_5
-            + t199*tangent_D_p_x_5 + t200*tangent_D_p_y_5 + t201*tangent_D_p_z_5);
+            - forward_t161*tangent_D_p_rx_5 - forward_t167*tangent_D_p_ry_5 - forward_t173*tangent_D_p_rz_5
+            + t206*tangent_D_p_x_5 + t207*tangent_D_p_y_5 + t208*tangent_D_p_z_5);
         stiffness_rate[35] = stiffness_rate[77] =
-            LANES(D_p_rx_3*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t156 + D_p_ry_3*tangent_f_ry_l_6
-            - D_p_ry_6*tangent_forward_t162 + D_p_rz_3*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t168
-            + D_p_x_3*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t135 + D_p_x_6*tangent_forward_t231
-            + D_p_y_3*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t144 + D_p_y_6*tangent_forward_t232
-            + D_p_z_3*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t150 + D_p_z_6*tangent_forward_t233
+            LANES(D_p_rx_3*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t161 + D_p_ry_3*tangent_f_ry_l_6
+            - D_p_ry_6*tangent_forward_t167 + D_p_rz_3*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t173
+            + D_p_x_3*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t140 + D_p_x_6*tangent_forward_t242
+            + D_p_y_3*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t149 + D_p_y_6*tangent_forward_t243
+            + D_p_z_3*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t155 + D_p_z_6*tangent_forward_t244
             + f_rx_l_6*tangent_D_p_rx_3 + f_ry_l_6*tangent_D_p_ry_3 + f_rz_l_6*tangent_D_p_rz_3
             + f_x_l_6*tangent_D_p_x_3 + f_y_l_6*tangent_D_p_y_3 + f_z_l_6*tangent_D_p_z_3
-            - forward_t156*tangent_D_p_rx_6 - forward_t162*tangent_D_p_ry_6 - forward_t168*tangent_D_p_rz_6
-            + t199*tangent_D_p_x_6 + t200*tangent_D_p_y_6 + t201*tangent_D_p_z_6);
+            - forward_t161*tangent_D_p_rx_6 - forward_t167*tangent_D_p_ry_6 - forward_t173*tangent_D_p_rz_6
+            + t206*tangent_D_p_x_6 + t207*tangent_D_p_y_6 + t208*tangent_D_p_z_6);
         stiffness_rate[38] = stiffness_rate[122] = LANES(-tangent_k_3);
-        stiffness_rate[42] = stiffness_rate[182] = LANES(tangent_forward_t231);
-        stiffness_rate[43] = stiffness_rate[197] = LANES(tangent_forward_t232);
-        stiffness_rate[44] = stiffness_rate[212] = LANES(tangent_forward_t233);
+        stiffness_rate[42] = stiffness_rate[182] = LANES(tangent_forward_t242);
+        stiffness_rate[43] = stiffness_rate[197] = LANES(tangent_forward_t243);
+        stiffness_rate[44] = stiffness_rate[212] = LANES(tangent_forward_t244);
         stiffness_rate[48] =
-            LANES(D_p_rx_4*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t157 + D_p_ry_4*tangent_f_ry_l_4
-            - D_p_ry_4*tangent_forward_t163 + D_p_rz_4*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t169
-            + D_p_x_4*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t137 + D_p_y_4*tangent_f_y_l_4
-            + D_p_y_4*tangent_forward_t145 + D_p_z_4*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t151
-            - along_12*d_4_y*t203 + along_122*((D_p_x_4*D_p_x_4) + (D_p_y_4*D_p_y_4) + (D_p_z_4*D_p_z_4))
-            - along_13*d_4_z*t203 - d_4_x*t183*t202 + forward_32*t204*tangent_forward_t44
-            + forward_t44*t204*tangent_forward_32 - g_x*t203*tangent_d_4_x - g_y*t203*tangent_d_4_y
-            - g_z*t203*tangent_d_4_z + tangent_D_p_rx_4*(f_rx_l_4 - forward_t157)
-            + tangent_D_p_ry_4*(f_ry_l_4 - forward_t163) + tangent_D_p_rz_4*(f_rz_l_4 - forward_t169)
-            + tangent_D_p_x_4*(f_x_l_4 + forward_t137 + 2.0*forward_t234) + tangent_D_p_y_4*(f_y_l_4
-            + forward_t145 + 2.0*forward_t235) + tangent_D_p_z_4*(f_z_l_4 + forward_t151 + 2.0*forward_t236)
+            LANES(D_p_rx_4*tangent_f_rx_l_4 - D_p_rx_4*tangent_forward_t162 + D_p_ry_4*tangent_f_ry_l_4
+            - D_p_ry_4*tangent_forward_t168 + D_p_rz_4*tangent_f_rz_l_4 - D_p_rz_4*tangent_forward_t174
+            + D_p_x_4*tangent_f_x_l_4 + D_p_x_4*tangent_forward_t142 + D_p_y_4*tangent_f_y_l_4
+            + D_p_y_4*tangent_forward_t150 + D_p_z_4*tangent_f_z_l_4 + D_p_z_4*tangent_forward_t156
+            - along_12*d_4_y*t210 + along_122*((D_p_x_4*D_p_x_4) + (D_p_y_4*D_p_y_4) + (D_p_z_4*D_p_z_4))
+            - along_13*d_4_z*t210 - d_4_x*t190*t209 + forward_32*t211*tangent_forward_t44
+            + forward_t44*t211*tangent_forward_32 - g_x*t210*tangent_d_4_x - g_y*t210*tangent_d_4_y
+            - g_z*t210*tangent_d_4_z + tangent_D_p_rx_4*(f_rx_l_4 - forward_t162)
+            + tangent_D_p_ry_4*(f_ry_l_4 - forward_t168) + tangent_D_p_rz_4*(f_rz_l_4 - forward_t174)
+            + tangent_D_p_x_4*(f_x_l_4 + forward_t142 + 2.0*forward_t245) + tangent_D_p_y_4*(f_y_l_4
+            + forward_t150 + 2.0*forward_t246) + tangent_D_p_z_4*(f_z_l_4 + forward_t156 + 2.0*forward_t247)
             + tangent_k_4 + tangent_mu_4);
         stiffness_rate[49] = stiffness_rate[63] =
-            LANES(D_p_rx_4*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t157 + D_p_ry_4*tangent_f_ry_l_5
-            - D_p_ry_5*tangent_forward_t163 + D_p_rz_4*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t169
-            + D_p_x_4*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t137 + D_p_x_5*tangent_forward_t234
-            + D_p_y_4*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t145 + D_p_y_5*tangent_forward_t235
-            + D_p_z_4*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t151 + D_p_z_5*tangent_forward_t236
+            LANES(D_p_rx_4*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t162 + D_p_ry_4*tangent_f_ry_l_5
+            - D_p_ry_5*tangent_forward_t168 + D_p_rz_4*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t174
+            + D_p_x_4*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t142 + D_p_x_5*tangent_forward_t245
+            + D_p_y_4*tangent_f_y_l_5 + D_p_y_5*tangent_forward_t150 + D_p_y_5*tangent_forward_t246
+            + D_p_z_4*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t156 + D_p_z_5*tangent_forward_t247
             + f_rx_l_5*tangent_D_p_rx_4 + f_ry_l_5*tangent_D_p_ry_4 + f_rz_l_5*tangent_D_p_rz_4
             + f_x_l_5*tangent_D_p_x_4 + f_y_l_5*tangent_D_p_y_4 + f_z_l_5*tangent_D_p_z_4
-            - forward_t157*tangent_D_p_rx_5 - forward_t163*tangent_D_p_ry_5 - forward_t169*tangent_D_p_rz_5
-            + t205*tangent_D_p_x_5 + t206*tangent_D_p_y_5 + t207*tangent_D_p_z_5);
+            - forward_t162*tangent_D_p_rx_5 - forward_t168*tangent_D_p_ry_5 - forward_t174*tangent_D_p_rz_5
+            + t212*tangent_D_p_x_5 + t213*tangent_D_p_y_5 + t214*tangent_D_p_z_5);
         stiffness_rate[50] = stiffness_rate[78] =
-            LANES(D_p_rx_4*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t157 + D_p_ry_4*tangent_f_ry_l_6
-            - D_p_ry_6*tangent_forward_t163 + D_p_rz_4*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t169
-            + D_p_x_4*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t137 + D_p_x_6*tangent_forward_t234
-            + D_p_y_4*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t145 + D_p_y_6*tangent_forward_t235
-            + D_p_z_4*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t151 + D_p_z_6*tangent_forward_t236
+            LANES(D_p_rx_4*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t162 + D_p_ry_4*tangent_f_ry_l_6
+            - D_p_ry_6*tangent_forward_t168 + D_p_rz_4*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t174
+            + D_p_x_4*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t142 + D_p_x_6*tangent_forward_t245
+            + D_p_y_4*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t150 + D_p_y_6*tangent_forward_t246
+            + D_p_z_4*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t156 + D_p_z_6*tangent_forward_t247
             + f_rx_l_6*tangent_D_p_rx_4 + f_ry_l_6*tangent_D_p_ry_4 + f_rz_l_6*tangent_D_p_rz_4
             + f_x_l_6*tangent_D_p_x_4 + f_y_l_6*tangent_D_p_y_4 + f_z_l_6*tangent_D_p_z_4
-            - forward_t157*tangent_D_p_rx_6 - forward_t163*tangent_D_p_ry_6 - forward_t169*tangent_D_p_rz_6
-            + t205*tangent_D_p_x_6 + t206*tangent_D_p_y_6 + t207*tangent_D_p_z_6);
+            - forward_t162*tangent_D_p_rx_6 - forward_t168*tangent_D_p_ry_6 - forward_t174*tangent_D_p_rz_6
+            + t212*tangent_D_p_x_6 + t213*tangent_D_p_y_6 + t214*tangent_D_p_z_6);
         stiffness_rate[54] = stiffness_rate[138] = LANES(-tangent_k_4);
-        stiffness_rate[57] = stiffness_rate[183] = LANES(tangent_forward_t234);
-        stiffness_rate[58] = stiffness_rate[198] = LANES(tangent_forward_t235);
-        stiffness_rate[59] = stiffness_rate[213] = LANES(tangent_forward_t236);
+        stiffness_rate[57] = stiffness_rate[183] = LANES(tangent_forward_t245);
+        stiffness_rate[58] = stiffness_rate[198] = LANES(tangent_forward_t246);
+        stiffness_rate[59] = stiffness_rate[213] = LANES(tangent_forward_t247);
         stiffness_rate[64] =
-            LANES(D_p_rx_5*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t158 + D_p_ry_5*tangent_f_ry_l_5
-            - D_p_ry_5*tangent_forward_t164 + D_p_rz_5*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t170
-            + D_p_x_5*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t139 + D_p_y_5*tangent_f_y_l_5
-            + D_p_y_5*tangent_forward_t146 + D_p_z_5*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t152
-            - along_12*d_5_y*t209 + along_122*((D_p_x_5*D_p_x_5) + (D_p_y_5*D_p_y_5) + (D_p_z_5*D_p_z_5))
-            - along_13*d_5_z*t209 - d_5_x*t183*t208 + forward_33*t210*tangent_forward_t48
-            + forward_t48*t210*tangent_forward_33 - g_x*t209*tangent_d_5_x - g_y*t209*tangent_d_5_y
-            - g_z*t209*tangent_d_5_z + tangent_D_p_rx_5*(f_rx_l_5 - forward_t158)
-            + tangent_D_p_ry_5*(f_ry_l_5 - forward_t164) + tangent_D_p_rz_5*(f_rz_l_5 - forward_t170)
-            + tangent_D_p_x_5*(f_x_l_5 + forward_t139 + 2.0*forward_t237) + tangent_D_p_y_5*(f_y_l_5
-            + forward_t146 + 2.0*forward_t238) + tangent_D_p_z_5*(f_z_l_5 + forward_t152 + 2.0*forward_t239)
+            LANES(D_p_rx_5*tangent_f_rx_l_5 - D_p_rx_5*tangent_forward_t163 + D_p_ry_5*tangent_f_ry_l_5
+            - D_p_ry_5*tangent_forward_t169 + D_p_rz_5*tangent_f_rz_l_5 - D_p_rz_5*tangent_forward_t175
+            + D_p_x_5*tangent_f_x_l_5 + D_p_x_5*tangent_forward_t144 + D_p_y_5*tangent_f_y_l_5
+            + D_p_y_5*tangent_forward_t151 + D_p_z_5*tangent_f_z_l_5 + D_p_z_5*tangent_forward_t157
+            - along_12*d_5_y*t216 + along_122*((D_p_x_5*D_p_x_5) + (D_p_y_5*D_p_y_5) + (D_p_z_5*D_p_z_5))
+            - along_13*d_5_z*t216 - d_5_x*t190*t215 + forward_33*t217*tangent_forward_t48
+            + forward_t48*t217*tangent_forward_33 - g_x*t216*tangent_d_5_x - g_y*t216*tangent_d_5_y
+            - g_z*t216*tangent_d_5_z + tangent_D_p_rx_5*(f_rx_l_5 - forward_t163)
+            + tangent_D_p_ry_5*(f_ry_l_5 - forward_t169) + tangent_D_p_rz_5*(f_rz_l_5 - forward_t175)
+            + tangent_D_p_x_5*(f_x_l_5 + forward_t144 + 2.0*forward_t248) + tangent_D_p_y_5*(f_y_l_5
+            + forward_t151 + 2.0*forward_t249) + tangent_D_p_z_5*(f_z_l_5 + forward_t157 + 2.0*forward_t250)
             + tangent_k_5 + tangent_mu_5);
         stiffness_rate[65] = stiffness_rate[79] =
-            LANES(D_p_rx_5*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t158 + D_p_ry_5*tangent_f_ry_l_6
-            - D_p_ry_6*tangent_forward_t164 + D_p_rz_5*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t170
-            + D_p_x_5*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t139 + D_p_x_6*tangent_forward_t237
-            + D_p_y_5*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t146 + D_p_y_6*tangent_forward_t238
-            + D_p_z_5*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t152 + D_p_z_6*tangent_forward_t239
+            LANES(D_p_rx_5*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t163 + D_p_ry_5*tangent_f_ry_l_6
+            - D_p_ry_6*tangent_forward_t169 + D_p_rz_5*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t175
+            + D_p_x_5*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t144 + D_p_x_6*tangent_forward_t248
+            + D_p_y_5*tangent_f_y_l_6 + D_p_y_6*tangent_forward_t151 + D_p_y_6*tangent_forward_t249
+            + D_p_z_5*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t157 + D_p_z_6*tangent_forward_t250
             + f_rx_l_6*tangent_D_p_rx_5 + f_ry_l_6*tangent_D_p_ry_5 + f_rz_l_6*tangent_D_p_rz_5
             + f_x_l_6*tangent_D_p_x_5 + f_y_l_6*tangent_D_p_y_5 + f_z_l_6*tangent_D_p_z_5
-            - forward_t158*tangent_D_p_rx_6 - forward_t164*tangent_D_p_ry_6 - forward_t170*tangent_D_p_rz_6
-            + tangent_D_p_x_6*(forward_t139 + forward_t237) + tangent_D_p_y_6*(forward_t146 + forward_t238)
-            + tangent_D_p_z_6*(forward_t152 + forward_t239));
+            - forward_t163*tangent_D_p_rx_6 - forward_t169*tangent_D_p_ry_6 - forward_t175*tangent_D_p_rz_6
+            + tangent_D_p_x_6*(forward_t144 + forward_t248) + tangent_D_p_y_6*(forward_t151 + forward_t249)
+            + tangent_D_p_z_6*(forward_t157 + forward_t250));
         stiffness_rate[70] = stiffness_rate[154] = LANES(-tangent_k_5);
-        stiffness_rate[72] = stiffness_rate[184] = LANES(tangent_forward_t237);
-        stiffness_rate[73] = stiffness_rate[199] = LANES(tangent_forward_t238);
-        stiffness_rate[74] = stiffness_rate[214] = LANES(tangent_forward_t239);
+        stiffness_rate[72] = stiffness_rate[184] = LANES(tangent_forward_t248);
+        stiffness_rate[73] = stiffness_rate[199] = LANES(tangent_forward_t249);
+        stiffness_rate[74] = stiffness_rate[214] = LANES(tangent_forward_t250);
         stiffness_rate[80] =
-            LANES(D_p_rx_6*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t159 + D_p_ry_6*tangent_f_ry_l_6
-            - D_p_ry_6*tangent_forward_t165 + D_p_rz_6*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t171
-            + D_p_x_6*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t141 + D_p_y_6*tangent_f_y_l_6
-            + D_p_y_6*tangent_forward_t147 + D_p_z_6*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t153
-            - along_12*d_6_y*t212 + along_122*((D_p_x_6*D_p_x_6) + (D_p_y_6*D_p_y_6) + (D_p_z_6*D_p_z_6))
-            - along_13*d_6_z*t212 - d_6_x*t183*t211 + forward_34*t214*tangent_forward_t52
-            + forward_t52*t214*tangent_forward_34 - g_x*t212*tangent_d_6_x - g_y*t212*tangent_d_6_y
-            - g_z*t212*tangent_d_6_z + tangent_D_p_rx_6*(f_rx_l_6 - forward_t159)
-            + tangent_D_p_ry_6*(f_ry_l_6 - forward_t165) + tangent_D_p_rz_6*(f_rz_l_6 - forward_t171)
-            + tangent_D_p_x_6*(D_p_x_6*t213 + f_x_l_6 + forward_t141) + tangent_D_p_y_6*(D_p_y_6*t213
-            + f_y_l_6 + forward_t147) + tangent_D_p_z_6*(D_p_z_6*t213 + f_z_l_6 + forward_t153) + tangent_k_6
+            LANES(D_p_rx_6*tangent_f_rx_l_6 - D_p_rx_6*tangent_forward_t164 + D_p_ry_6*tangent_f_ry_l_6
+            - D_p_ry_6*tangent_forward_t170 + D_p_rz_6*tangent_f_rz_l_6 - D_p_rz_6*tangent_forward_t176
+            + D_p_x_6*tangent_f_x_l_6 + D_p_x_6*tangent_forward_t146 + D_p_y_6*tangent_f_y_l_6
+            + D_p_y_6*tangent_forward_t152 + D_p_z_6*tangent_f_z_l_6 + D_p_z_6*tangent_forward_t158
+            - along_12*d_6_y*t219 + along_122*((D_p_x_6*D_p_x_6) + (D_p_y_6*D_p_y_6) + (D_p_z_6*D_p_z_6))
+            - along_13*d_6_z*t219 - d_6_x*t190*t218 + forward_34*t221*tangent_forward_t52
+            + forward_t52*t221*tangent_forward_34 - g_x*t219*tangent_d_6_x - g_y*t219*tangent_d_6_y
+            - g_z*t219*tangent_d_6_z + tangent_D_p_rx_6*(f_rx_l_6 - forward_t164)
+            + tangent_D_p_ry_6*(f_ry_l_6 - forward_t170) + tangent_D_p_rz_6*(f_rz_l_6 - forward_t176)
+            + tangent_D_p_x_6*(D_p_x_6*t220 + f_x_l_6 + forward_t146) + tangent_D_p_y_6*(D_p_y_6*t220
+            + f_y_l_6 + forward_t152) + tangent_D_p_z_6*(D_p_z_6*t220 + f_z_l_6 + forward_t158) + tangent_k_6
             + tangent_mu_6);
         stiffness_rate[86] = stiffness_rate[170] = LANES(-tangent_k_6);
         stiffness_rate[87] = stiffness_rate[185] = LANES(D_p_x_6*along_122 + k_C*tangent_D_p_x_6);
         stiffness_rate[88] = stiffness_rate[200] = LANES(D_p_y_6*along_122 + k_C*tangent_D_p_y_6);
         stiffness_rate[89] = stiffness_rate[215] = LANES(D_p_z_6*along_122 + k_C*tangent_D_p_z_6);
-        stiffness_rate[96] = LANES(along_126 + tangent_k_1);
-        stiffness_rate[112] = LANES(along_126 + tangent_k_2);
-        stiffness_rate[128] = LANES(along_126 + tangent_k_3);
-        stiffness_rate[144] = LANES(along_126 + tangent_k_4);
-        stiffness_rate[160] = LANES(along_126 + tangent_k_5);
-        stiffness_rate[176] = LANES(along_126 + tangent_k_6);
+        stiffness_rate[96] = LANES(along_129 + tangent_k_1);
+        stiffness_rate[112] = LANES(along_129 + tangent_k_2);
+        stiffness_rate[128] = LANES(along_129 + tangent_k_3);
+        stiffness_rate[144] = LANES(along_129 + tangent_k_4);
+        stiffness_rate[160] = LANES(along_129 + tangent_k_5);
+        stiffness_rate[176] = LANES(along_129 + tangent_k_6);
         stiffness_rate[192] = LANES(along_122);
         stiffness_rate[208] = LANES(along_122);
         stiffness_rate[224] = LANES(along_122);

@@ -42,6 +42,7 @@ subexpressions shared by several values.
 * P_i_kl [1/m^2]: second derivative of p_i with respect to l_k and l_l
 * s_dot_j_i [m/s]: rate of change of linkage vector j, component i
 * D_p_dot_i_k [1/s]: time derivative of dp_i/dl_k
+* D_p_dot_i_k [1/(m s)]: time derivative of dp_i/dl_k
 * D_l_dot_j_i [m^2/s]: rate of change of the moment of linkage vector j, component i
 * G_p_i [N]: gradient of the gravitational potential energy with respect to the platform, component i
 * G_p_i [N m]: gradient of the gravitational potential energy with respect to the platform, component i
