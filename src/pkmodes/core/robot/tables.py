@@ -217,7 +217,7 @@ class Tables:
         written: dict[str, Any] = {}
         for key, given in table.items():
             components = [p.name for p in effect.parameters if p.name in (f"{key}_{axis}" for axis in XYZ)]
-            if not components:
+            if not components or any(p.name == key for p in effect.parameters):
                 written[key] = given
             elif not isinstance(given, list) or len(given) != len(components):
                 path = f"{EFFECTS}.{effect.name}.{key}"
