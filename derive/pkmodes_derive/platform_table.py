@@ -115,7 +115,7 @@ def rotation_margin(m: Machine) -> None:
             0,
             "above_zero",
             "the platform turns by 90 degrees or more",
-            "the platform turns {short} beyond 90 degrees",
+            "the platform is turned by 90 degrees or more, {missing} too far",
             "choose a rotation vector shorter than 90 degrees",
         ),
     )

@@ -120,8 +120,8 @@ def on_branch(model: Model, pose: Array) -> Inside:
 def hanging(model: Model, poses: Array) -> Array:
     """Return the poses of the assembly branch that hangs lower: with the lower mean potential of gravity.
 
-    A platform that turns and whose origin lies to one side of its joints is on this side of the other branch: legs
-    that push against it from below carry it.
+    Where the platform turns and its origin lies to one side of its joints, it is on this side of the other branch;
+    where it lies in their middle, legs that change their length carry the platform from below.
 
     Parameters
     ----------
@@ -134,6 +134,8 @@ def hanging(model: Model, poses: Array) -> Array:
     beside = _beside_joints(model)
     if beside is None:
         rank = Generated(model.mechanism.model, model.robot.parameters).gravity_potential(poses)
+        if model.mechanism.rotations and model.mechanism.drives[0].unit == "N":
+            rank = -rank
     else:
         rank = -poses[:, : len(beside)] @ beside
     chosen: Array = poses[sides == min(np.unique(sides), key=lambda side: float(rank[sides == side].mean()))]

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import regular_poses, sample
+from pkmodes.core.mechanism.stepped import STEP, stepped
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.paths import ParameterPath
@@ -30,8 +31,6 @@ Index = NDArray[np.intp]
 #: Field name of slots for pose components: they are not parameters, but the matrices depend on them in the same way.
 POSE = "pose"
 
-#: Step of complex-step differentiation, which has no cancellation.
-STEP = 1e-30
 #: Poses times parameters that are differentiated at once.
 AT_ONCE = 4096
 #: Relative size of the rounding left when a spring is eliminated.
@@ -94,21 +93,6 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
         for name, one in place.items():
             joints[f"{effect.name}.{effect.parameters[0].name}.{name}", ()] = (one,)
     return joints
-
-
-def _stepped(numbers: Any, names: Sequence[tuple[str, tuple[int, ...]]]) -> Any:
-    """Return parameters or effects with a complex step in one number after the other, along a new first axis."""
-    stepped = {}
-    for k, (field, index) in enumerate(names):
-        if field in numbers._fields:
-            if field not in stepped:
-                value = np.asarray(getattr(numbers, field))
-                own = value.shape[value.ndim - len(index) :]
-                batch = value.shape[: value.ndim - len(index)] or (1,)
-                copies = np.broadcast_to(value, (len(names), *batch, *own))
-                stepped[field] = copies.astype(complex)
-            stepped[field][(k, ..., *index)] += STEP * 1j
-    return numbers._replace(**stepped)
 
 
 def geometry_of(mechanism: Mechanism) -> frozenset[str]:
@@ -254,7 +238,7 @@ class MatrixDerivatives:
         for block in (moved[i : i + size] for i in range(0, len(moved), size)):
             names = [listed[slot][:2] for slot in block]
             generated = Generated(
-                mechanism.extended, _stepped(system.parameters, names), _stepped(system.effects, names)
+                mechanism.extended, stepped(system.parameters, names), stepped(system.effects, names)
             )
             M, K_el, K_g = generated.extended_matrices(self._p)
             for entries, matrix, out in zip(of, (M, K_el + K_g), values, strict=True):

@@ -12,6 +12,7 @@ from typing import NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -19,7 +20,6 @@ from pkmodes.diagnosis.problem import Prediction
 from pkmodes.sensitivity.compiled import derivatives_of
 from pkmodes.sensitivity.matrices import (
     POSE,
-    STEP,
     MatrixDerivatives,
     effect_fields,
     geometry_of,
