@@ -151,6 +151,11 @@ def known_to(spread: NDArray[Any] | None) -> str:
     return f"{text} (median)."
 
 
+def with_rotations(lengths: NDArray[Any] | None) -> str:
+    """Say how rotations of the platform count; nothing where it does not turn."""
+    return "" if lengths is None else f" Rotations count times {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
+
+
 #: The figures in their order.  Another is an entry here, the function that draws it, and a row of docs/figures.md.
 PICTURES = (
     PictureKind(
@@ -178,16 +183,15 @@ PICTURES = (
         "Directions of the platform's motion",
         "Lines show the direction in the plane, as long as its share of the motion.",
         lambda robot: maps.directions(robot.plane, robot.lengths),
-        more=lambda robot: (
-            "" if robot.lengths is None else f" Rotations take part times {1e3 * robot.lengths[-1]:.4g} mm."
-        ),
+        more=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "components",
         "In-plane and out-of-plane motion of the platform",
         "Mass-normalised mode shapes on one scale.",
-        lambda robot: maps.components(robot.plane),
+        lambda robot: maps.components(robot.plane, robot.lengths),
         planar="Mass-normalised mode shapes on one scale; this mechanism does not move out of the plane.",
+        more=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "influence",

@@ -141,19 +141,34 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     return Drawing(draw)
 
 
-def components(plane: Plane) -> Drawing | str:
+def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     """Draw the in-plane and out-of-plane motion of the platform in each mode, all on one scale (figures 15 to 20).
+
+    Where it turns, a third row is its rotation, times the characteristic length.
 
     Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
     sentence if none depends on the pose, or the plane is not one of directions.
+
+    Parameters
+    ----------
+    lengths : ndarray, shape (components,), optional
+        As for `directions`.
     """
     if not plane.is_linear:
         return NO_DIRECTIONS
-    kinds = [("in_plane", "in plane")]
+    kinds = [("in plane", plane.dataset["in_plane"].values)]
     if plane.normal is not None:
-        kinds.append(("out_of_plane", f"along {plane.normal}"))
+        kinds.append((f"along {plane.normal}", plane.dataset["out_of_plane"].values))
+    if lengths is not None:
+        units = [
+            plane.dataset.coords[name].attrs["units"] if name in plane.dataset.coords else ""
+            for name in plane.dataset["direction"].values.tolist()
+        ]
+        turned = [i for i, unit in enumerate(units) if unit == "rad"]
+        motion = plane.dataset["platform_shape"].values[..., turned] * lengths[turned]
+        kinds.append(("rotation", np.sqrt((motion**2).sum(axis=-1))))
     modes = plane.dataset.sizes["mode"]
-    every = np.stack([plane.dataset[name].values for name, _ in kinds])
+    every = np.stack([values for _, values in kinds])
     high = limits_of(every)[1]
     if same_everywhere(every, axes=(1, 2), scale=high):
         return "In each mode the platform moves by almost the same amount at every pose."
@@ -168,8 +183,8 @@ def components(plane: Plane) -> Drawing | str:
         groups = sheet.groups(modes, columns, height, rows=rows, shape=plane.proportions, scales="common")
         mesh: Any = None
         for mode, panels in enumerate(groups):
-            for panel, (name, title) in zip(panels, kinds, strict=True):
-                mesh = plane.draw(panel, plane.dataset[name].values[..., mode], vmin=0.0, vmax=high)
+            for panel, (title, values) in zip(panels, kinds, strict=True):
+                mesh = plane.draw(panel, values[..., mode], vmin=0.0, vmax=high)
                 if panel is panels[-1]:
                     panel.inner.discard("x")
                 plane.label_panel(panel, f"mode {mode + 1}", row=title)
