@@ -15,7 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.linalg.rotations import AXES, about, rates_of
 from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import extent, travel
 
@@ -110,6 +112,18 @@ class State:
             np.linalg.inv(self.derivative(self.generated.inverse_kinematics, self.pose, self.step))
         )
 
+    @cached_property
+    def turning(self) -> Array:
+        """How the platform moves per change of the pose, (d, d): rotations about base axes per rotation vector."""
+        mechanism = self.mechanism
+        turning, first = np.eye(len(self.pose)), len(mechanism.directions)
+        if mechanism.rotations:
+            axes = [AXES.index(axis) for axis in mechanism.rotations]
+            turning[first:, first:] = rates_of(about(mechanism.rotations, self.pose[first:]))[
+                np.ix_(axes, axes)
+            ]
+        return turning
+
     def unstrained(self, pose: Array) -> Array:
         """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
         others = [i for i in range(self.base) if i not in self.places]
@@ -137,21 +151,26 @@ def _closures(at: State) -> Iterator[Relation]:
     if g.has("jacobian_condition"):
         determinant, condition = g.jacobian_condition(p)
         yield "determinant", determinant, np.linalg.det(D_l), length ** len(D_l)
-        frobenius = np.asarray(np.linalg.norm(D_l) * np.linalg.norm(np.linalg.inv(D_l)))
+        alike = D_l / lengths_of(at.mechanism, at.parameters)
+        frobenius = np.asarray(np.linalg.norm(alike) * np.linalg.norm(np.linalg.inv(alike)))
         yield "condition", condition, frobenius, 0.0
     yield "constraint Jacobians", D_l @ g.platform_jacobian(p), D_r, length
 
 
 def _motion(at: State) -> Iterator[Relation]:
     g, p = at.generated, at.pose
-    yield "platform Jacobian", g.platform_jacobian(p), at.motion, 0.0
+    yield "platform Jacobian", g.platform_jacobian(p), at.turning @ at.motion, 0.0
     if g.has("platform_second_derivatives"):
-        P = g.platform_second_derivatives(p)
-        yield "platform second derivatives", P, at.rate(g.platform_jacobian), 0.0
+        P, bend = g.platform_second_derivatives(p), at.rate(g.platform_jacobian)
+        rates, size = _velocities(at), float(np.abs(P).max())
+        if at.mechanism.rotations:
+            # In the exponential chart at the pose, of which angular velocities have the symmetric part.
+            yield "platform second derivatives", P, 0.5 * (bend + np.swapaxes(bend, -1, -2)), 0.0
+        else:
+            yield "platform second derivatives", P, bend, 0.0
+            bend = P
         if g.has("platform_jacobian_rate"):
-            rates = _velocities(at)
-            size = float(np.abs(P).max())
-            yield "platform Jacobian rate", g.platform_jacobian_rate(p, rates), P @ rates, size
+            yield "platform Jacobian rate", g.platform_jacobian_rate(p, rates), bend @ rates, size
 
 
 def _gravity(at: State) -> Iterator[Relation]:
