@@ -81,7 +81,8 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
         [entry.xreplace(driven) for entry in row] for row in _product(d.M, _rigid_motion(machine, rates))
     ]
     momenta = _product(_transposed(T), moved)
-    platform = _product(_product(d.platform_motion(machine.rates), T), follow)
+    # What turns is no displacement: a controller is told that of the platform's origin.
+    platform = _product(_product(d.platform_motion(machine.rates), T), follow)[: len(machine.directions)]
     damping: tuple[tuple[Expr, ...], ...] = ()
     if any(effect.dissipates for effect in machine.effects):
         damping = tuple(flat(condensation.projected(matrix, follow)) for matrix in (C_v, K_loss))
@@ -95,7 +96,7 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
                 flat([[M[a][b] for b in kept] for a in kept]),
                 flat(K),
                 flat(platform),
-                tuple(momenta[a][m] for m in range(len(machine.components)) for a in kept),
+                tuple(momenta[a][m] for m in range(len(machine.directions)) for a in kept),
                 damping,
             ),
         ),
@@ -113,7 +114,7 @@ def _function(
     damping: tuple[tuple[Expr, ...], ...],
 ) -> Function:
     m, n = d.machine, len(names)
-    across = (len(m.components), n)
+    across = (len(m.directions), n)
     outputs = [
         Output("M", (n, n), M, units_of_mass(m), "mass matrix"),
         Output("K", (n, n), K, units_of_stiffness(m), "stiffness matrix, symmetric"),

@@ -17,8 +17,8 @@ from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared, regular_poses, sample
-from pkmodes.core.mechanism.stepped import STEP, stepped
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
+from pkmodes.core.system.value_rates import value_rates
 
 Array = NDArray[np.float64]
 #: An eigenvalue below this fraction of the largest is that of a motion that strains nothing.
@@ -179,7 +179,7 @@ def _inert(mechanism: Mechanism) -> _Inert:
     p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)[0]
     rotors, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
     T = np.delete(T, rotors, axis=1)
-    rates = _value_rates(generated, extended, plain, p)
+    rates = [each[0] for each in value_rates(mechanism, plain, extended.Effects(), p[None])]
     starts = [0, 0]
     seen: dict[str, set[bool]] = {}
     for field, _, *places in extended.VALUE_SENSITIVITIES:
@@ -195,31 +195,6 @@ def _inert(mechanism: Mechanism) -> _Inert:
     inertias = {key.field for key in declared(mechanism) if key.dimension in INERTIAS}
     effects = [name for name, effect in mechanism.effects.items() if _all_of(name, effect, without)]
     return _Inert(tuple(sorted(inertias & without)), tuple(f"{name}." for name in effects))
-
-
-def _value_rates(generated: Generated, extended: Any, plain: Any, p: Array) -> tuple[Array, Array]:
-    """Return the derivatives of the entries of M and K at one pose that ``VALUE_SENSITIVITIES`` lists."""
-    if generated.has("value_sensitivities"):
-        of_M, of_K = generated.value_sensitivities(p)
-        return of_M, of_K
-    names = [(field, index) for field, index, *_ in extended.VALUE_SENSITIVITIES]
-    moved = Generated(extended, stepped(plain, names), stepped(extended.Effects(), names))
-    M, K_el, K_g = (np.imag(matrix) / STEP for matrix in moved.extended_matrices(p))
-    both = (
-        np.broadcast_to(matrix, (len(names), *matrix.shape[-2:]))
-        for matrix in (M[..., 0, :, :], (K_el + K_g)[..., 0, :, :])
-    )
-    of_M, of_K = (
-        np.array(
-            [
-                rate[place]
-                for rate, one in zip(matrix, extended.VALUE_SENSITIVITIES, strict=True)
-                for place in one[2 + k]
-            ]
-        )
-        for k, matrix in enumerate(both)
-    )
-    return of_M, of_K
 
 
 def _all_of(name: str, effect: Any, without: set[str]) -> bool:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
+from pkmodes.core.system.value_rates import value_rates
 
 Array = NDArray[np.float64]
 
@@ -44,7 +45,7 @@ def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
     _, machine, gravity = Generated(extended, system.parameters, without).extended_matrices(p)
     diagonal = np.arange(machine.shape[-1])
     machine[..., diagonal, diagonal] += system.joints
-    _, rates = system.generated.value_sensitivities(p)
+    _, rates = value_rates(system.mechanism, system.parameters, system.effects, p, springs)
     ground, start = np.zeros_like(machine), 0
     for field, _, _, entries in extended.VALUE_SENSITIVITIES:
         if field in springs:
