@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import cached_property
-from itertools import product as cartesian
+from itertools import product as every
 from typing import Any
 
 import numpy as np
@@ -259,7 +259,7 @@ def _quadratic_form(energy: Callable[[Array], Any], n: int) -> Array:
     """Compute the matrix of a quadratic form by polarisation, which is exact up to rounding."""
     basis = np.eye(n)
     matrix = np.empty((n, n))
-    for k, m in cartesian(range(n), repeat=2):
+    for k, m in every(range(n), repeat=2):
         matrix[k, m] = (energy(basis[k] + basis[m]) - energy(basis[k] - basis[m])) / 2.0
     return matrix
 
