@@ -54,6 +54,7 @@ def made(name: str, seed: int, chosen: tuple[str, ...]) -> tuple[pkmodes.Model, 
         f"{effect}.{p.name}": TYPICAL[f"{effect}_{p.name}"]
         for effect in chosen
         for p in mechanism(name).effects[effect].parameters
+        if not p.in_place_of
     }
     return pkmodes.Model(Robot(f"{name}-{seed}", name, f"{name}.toml", parameters, {}, effects)), p
 
@@ -74,7 +75,8 @@ def expected(model: pkmodes.Model, p: np.ndarray) -> Expected:
 
     # Every body moves with u and, along its own slide, relative to it.
     x, y, still_x, still_y = row(x=1, u_x=1), row(y=1, u_y=1), row(u_x=1), row(u_y=1)
-    head = (x, still_y) if slings else (x, y)
+    racked = row(y=1, u_y=1, psi_b=p[0] - value("gantry_racking.center"))  # the head at x on a beam that turns
+    head = (x, still_y) if slings else (x, racked)
     other, load = (still_x, y), value("payload.mass")
     carrier = other if slings else head
     other_mass = q.bed_mass if slings else q.beam_mass
@@ -82,7 +84,9 @@ def expected(model: pkmodes.Model, p: np.ndarray) -> Expected:
         (mass, a) for mass, of in ((q.toolhead_mass, head), (other_mass, other), (load, carrier)) for a in of
     ]
     T += [(value("frame_compliance.mass"), a) for a in (still_x, still_y)]
-    V = [(value("cable_stiffness.stiffness"), a) for a in (x, y)]
+    T.append((value("gantry_racking.inertia"), row(psi_b=1)))
+    platform = (x, y) if slings else head
+    V = [(value("cable_stiffness.stiffness"), a) for a in platform]
     R = [(value("rail_friction.viscous"), row(**{one: 1})) for one in ("x", "y")]
     V_loss, motors = [], []
     for i, slide in enumerate(("x", "y")):
@@ -108,6 +112,7 @@ def expected(model: pkmodes.Model, p: np.ndarray) -> Expected:
         ("gearbox_compliance", ("psi_1", "psi_2")),
         ("clamp_compliance", ("eps_1", "eps_2")),
         ("frame_compliance", ("u_x", "u_y")),
+        ("gantry_racking", ("psi_b",)),
     ):
         if compliance := value(f"{effect}.compliance"):
             V += [(1 / compliance, row(**{one: 1})) for one in released]
@@ -119,7 +124,7 @@ def expected(model: pkmodes.Model, p: np.ndarray) -> Expected:
     moved = [q.toolhead_mass, other_mass] if slings else [q.toolhead_mass, q.toolhead_mass + other_mass]
     moved = np.array(moved) + (np.array([0.0, load]) if slings else load)
     torques = q.pulley_radius * q.gravity[:2] * moved
-    return Expected(total(T), total(V), total(R), total(V_loss), np.array([x, y]), np.array(motors), torques)
+    return Expected(total(T), total(V), total(R), total(V_loss), np.array(platform), np.array(motors), torques)
 
 
 def frequencies(of: Expected, drives: str) -> np.ndarray:
