@@ -141,7 +141,7 @@ CODE = (
     ("corexy", ("drives", 1), REMOVED, "the number of drives is 1, expected 2"),
     ("corexy", ("rigid_modes",), 1, "the number of rigid modes is 1, expected 2"),
     ("linear_delta", ("drawing", "uprights"), 0, "TypeError: drawing_points() missing"),
-    ("corexy", ("drawing", "motions", 49), 5, "the number of their motions is 6, expected 5"),
+    ("corexy", ("drawing", "motions", 49), 19, "the number of their motions is 20, expected 19"),
     ("corexy", ("tables", 5, "keys", 1, "index"), [0], "the number of keys of workspace is 2, expected 1"),
     ("corexy", ("tables", 7, "count"), 3, "the shape of belt_specific_stiffness is (3,)"),
     (
