@@ -76,7 +76,9 @@ def corexy(
     if outside.get("one_gearbox"):
         locked.remove("psi_1")
     if racking := outside.get("racking_gantry") or effects.get("gantry_racking.compliance"):
-        rows.inertia(rows.row(rack=1.0), effects.get("gantry_racking.inertia") or q.gantry_mass * BEAM**2 / 12)
+        rows.inertia(
+            rows.row(rack=1.0), effects.get("gantry_racking.inertia") or q.gantry_mass * BEAM**2 / 12
+        )
         rows.spring(rows.row(rack=1.0), 1.0 / racking)
     else:
         locked.append("rack")

@@ -83,6 +83,10 @@ class Candidate:
         Name of a candidate that is a special case of this one: that one has one value for all joints, this one has
         a value for each.  This one is never claimed.  A claim of the special case is refused if its residual points
         significantly to this one.
+    part_of : str
+        Name of a candidate that moves everything this one moves, and more, with as many parameters, such as a frame
+        that yields in all directions.  That one brings modes close to each other, whose shapes follow noise: wherever it
+        would be claimed, this one remains too if it leaves nothing but noise.
     kind, part : str
         What it has in common with other candidates, a noun phrase such as "a compliance in series with the belt", and
         what it is among them, such as "clamps": the members of a class that share a kind are named by it.
@@ -95,6 +99,7 @@ class Candidate:
     nameable: bool = True
     sigma: tuple[float, ...] | None = None
     general_of: str = ""
+    part_of: str = ""
     kind: str = ""
     part: str = ""
 

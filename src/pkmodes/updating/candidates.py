@@ -251,7 +251,9 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
             suspected = all(sigma is None for sigma in _sigmas(robot, paths))
             declared = any(path in robot.quantities for path in _excluding(effect, form))
             if suspected and not absent and not declared:
-                candidates[name] = Candidate(name, tuple(paths), _sentence(effect, name, form))
+                whole = "" if name == effect.name else effect.name
+                sentence = _sentence(effect, name, form)
+                candidates[name] = Candidate(name, tuple(paths), sentence, part_of=whole)
     return candidates
 
 

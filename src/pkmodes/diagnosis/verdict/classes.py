@@ -53,6 +53,8 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     }
     least = min(alike.values(), default=0.0)
     also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.search.survives]
+    best = surviving[0].causes[-1].name if surviving and surviving[0].causes else ""
+    also += [fit for fit in fitting if best and fit.causes and fit.causes[-1].part_of == best]
     return surviving + [fit for fit in also if all(fit is not other for other in surviving)]
 
 
