@@ -85,8 +85,8 @@ class Candidate:
         significantly to this one.
     part_of : str
         Name of a candidate that moves everything this one moves, and more, with as many parameters, such as a frame
-        that yields in all directions.  That one brings modes close to each other, whose shapes follow noise: wherever it
-        would be claimed, this one remains too if it leaves nothing but noise.
+        that yields in all directions.  That one brings modes close to each other, whose shapes follow noise:
+        wherever it would be claimed, this one remains too if it leaves nothing but noise.
     kind, part : str
         What it has in common with other candidates, a noun phrase such as "a compliance in series with the belt", and
         what it is among them, such as "clamps": the members of a class that share a kind are named by it.
