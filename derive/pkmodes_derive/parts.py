@@ -217,7 +217,7 @@ class Link:
     @property
     def rigid(self) -> bool:
         """Whether its length is fixed."""
-        return self.length != self.coordinate
+        return bool(self.length != self.coordinate)
 
 
 @dataclass

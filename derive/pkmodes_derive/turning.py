@@ -161,10 +161,10 @@ class Turning:
             square = [[Add(*(r[i][m] * r[m][k] for m in range(3))) for k in range(3)] for i in range(3)]
             columns = []
             for k, a in enumerate(AXES):
-                column = [v.declare("R_{i}_{a}", "1", what, "R_{{{i}{a}}}", i=i, a=a) for i in AXES]
-                for i, name in enumerate(column):
+                named = [v.declare("R_{i}_{a}", "1", what, "R_{{{i}{a}}}", i=i, a=a) for i in AXES]
+                for i, name in enumerate(named):
                     chain.define(name, Integer(i == k) + s * c * r[i][k] + s**2 * square[i][k] * HALF)
-                columns.append(tuple(column))
+                columns.append(tuple(named))
         for column in columns:
             self._turn(column)
         return columns

@@ -19,7 +19,7 @@ def cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
 
 def axis(name: str) -> tuple[Expr, Expr, Expr]:
     """Return the unit vector along x, y or z."""
-    return tuple(Integer(name == one) for one in "xyz")  # type: ignore[return-value]
+    return Integer(name == "x"), Integer(name == "y"), Integer(name == "z")
 
 
 def skew(a: Sequence[Expr]) -> list[list[Expr]]:

@@ -163,7 +163,12 @@ CODE = (
     ("linear_delta", ("tables", 0, "keys", 0), REMOVED, "the fields of the keys are "),
     ("linear_delta", ("tables", 0, "keys", 0, "index"), [7], "IndexError: "),
     ("corexy", ("tables", 5, "keys", 1), REMOVED, "the number of values of workspace is 2, expected 4"),
-    ("linear_delta", ("effects", 12, "coordinates", 0, "name"), "psi_9", "the order of coordinates is "),
+    (
+        "linear_delta",
+        ("effects", 12, "coordinates"),
+        [{"name": f"psi_{j}", "unit": "rad", "description": "wind-up"} for j in (2, 1, 3)],
+        "the order of coordinates is ",
+    ),
     ("linear_delta", ("effects", 8, "parameters", 0, "name"), "weight", "the parameters of effects are "),
     (
         "linear_delta",

@@ -83,7 +83,7 @@ def derive(machine: Machine) -> Derived:
     )
 
 
-def _mass_matrix(machine: Machine, kin: kinematics.Kinematics, energies: energy.Energies) -> Rows:
+def _mass_matrix(machine: Machine, kin: kinematics.Kinematics, energies: energy.Energies) -> list[list[Expr]]:
     """Return M: the twist of a platform that turns is eliminated in blocks, which takes far fewer operations."""
     T = energies.T_ss + energies.T_t
     if machine.turning is None:

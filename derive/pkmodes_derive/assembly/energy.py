@@ -22,7 +22,7 @@ from sympy import Add, Expr, Integer, Rational, Symbol, collect, diff, expand
 
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.parts import Leg
+from pkmodes_derive.parts import Body, Leg
 from pkmodes_derive.vectors import axis, cross, dot
 from pkmodes_derive.vocabulary import AXES
 
@@ -157,6 +157,13 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
     return [*moved, *((rate, axis) for rate, axis in frame if rate != 0)]
 
 
+def _body(machine: Machine, body: Body, w: Sequence[Symbol]) -> Expr:
+    """Return the kinetic energy of a body with the angular velocity w of the platform."""
+    v, places = _velocity(machine, body.centre), range(len(w))
+    turned = Add(*(w[i] * body.inertia[i][k] * w[k] for i in places for k in places))
+    return HALF * body.mass * _product(machine, v, v) + HALF * turned
+
+
 def _leg(machine: Machine, leg: Leg) -> Expr:
     """Return the kinetic energy of the bodies of a leg, from the velocity of its vector s and its rate l_dot.
 
@@ -211,11 +218,8 @@ def _structure(machine: Machine) -> Expr:
         along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
         u = machine.frame_rate
         T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
-    for body in machine.bodies:
-        assert machine.turning is not None
-        v, w = _velocity(machine, body.centre), machine.turning.rates
-        turned = Add(*(w[i] * body.inertia[i][k] * w[k] for i in range(len(w)) for k in range(len(w))))
-        T += HALF * body.mass * _product(machine, v, v) + HALF * turned
+    if machine.turning is not None:
+        T += Add(*(_body(machine, body, machine.turning.rates) for body in machine.bodies))
     T += Add(*(_leg(machine, leg) for leg in machine.legs))
     if machine.turning is not None:
         return T

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence, Set
+from typing import Literal
 
 from sympy import Add, Expr, Symbol, default_sort_key, diff
 
@@ -23,6 +24,8 @@ from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relati
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing, Named
 
+#: Axes about which a platform may turn, in the order of its components.
+ROTATIONS: tuple[Literal["x", "y", "z"], ...] = ("x", "y", "z")
 Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
 Places = tuple[tuple[int, int], ...]
 
@@ -80,7 +83,7 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
         difference_pairs=tuple(machine.differences.items()),
         sample=dict(machine.sample),
         drawing=drawing,
-        rotations=machine.rotations,
+        rotations=tuple(axis for axis in ROTATIONS if axis in machine.rotations),
     )
 
 
@@ -147,7 +150,8 @@ def _derivatives(d: Derived) -> tuple[list[Function], list[tuple[str, str, tuple
     of_geometry = sensitivity.geometry(d)
     of_values = sensitivity.values(machine, of_geometry)
     moved = machine.independent_are
-    functions, constants = [], []
+    functions: list[Function] = []
+    constants: list[tuple[str, str, tuple[object, ...]]] = []
     for name, title, source, some, also, comment in (
         (
             "value_sensitivities",
@@ -170,6 +174,7 @@ def _derivatives(d: Derived) -> tuple[list[Function], list[tuple[str, str, tuple
             "The same for `geometry_sensitivities`.",
         ),
     ):
+        places: Sequence[tuple[Places, Places]]
         if machine.turning is None:
             function, places = _sensitivities(d, name, title, source, some, also)
             functions.append(function)

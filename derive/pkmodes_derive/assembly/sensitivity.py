@@ -24,6 +24,9 @@ from pkmodes_derive.chain import Chain
 from pkmodes_derive.machine import Machine
 from pkmodes_description import CHOICES
 
+#: Entries of a matrix, (row, column).
+Places = tuple[tuple[int, int], ...]
+
 
 def values(machine: Machine, moving: Sequence[Symbol]) -> tuple[Symbol, ...]:
     """Return the parameters of M and K that move no coordinate, in the order of the arrays.
@@ -52,9 +55,7 @@ def _quantities(machine: Machine) -> list[Symbol]:
     return [s for field in machine.tables.fields if field.name not in left_out for s in field.symbols]
 
 
-def depending(
-    derived: Derived, parameters: Sequence[Symbol]
-) -> tuple[tuple[tuple[tuple[int, int], ...], ...], ...]:
+def depending(derived: Derived, parameters: Sequence[Symbol]) -> list[tuple[Places, Places]]:
     """Return, for each parameter, the entries of M and of K in the upper triangle that it may change."""
     definitions = derived.kin.definitions
     known: dict[Symbol, frozenset[Symbol]] = {}
@@ -65,7 +66,8 @@ def depending(
         n = range(len(matrix))
         inputs = {(k, m): _inputs(matrix[k][m], known) for k in n for m in n if k <= m}
         by_matrix.append([tuple(at for at, of in inputs.items() if theta in of) for theta in parameters])
-    return tuple(zip(*by_matrix, strict=True))
+    of_M, of_K = by_matrix
+    return list(zip(of_M, of_K, strict=True))
 
 
 def _inputs(expression: Expr, known: Mapping[Symbol, frozenset[Symbol]]) -> frozenset[Symbol]:
