@@ -77,7 +77,7 @@ class Plane:
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
         several = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
         single = [dim for dim in leading if dim not in several]
-        constant = {dim: float(dataset[dim].values[0]) for dim in single if dim in components}
+        constant = {dim: float(dataset[dim].values[0]) for dim in components if dim in single}
         linear = all(dataset[dim].attrs["units"] == "m" for dim in several)
         normal = next((dim for dim in constant if linear and dataset[dim].attrs["units"] == "m"), None)
         extent = {dim: float(np.ptp(dataset[dim].values)) for dim in several}

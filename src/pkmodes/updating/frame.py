@@ -2,7 +2,8 @@
 
 A wrong zero of the height, or a table that is not parallel to the machine, affects all poses equally.  The true pose
 is the measured one, rotated about the base frame's z axis by the yaw and then shifted by the offset.  Offsets are
-along the linear components of a pose; the yaw rotates the first two of them, which span the plane of a planar robot.
+along the linear components of a pose; the yaw rotates the first two of them, which span the plane of a planar robot,
+and a platform that turns about z.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.linalg.rotations import AXES, about, matrix_of, rates_of, vector_of
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.diagnosis.problem import Candidate, Parameter
 
@@ -19,6 +21,8 @@ Array = NDArray[np.float64]
 #: Prefixes of the parameters of the measurement, and of its candidates.
 OF_MEASUREMENT, PREFIX = "measurement.", "measurement:"
 YAW = f"{OF_MEASUREMENT}yaw"
+#: The axis of the yaw.
+Z = "z"
 #: Prior standard deviations of the measurement frame, by unit.
 PLAUSIBLE = {"m": 0.02, "rad": 0.035}
 
@@ -56,7 +60,13 @@ def true_points(mechanism: Mechanism, points: Array, values: Mapping[str, float]
     turn[i, i] = turn[k, k] = np.cos(yaw)
     turn[k, i] = np.sin(yaw)
     turn[i, k] = -turn[k, i]
-    return np.asarray(points @ turn.T + offset)
+    true = np.asarray(points @ turn.T + offset)
+    if Z in mechanism.rotations:
+        turning = _turning(mechanism)
+        about_z = matrix_of(about((Z,), np.array([yaw])))
+        turned = vector_of(about_z @ matrix_of(about(mechanism.rotations, points[:, turning])))
+        true[:, turning] = turned[:, _axes(mechanism)]
+    return true
 
 
 def rate(mechanism: Mechanism, name: str, points: Array, values: Mapping[str, float]) -> Array:
@@ -68,11 +78,25 @@ def rate(mechanism: Mechanism, name: str, points: Array, values: Mapping[str, fl
     i, k = _linear(mechanism)[:2]
     turned = true_points(mechanism, points, {YAW: values.get(YAW, 0.0)})
     rates[:, i], rates[:, k] = -turned[:, k], turned[:, i]
+    if Z in mechanism.rotations:
+        turning, axes = _turning(mechanism), _axes(mechanism)
+        inverse = np.linalg.inv(rates_of(about(mechanism.rotations, turned[:, turning])))
+        rates[:, turning] = inverse[:, axes, AXES.index(Z)]
     return rates
 
 
 def _linear(mechanism: Mechanism) -> list[int]:
     return [i for i, component in enumerate(mechanism.pose) if component.unit == "m"]
+
+
+def _turning(mechanism: Mechanism) -> list[int]:
+    """Return the components of a rotation vector in the pose."""
+    names = [component.name for component in mechanism.pose]
+    return [names.index(name) for name in mechanism.components[len(mechanism.directions) :]]
+
+
+def _axes(mechanism: Mechanism) -> list[int]:
+    return [AXES.index(axis) for axis in mechanism.rotations]
 
 
 def _offset(mechanism: Mechanism, component: int) -> str:
