@@ -117,5 +117,6 @@ def rotation_margin(m: Machine) -> None:
             "the platform turns by 90 degrees or more",
             "the platform is turned by 90 degrees or more, {missing} too far",
             "choose a rotation vector shorter than 90 degrees",
+            unit="rad",
         ),
     )
