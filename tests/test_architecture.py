@@ -160,7 +160,7 @@ DIAGNOSIS = ("core.base", "core.linalg", "core.robot.columns", "support", "measu
 #: Most lines of a module.
 MOST = 400
 #: Modules of one idea that is longer: the evaluator of a robot, most of it docstrings.
-LONG = {"src/pkmodes/core/model.py": 620}
+LONG = {"src/pkmodes/core/model.py": 650}
 
 
 def modules_imported(file: Path) -> set[str]:

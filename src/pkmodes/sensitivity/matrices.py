@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import cache, cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,34 +21,19 @@ from numpy.typing import NDArray
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import regular_poses, sample
-from pkmodes.core.mechanism.stepped import STEP, stepped
+from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.paths import ParameterPath
+from pkmodes.sensitivity.steps import Entries, rates_by_steps
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Field name of slots for pose components: they are not parameters, but the matrices depend on them in the same way.
 POSE = "pose"
 
-#: Poses times parameters that are differentiated at once.
-AT_ONCE = 4096
 #: Relative size of the rounding left when a spring is eliminated.
 TAKEN_OUT = 1e-12
-
-
-class Entries(NamedTuple):
-    """The entries of a symmetric matrix to which the generated derivatives belong, in their order.
-
-    Attributes
-    ----------
-    slot, row, column : ndarray of int, shape (E,)
-        Index of the parameter, and position in the upper triangle.
-    """
-
-    slot: Index
-    row: Index
-    column: Index
 
 
 def _listed(mechanism: Mechanism) -> tuple[Any, ...]:
@@ -215,7 +200,9 @@ class MatrixDerivatives:
         """
         extended = self.system.mechanism.extended
         if not self.system.generated.has("value_sensitivities"):
-            return self._by_complex_step()
+            moved = np.flatnonzero(self._directions[1].any(axis=(0, 2)))
+            entries = [_entries(self.system.mechanism, matrix) for matrix in (0, 1)]
+            return rates_by_steps(self.system, self._p, _listed(self.system.mechanism), entries, moved)
         values = self.system.single("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
             geometry = self.system.single("geometry_sensitivities", self._p)
@@ -224,31 +211,6 @@ class MatrixDerivatives:
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
         of_M, of_K = (np.hstack(both) for both in zip(values, geometry, strict=True))
         return of_M, of_K
-
-    def _by_complex_step(self) -> tuple[Array, Array]:
-        """Derivatives of the entries of M and K by complex step, for a mechanism without generated ones.
-
-        Only those with respect to numbers that a path moves are computed, a block of them at once.
-        """
-        mechanism, system = self.system.mechanism, self.system
-        of = [_entries(mechanism, matrix) for matrix in (0, 1)]
-        values = tuple(np.zeros((len(self._p), len(entries.slot))) for entries in of)
-        listed, moved = _listed(mechanism), np.flatnonzero(self._directions[1].any(axis=(0, 2)))
-        size = max(1, AT_ONCE // max(1, len(self._p)))
-        for block in (moved[i : i + size] for i in range(0, len(moved), size)):
-            names = [listed[slot][:2] for slot in block]
-            generated = Generated(
-                mechanism.extended, stepped(system.parameters, names), stepped(system.effects, names)
-            )
-            M, K_el, K_g = generated.extended_matrices(self._p)
-            for entries, matrix, out in zip(of, (M, K_el + K_g), values, strict=True):
-                rates = np.broadcast_to(
-                    np.imag(matrix) / STEP, (len(block), len(self._p), *matrix.shape[-2:])
-                )
-                for k, slot in enumerate(block):
-                    some = np.flatnonzero(entries.slot == slot)
-                    out[:, some] = rates[k][:, entries.row[some], entries.column[some]]
-        return values[0], values[1]
 
     @cached_property
     def _by_pose(self) -> tuple[Array, Array] | None:

@@ -158,13 +158,7 @@ def _out_of_plane(motion: Array, directions: Sequence[str], normal: str | None) 
 
 
 def condition_number(jacobians: Array, lengths: Array) -> Array:
-    """Return the ratio of the largest to the smallest singular value of matrices, (N, d, k).
-
-    Parameters
-    ----------
-    lengths : ndarray, shape (d,)
-        By which their rows are multiplied: rotations become lengths.
-    """
+    """Return the ratio of the largest to the smallest singular value of matrices, (N, d, k), rows times lengths."""
     singular = np.linalg.svd(jacobians * lengths[:, None], compute_uv=False)
     with np.errstate(divide="ignore"):
         return np.asarray(singular[..., 0] / singular[..., -1])
