@@ -2,7 +2,7 @@ r"""Carriages on rails, each with a belt over two pulleys and a link to the plat
 
 Carriage j is at :math:`e_j = o_j + x_j n_j`, the platform joint at c_j, and the link between them,
 :math:`s_j = c_j - e_j`, keeps its length (equations 1 to 3 of the paper).  Each carriage is pulled by a belt over two
-pulleys, one of which is driven by a motor (equations 28 to 41).  Linear delta and hexaglide are made of these parts.
+pulleys, one of which is driven by a motor (equations 28 to 41).
 """
 
 from __future__ import annotations

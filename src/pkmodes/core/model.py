@@ -361,14 +361,9 @@ class Model:
         ndarray, shape (...)
             At least 1; 1 where the platform moves equally far in every direction.
         """
-        function, lengths = (
-            self._generated.platform_jacobian,
-            lengths_of(self.mechanism, self.robot.parameters),
-        )
-        (condition,) = self.evaluated(
-            lambda p: condition_number(function(p), lengths), self.checked(poses, on_error)
-        )
-        return condition
+        D_p, lengths = self._generated.platform_jacobian, lengths_of(self.mechanism, self.robot.parameters)
+        (found,) = self.evaluated(lambda p: condition_number(D_p(p), lengths), self.checked(poses, on_error))
+        return found
 
     def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
         """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
