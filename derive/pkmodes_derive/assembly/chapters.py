@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from sympy import Add, Expr, Integer, Matrix, Rational, Symbol, sqrt
+from sympy import Matrix, Rational
 
 from pkmodes_derive import lagrangian
+from pkmodes_derive.assembly.closure_functions import closures
 from pkmodes_derive.assembly.condensed import Condensed
 from pkmodes_derive.assembly.derived import (
     drive_units,
@@ -13,9 +14,9 @@ from pkmodes_derive.assembly.derived import (
     units_of_mass,
     units_of_stiffness,
 )
+from pkmodes_derive.assembly.twist_forces import forces_of_twist
 from pkmodes_derive.functions import Function, Output
 from pkmodes_derive.machine import Extra
-from pkmodes_derive.turning import Turning
 from pkmodes_derive.vectors import cross
 
 HALF = Rational(1, 2)
@@ -79,82 +80,7 @@ def _position(c: Condensed) -> list[Function]:
                 Output("l_f", (len(runs), len(runs[0])), flat(runs), "m", names),
             )
         )
-    return functions + (_closures(c) if m.links else [])
-
-
-def _closures(c: Condensed) -> list[Function]:
-    kin, n = c.kin, len(c.machine.independent)
-    assert kin.solver is not None
-    # Entry by entry, because SymPy would write the root of det^2 as |det|, which rules out a complex step.
-    length = _characteristic_length(c)
-    inverse_norm2 = Add(
-        *(
-            (kin.solver.adjugate[m, j] * length[m] / kin.solver.determinant) ** 2
-            for m in range(n)
-            for j in range(n)
-        )
-    )
-    jacobian_norm2 = Add(*((kin.D_l[j, m] / length[m]) ** 2 for j in range(n) for m in range(n)))
-    q, turns = c.machine.argument, bool(c.machine.rotations)
-    return [
-        c.function(
-            "constraint_jacobians",
-            f"Constraint Jacobians D_l and D_r of D_l p_dot = D_r {q}_dot.",
-            "equations 14 and 15",
-            [c.pose],
-            Output(
-                "D_l",
-                (n, n),
-                tuple(kin.D_l),
-                "m, m^2" if turns else "m",
-                "row j: linkage vector c_j - e_j in the base frame"
-                + (", and its moment about the platform's origin" if turns else ""),
-            ),
-            Output(
-                "D_r",
-                (n, n),
-                tuple(kin.D_r),
-                _unit(c, "m", "m^2"),
-                "diagonal: component of linkage vector j along the motion of its joint",
-            ),
-        ),
-        c.function(
-            "jacobian_condition",
-            "Assembly branch and condition number of D_l in the Frobenius norm.",
-            "equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm"
-            if n == 3
-            else f"equation 15; |D_l| |D_l^-1|, one to {n} times the condition number in the 2-norm",
-            [c.pose],
-            Output(
-                "determinant",
-                (),
-                (kin.solver.determinant,),
-                c.machine.vocabulary[kin.solver.determinant].unit,
-                "det D_l; its sign is the assembly branch",
-            ),
-            Output(
-                "condition",
-                (),
-                (sqrt(jacobian_norm2 * inverse_norm2),),
-                "1",
-                f"Frobenius condition number, at least {n}",
-            ),
-            details="Moments are divided by a characteristic length, the root mean square distance of the platform "
-            "joints from the platform's origin."
-            if turns
-            else "",
-        ),
-    ]
-
-
-def _characteristic_length(c: Condensed) -> list[Expr]:
-    """Return what the columns of D_l are divided by: 1 for displacements, a length for rotations."""
-    m = c.machine
-    if m.turning is None:
-        return [Integer(1)] * len(m.components)
-    levers = [link.lever for link in m.links]
-    length = sqrt(Add(*(component**2 for lever in levers for component in lever)) / len(levers))
-    return [Integer(1)] * len(m.directions) + [length] * len(m.rotations)
+    return functions + (closures(c) if m.links else [])
 
 
 def _motion(c: Condensed) -> list[Function]:
@@ -267,7 +193,7 @@ def _dynamics(c: Condensed) -> list[Function]:
         h = lagrangian.velocity_forces(c.moving_energy, m.independent, velocities, c.kin.chain)
         known = c.locked
     else:
-        h, known = _forces_of_twist(c, m.turning, velocities), c.locked
+        h, known = forces_of_twist(c, m.turning, velocities), c.locked
     return [
         c.function(
             "kinetic_energy",
@@ -300,51 +226,6 @@ def _dynamics(c: Condensed) -> list[Function]:
             known=known,
         ),
     ]
-
-
-def _forces_of_twist(c: Condensed, turning: Turning, velocities: tuple[Symbol, ...]) -> list[Expr]:
-    """Return the velocity forces of a platform that turns."""
-    m, kin = c.machine, c.kin
-    twist = (*m.v_p, *turning.rates)
-    moving = kin.chain.copy(rules=False)
-    for q, rate in zip(m.independent, velocities, strict=True):
-        moving.rule(q, lagrangian.TIME, rate)
-    for symbol, (q, derivative) in m.turned.items():
-        moving.rule(symbol, lagrangian.TIME, derivative * m.velocities[m.coordinates.index(q)])
-    for i, (t, row) in enumerate(zip(twist, c.energies.D_p_dot, strict=True)):
-        what = "acceleration of the platform at constant rates of the coordinates, component {i}"
-        unit = "m/s^2" if i < len(m.directions) else "rad/s^2"
-        bias = m.vocabulary.declare("a_p_{i}", unit, what, "a_{{p,{i}}}", i=m.components[i])
-        kin.chain.define(bias, Add(*(d * rate for d, rate in zip(row, velocities, strict=True))))
-        moving.rule(t, lagrangian.TIME, bias)
-    for p, t in zip(m.dependent, m.v_p, strict=False):
-        moving.rule(p, lagrangian.TIME, t)
-    for vector in turning.fixed:
-        turned = cross(turning.spatial(turning.rates), vector)
-        for component, rate in zip(vector, turned, strict=True):
-            if component.is_Symbol:
-                moving.rule(component, lagrangian.TIME, rate)
-
-    def named(what: str, i: int, value: Expr) -> Expr:
-        unit = "kg m/s" if what == "momentum" else "N"
-        if i >= len(m.directions):
-            unit = "kg m^2/s" if what == "momentum" else "N m"
-        symbol, stem = ("pi", r"\pi") if what == "momentum" else ("z", "z")
-        name = m.vocabulary.declare(
-            f"{symbol}_{{i}}",
-            unit,
-            f"{what} of the moving bodies, component {{i}}",
-            f"{stem}_{{i}}",
-            i=m.components[i],
-        )
-        moving.define(name, value)
-        return kin.chain.define(name, value)
-
-    h = lagrangian.velocity_forces_of_twist(
-        c.moving_energy, m.independent, velocities, twist, kin.D_p, turning, moving, named
-    )
-    c.definitions = kin.definitions
-    return h
 
 
 def _gravity(c: Condensed) -> list[Function]:

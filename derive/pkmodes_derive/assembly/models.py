@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence, Set
+from collections.abc import Callable, Set
 from typing import Literal
 
-from sympy import Add, Expr, Symbol, default_sort_key, diff
+from sympy import Add, Symbol, default_sort_key, diff
 
-from pkmodes_derive.assembly import chapters, sensitivity
+from pkmodes_derive.assembly import chapters
 from pkmodes_derive.assembly.condensed import Condensed
+from pkmodes_derive.assembly.derivatives import derivatives
 from pkmodes_derive.assembly.derived import (
     Derived,
-    added,
     derive,
     drive_units,
     flat,
@@ -27,7 +27,6 @@ from pkmodes_description import Description, Drawing, Named
 #: Axes about which a platform may turn, in the order of its components.
 ROTATIONS: tuple[Literal["x", "y", "z"], ...] = ("x", "y", "z")
 Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
-Places = tuple[tuple[int, int], ...]
 
 
 def parameters(machine: Machine) -> FieldGroup:
@@ -111,7 +110,7 @@ def extended(machine: Machine) -> Model:
     stiffnesses 1/c to the diagonal of K.
     """
     d, v = derive(machine), machine.vocabulary
-    functions, constants = _derivatives(d)
+    functions, constants = derivatives(d)
     return Model(
         mechanism=machine.name,
         coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates),
@@ -133,57 +132,6 @@ def extended(machine: Machine) -> Model:
         ),
         constants=tuple(constants),
     )
-
-
-def _derivatives(d: Derived) -> tuple[list[Function], list[tuple[str, str, tuple[object, ...]]]]:
-    """Return the functions for the derivatives of M and K, and the lists of what they are derivatives of.
-
-    Of a platform that turns only the lists are written: there would be tens of thousands of expressions, and the
-    runtime differentiates `extended_matrices` by complex step, which is exact to rounding.
-    """
-    machine = d.machine
-    place = {
-        symbol: (field.name, index)
-        for field in (*machine.tables.fields, *machine.effect_fields)
-        for symbol, index in zip(field.symbols, field.indices, strict=True)
-    }
-    of_geometry = sensitivity.geometry(d)
-    of_values = sensitivity.values(machine, of_geometry)
-    moved = machine.independent_are
-    functions: list[Function] = []
-    constants: list[tuple[str, str, tuple[object, ...]]] = []
-    for name, title, source, some, also, comment in (
-        (
-            "value_sensitivities",
-            "Derivatives of M and K at a fixed pose with respect to parameters that move no coordinate.",
-            "chain rule",
-            of_values,
-            "",
-            "Parameters of the derivatives: field of Parameters or Effects, index in it, and (row, column) of the "
-            "entries of M and of K, in the upper triangle, that depend on it.",
-        ),
-        (
-            "geometry_sensitivities",
-            f"Derivatives of M and K at a fixed pose with respect to parameters that move the {moved}.",
-            "implicit function theorem and chain rule",
-            of_geometry,
-            "".join(
-                f"  Derivatives with respect to {field} are the negatives of those with respect to {other}."
-                for field, other in machine.differences.items()
-            ),
-            "The same for `geometry_sensitivities`.",
-        ),
-    ):
-        places: Sequence[tuple[Places, Places]]
-        if machine.turning is None:
-            function, places = _sensitivities(d, name, title, source, some, also)
-            functions.append(function)
-        else:
-            places = sensitivity.depending(d, some)
-            comment = comment.replace("`geometry_sensitivities`", "parameters that move coordinates")
-        listed = tuple((*place[theta], *entries) for theta, entries in zip(some, places, strict=True))
-        constants.append((comment, name.upper(), listed))
-    return functions, constants
 
 
 def _matrices(d: Derived) -> Function:
@@ -304,35 +252,6 @@ def _static_equilibrium(d: Derived) -> Function:
         ),
         d.kin.definitions,
     )
-
-
-def _sensitivities(
-    d: Derived, name: str, title: str, source: str, by: Sequence[Symbol], also: str
-) -> tuple[Function, tuple[tuple[Places, Places], ...]]:
-    """Return the derivatives and, for each parameter, the entries of M and K that they belong to."""
-    chain = sensitivity.PoseChain(d, by)
-    dM, dK = (chain.derivatives(matrix) for matrix in (d.M, added(d.K_el, d.K_g)))
-    function = Function(
-        name,
-        title,
-        source,
-        (d.pose,),
-        (
-            _listed("M_theta", dM, "unit of M / unit of the parameter", "dM/dtheta"),
-            _listed("K_theta", dK, "unit of K / unit of the parameter", "dK/dtheta"),
-        ),
-        chain.chain.definitions,
-        f"Returns the upper-triangle entries listed in {name.upper()}; all others are zero.{also}",
-        in_c=False,
-    )
-    return function, tuple(zip(map(tuple, dM), map(tuple, dK), strict=True))
-
-
-def _listed(
-    name: str, derivatives: Sequence[dict[tuple[int, int], Expr]], unit: str, description: str
-) -> Output:
-    entries = tuple(entry for matrix in derivatives for entry in matrix.values())
-    return Output(name, (len(entries),), entries, unit, description, listed=True)
 
 
 def single(machine: Machine, zeros: Set[tuple[str, int]]) -> Model:
