@@ -9,12 +9,13 @@ from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 from math import isfinite, prod
 
-from sympy import Expr, Symbol, default_sort_key
+from sympy import Expr, Symbol, default_sort_key, expand
 
 from pkmodes_derive.definition import DefinitionError
 from pkmodes_derive.functions import Function, Model
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.vocabulary import Field
+from pkmodes_derive.vectors import axis, cross, placed
+from pkmodes_derive.vocabulary import AXES, Field
 from pkmodes_description import Margin, Requirement
 
 RULES = ("at_least_zero", "above_zero", "at_most_limit")
@@ -48,6 +49,7 @@ def check_declared(machine: Machine) -> None:
         )
     _check_coordinates(machine)
     _check_closures(machine)
+    _check_levers(machine)
     _check_sample(machine)
 
 
@@ -102,6 +104,35 @@ def _check_closures(machine: Machine) -> None:
                 "m.inverse",
                 f"define m.inverse[{q}] as a function of the pose",
             )
+
+
+def _check_levers(machine: Machine) -> None:
+    """Check that each link of a platform that turns has its joint on it, with which its vector turns."""
+    turning = machine.turning
+    for number, link in enumerate(machine.links, start=1) if turning is not None else ():
+        where = f"m.link, link {number}"
+        if not link.lever:
+            raise DefinitionError(
+                "a link to a platform that turns has no lever",
+                where,
+                "name its joint with lever = m.fixed_in_platform(names, joint), and write m.link(..., lever)",
+            )
+        lever = placed(machine.directions, link.lever)
+        if len(link.lever) != len(machine.directions) or lever not in turning.fixed:
+            raise DefinitionError(
+                "the lever of a link is not a vector that is fixed in the platform",
+                where,
+                "give the names that m.fixed_in_platform returned for its joint",
+            )
+        for small, name in zip(turning.small, turning.axes, strict=True):
+            moved = cross(axis(name), lever)
+            for component, along in zip(link.vector, machine.directions, strict=True):
+                if expand(machine.chain.derivative(component, small) - moved[AXES.index(along)]) != 0:
+                    raise DefinitionError(
+                        "the vector of a link does not turn with its lever",
+                        where,
+                        "define it as position of the platform + lever - joint on the other side",
+                    )
 
 
 def _check_sample(machine: Machine) -> None:

@@ -1,5 +1,7 @@
 """A user-defined mechanism: a Python file outside this package with ``TITLE``, ``DIRECTIONS`` and ``declare(m)``.
 
+Where the platform turns it has ``ROTATIONS`` as well.
+
 Every mistake in it is reported as what, where (file and line) and what to do, never as a traceback: its author does
 not know the code of the derivation.
 """
@@ -74,9 +76,33 @@ def read(name: str, text: str, place: str) -> ModuleType:
             place,
             'add a line such as DIRECTIONS = ("x", "y")',
         )
+    _check_rotations(getattr(module, "ROTATIONS", ()), tuple(directions), place)
     if not callable(getattr(module, "declare", None)):
         raise DefinitionError("there is no function declare(m)", place, "add it: it declares the mechanism")
     return module
+
+
+def _check_rotations(rotations: object, directions: tuple[object, ...], place: str) -> None:
+    """Refuse axes of rotation that a platform with these directions cannot have."""
+    if not isinstance(rotations, list | tuple) or not _in_order(rotations):
+        raise DefinitionError(
+            f"ROTATIONS does not list axes about which the platform turns, found {rotations!r}",
+            place,
+            'write ROTATIONS = ("z",) for a machine in a plane, or ("x", "y", "z")',
+        )
+    if len(rotations) == 2:
+        raise DefinitionError(
+            f"ROTATIONS has two axes, {' and '.join(rotations)}: together they also turn about the third",
+            place,
+            'write one axis, or all three: ROTATIONS = ("x", "y", "z")',
+        )
+    across = [axis for axis in AXES if rotations and axis not in directions and tuple(rotations) != (axis,)]
+    if across:
+        raise DefinitionError(
+            f"the platform turns about {', '.join(rotations)}, but DIRECTIONS lacks {', '.join(across)}",
+            place,
+            "list every direction in which a point of the platform moves when it turns",
+        )
 
 
 def _in_order(directions: list[object] | tuple[object, ...]) -> bool:

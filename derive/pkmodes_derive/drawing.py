@@ -2,7 +2,7 @@
 
 A mechanism may declare them through ``m.draw``.  Positions are expressions in coordinates and named values, as those
 of bodies are, so their motion is derived, not written.  A mechanism that declares nothing is drawn from its parts:
-rods, point masses, arms and the platform.
+rods, legs, point masses, arms, bodies and the platform.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 from sympy import Expr, Symbol, sympify
 
-from pkmodes_derive.parts import Arm, Clamp, PointMass, Reducer, Rod, Run
+from pkmodes_derive.parts import Arm, Body, Clamp, Leg, PointMass, Reducer, Rod, Run
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Vocabulary
 from pkmodes_description import ElementShape
 
@@ -174,17 +174,29 @@ def from_parts(
     points: Sequence[PointMass],
     rods: Sequence[Rod],
     arms: Sequence[Arm],
+    legs: Sequence[Leg],
+    bodies: Sequence[Body],
     platform: Sequence[Expr],
+    joints: Sequence[Vector] = (),
 ) -> list[Element]:
-    """Return what the parts of a machine show without a declaration; each is named after its mass."""
+    """Return what the parts of a machine show without a declaration; each is named after its mass.
+
+    `joints` are those on a platform that turns: it is the plate between them.
+    """
     drawing = Drawing()
     for number, rod in enumerate(rods, start=1):
         drawing.line("link", _named(vocabulary, rod.mass, f"rod {number}"), *rod.ends)
+    for number, leg in enumerate(legs, start=1):
+        drawing.line("link", f"leg {number}", *leg.ends)
     for number, arm in enumerate(arms, start=1):
         drawing.ball("arm", _named(vocabulary, arm.mass, f"arm {number}"), arm.centre)
     for number, body in enumerate(points, start=1):
         kind = "platform" if tuple(body.position) == tuple(platform) else "body"
         drawing.ball(kind, _named(vocabulary, body.mass, f"body {number}"), body.position)
+    for turned in bodies:
+        drawing.ball("body", "centre of mass of the platform", turned.centre)
+    if joints:
+        drawing.plate("platform", "platform", *joints)
     if not any(element.kind == "platform" for element in drawing.elements):
         drawing.ball("platform", "platform", platform)
     return drawing.elements

@@ -16,10 +16,10 @@ Of a platform that turns the twist :math:`t = (v, \omega) = D \dot q` is not the
 
 .. math::
     h_k = D_k \cdot z + \frac{d}{dt} \frac{\partial T}{\partial \dot q_k} - \frac{\partial T}{\partial q_k}, \qquad
-    z_v = \dot\pi_v, \quad
+    z_v = \dot\pi_v - \frac{\partial T}{\partial p}, \quad
     z_\omega = \dot\pi_\omega - \omega \times \pi_\omega - \sum_w w \times \frac{\partial T}{\partial w},
 
-with partial derivatives of T(t, w, q, q_dot) (Boltzmann and Hamel's equations).
+with partial derivatives of T(t, p, w, q, q_dot) (Boltzmann and Hamel's equations).
 """
 
 from __future__ import annotations
@@ -71,6 +71,7 @@ def velocity_forces_of_twist(
     coordinates: Sequence[Symbol],
     velocities: Sequence[Symbol],
     twist: Sequence[Symbol],
+    platform: Sequence[Symbol],
     D: Matrix,
     turning: Turning,
     moving: Chain,
@@ -82,6 +83,8 @@ def velocity_forces_of_twist(
     ----------
     kinetic : sympy.Expr
         T in the twist, the vectors fixed in the platform, the coordinates and their rates.
+    platform : sequence of sympy.Symbol
+        Position and small rotations of the platform, in the order of the twist.
     D : sympy.Matrix
         Twist per unit of each rate.
     moving : Chain
@@ -93,6 +96,8 @@ def velocity_forces_of_twist(
     momenta = [name("momentum", i, moving.derivative(kinetic, t, hold=held)) for i, t in enumerate(twist)]
     force = [moving.derivative(momentum, TIME) for momentum in momenta]
     first = len(twist) - len(turning.axes)
+    for i, p in enumerate(platform[:first]):
+        force[i] -= moving.derivative(kinetic, p, hold=held)
     moment = cross(turning.spatial(turning.rates), turning.spatial(momenta[first:]))
     gyroscopic = [-component for component in moment]
     for vector in turning.fixed:

@@ -35,6 +35,7 @@ from pkmodes_derive.parts import (
 )
 from pkmodes_derive.tables import Declared, Tables
 from pkmodes_derive.turning import Turning
+from pkmodes_derive.vectors import placed
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
 from pkmodes_description import Margin, ParameterGroup, Requirement, Scale
 
@@ -294,15 +295,26 @@ class Machine:
         self.pose = self.dependent = position
         self.pose_is = pose_is
         if self.rotations:
-            self.turning = Turning(self.rotations, self.vocabulary, self.chain)
+            self.turning = Turning(self.rotations, self.directions, self.vocabulary, self.chain)
             self.pose = (*position, *self.turning.vector)
             self.dependent = (*position, *self.turning.small)
         return position
 
     def fixed_in_platform(self, names: Sequence[Symbol], vector: Sequence[Expr]) -> tuple[Symbol, ...]:
         """Name a vector that is fixed in the platform, given in platform axes."""
+        if not self.rotations:
+            what = "the platform does not turn: the file has no ROTATIONS"
+            raise DeclarationError(what, 'write, for example, ROTATIONS = ("z",)')
         if self.turning is None:
-            raise DeclarationError("the platform does not turn", 'write, for example, ROTATIONS = ("z",)')
+            what = "a vector is fixed in the platform before the pose is declared"
+            raise DeclarationError(what, "call m.platform_pose(...) first")
+        for given, what in ((names, "names"), (vector, "components")):
+            if len(given) != len(self.directions):
+                raise DeclarationError(
+                    f"a vector that is fixed in the platform has {len(given)} {what}, "
+                    f"expected {len(self.directions)}",
+                    f"give one for each of {', '.join(self.directions)}",
+                )
         return self.turning.fix(names, vector)
 
     def body(
@@ -321,10 +333,19 @@ class Machine:
         products : sequence of sympy.Expr
             I_xy, I_xz and I_yz of the tensor, which are its entries; none in a plane.
         """
+        if self.bodies:
+            what = "the platform has a body already"
+            raise DeclarationError(what, "give m.body the mass, centre and inertia of both together")
         v = self.vocabulary
         names = self.vector("c", "m", "centre of mass of the platform from its origin", "c")
         self.fixed_in_platform(names, centre)
         assert self.turning is not None
+        axes = len(self.rotations)
+        if len(inertia) != axes or len(products) not in {0, axes * (axes - 1) // 2}:
+            what = f"a body has {len(inertia)} moments and {len(products)} products of inertia"
+            three = "I_xx, I_yy, I_zz and, or none, I_xy, I_xz, I_yz"
+            only = f"one moment, I_{self.rotations[0] * 2}, in a sequence, and no products"
+            raise DeclarationError(what, f"give {three if axes == 3 else only}")
         of = dict(zip(((0, 1), (0, 2), (1, 2)), products, strict=False))
         entries = [
             [one if i == k else of.get((min(i, k), max(i, k)), Integer(0)) for k in range(len(inertia))]
@@ -335,8 +356,7 @@ class Machine:
             lambda i, k: v.declare("J_{i}_{a}", "kg m^2", what, "J_{{{i}{a}}}", i=AXES[i], a=AXES[k]), entries
         )
         position = tuple(p + c for p, c in zip(self.dependent, names, strict=False))
-        position = tuple((*position, Integer(0))[:3])
-        self.bodies.append(Body(mass, position, tensor))
+        self.bodies.append(Body(sympify(mass), placed(self.directions, position), tensor))
         return self.bodies[-1]
 
     def independent_pose(self, coordinates: Sequence[Symbol], pose_is: str) -> None:

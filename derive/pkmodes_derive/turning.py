@@ -29,7 +29,7 @@ from collections.abc import Callable, Sequence
 from sympy import Add, Expr, Float, Integer, Rational, Symbol, cos, sin, sqrt
 
 from pkmodes_derive.chain import Chain
-from pkmodes_derive.vectors import axis, cross, skew
+from pkmodes_derive.vectors import axis, cross, placed, skew
 from pkmodes_derive.vocabulary import AXES, Vocabulary
 
 HALF = Rational(1, 2)
@@ -43,19 +43,26 @@ class Turning:
     Attributes
     ----------
     axes : tuple of str
-        Axes about which it turns.
+        Axes about which it turns: all three, or one.
+    directions : tuple of str
+        Directions in which the mechanism moves; about one axis, at least the two across it.
     vector : tuple of sympy.Symbol
         Components of the rotation vector, which are components of the pose [rad].
     small : tuple of sympy.Symbol
         Small rotations from the pose; they are zero, and never evaluated.
     fixed : list of tuple
         Vectors that are fixed in the platform, in the base frame, three components each.
+    given : dict
+        Those that a mechanism names, by their names: in platform axes.
     rates : tuple of sympy.Symbol
         Angular velocity of the platform [rad/s], one component for each axis.
     """
 
-    def __init__(self, axes: Sequence[str], vocabulary: Vocabulary, chain: Chain) -> None:
-        self.axes, self._vocabulary, self._chain = tuple(axes), vocabulary, chain
+    def __init__(
+        self, axes: Sequence[str], directions: Sequence[str], vocabulary: Vocabulary, chain: Chain
+    ) -> None:
+        self.axes, self.directions = tuple(axes), tuple(directions)
+        self._vocabulary, self._chain = vocabulary, chain
         what = "rotation vector of the platform"
         self.vector = vocabulary.vector("rot", "rad", what, "r", axes=self.axes)
         self.small = vocabulary.vector(
@@ -65,6 +72,7 @@ class Turning:
             "w_p", "rad/s", "angular velocity of the platform", r"\omega", axes=axes
         )
         self.fixed: list[tuple[Expr, ...]] = []
+        self.given: dict[tuple[Symbol, ...], tuple[Expr, ...]] = {}
         self._columns = self._matrix()
 
     @property
@@ -80,12 +88,13 @@ class Turning:
         names : sequence of sympy.Symbol
             One for each direction in which the mechanism moves: two in a plane.
         vector : sequence of sympy.Expr
-            In platform axes.
+            In platform axes, for the same directions.
         """
-        for i, name in enumerate(names):
-            rotated = Add(*(column[i] * b for column, b in zip(self._columns, vector, strict=False)))
+        given = self.given[tuple(names)] = placed(self.directions, vector)
+        for name, i in zip(names, map(AXES.index, self.directions), strict=True):
+            rotated = Add(*(column[i] * b for column, b in zip(self._columns, given, strict=True)))
             self._chain.define(name, rotated)
-        self._turn(names)
+        self._turn(placed(self.directions, names))
         return tuple(names)
 
     def tensor(
@@ -117,17 +126,15 @@ class Turning:
 
     def spatial(self, components: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return a rotation or angular velocity with three components."""
-        by_axis = dict(zip(self.axes, components, strict=True))
-        return tuple(by_axis.get(name, Integer(0)) for name in AXES)
+        return placed(self.axes, components)
 
     def commutator(self, first: Sequence[Expr], second: Sequence[Expr]) -> list[Expr]:
         """Return the cross product of two angular velocities, one component for each axis of rotation."""
         product = cross(self.spatial(first), self.spatial(second))
         return [product[AXES.index(name)] for name in self.axes]
 
-    def _turn(self, names: Sequence[Symbol]) -> None:
+    def _turn(self, vector: tuple[Expr, ...]) -> None:
         """Set the derivatives of a fixed vector with respect to small rotations."""
-        vector = (*names, *(Integer(0) for _ in range(3 - len(names))))
         self.fixed.append(vector)
         for small, name in zip(self.small, self.axes, strict=True):
             for component, moved in zip(vector, cross(axis(name), vector), strict=True):
@@ -138,17 +145,19 @@ class Turning:
         """Define the rotation matrix and return its columns, the platform's axes in the base frame."""
         v, chain = self._vocabulary, self._chain
         v.letters["a"] = "axis a of the platform"
-        if len(self.axes) == 1:  # in a plane
-            (r,) = self.vector
+        if len(self.axes) == 1:
+            (r,), first = self.vector, AXES.index(self.axes[0]) + 1
             what = "component {i} of axis {a} of the platform"
-            plane = [name for name in AXES if name not in self.axes]
+            plane = AXES[first % 3], AXES[(first + 1) % 3]  # it turns from the first to the second
             names = [
                 [v.declare("R_{i}_{a}", "1", what, "R_{{{i}{a}}}", i=i, a=a) for a in plane] for i in plane
             ]
             for row, entries in zip(names, ((cos(r), -sin(r)), (sin(r), cos(r))), strict=True):
                 for name, entry in zip(row, entries, strict=True):
                     chain.define(name, entry)
-            columns = [tuple(column) for column in zip(*names, strict=True)]
+            across = (placed(plane, column) for column in zip(*names, strict=True))
+            turned = dict(zip(plane, across, strict=True))
+            columns = [turned.get(name, axis(name)) for name in AXES]
         else:
             half = v.declare("half_angle", "rad", "half the angle of rotation", "|r|/2")
             chain.define(half, sqrt(Add(*(r**2 for r in self.vector), TINY)) / 2)
@@ -166,5 +175,6 @@ class Turning:
                     chain.define(name, Integer(i == k) + s * c * r[i][k] + s**2 * square[i][k] * HALF)
                 columns.append(tuple(named))
         for column in columns:
-            self._turn(column)
+            if any(component.is_Symbol for component in column):
+                self._turn(column)
         return columns

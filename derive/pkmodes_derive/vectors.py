@@ -22,6 +22,12 @@ def axis(name: str) -> tuple[Expr, Expr, Expr]:
     return Integer(name == "x"), Integer(name == "y"), Integer(name == "z")
 
 
+def placed(names: Sequence[str], components: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return a vector with three components from those along some axes; the others are zero."""
+    along = dict(zip(names, components, strict=True))
+    return tuple(along.get(name, Integer(0)) for name in "xyz")
+
+
 def skew(a: Sequence[Expr]) -> list[list[Expr]]:
     """Return the matrix [a], with [a] b = a x b."""
     return [[Integer(0), -a[2], a[1]], [a[2], Integer(0), -a[0]], [-a[1], a[0], Integer(0)]]

@@ -24,6 +24,7 @@ def closures(c: Condensed) -> list[Function]:
     jacobian_norm2 = Add(*((kin.D_l[j, m] / length[m]) ** 2 for j in range(n) for m in range(n)))
     q, turns = c.machine.argument, bool(c.machine.rotations)
     return [
+        *([_length_function(c)] if turns else []),
         c.function(
             "constraint_jacobians",
             f"Constraint Jacobians D_l and D_r of D_l p_dot = D_r {q}_dot.",
@@ -82,3 +83,17 @@ def _characteristic_length(c: Condensed) -> list[Expr]:
     levers = [link.lever for link in m.links]
     length = sqrt(Add(*(component**2 for lever in levers for component in lever)) / len(levers))
     return [Integer(1)] * len(m.directions) + [length] * len(m.rotations)
+
+
+def _length_function(c: Condensed) -> Function:
+    turning, links = c.machine.turning, c.machine.links
+    assert turning is not None
+    squares = Add(*(b**2 for link in links for b in turning.given[link.lever]))
+    text = "root mean square distance of the platform joints from the platform's origin"
+    return c.function(
+        "characteristic_length",
+        "Characteristic length of the platform, which makes rotations comparable with displacements.",
+        "the condition number of D_l",
+        [],
+        Output("length", (), (sqrt(squares / len(links)),), "m", text),
+    )

@@ -15,6 +15,7 @@ from pkmodes_derive.assembly.springs import Spring, springs
 from pkmodes_derive.drawing import Element, Point, from_parts
 from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
 from pkmodes_derive.machine import Machine
+from pkmodes_derive.vectors import placed
 from pkmodes_derive.vocabulary import AXES, DeclarationError
 from pkmodes_description import Drawing as DescribedDrawing
 from pkmodes_description import Element as DescribedElement
@@ -26,7 +27,14 @@ def drawing(machine: Machine) -> tuple[Model, DescribedDrawing]:
     """Return the model and the description of a drawing; `machine` has every effect that applies."""
     d = derive(machine)
     elements = machine.draw.elements or from_parts(
-        machine.vocabulary, machine.points, machine.rods, machine.arms, machine.platform
+        machine.vocabulary,
+        machine.points,
+        machine.rods,
+        machine.arms,
+        machine.legs,
+        machine.bodies,
+        machine.platform,
+        _joints(machine),
     )
     points = list(dict.fromkeys([Point(machine.platform), *(p for one in elements for p in one.points)]))
     moved = [_motion(d, point) for point in points]
@@ -39,6 +47,12 @@ def drawing(machine: Machine) -> tuple[Model, DescribedDrawing]:
         len(machine.draw.uprights),
     )
     return _model(d, points, motions, of_springs), data
+
+
+def _joints(machine: Machine) -> list[Motion]:
+    """Return the positions of the joints on a platform that turns."""
+    levers = (placed(machine.directions, link.lever) for link in machine.links if link.lever)
+    return [tuple(p + b for p, b in zip(machine.platform, lever, strict=True)) for lever in levers]
 
 
 def _motion(d: Derived, point: Point) -> Motion:

@@ -18,6 +18,7 @@ def forces_of_twist(c: Condensed, turning: Turning, velocities: tuple[Symbol, ..
     for q, rate in zip(m.independent, velocities, strict=True):
         moving.rule(q, lagrangian.TIME, rate)
     for symbol, (q, derivative) in m.turned.items():
+        moving.rule(symbol, q, derivative)
         moving.rule(symbol, lagrangian.TIME, derivative * m.velocities[m.coordinates.index(q)])
     for i, (t, row) in enumerate(zip(twist, c.energies.D_p_dot, strict=True)):
         what = "acceleration of the platform at constant rates of the coordinates, component {i}"
@@ -49,7 +50,7 @@ def forces_of_twist(c: Condensed, turning: Turning, velocities: tuple[Symbol, ..
         return kin.chain.define(name, value)
 
     h = lagrangian.velocity_forces_of_twist(
-        c.moving_energy, m.independent, velocities, twist, kin.D_p, turning, moving, named
+        c.moving_energy, m.independent, velocities, twist, m.dependent, kin.D_p, turning, moving, named
     )
     c.definitions = kin.definitions
     return h

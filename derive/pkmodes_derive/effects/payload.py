@@ -10,6 +10,7 @@ from sympy import Symbol
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.parts import PointMass
+from pkmodes_derive.vectors import placed
 
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
@@ -18,7 +19,7 @@ def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence
     if machine.turning is not None:
         names = machine.vector("o_L", "m", "payload from the platform's origin, base frame", "o_L")
         lever = machine.fixed_in_platform(names, [parameters[f"offset_{i}"] for i in machine.directions])
-        position = tuple(a + b for a, b in zip(position, (*lever, 0)[:3], strict=True))
+        position = tuple(a + b for a, b in zip(position, placed(machine.directions, lever), strict=True))
     machine.loads.append(PointMass(parameters["mass"], position))
 
 

@@ -35,6 +35,7 @@ HINT = re.compile(r"(?:file|append): [\w./-]+|exit \d|from a fit|shortened|fragm
 ELSEWHERE = {
     ("README.md", "make demo"): "run by .ci/run",
     ("docs/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
+    ("docs/adding-a-mechanism-that-turns.md", ""): "tests/runtime/own_mechanism/test_turning_platform.py",
     ("docs/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
     ("docs/cluster.md", ""): "tests/maps/test_workers.py without Slurm and Kubernetes",
     (

@@ -4,25 +4,15 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
 import pkmodes
 from helpers.commands.adding_a_mechanism import COMMANDS, DEFINITION, MEASURING, ROBOT
+from helpers.commands.own_folder import inside
 from pkmodes.cli import run
 from pkmodes.core.mechanism import registry as known
-
-
-@contextmanager
-def inside(folder: Path) -> Iterator[None]:
-    """Run commands in a folder, and forget the mechanisms that they add."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(known, "_added", {})
-        patch.setenv("COLUMNS", "110")
-        patch.chdir(folder)
-        yield
 
 
 @pytest.fixture(scope="session")

@@ -1,7 +1,7 @@
 """The characteristic length of a platform that turns: it makes rotations comparable with displacements.
 
-It is the root mean square distance of the points of the platform that are drawn, such as its joints, from its origin.
-A rotation times this length is about how far these points move.
+It is the root mean square distance of the platform's joints from its origin: a rotation times this length is about
+how far they move.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ SAME = 1e-9
 
 
 def characteristic_length(mechanism: Mechanism, parameters: Any) -> float:
-    """Return the characteristic length of a robot [m]; 1 for a platform that is drawn as a point or does not turn."""
-    points = platform_points(mechanism, parameters)
-    return float(np.sqrt((points**2).sum(axis=-1).mean())) if len(points) else 1.0
+    """Return the characteristic length of a robot [m]; 1 for a platform that does not turn."""
+    if not mechanism.rotations:
+        return 1.0
+    return float(Generated(mechanism.model, parameters).characteristic_length())
 
 
 def platform_points(mechanism: Mechanism, parameters: Any) -> Array:
@@ -40,9 +41,8 @@ def platform_points(mechanism: Mechanism, parameters: Any) -> Array:
 
 def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
     """Return what turns each component of the platform's motion into a length: 1, or the characteristic length."""
-    turning = len(mechanism.rotations)
-    length = characteristic_length(mechanism, parameters) if turning else 1.0
-    return np.array([1.0] * len(mechanism.directions) + [length] * turning)
+    length = characteristic_length(mechanism, parameters)
+    return np.array([1.0] * len(mechanism.directions) + [length] * len(mechanism.rotations))
 
 
 def headings(mechanism: Mechanism) -> list[str]:
