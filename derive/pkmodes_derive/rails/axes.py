@@ -313,7 +313,7 @@ def conditions(m: Machine, axes: Axes, distance2: Sequence[Symbol], joint: str) 
     )
     m.scales = tuple(Scale(x[j].name, "pulley_radius", (j,), "R_p") for j in axes.places)
     m.margins += _margins(len(x))
-    m.requirements = (
+    m.requirements += (
         Requirement(
             "travel_margin",
             "above_zero",

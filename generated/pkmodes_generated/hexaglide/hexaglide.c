@@ -315,6 +315,299 @@ void hexaglide_rotation_margin(const pkmodes_real p[6], const hexaglide_paramete
     *margin = -R(sqrt)((rot_x*rot_x) + (rot_y*rot_y) + (rot_z*rot_z)) + (R(1.0)/R(2.0))*R(3.141592653589793);
 }
 
+void hexaglide_joint_line_margin(const hexaglide_parameters *parameters, pkmodes_real *margin)
+{
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    const pkmodes_real t1 = (R(1.0)/R(6.0))*b_3_x;
+    const pkmodes_real t2 = (R(1.0)/R(6.0))*b_5_x;
+    const pkmodes_real t3 = (R(1.0)/R(6.0))*b_1_x;
+    const pkmodes_real t4 = (R(1.0)/R(6.0))*b_2_x;
+    const pkmodes_real t5 = (R(1.0)/R(6.0))*b_6_x;
+    const pkmodes_real t6 = t2 + t3 + t4 + t5;
+    const pkmodes_real t7 = (R(5.0)/R(6.0))*b_4_x - t1 - t6;
+    const pkmodes_real t8 = (R(1.0)/R(6.0))*b_4_x;
+    const pkmodes_real t9 = (R(5.0)/R(6.0))*b_3_x - t6 - t8;
+    const pkmodes_real t10 = t1 + t2 + t5 + t8;
+    const pkmodes_real t11 = (R(5.0)/R(6.0))*b_2_x - t10 - t3;
+    const pkmodes_real t12 = (R(5.0)/R(6.0))*b_1_x - t10 - t4;
+    const pkmodes_real t13 = t1 + t3 + t4 + t8;
+    const pkmodes_real t14 = (R(5.0)/R(6.0))*b_6_x - t13 - t2;
+    const pkmodes_real t15 = (R(5.0)/R(6.0))*b_5_x - t13 - t5;
+    const pkmodes_real t16 = (t11*t11) + (t12*t12) + (t14*t14) + (t15*t15) + (t7*t7) + (t9*t9);
+    const pkmodes_real t17 = (R(1.0)/R(6.0))*b_5_y;
+    const pkmodes_real t18 = (R(1.0)/R(6.0))*b_1_y;
+    const pkmodes_real t19 = (R(1.0)/R(6.0))*b_2_y;
+    const pkmodes_real t20 = (R(1.0)/R(6.0))*b_3_y;
+    const pkmodes_real t21 = (R(1.0)/R(6.0))*b_4_y;
+    const pkmodes_real t22 = t18 + t19 + t20 + t21;
+    const pkmodes_real t23 = (R(5.0)/R(6.0))*b_6_y - t17 - t22;
+    const pkmodes_real t24 = (R(1.0)/R(6.0))*b_6_y;
+    const pkmodes_real t25 = (R(5.0)/R(6.0))*b_5_y - t22 - t24;
+    const pkmodes_real t26 = t17 + t18 + t19 + t24;
+    const pkmodes_real t27 = (R(5.0)/R(6.0))*b_4_y - t20 - t26;
+    const pkmodes_real t28 = (R(5.0)/R(6.0))*b_3_y - t21 - t26;
+    const pkmodes_real t29 = t17 + t20 + t21 + t24;
+    const pkmodes_real t30 = (R(5.0)/R(6.0))*b_2_y - t18 - t29;
+    const pkmodes_real t31 = (R(5.0)/R(6.0))*b_1_y - t19 - t29;
+    const pkmodes_real t32 = (t23*t23) + (t25*t25) + (t27*t27) + (t28*t28) + (t30*t30) + (t31*t31);
+    const pkmodes_real t33 = (R(1.0)/R(6.0))*b_5_z;
+    const pkmodes_real t34 = (R(1.0)/R(6.0))*b_1_z;
+    const pkmodes_real t35 = (R(1.0)/R(6.0))*b_2_z;
+    const pkmodes_real t36 = (R(1.0)/R(6.0))*b_3_z;
+    const pkmodes_real t37 = (R(1.0)/R(6.0))*b_4_z;
+    const pkmodes_real t38 = t34 + t35 + t36 + t37;
+    const pkmodes_real t39 = (R(5.0)/R(6.0))*b_6_z - t33 - t38;
+    const pkmodes_real t40 = (R(1.0)/R(6.0))*b_6_z;
+    const pkmodes_real t41 = (R(5.0)/R(6.0))*b_5_z - t38 - t40;
+    const pkmodes_real t42 = t33 + t34 + t35 + t40;
+    const pkmodes_real t43 = (R(5.0)/R(6.0))*b_4_z - t36 - t42;
+    const pkmodes_real t44 = (R(5.0)/R(6.0))*b_3_z - t37 - t42;
+    const pkmodes_real t45 = t33 + t36 + t37 + t40;
+    const pkmodes_real t46 = (R(5.0)/R(6.0))*b_2_z - t34 - t45;
+    const pkmodes_real t47 = (R(5.0)/R(6.0))*b_1_z - t35 - t45;
+    const pkmodes_real t48 = (t39*t39) + (t41*t41) + (t43*t43) + (t44*t44) + (t46*t46) + (t47*t47);
+    *margin =
+        -R(1.0)/R(2.0)*(t16*t16) - R(1.0)/R(2.0)*(t32*t32) - R(1.0)/R(2.0)*(t48*t48) + R(0.499999)*((t16
+        + t32 + t48)*(t16 + t32 + t48)) - ((t11*t30 + t12*t31 + t14*t23 + t15*t25 + t27*t7 + t28*t9)*(t11*t30
+        + t12*t31 + t14*t23 + t15*t25 + t27*t7 + t28*t9)) - ((t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7
+        + t44*t9)*(t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7 + t44*t9)) - ((t23*t39 + t25*t41 + t27*t43
+        + t28*t44 + t30*t46 + t31*t47)*(t23*t39 + t25*t41 + t27*t43 + t28*t44 + t30*t46 + t31*t47));
+}
+
+void hexaglide_leg_margin(const hexaglide_parameters *parameters, pkmodes_real margin[15])
+{
+    const pkmodes_real o_1_x = parameters->origin[0][0];
+    const pkmodes_real o_1_y = parameters->origin[0][1];
+    const pkmodes_real o_1_z = parameters->origin[0][2];
+    const pkmodes_real o_2_x = parameters->origin[1][0];
+    const pkmodes_real o_2_y = parameters->origin[1][1];
+    const pkmodes_real o_2_z = parameters->origin[1][2];
+    const pkmodes_real o_3_x = parameters->origin[2][0];
+    const pkmodes_real o_3_y = parameters->origin[2][1];
+    const pkmodes_real o_3_z = parameters->origin[2][2];
+    const pkmodes_real o_4_x = parameters->origin[3][0];
+    const pkmodes_real o_4_y = parameters->origin[3][1];
+    const pkmodes_real o_4_z = parameters->origin[3][2];
+    const pkmodes_real o_5_x = parameters->origin[4][0];
+    const pkmodes_real o_5_y = parameters->origin[4][1];
+    const pkmodes_real o_5_z = parameters->origin[4][2];
+    const pkmodes_real o_6_x = parameters->origin[5][0];
+    const pkmodes_real o_6_y = parameters->origin[5][1];
+    const pkmodes_real o_6_z = parameters->origin[5][2];
+    const pkmodes_real n_1_x = parameters->direction[0][0];
+    const pkmodes_real n_1_y = parameters->direction[0][1];
+    const pkmodes_real n_1_z = parameters->direction[0][2];
+    const pkmodes_real n_2_x = parameters->direction[1][0];
+    const pkmodes_real n_2_y = parameters->direction[1][1];
+    const pkmodes_real n_2_z = parameters->direction[1][2];
+    const pkmodes_real n_3_x = parameters->direction[2][0];
+    const pkmodes_real n_3_y = parameters->direction[2][1];
+    const pkmodes_real n_3_z = parameters->direction[2][2];
+    const pkmodes_real n_4_x = parameters->direction[3][0];
+    const pkmodes_real n_4_y = parameters->direction[3][1];
+    const pkmodes_real n_4_z = parameters->direction[3][2];
+    const pkmodes_real n_5_x = parameters->direction[4][0];
+    const pkmodes_real n_5_y = parameters->direction[4][1];
+    const pkmodes_real n_5_z = parameters->direction[4][2];
+    const pkmodes_real n_6_x = parameters->direction[5][0];
+    const pkmodes_real n_6_y = parameters->direction[5][1];
+    const pkmodes_real n_6_z = parameters->direction[5][2];
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    const pkmodes_real l_d_1 = parameters->link_length[0];
+    const pkmodes_real l_d_2 = parameters->link_length[1];
+    const pkmodes_real l_d_3 = parameters->link_length[2];
+    const pkmodes_real l_d_4 = parameters->link_length[3];
+    const pkmodes_real l_d_5 = parameters->link_length[4];
+    const pkmodes_real l_d_6 = parameters->link_length[5];
+    const pkmodes_real sigma_1 = parameters->branch[0];
+    const pkmodes_real sigma_2 = parameters->branch[1];
+    const pkmodes_real sigma_3 = parameters->branch[2];
+    const pkmodes_real sigma_4 = parameters->branch[3];
+    const pkmodes_real sigma_5 = parameters->branch[4];
+    const pkmodes_real sigma_6 = parameters->branch[5];
+    const pkmodes_real t1 = o_1_y - o_2_y;
+    const pkmodes_real t2 = o_1_x - o_2_x;
+    const pkmodes_real t3 = o_1_z - o_2_z;
+    const pkmodes_real t4 = o_1_y - o_3_y;
+    const pkmodes_real t5 = o_1_x - o_3_x;
+    const pkmodes_real t6 = o_1_z - o_3_z;
+    const pkmodes_real t7 = o_1_y - o_4_y;
+    const pkmodes_real t8 = o_1_x - o_4_x;
+    const pkmodes_real t9 = o_1_z - o_4_z;
+    const pkmodes_real t10 = o_1_y - o_5_y;
+    const pkmodes_real t11 = o_1_x - o_5_x;
+    const pkmodes_real t12 = o_1_z - o_5_z;
+    const pkmodes_real t13 = o_1_y - o_6_y;
+    const pkmodes_real t14 = o_1_x - o_6_x;
+    const pkmodes_real t15 = o_1_z - o_6_z;
+    const pkmodes_real t16 = o_2_y - o_3_y;
+    const pkmodes_real t17 = o_2_x - o_3_x;
+    const pkmodes_real t18 = o_2_z - o_3_z;
+    const pkmodes_real t19 = o_2_y - o_4_y;
+    const pkmodes_real t20 = o_2_x - o_4_x;
+    const pkmodes_real t21 = o_2_z - o_4_z;
+    const pkmodes_real t22 = o_2_y - o_5_y;
+    const pkmodes_real t23 = o_2_x - o_5_x;
+    const pkmodes_real t24 = o_2_z - o_5_z;
+    const pkmodes_real t25 = o_2_y - o_6_y;
+    const pkmodes_real t26 = o_2_x - o_6_x;
+    const pkmodes_real t27 = o_2_z - o_6_z;
+    const pkmodes_real t28 = o_3_y - o_4_y;
+    const pkmodes_real t29 = o_3_x - o_4_x;
+    const pkmodes_real t30 = o_3_z - o_4_z;
+    const pkmodes_real t31 = o_3_y - o_5_y;
+    const pkmodes_real t32 = o_3_x - o_5_x;
+    const pkmodes_real t33 = o_3_z - o_5_z;
+    const pkmodes_real t34 = o_3_y - o_6_y;
+    const pkmodes_real t35 = o_3_x - o_6_x;
+    const pkmodes_real t36 = o_3_z - o_6_z;
+    const pkmodes_real t37 = o_4_y - o_5_y;
+    const pkmodes_real t38 = o_4_x - o_5_x;
+    const pkmodes_real t39 = o_4_z - o_5_z;
+    const pkmodes_real t40 = o_4_y - o_6_y;
+    const pkmodes_real t41 = o_4_x - o_6_x;
+    const pkmodes_real t42 = o_4_z - o_6_z;
+    const pkmodes_real t43 = o_5_y - o_6_y;
+    const pkmodes_real t44 = o_5_x - o_6_x;
+    const pkmodes_real t45 = o_5_z - o_6_z;
+    margin[0] =
+        ((b_1_x - b_2_x)*(b_1_x - b_2_x)) + ((b_1_y - b_2_y)*(b_1_y - b_2_y)) + ((b_1_z - b_2_z)*(b_1_z
+        - b_2_z)) + ((l_d_1 - l_d_2)*(l_d_1 - l_d_2)) + ((n_1_x - n_2_x)*(n_1_x - n_2_x)) + ((n_1_y
+        - n_2_y)*(n_1_y - n_2_y)) + ((n_1_z - n_2_z)*(n_1_z - n_2_z)) + ((sigma_1 - sigma_2)*(sigma_1
+        - sigma_2)) + ((-n_1_x*t1 + n_1_y*t2)*(-n_1_x*t1 + n_1_y*t2)) + ((n_1_x*t3 - n_1_z*t2)*(n_1_x*t3
+        - n_1_z*t2)) + ((-n_1_y*t3 + n_1_z*t1)*(-n_1_y*t3 + n_1_z*t1)) + R(-1e-12);
+    margin[1] =
+        ((b_1_x - b_3_x)*(b_1_x - b_3_x)) + ((b_1_y - b_3_y)*(b_1_y - b_3_y)) + ((b_1_z - b_3_z)*(b_1_z
+        - b_3_z)) + ((l_d_1 - l_d_3)*(l_d_1 - l_d_3)) + ((n_1_x - n_3_x)*(n_1_x - n_3_x)) + ((n_1_y
+        - n_3_y)*(n_1_y - n_3_y)) + ((n_1_z - n_3_z)*(n_1_z - n_3_z)) + ((sigma_1 - sigma_3)*(sigma_1
+        - sigma_3)) + ((-n_1_x*t4 + n_1_y*t5)*(-n_1_x*t4 + n_1_y*t5)) + ((n_1_x*t6 - n_1_z*t5)*(n_1_x*t6
+        - n_1_z*t5)) + ((-n_1_y*t6 + n_1_z*t4)*(-n_1_y*t6 + n_1_z*t4)) + R(-1e-12);
+    margin[2] =
+        ((b_1_x - b_4_x)*(b_1_x - b_4_x)) + ((b_1_y - b_4_y)*(b_1_y - b_4_y)) + ((b_1_z - b_4_z)*(b_1_z
+        - b_4_z)) + ((l_d_1 - l_d_4)*(l_d_1 - l_d_4)) + ((n_1_x - n_4_x)*(n_1_x - n_4_x)) + ((n_1_y
+        - n_4_y)*(n_1_y - n_4_y)) + ((n_1_z - n_4_z)*(n_1_z - n_4_z)) + ((sigma_1 - sigma_4)*(sigma_1
+        - sigma_4)) + ((-n_1_x*t7 + n_1_y*t8)*(-n_1_x*t7 + n_1_y*t8)) + ((n_1_x*t9 - n_1_z*t8)*(n_1_x*t9
+        - n_1_z*t8)) + ((-n_1_y*t9 + n_1_z*t7)*(-n_1_y*t9 + n_1_z*t7)) + R(-1e-12);
+    margin[3] =
+        ((b_1_x - b_5_x)*(b_1_x - b_5_x)) + ((b_1_y - b_5_y)*(b_1_y - b_5_y)) + ((b_1_z - b_5_z)*(b_1_z
+        - b_5_z)) + ((l_d_1 - l_d_5)*(l_d_1 - l_d_5)) + ((n_1_x - n_5_x)*(n_1_x - n_5_x)) + ((n_1_y
+        - n_5_y)*(n_1_y - n_5_y)) + ((n_1_z - n_5_z)*(n_1_z - n_5_z)) + ((sigma_1 - sigma_5)*(sigma_1
+        - sigma_5)) + ((-n_1_x*t10 + n_1_y*t11)*(-n_1_x*t10 + n_1_y*t11)) + ((n_1_x*t12
+        - n_1_z*t11)*(n_1_x*t12 - n_1_z*t11)) + ((-n_1_y*t12 + n_1_z*t10)*(-n_1_y*t12 + n_1_z*t10))
+        + R(-1e-12);
+    margin[4] =
+        ((b_1_x - b_6_x)*(b_1_x - b_6_x)) + ((b_1_y - b_6_y)*(b_1_y - b_6_y)) + ((b_1_z - b_6_z)*(b_1_z
+        - b_6_z)) + ((l_d_1 - l_d_6)*(l_d_1 - l_d_6)) + ((n_1_x - n_6_x)*(n_1_x - n_6_x)) + ((n_1_y
+        - n_6_y)*(n_1_y - n_6_y)) + ((n_1_z - n_6_z)*(n_1_z - n_6_z)) + ((sigma_1 - sigma_6)*(sigma_1
+        - sigma_6)) + ((-n_1_x*t13 + n_1_y*t14)*(-n_1_x*t13 + n_1_y*t14)) + ((n_1_x*t15
+        - n_1_z*t14)*(n_1_x*t15 - n_1_z*t14)) + ((-n_1_y*t15 + n_1_z*t13)*(-n_1_y*t15 + n_1_z*t13))
+        + R(-1e-12);
+    margin[5] =
+        ((b_2_x - b_3_x)*(b_2_x - b_3_x)) + ((b_2_y - b_3_y)*(b_2_y - b_3_y)) + ((b_2_z - b_3_z)*(b_2_z
+        - b_3_z)) + ((l_d_2 - l_d_3)*(l_d_2 - l_d_3)) + ((n_2_x - n_3_x)*(n_2_x - n_3_x)) + ((n_2_y
+        - n_3_y)*(n_2_y - n_3_y)) + ((n_2_z - n_3_z)*(n_2_z - n_3_z)) + ((sigma_2 - sigma_3)*(sigma_2
+        - sigma_3)) + ((-n_2_x*t16 + n_2_y*t17)*(-n_2_x*t16 + n_2_y*t17)) + ((n_2_x*t18
+        - n_2_z*t17)*(n_2_x*t18 - n_2_z*t17)) + ((-n_2_y*t18 + n_2_z*t16)*(-n_2_y*t18 + n_2_z*t16))
+        + R(-1e-12);
+    margin[6] =
+        ((b_2_x - b_4_x)*(b_2_x - b_4_x)) + ((b_2_y - b_4_y)*(b_2_y - b_4_y)) + ((b_2_z - b_4_z)*(b_2_z
+        - b_4_z)) + ((l_d_2 - l_d_4)*(l_d_2 - l_d_4)) + ((n_2_x - n_4_x)*(n_2_x - n_4_x)) + ((n_2_y
+        - n_4_y)*(n_2_y - n_4_y)) + ((n_2_z - n_4_z)*(n_2_z - n_4_z)) + ((sigma_2 - sigma_4)*(sigma_2
+        - sigma_4)) + ((-n_2_x*t19 + n_2_y*t20)*(-n_2_x*t19 + n_2_y*t20)) + ((n_2_x*t21
+        - n_2_z*t20)*(n_2_x*t21 - n_2_z*t20)) + ((-n_2_y*t21 + n_2_z*t19)*(-n_2_y*t21 + n_2_z*t19))
+        + R(-1e-12);
+    margin[7] =
+        ((b_2_x - b_5_x)*(b_2_x - b_5_x)) + ((b_2_y - b_5_y)*(b_2_y - b_5_y)) + ((b_2_z - b_5_z)*(b_2_z
+        - b_5_z)) + ((l_d_2 - l_d_5)*(l_d_2 - l_d_5)) + ((n_2_x - n_5_x)*(n_2_x - n_5_x)) + ((n_2_y
+        - n_5_y)*(n_2_y - n_5_y)) + ((n_2_z - n_5_z)*(n_2_z - n_5_z)) + ((sigma_2 - sigma_5)*(sigma_2
+        - sigma_5)) + ((-n_2_x*t22 + n_2_y*t23)*(-n_2_x*t22 + n_2_y*t23)) + ((n_2_x*t24
+        - n_2_z*t23)*(n_2_x*t24 - n_2_z*t23)) + ((-n_2_y*t24 + n_2_z*t22)*(-n_2_y*t24 + n_2_z*t22))
+        + R(-1e-12);
+    margin[8] =
+        ((b_2_x - b_6_x)*(b_2_x - b_6_x)) + ((b_2_y - b_6_y)*(b_2_y - b_6_y)) + ((b_2_z - b_6_z)*(b_2_z
+        - b_6_z)) + ((l_d_2 - l_d_6)*(l_d_2 - l_d_6)) + ((n_2_x - n_6_x)*(n_2_x - n_6_x)) + ((n_2_y
+        - n_6_y)*(n_2_y - n_6_y)) + ((n_2_z - n_6_z)*(n_2_z - n_6_z)) + ((sigma_2 - sigma_6)*(sigma_2
+        - sigma_6)) + ((-n_2_x*t25 + n_2_y*t26)*(-n_2_x*t25 + n_2_y*t26)) + ((n_2_x*t27
+        - n_2_z*t26)*(n_2_x*t27 - n_2_z*t26)) + ((-n_2_y*t27 + n_2_z*t25)*(-n_2_y*t27 + n_2_z*t25))
+        + R(-1e-12);
+    margin[9] =
+        ((b_3_x - b_4_x)*(b_3_x - b_4_x)) + ((b_3_y - b_4_y)*(b_3_y - b_4_y)) + ((b_3_z - b_4_z)*(b_3_z
+        - b_4_z)) + ((l_d_3 - l_d_4)*(l_d_3 - l_d_4)) + ((n_3_x - n_4_x)*(n_3_x - n_4_x)) + ((n_3_y
+        - n_4_y)*(n_3_y - n_4_y)) + ((n_3_z - n_4_z)*(n_3_z - n_4_z)) + ((sigma_3 - sigma_4)*(sigma_3
+        - sigma_4)) + ((-n_3_x*t28 + n_3_y*t29)*(-n_3_x*t28 + n_3_y*t29)) + ((n_3_x*t30
+        - n_3_z*t29)*(n_3_x*t30 - n_3_z*t29)) + ((-n_3_y*t30 + n_3_z*t28)*(-n_3_y*t30 + n_3_z*t28))
+        + R(-1e-12);
+    margin[10] =
+        ((b_3_x - b_5_x)*(b_3_x - b_5_x)) + ((b_3_y - b_5_y)*(b_3_y - b_5_y)) + ((b_3_z - b_5_z)*(b_3_z
+        - b_5_z)) + ((l_d_3 - l_d_5)*(l_d_3 - l_d_5)) + ((n_3_x - n_5_x)*(n_3_x - n_5_x)) + ((n_3_y
+        - n_5_y)*(n_3_y - n_5_y)) + ((n_3_z - n_5_z)*(n_3_z - n_5_z)) + ((sigma_3 - sigma_5)*(sigma_3
+        - sigma_5)) + ((-n_3_x*t31 + n_3_y*t32)*(-n_3_x*t31 + n_3_y*t32)) + ((n_3_x*t33
+        - n_3_z*t32)*(n_3_x*t33 - n_3_z*t32)) + ((-n_3_y*t33 + n_3_z*t31)*(-n_3_y*t33 + n_3_z*t31))
+        + R(-1e-12);
+    margin[11] =
+        ((b_3_x - b_6_x)*(b_3_x - b_6_x)) + ((b_3_y - b_6_y)*(b_3_y - b_6_y)) + ((b_3_z - b_6_z)*(b_3_z
+        - b_6_z)) + ((l_d_3 - l_d_6)*(l_d_3 - l_d_6)) + ((n_3_x - n_6_x)*(n_3_x - n_6_x)) + ((n_3_y
+        - n_6_y)*(n_3_y - n_6_y)) + ((n_3_z - n_6_z)*(n_3_z - n_6_z)) + ((sigma_3 - sigma_6)*(sigma_3
+        - sigma_6)) + ((-n_3_x*t34 + n_3_y*t35)*(-n_3_x*t34 + n_3_y*t35)) + ((n_3_x*t36
+        - n_3_z*t35)*(n_3_x*t36 - n_3_z*t35)) + ((-n_3_y*t36 + n_3_z*t34)*(-n_3_y*t36 + n_3_z*t34))
+        + R(-1e-12);
+    margin[12] =
+        ((b_4_x - b_5_x)*(b_4_x - b_5_x)) + ((b_4_y - b_5_y)*(b_4_y - b_5_y)) + ((b_4_z - b_5_z)*(b_4_z
+        - b_5_z)) + ((l_d_4 - l_d_5)*(l_d_4 - l_d_5)) + ((n_4_x - n_5_x)*(n_4_x - n_5_x)) + ((n_4_y
+        - n_5_y)*(n_4_y - n_5_y)) + ((n_4_z - n_5_z)*(n_4_z - n_5_z)) + ((sigma_4 - sigma_5)*(sigma_4
+        - sigma_5)) + ((-n_4_x*t37 + n_4_y*t38)*(-n_4_x*t37 + n_4_y*t38)) + ((n_4_x*t39
+        - n_4_z*t38)*(n_4_x*t39 - n_4_z*t38)) + ((-n_4_y*t39 + n_4_z*t37)*(-n_4_y*t39 + n_4_z*t37))
+        + R(-1e-12);
+    margin[13] =
+        ((b_4_x - b_6_x)*(b_4_x - b_6_x)) + ((b_4_y - b_6_y)*(b_4_y - b_6_y)) + ((b_4_z - b_6_z)*(b_4_z
+        - b_6_z)) + ((l_d_4 - l_d_6)*(l_d_4 - l_d_6)) + ((n_4_x - n_6_x)*(n_4_x - n_6_x)) + ((n_4_y
+        - n_6_y)*(n_4_y - n_6_y)) + ((n_4_z - n_6_z)*(n_4_z - n_6_z)) + ((sigma_4 - sigma_6)*(sigma_4
+        - sigma_6)) + ((-n_4_x*t40 + n_4_y*t41)*(-n_4_x*t40 + n_4_y*t41)) + ((n_4_x*t42
+        - n_4_z*t41)*(n_4_x*t42 - n_4_z*t41)) + ((-n_4_y*t42 + n_4_z*t40)*(-n_4_y*t42 + n_4_z*t40))
+        + R(-1e-12);
+    margin[14] =
+        ((b_5_x - b_6_x)*(b_5_x - b_6_x)) + ((b_5_y - b_6_y)*(b_5_y - b_6_y)) + ((b_5_z - b_6_z)*(b_5_z
+        - b_6_z)) + ((l_d_5 - l_d_6)*(l_d_5 - l_d_6)) + ((n_5_x - n_6_x)*(n_5_x - n_6_x)) + ((n_5_y
+        - n_6_y)*(n_5_y - n_6_y)) + ((n_5_z - n_6_z)*(n_5_z - n_6_z)) + ((sigma_5 - sigma_6)*(sigma_5
+        - sigma_6)) + ((-n_5_x*t43 + n_5_y*t44)*(-n_5_x*t43 + n_5_y*t44)) + ((n_5_x*t45
+        - n_5_z*t44)*(n_5_x*t45 - n_5_z*t44)) + ((-n_5_y*t45 + n_5_z*t43)*(-n_5_y*t45 + n_5_z*t43))
+        + R(-1e-12);
+}
+
 void hexaglide_reach_margin(const pkmodes_real p[6], const hexaglide_parameters *parameters,
     pkmodes_real margin[6])
 {
@@ -739,6 +1032,35 @@ void hexaglide_belt_spans(const pkmodes_real p[6], const hexaglide_parameters *p
     l_f[5][0] = l_f_6_1;
     l_f[5][1] = l_f_6_2;
     l_f[5][2] = l_f_6_3;
+}
+
+void hexaglide_characteristic_length(const hexaglide_parameters *parameters, pkmodes_real *length)
+{
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    *length =
+        R(sqrt)((R(1.0)/R(6.0))*(b_1_x*b_1_x) + (R(1.0)/R(6.0))*(b_1_y*b_1_y) + (R(1.0)/R(6.0))*(b_1_z*b_1_z)
+        + (R(1.0)/R(6.0))*(b_2_x*b_2_x) + (R(1.0)/R(6.0))*(b_2_y*b_2_y) + (R(1.0)/R(6.0))*(b_2_z*b_2_z)
+        + (R(1.0)/R(6.0))*(b_3_x*b_3_x) + (R(1.0)/R(6.0))*(b_3_y*b_3_y) + (R(1.0)/R(6.0))*(b_3_z*b_3_z)
+        + (R(1.0)/R(6.0))*(b_4_x*b_4_x) + (R(1.0)/R(6.0))*(b_4_y*b_4_y) + (R(1.0)/R(6.0))*(b_4_z*b_4_z)
+        + (R(1.0)/R(6.0))*(b_5_x*b_5_x) + (R(1.0)/R(6.0))*(b_5_y*b_5_y) + (R(1.0)/R(6.0))*(b_5_z*b_5_z)
+        + (R(1.0)/R(6.0))*(b_6_x*b_6_x) + (R(1.0)/R(6.0))*(b_6_y*b_6_y) + (R(1.0)/R(6.0))*(b_6_z*b_6_z));
 }
 
 void hexaglide_constraint_jacobians(const pkmodes_real p[6], const hexaglide_parameters *parameters,

@@ -59,9 +59,12 @@ typedef double pkmodes_real;
 #define hexaglide_inverse_kinematics hexaglide_inverse_kinematics_f
 #define hexaglide_inertia_margin hexaglide_inertia_margin_f
 #define hexaglide_rotation_margin hexaglide_rotation_margin_f
+#define hexaglide_joint_line_margin hexaglide_joint_line_margin_f
+#define hexaglide_leg_margin hexaglide_leg_margin_f
 #define hexaglide_reach_margin hexaglide_reach_margin_f
 #define hexaglide_travel_margin hexaglide_travel_margin_f
 #define hexaglide_belt_spans hexaglide_belt_spans_f
+#define hexaglide_characteristic_length hexaglide_characteristic_length_f
 #define hexaglide_constraint_jacobians hexaglide_constraint_jacobians_f
 #define hexaglide_jacobian_condition hexaglide_jacobian_condition_f
 #define hexaglide_platform_jacobian hexaglide_platform_jacobian_f
@@ -95,7 +98,7 @@ extern "C" {
 /* version of the generator */
 #define HEXAGLIDE_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define HEXAGLIDE_HASH "306f1ba8558ffbdd"
+#define HEXAGLIDE_HASH "a57d98ac75647e80"
 /* components of a pose */
 #define HEXAGLIDE_POSE 6
 /* coordinates, and modes */
@@ -199,6 +202,24 @@ void hexaglide_inertia_margin(const hexaglide_parameters *parameters, pkmodes_re
 void hexaglide_rotation_margin(const pkmodes_real p[6], const hexaglide_parameters *parameters,
     pkmodes_real *margin);
 
+/* Whether the joints on the platform do not lie in a line.
+ *
+ *   out margin [m^4]: positive for points that span a plane
+ *
+ * Source: second invariant of their second moments about their mean.
+ * 202 operations; 982 with every named value expanded.
+ */
+void hexaglide_joint_line_margin(const hexaglide_parameters *parameters, pkmodes_real *margin);
+
+/* Whether no two legs coincide.
+ *
+ *   out margin [m^2]: positive for two legs that differ
+ *
+ * Source: sums of squared differences.
+ * 630 operations; 675 with every named value expanded.
+ */
+void hexaglide_leg_margin(const hexaglide_parameters *parameters, pkmodes_real margin[15]);
+
 /* Distance by which each platform joint could be farther from its rail.
  *
  *   in  p [m, rad]: platform's origin in the base frame, then the platform's rotation vector
@@ -229,6 +250,15 @@ void hexaglide_travel_margin(const hexaglide_parameters *parameters, pkmodes_rea
  */
 void hexaglide_belt_spans(const pkmodes_real p[6], const hexaglide_parameters *parameters,
     pkmodes_real l_f[6][3]);
+
+/* Characteristic length of the platform, which makes rotations comparable with displacements.
+ *
+ *   out length [m]: root mean square distance of the platform joints from the platform's origin
+ *
+ * Source: the condition number of D_l.
+ * 55 operations; 55 with every named value expanded.
+ */
+void hexaglide_characteristic_length(const hexaglide_parameters *parameters, pkmodes_real *length);
 
 /* Constraint Jacobians D_l and D_r of D_l p_dot = D_r x_dot.
  *

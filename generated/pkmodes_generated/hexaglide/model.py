@@ -88,6 +88,7 @@ __all__ = [
     "RIGID_MODES",
     "belt_spans",
     "belt_stiffness",
+    "characteristic_length",
     "constraint_jacobians",
     "elastic_gradient",
     "elastic_hessian",
@@ -98,7 +99,9 @@ __all__ = [
     "inertia_margin",
     "inverse_kinematics",
     "jacobian_condition",
+    "joint_line_margin",
     "kinetic_energy",
+    "leg_margin",
     "link_jacobians",
     "mass_matrix",
     "modal_matrices",
@@ -471,6 +474,243 @@ def rotation_margin(p, parameters):
     return margin_out[()]
 
 
+def joint_line_margin(parameters):
+    """Whether the joints on the platform do not lie in a line.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (...) [m^4]
+        Positive for points that span a plane.
+
+    Notes
+    -----
+    Second invariant of their second moments about their mean.
+    202 operations; 982 with every named value expanded.
+    """
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(b_1_x)
+    t1 = (1/6)*b_3_x
+    t2 = (1/6)*b_5_x
+    t3 = (1/6)*b_1_x
+    t4 = (1/6)*b_2_x
+    t5 = (1/6)*b_6_x
+    t6 = t2 + t3 + t4 + t5
+    t7 = (5/6)*b_4_x - t1 - t6
+    t8 = (1/6)*b_4_x
+    t9 = (5/6)*b_3_x - t6 - t8
+    t10 = t1 + t2 + t5 + t8
+    t11 = (5/6)*b_2_x - t10 - t3
+    t12 = (5/6)*b_1_x - t10 - t4
+    t13 = t1 + t3 + t4 + t8
+    t14 = (5/6)*b_6_x - t13 - t2
+    t15 = (5/6)*b_5_x - t13 - t5
+    t16 = t11**2 + t12**2 + t14**2 + t15**2 + t7**2 + t9**2
+    t17 = (1/6)*b_5_y
+    t18 = (1/6)*b_1_y
+    t19 = (1/6)*b_2_y
+    t20 = (1/6)*b_3_y
+    t21 = (1/6)*b_4_y
+    t22 = t18 + t19 + t20 + t21
+    t23 = (5/6)*b_6_y - t17 - t22
+    t24 = (1/6)*b_6_y
+    t25 = (5/6)*b_5_y - t22 - t24
+    t26 = t17 + t18 + t19 + t24
+    t27 = (5/6)*b_4_y - t20 - t26
+    t28 = (5/6)*b_3_y - t21 - t26
+    t29 = t17 + t20 + t21 + t24
+    t30 = (5/6)*b_2_y - t18 - t29
+    t31 = (5/6)*b_1_y - t19 - t29
+    t32 = t23**2 + t25**2 + t27**2 + t28**2 + t30**2 + t31**2
+    t33 = (1/6)*b_5_z
+    t34 = (1/6)*b_1_z
+    t35 = (1/6)*b_2_z
+    t36 = (1/6)*b_3_z
+    t37 = (1/6)*b_4_z
+    t38 = t34 + t35 + t36 + t37
+    t39 = (5/6)*b_6_z - t33 - t38
+    t40 = (1/6)*b_6_z
+    t41 = (5/6)*b_5_z - t38 - t40
+    t42 = t33 + t34 + t35 + t40
+    t43 = (5/6)*b_4_z - t36 - t42
+    t44 = (5/6)*b_3_z - t37 - t42
+    t45 = t33 + t36 + t37 + t40
+    t46 = (5/6)*b_2_z - t34 - t45
+    t47 = (5/6)*b_1_z - t35 - t45
+    t48 = t39**2 + t41**2 + t43**2 + t44**2 + t46**2 + t47**2
+    margin_out = np.empty(batch, dtype)
+    margin_out[...] = (
+        -1/2*t16**2 - 1/2*t32**2 - 1/2*t48**2 + 0.499999*(t16 + t32 + t48)**2 - (t11*t30 + t12*t31 + t14*t23
+        + t15*t25 + t27*t7 + t28*t9)**2 - (t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7 + t44*t9)**2
+        - (t23*t39 + t25*t41 + t27*t43 + t28*t44 + t30*t46 + t31*t47)**2
+    )
+    return margin_out[()]
+
+
+def leg_margin(parameters):
+    """Whether no two legs coincide.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 15) [m^2]
+        Positive for two legs that differ.
+
+    Notes
+    -----
+    Sums of squared differences.
+    630 operations; 675 with every named value expanded.
+    """
+    (
+        o_1_x, o_1_y, o_1_z, o_2_x, o_2_y, o_2_z, o_3_x, o_3_y, o_3_z, o_4_x, o_4_y, o_4_z, o_5_x, o_5_y,
+        o_5_z, o_6_x, o_6_y, o_6_z,
+    ) = _entries(parameters.origin, (6, 3))
+    (
+        n_1_x, n_1_y, n_1_z, n_2_x, n_2_y, n_2_z, n_3_x, n_3_y, n_3_z, n_4_x, n_4_y, n_4_z, n_5_x, n_5_y,
+        n_5_z, n_6_x, n_6_y, n_6_z,
+    ) = _entries(parameters.direction, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    l_d_1, l_d_2, l_d_3, l_d_4, l_d_5, l_d_6 = _entries(parameters.link_length, (6,))
+    sigma_1, sigma_2, sigma_3, sigma_4, sigma_5, sigma_6 = _entries(parameters.branch, (6,))
+    batch, dtype = _batch(o_1_x, n_1_x, b_1_x, l_d_1, sigma_1)
+    t1 = o_1_y - o_2_y
+    t2 = o_1_x - o_2_x
+    t3 = o_1_z - o_2_z
+    t4 = o_1_y - o_3_y
+    t5 = o_1_x - o_3_x
+    t6 = o_1_z - o_3_z
+    t7 = o_1_y - o_4_y
+    t8 = o_1_x - o_4_x
+    t9 = o_1_z - o_4_z
+    t10 = o_1_y - o_5_y
+    t11 = o_1_x - o_5_x
+    t12 = o_1_z - o_5_z
+    t13 = o_1_y - o_6_y
+    t14 = o_1_x - o_6_x
+    t15 = o_1_z - o_6_z
+    t16 = o_2_y - o_3_y
+    t17 = o_2_x - o_3_x
+    t18 = o_2_z - o_3_z
+    t19 = o_2_y - o_4_y
+    t20 = o_2_x - o_4_x
+    t21 = o_2_z - o_4_z
+    t22 = o_2_y - o_5_y
+    t23 = o_2_x - o_5_x
+    t24 = o_2_z - o_5_z
+    t25 = o_2_y - o_6_y
+    t26 = o_2_x - o_6_x
+    t27 = o_2_z - o_6_z
+    t28 = o_3_y - o_4_y
+    t29 = o_3_x - o_4_x
+    t30 = o_3_z - o_4_z
+    t31 = o_3_y - o_5_y
+    t32 = o_3_x - o_5_x
+    t33 = o_3_z - o_5_z
+    t34 = o_3_y - o_6_y
+    t35 = o_3_x - o_6_x
+    t36 = o_3_z - o_6_z
+    t37 = o_4_y - o_5_y
+    t38 = o_4_x - o_5_x
+    t39 = o_4_z - o_5_z
+    t40 = o_4_y - o_6_y
+    t41 = o_4_x - o_6_x
+    t42 = o_4_z - o_6_z
+    t43 = o_5_y - o_6_y
+    t44 = o_5_x - o_6_x
+    t45 = o_5_z - o_6_z
+    margin_out = np.empty((*batch, 15), dtype)
+    margin_out[..., 0] = (
+        (b_1_x - b_2_x)**2 + (b_1_y - b_2_y)**2 + (b_1_z - b_2_z)**2 + (l_d_1 - l_d_2)**2 + (n_1_x - n_2_x)**2
+        + (n_1_y - n_2_y)**2 + (n_1_z - n_2_z)**2 + (sigma_1 - sigma_2)**2 + (-n_1_x*t1 + n_1_y*t2)**2
+        + (n_1_x*t3 - n_1_z*t2)**2 + (-n_1_y*t3 + n_1_z*t1)**2 - 1e-12
+    )
+    margin_out[..., 1] = (
+        (b_1_x - b_3_x)**2 + (b_1_y - b_3_y)**2 + (b_1_z - b_3_z)**2 + (l_d_1 - l_d_3)**2 + (n_1_x - n_3_x)**2
+        + (n_1_y - n_3_y)**2 + (n_1_z - n_3_z)**2 + (sigma_1 - sigma_3)**2 + (-n_1_x*t4 + n_1_y*t5)**2
+        + (n_1_x*t6 - n_1_z*t5)**2 + (-n_1_y*t6 + n_1_z*t4)**2 - 1e-12
+    )
+    margin_out[..., 2] = (
+        (b_1_x - b_4_x)**2 + (b_1_y - b_4_y)**2 + (b_1_z - b_4_z)**2 + (l_d_1 - l_d_4)**2 + (n_1_x - n_4_x)**2
+        + (n_1_y - n_4_y)**2 + (n_1_z - n_4_z)**2 + (sigma_1 - sigma_4)**2 + (-n_1_x*t7 + n_1_y*t8)**2
+        + (n_1_x*t9 - n_1_z*t8)**2 + (-n_1_y*t9 + n_1_z*t7)**2 - 1e-12
+    )
+    margin_out[..., 3] = (
+        (b_1_x - b_5_x)**2 + (b_1_y - b_5_y)**2 + (b_1_z - b_5_z)**2 + (l_d_1 - l_d_5)**2 + (n_1_x - n_5_x)**2
+        + (n_1_y - n_5_y)**2 + (n_1_z - n_5_z)**2 + (sigma_1 - sigma_5)**2 + (-n_1_x*t10 + n_1_y*t11)**2
+        + (n_1_x*t12 - n_1_z*t11)**2 + (-n_1_y*t12 + n_1_z*t10)**2 - 1e-12
+    )
+    margin_out[..., 4] = (
+        (b_1_x - b_6_x)**2 + (b_1_y - b_6_y)**2 + (b_1_z - b_6_z)**2 + (l_d_1 - l_d_6)**2 + (n_1_x - n_6_x)**2
+        + (n_1_y - n_6_y)**2 + (n_1_z - n_6_z)**2 + (sigma_1 - sigma_6)**2 + (-n_1_x*t13 + n_1_y*t14)**2
+        + (n_1_x*t15 - n_1_z*t14)**2 + (-n_1_y*t15 + n_1_z*t13)**2 - 1e-12
+    )
+    margin_out[..., 5] = (
+        (b_2_x - b_3_x)**2 + (b_2_y - b_3_y)**2 + (b_2_z - b_3_z)**2 + (l_d_2 - l_d_3)**2 + (n_2_x - n_3_x)**2
+        + (n_2_y - n_3_y)**2 + (n_2_z - n_3_z)**2 + (sigma_2 - sigma_3)**2 + (-n_2_x*t16 + n_2_y*t17)**2
+        + (n_2_x*t18 - n_2_z*t17)**2 + (-n_2_y*t18 + n_2_z*t16)**2 - 1e-12
+    )
+    margin_out[..., 6] = (
+        (b_2_x - b_4_x)**2 + (b_2_y - b_4_y)**2 + (b_2_z - b_4_z)**2 + (l_d_2 - l_d_4)**2 + (n_2_x - n_4_x)**2
+        + (n_2_y - n_4_y)**2 + (n_2_z - n_4_z)**2 + (sigma_2 - sigma_4)**2 + (-n_2_x*t19 + n_2_y*t20)**2
+        + (n_2_x*t21 - n_2_z*t20)**2 + (-n_2_y*t21 + n_2_z*t19)**2 - 1e-12
+    )
+    margin_out[..., 7] = (
+        (b_2_x - b_5_x)**2 + (b_2_y - b_5_y)**2 + (b_2_z - b_5_z)**2 + (l_d_2 - l_d_5)**2 + (n_2_x - n_5_x)**2
+        + (n_2_y - n_5_y)**2 + (n_2_z - n_5_z)**2 + (sigma_2 - sigma_5)**2 + (-n_2_x*t22 + n_2_y*t23)**2
+        + (n_2_x*t24 - n_2_z*t23)**2 + (-n_2_y*t24 + n_2_z*t22)**2 - 1e-12
+    )
+    margin_out[..., 8] = (
+        (b_2_x - b_6_x)**2 + (b_2_y - b_6_y)**2 + (b_2_z - b_6_z)**2 + (l_d_2 - l_d_6)**2 + (n_2_x - n_6_x)**2
+        + (n_2_y - n_6_y)**2 + (n_2_z - n_6_z)**2 + (sigma_2 - sigma_6)**2 + (-n_2_x*t25 + n_2_y*t26)**2
+        + (n_2_x*t27 - n_2_z*t26)**2 + (-n_2_y*t27 + n_2_z*t25)**2 - 1e-12
+    )
+    margin_out[..., 9] = (
+        (b_3_x - b_4_x)**2 + (b_3_y - b_4_y)**2 + (b_3_z - b_4_z)**2 + (l_d_3 - l_d_4)**2 + (n_3_x - n_4_x)**2
+        + (n_3_y - n_4_y)**2 + (n_3_z - n_4_z)**2 + (sigma_3 - sigma_4)**2 + (-n_3_x*t28 + n_3_y*t29)**2
+        + (n_3_x*t30 - n_3_z*t29)**2 + (-n_3_y*t30 + n_3_z*t28)**2 - 1e-12
+    )
+    margin_out[..., 10] = (
+        (b_3_x - b_5_x)**2 + (b_3_y - b_5_y)**2 + (b_3_z - b_5_z)**2 + (l_d_3 - l_d_5)**2 + (n_3_x - n_5_x)**2
+        + (n_3_y - n_5_y)**2 + (n_3_z - n_5_z)**2 + (sigma_3 - sigma_5)**2 + (-n_3_x*t31 + n_3_y*t32)**2
+        + (n_3_x*t33 - n_3_z*t32)**2 + (-n_3_y*t33 + n_3_z*t31)**2 - 1e-12
+    )
+    margin_out[..., 11] = (
+        (b_3_x - b_6_x)**2 + (b_3_y - b_6_y)**2 + (b_3_z - b_6_z)**2 + (l_d_3 - l_d_6)**2 + (n_3_x - n_6_x)**2
+        + (n_3_y - n_6_y)**2 + (n_3_z - n_6_z)**2 + (sigma_3 - sigma_6)**2 + (-n_3_x*t34 + n_3_y*t35)**2
+        + (n_3_x*t36 - n_3_z*t35)**2 + (-n_3_y*t36 + n_3_z*t34)**2 - 1e-12
+    )
+    margin_out[..., 12] = (
+        (b_4_x - b_5_x)**2 + (b_4_y - b_5_y)**2 + (b_4_z - b_5_z)**2 + (l_d_4 - l_d_5)**2 + (n_4_x - n_5_x)**2
+        + (n_4_y - n_5_y)**2 + (n_4_z - n_5_z)**2 + (sigma_4 - sigma_5)**2 + (-n_4_x*t37 + n_4_y*t38)**2
+        + (n_4_x*t39 - n_4_z*t38)**2 + (-n_4_y*t39 + n_4_z*t37)**2 - 1e-12
+    )
+    margin_out[..., 13] = (
+        (b_4_x - b_6_x)**2 + (b_4_y - b_6_y)**2 + (b_4_z - b_6_z)**2 + (l_d_4 - l_d_6)**2 + (n_4_x - n_6_x)**2
+        + (n_4_y - n_6_y)**2 + (n_4_z - n_6_z)**2 + (sigma_4 - sigma_6)**2 + (-n_4_x*t40 + n_4_y*t41)**2
+        + (n_4_x*t42 - n_4_z*t41)**2 + (-n_4_y*t42 + n_4_z*t40)**2 - 1e-12
+    )
+    margin_out[..., 14] = (
+        (b_5_x - b_6_x)**2 + (b_5_y - b_6_y)**2 + (b_5_z - b_6_z)**2 + (l_d_5 - l_d_6)**2 + (n_5_x - n_6_x)**2
+        + (n_5_y - n_6_y)**2 + (n_5_z - n_6_z)**2 + (sigma_5 - sigma_6)**2 + (-n_5_x*t43 + n_5_y*t44)**2
+        + (n_5_x*t45 - n_5_z*t44)**2 + (-n_5_y*t45 + n_5_z*t43)**2 - 1e-12
+    )
+    return margin_out
+
+
 def reach_margin(p, parameters):
     """Distance by which each platform joint could be farther from its rail.
 
@@ -819,6 +1059,39 @@ def belt_spans(p, parameters):
     l_f_out[..., 5, 1] = l_f_6_2
     l_f_out[..., 5, 2] = l_f_6_3
     return l_f_out
+
+
+def characteristic_length(parameters):
+    """Characteristic length of the platform, which makes rotations comparable with displacements.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    length : array, shape (...) [m]
+        Root mean square distance of the platform joints from the platform's origin.
+
+    Notes
+    -----
+    The condition number of D_l.
+    55 operations; 55 with every named value expanded.
+    """
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(b_1_x)
+    length_out = np.empty(batch, dtype)
+    length_out[...] = (
+        np.sqrt((1/6)*b_1_x**2 + (1/6)*b_1_y**2 + (1/6)*b_1_z**2 + (1/6)*b_2_x**2 + (1/6)*b_2_y**2
+        + (1/6)*b_2_z**2 + (1/6)*b_3_x**2 + (1/6)*b_3_y**2 + (1/6)*b_3_z**2 + (1/6)*b_4_x**2 + (1/6)*b_4_y**2
+        + (1/6)*b_4_z**2 + (1/6)*b_5_x**2 + (1/6)*b_5_y**2 + (1/6)*b_5_z**2 + (1/6)*b_6_x**2 + (1/6)*b_6_y**2
+        + (1/6)*b_6_z**2)
+    )
+    return length_out[()]
 
 
 def constraint_jacobians(p, parameters):

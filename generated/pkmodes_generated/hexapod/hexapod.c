@@ -382,6 +382,287 @@ void hexapod_rotation_margin(const pkmodes_real p[6], const hexapod_parameters *
     *margin = -R(sqrt)((rot_x*rot_x) + (rot_y*rot_y) + (rot_z*rot_z)) + (R(1.0)/R(2.0))*R(3.141592653589793);
 }
 
+void hexapod_joint_line_margin(const hexapod_parameters *parameters, pkmodes_real *margin)
+{
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    const pkmodes_real t1 = (R(1.0)/R(6.0))*b_3_x;
+    const pkmodes_real t2 = (R(1.0)/R(6.0))*b_5_x;
+    const pkmodes_real t3 = (R(1.0)/R(6.0))*b_1_x;
+    const pkmodes_real t4 = (R(1.0)/R(6.0))*b_2_x;
+    const pkmodes_real t5 = (R(1.0)/R(6.0))*b_6_x;
+    const pkmodes_real t6 = t2 + t3 + t4 + t5;
+    const pkmodes_real t7 = (R(5.0)/R(6.0))*b_4_x - t1 - t6;
+    const pkmodes_real t8 = (R(1.0)/R(6.0))*b_4_x;
+    const pkmodes_real t9 = (R(5.0)/R(6.0))*b_3_x - t6 - t8;
+    const pkmodes_real t10 = t1 + t2 + t5 + t8;
+    const pkmodes_real t11 = (R(5.0)/R(6.0))*b_2_x - t10 - t3;
+    const pkmodes_real t12 = (R(5.0)/R(6.0))*b_1_x - t10 - t4;
+    const pkmodes_real t13 = t1 + t3 + t4 + t8;
+    const pkmodes_real t14 = (R(5.0)/R(6.0))*b_6_x - t13 - t2;
+    const pkmodes_real t15 = (R(5.0)/R(6.0))*b_5_x - t13 - t5;
+    const pkmodes_real t16 = (t11*t11) + (t12*t12) + (t14*t14) + (t15*t15) + (t7*t7) + (t9*t9);
+    const pkmodes_real t17 = (R(1.0)/R(6.0))*b_5_y;
+    const pkmodes_real t18 = (R(1.0)/R(6.0))*b_1_y;
+    const pkmodes_real t19 = (R(1.0)/R(6.0))*b_2_y;
+    const pkmodes_real t20 = (R(1.0)/R(6.0))*b_3_y;
+    const pkmodes_real t21 = (R(1.0)/R(6.0))*b_4_y;
+    const pkmodes_real t22 = t18 + t19 + t20 + t21;
+    const pkmodes_real t23 = (R(5.0)/R(6.0))*b_6_y - t17 - t22;
+    const pkmodes_real t24 = (R(1.0)/R(6.0))*b_6_y;
+    const pkmodes_real t25 = (R(5.0)/R(6.0))*b_5_y - t22 - t24;
+    const pkmodes_real t26 = t17 + t18 + t19 + t24;
+    const pkmodes_real t27 = (R(5.0)/R(6.0))*b_4_y - t20 - t26;
+    const pkmodes_real t28 = (R(5.0)/R(6.0))*b_3_y - t21 - t26;
+    const pkmodes_real t29 = t17 + t20 + t21 + t24;
+    const pkmodes_real t30 = (R(5.0)/R(6.0))*b_2_y - t18 - t29;
+    const pkmodes_real t31 = (R(5.0)/R(6.0))*b_1_y - t19 - t29;
+    const pkmodes_real t32 = (t23*t23) + (t25*t25) + (t27*t27) + (t28*t28) + (t30*t30) + (t31*t31);
+    const pkmodes_real t33 = (R(1.0)/R(6.0))*b_5_z;
+    const pkmodes_real t34 = (R(1.0)/R(6.0))*b_1_z;
+    const pkmodes_real t35 = (R(1.0)/R(6.0))*b_2_z;
+    const pkmodes_real t36 = (R(1.0)/R(6.0))*b_3_z;
+    const pkmodes_real t37 = (R(1.0)/R(6.0))*b_4_z;
+    const pkmodes_real t38 = t34 + t35 + t36 + t37;
+    const pkmodes_real t39 = (R(5.0)/R(6.0))*b_6_z - t33 - t38;
+    const pkmodes_real t40 = (R(1.0)/R(6.0))*b_6_z;
+    const pkmodes_real t41 = (R(5.0)/R(6.0))*b_5_z - t38 - t40;
+    const pkmodes_real t42 = t33 + t34 + t35 + t40;
+    const pkmodes_real t43 = (R(5.0)/R(6.0))*b_4_z - t36 - t42;
+    const pkmodes_real t44 = (R(5.0)/R(6.0))*b_3_z - t37 - t42;
+    const pkmodes_real t45 = t33 + t36 + t37 + t40;
+    const pkmodes_real t46 = (R(5.0)/R(6.0))*b_2_z - t34 - t45;
+    const pkmodes_real t47 = (R(5.0)/R(6.0))*b_1_z - t35 - t45;
+    const pkmodes_real t48 = (t39*t39) + (t41*t41) + (t43*t43) + (t44*t44) + (t46*t46) + (t47*t47);
+    *margin =
+        -R(1.0)/R(2.0)*(t16*t16) - R(1.0)/R(2.0)*(t32*t32) - R(1.0)/R(2.0)*(t48*t48) + R(0.499999)*((t16
+        + t32 + t48)*(t16 + t32 + t48)) - ((t11*t30 + t12*t31 + t14*t23 + t15*t25 + t27*t7 + t28*t9)*(t11*t30
+        + t12*t31 + t14*t23 + t15*t25 + t27*t7 + t28*t9)) - ((t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7
+        + t44*t9)*(t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7 + t44*t9)) - ((t23*t39 + t25*t41 + t27*t43
+        + t28*t44 + t30*t46 + t31*t47)*(t23*t39 + t25*t41 + t27*t43 + t28*t44 + t30*t46 + t31*t47));
+}
+
+void hexapod_base_line_margin(const hexapod_parameters *parameters, pkmodes_real *margin)
+{
+    const pkmodes_real a_1_x = parameters->base[0][0];
+    const pkmodes_real a_1_y = parameters->base[0][1];
+    const pkmodes_real a_1_z = parameters->base[0][2];
+    const pkmodes_real a_2_x = parameters->base[1][0];
+    const pkmodes_real a_2_y = parameters->base[1][1];
+    const pkmodes_real a_2_z = parameters->base[1][2];
+    const pkmodes_real a_3_x = parameters->base[2][0];
+    const pkmodes_real a_3_y = parameters->base[2][1];
+    const pkmodes_real a_3_z = parameters->base[2][2];
+    const pkmodes_real a_4_x = parameters->base[3][0];
+    const pkmodes_real a_4_y = parameters->base[3][1];
+    const pkmodes_real a_4_z = parameters->base[3][2];
+    const pkmodes_real a_5_x = parameters->base[4][0];
+    const pkmodes_real a_5_y = parameters->base[4][1];
+    const pkmodes_real a_5_z = parameters->base[4][2];
+    const pkmodes_real a_6_x = parameters->base[5][0];
+    const pkmodes_real a_6_y = parameters->base[5][1];
+    const pkmodes_real a_6_z = parameters->base[5][2];
+    const pkmodes_real t1 = (R(1.0)/R(6.0))*a_3_x;
+    const pkmodes_real t2 = (R(1.0)/R(6.0))*a_5_x;
+    const pkmodes_real t3 = (R(1.0)/R(6.0))*a_1_x;
+    const pkmodes_real t4 = (R(1.0)/R(6.0))*a_2_x;
+    const pkmodes_real t5 = (R(1.0)/R(6.0))*a_6_x;
+    const pkmodes_real t6 = t2 + t3 + t4 + t5;
+    const pkmodes_real t7 = (R(5.0)/R(6.0))*a_4_x - t1 - t6;
+    const pkmodes_real t8 = (R(1.0)/R(6.0))*a_4_x;
+    const pkmodes_real t9 = (R(5.0)/R(6.0))*a_3_x - t6 - t8;
+    const pkmodes_real t10 = t1 + t2 + t5 + t8;
+    const pkmodes_real t11 = (R(5.0)/R(6.0))*a_2_x - t10 - t3;
+    const pkmodes_real t12 = (R(5.0)/R(6.0))*a_1_x - t10 - t4;
+    const pkmodes_real t13 = t1 + t3 + t4 + t8;
+    const pkmodes_real t14 = (R(5.0)/R(6.0))*a_6_x - t13 - t2;
+    const pkmodes_real t15 = (R(5.0)/R(6.0))*a_5_x - t13 - t5;
+    const pkmodes_real t16 = (t11*t11) + (t12*t12) + (t14*t14) + (t15*t15) + (t7*t7) + (t9*t9);
+    const pkmodes_real t17 = (R(1.0)/R(6.0))*a_5_y;
+    const pkmodes_real t18 = (R(1.0)/R(6.0))*a_1_y;
+    const pkmodes_real t19 = (R(1.0)/R(6.0))*a_2_y;
+    const pkmodes_real t20 = (R(1.0)/R(6.0))*a_3_y;
+    const pkmodes_real t21 = (R(1.0)/R(6.0))*a_4_y;
+    const pkmodes_real t22 = t18 + t19 + t20 + t21;
+    const pkmodes_real t23 = (R(5.0)/R(6.0))*a_6_y - t17 - t22;
+    const pkmodes_real t24 = (R(1.0)/R(6.0))*a_6_y;
+    const pkmodes_real t25 = (R(5.0)/R(6.0))*a_5_y - t22 - t24;
+    const pkmodes_real t26 = t17 + t18 + t19 + t24;
+    const pkmodes_real t27 = (R(5.0)/R(6.0))*a_4_y - t20 - t26;
+    const pkmodes_real t28 = (R(5.0)/R(6.0))*a_3_y - t21 - t26;
+    const pkmodes_real t29 = t17 + t20 + t21 + t24;
+    const pkmodes_real t30 = (R(5.0)/R(6.0))*a_2_y - t18 - t29;
+    const pkmodes_real t31 = (R(5.0)/R(6.0))*a_1_y - t19 - t29;
+    const pkmodes_real t32 = (t23*t23) + (t25*t25) + (t27*t27) + (t28*t28) + (t30*t30) + (t31*t31);
+    const pkmodes_real t33 = (R(1.0)/R(6.0))*a_5_z;
+    const pkmodes_real t34 = (R(1.0)/R(6.0))*a_1_z;
+    const pkmodes_real t35 = (R(1.0)/R(6.0))*a_2_z;
+    const pkmodes_real t36 = (R(1.0)/R(6.0))*a_3_z;
+    const pkmodes_real t37 = (R(1.0)/R(6.0))*a_4_z;
+    const pkmodes_real t38 = t34 + t35 + t36 + t37;
+    const pkmodes_real t39 = (R(5.0)/R(6.0))*a_6_z - t33 - t38;
+    const pkmodes_real t40 = (R(1.0)/R(6.0))*a_6_z;
+    const pkmodes_real t41 = (R(5.0)/R(6.0))*a_5_z - t38 - t40;
+    const pkmodes_real t42 = t33 + t34 + t35 + t40;
+    const pkmodes_real t43 = (R(5.0)/R(6.0))*a_4_z - t36 - t42;
+    const pkmodes_real t44 = (R(5.0)/R(6.0))*a_3_z - t37 - t42;
+    const pkmodes_real t45 = t33 + t36 + t37 + t40;
+    const pkmodes_real t46 = (R(5.0)/R(6.0))*a_2_z - t34 - t45;
+    const pkmodes_real t47 = (R(5.0)/R(6.0))*a_1_z - t35 - t45;
+    const pkmodes_real t48 = (t39*t39) + (t41*t41) + (t43*t43) + (t44*t44) + (t46*t46) + (t47*t47);
+    *margin =
+        -R(1.0)/R(2.0)*(t16*t16) - R(1.0)/R(2.0)*(t32*t32) - R(1.0)/R(2.0)*(t48*t48) + R(0.499999)*((t16
+        + t32 + t48)*(t16 + t32 + t48)) - ((t11*t30 + t12*t31 + t14*t23 + t15*t25 + t27*t7 + t28*t9)*(t11*t30
+        + t12*t31 + t14*t23 + t15*t25 + t27*t7 + t28*t9)) - ((t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7
+        + t44*t9)*(t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7 + t44*t9)) - ((t23*t39 + t25*t41 + t27*t43
+        + t28*t44 + t30*t46 + t31*t47)*(t23*t39 + t25*t41 + t27*t43 + t28*t44 + t30*t46 + t31*t47));
+}
+
+void hexapod_leg_margin(const hexapod_parameters *parameters, pkmodes_real margin[15])
+{
+    const pkmodes_real a_1_x = parameters->base[0][0];
+    const pkmodes_real a_1_y = parameters->base[0][1];
+    const pkmodes_real a_1_z = parameters->base[0][2];
+    const pkmodes_real a_2_x = parameters->base[1][0];
+    const pkmodes_real a_2_y = parameters->base[1][1];
+    const pkmodes_real a_2_z = parameters->base[1][2];
+    const pkmodes_real a_3_x = parameters->base[2][0];
+    const pkmodes_real a_3_y = parameters->base[2][1];
+    const pkmodes_real a_3_z = parameters->base[2][2];
+    const pkmodes_real a_4_x = parameters->base[3][0];
+    const pkmodes_real a_4_y = parameters->base[3][1];
+    const pkmodes_real a_4_z = parameters->base[3][2];
+    const pkmodes_real a_5_x = parameters->base[4][0];
+    const pkmodes_real a_5_y = parameters->base[4][1];
+    const pkmodes_real a_5_z = parameters->base[4][2];
+    const pkmodes_real a_6_x = parameters->base[5][0];
+    const pkmodes_real a_6_y = parameters->base[5][1];
+    const pkmodes_real a_6_z = parameters->base[5][2];
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    margin[0] =
+        ((a_1_x - a_2_x)*(a_1_x - a_2_x)) + ((a_1_y - a_2_y)*(a_1_y - a_2_y)) + ((a_1_z - a_2_z)*(a_1_z
+        - a_2_z)) + ((b_1_x - b_2_x)*(b_1_x - b_2_x)) + ((b_1_y - b_2_y)*(b_1_y - b_2_y)) + ((b_1_z
+        - b_2_z)*(b_1_z - b_2_z)) + R(-1e-12);
+    margin[1] =
+        ((a_1_x - a_3_x)*(a_1_x - a_3_x)) + ((a_1_y - a_3_y)*(a_1_y - a_3_y)) + ((a_1_z - a_3_z)*(a_1_z
+        - a_3_z)) + ((b_1_x - b_3_x)*(b_1_x - b_3_x)) + ((b_1_y - b_3_y)*(b_1_y - b_3_y)) + ((b_1_z
+        - b_3_z)*(b_1_z - b_3_z)) + R(-1e-12);
+    margin[2] =
+        ((a_1_x - a_4_x)*(a_1_x - a_4_x)) + ((a_1_y - a_4_y)*(a_1_y - a_4_y)) + ((a_1_z - a_4_z)*(a_1_z
+        - a_4_z)) + ((b_1_x - b_4_x)*(b_1_x - b_4_x)) + ((b_1_y - b_4_y)*(b_1_y - b_4_y)) + ((b_1_z
+        - b_4_z)*(b_1_z - b_4_z)) + R(-1e-12);
+    margin[3] =
+        ((a_1_x - a_5_x)*(a_1_x - a_5_x)) + ((a_1_y - a_5_y)*(a_1_y - a_5_y)) + ((a_1_z - a_5_z)*(a_1_z
+        - a_5_z)) + ((b_1_x - b_5_x)*(b_1_x - b_5_x)) + ((b_1_y - b_5_y)*(b_1_y - b_5_y)) + ((b_1_z
+        - b_5_z)*(b_1_z - b_5_z)) + R(-1e-12);
+    margin[4] =
+        ((a_1_x - a_6_x)*(a_1_x - a_6_x)) + ((a_1_y - a_6_y)*(a_1_y - a_6_y)) + ((a_1_z - a_6_z)*(a_1_z
+        - a_6_z)) + ((b_1_x - b_6_x)*(b_1_x - b_6_x)) + ((b_1_y - b_6_y)*(b_1_y - b_6_y)) + ((b_1_z
+        - b_6_z)*(b_1_z - b_6_z)) + R(-1e-12);
+    margin[5] =
+        ((a_2_x - a_3_x)*(a_2_x - a_3_x)) + ((a_2_y - a_3_y)*(a_2_y - a_3_y)) + ((a_2_z - a_3_z)*(a_2_z
+        - a_3_z)) + ((b_2_x - b_3_x)*(b_2_x - b_3_x)) + ((b_2_y - b_3_y)*(b_2_y - b_3_y)) + ((b_2_z
+        - b_3_z)*(b_2_z - b_3_z)) + R(-1e-12);
+    margin[6] =
+        ((a_2_x - a_4_x)*(a_2_x - a_4_x)) + ((a_2_y - a_4_y)*(a_2_y - a_4_y)) + ((a_2_z - a_4_z)*(a_2_z
+        - a_4_z)) + ((b_2_x - b_4_x)*(b_2_x - b_4_x)) + ((b_2_y - b_4_y)*(b_2_y - b_4_y)) + ((b_2_z
+        - b_4_z)*(b_2_z - b_4_z)) + R(-1e-12);
+    margin[7] =
+        ((a_2_x - a_5_x)*(a_2_x - a_5_x)) + ((a_2_y - a_5_y)*(a_2_y - a_5_y)) + ((a_2_z - a_5_z)*(a_2_z
+        - a_5_z)) + ((b_2_x - b_5_x)*(b_2_x - b_5_x)) + ((b_2_y - b_5_y)*(b_2_y - b_5_y)) + ((b_2_z
+        - b_5_z)*(b_2_z - b_5_z)) + R(-1e-12);
+    margin[8] =
+        ((a_2_x - a_6_x)*(a_2_x - a_6_x)) + ((a_2_y - a_6_y)*(a_2_y - a_6_y)) + ((a_2_z - a_6_z)*(a_2_z
+        - a_6_z)) + ((b_2_x - b_6_x)*(b_2_x - b_6_x)) + ((b_2_y - b_6_y)*(b_2_y - b_6_y)) + ((b_2_z
+        - b_6_z)*(b_2_z - b_6_z)) + R(-1e-12);
+    margin[9] =
+        ((a_3_x - a_4_x)*(a_3_x - a_4_x)) + ((a_3_y - a_4_y)*(a_3_y - a_4_y)) + ((a_3_z - a_4_z)*(a_3_z
+        - a_4_z)) + ((b_3_x - b_4_x)*(b_3_x - b_4_x)) + ((b_3_y - b_4_y)*(b_3_y - b_4_y)) + ((b_3_z
+        - b_4_z)*(b_3_z - b_4_z)) + R(-1e-12);
+    margin[10] =
+        ((a_3_x - a_5_x)*(a_3_x - a_5_x)) + ((a_3_y - a_5_y)*(a_3_y - a_5_y)) + ((a_3_z - a_5_z)*(a_3_z
+        - a_5_z)) + ((b_3_x - b_5_x)*(b_3_x - b_5_x)) + ((b_3_y - b_5_y)*(b_3_y - b_5_y)) + ((b_3_z
+        - b_5_z)*(b_3_z - b_5_z)) + R(-1e-12);
+    margin[11] =
+        ((a_3_x - a_6_x)*(a_3_x - a_6_x)) + ((a_3_y - a_6_y)*(a_3_y - a_6_y)) + ((a_3_z - a_6_z)*(a_3_z
+        - a_6_z)) + ((b_3_x - b_6_x)*(b_3_x - b_6_x)) + ((b_3_y - b_6_y)*(b_3_y - b_6_y)) + ((b_3_z
+        - b_6_z)*(b_3_z - b_6_z)) + R(-1e-12);
+    margin[12] =
+        ((a_4_x - a_5_x)*(a_4_x - a_5_x)) + ((a_4_y - a_5_y)*(a_4_y - a_5_y)) + ((a_4_z - a_5_z)*(a_4_z
+        - a_5_z)) + ((b_4_x - b_5_x)*(b_4_x - b_5_x)) + ((b_4_y - b_5_y)*(b_4_y - b_5_y)) + ((b_4_z
+        - b_5_z)*(b_4_z - b_5_z)) + R(-1e-12);
+    margin[13] =
+        ((a_4_x - a_6_x)*(a_4_x - a_6_x)) + ((a_4_y - a_6_y)*(a_4_y - a_6_y)) + ((a_4_z - a_6_z)*(a_4_z
+        - a_6_z)) + ((b_4_x - b_6_x)*(b_4_x - b_6_x)) + ((b_4_y - b_6_y)*(b_4_y - b_6_y)) + ((b_4_z
+        - b_6_z)*(b_4_z - b_6_z)) + R(-1e-12);
+    margin[14] =
+        ((a_5_x - a_6_x)*(a_5_x - a_6_x)) + ((a_5_y - a_6_y)*(a_5_y - a_6_y)) + ((a_5_z - a_6_z)*(a_5_z
+        - a_6_z)) + ((b_5_x - b_6_x)*(b_5_x - b_6_x)) + ((b_5_y - b_6_y)*(b_5_y - b_6_y)) + ((b_5_z
+        - b_6_z)*(b_5_z - b_6_z)) + R(-1e-12);
+}
+
+void hexapod_characteristic_length(const hexapod_parameters *parameters, pkmodes_real *length)
+{
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    *length =
+        R(sqrt)((R(1.0)/R(6.0))*(b_1_x*b_1_x) + (R(1.0)/R(6.0))*(b_1_y*b_1_y) + (R(1.0)/R(6.0))*(b_1_z*b_1_z)
+        + (R(1.0)/R(6.0))*(b_2_x*b_2_x) + (R(1.0)/R(6.0))*(b_2_y*b_2_y) + (R(1.0)/R(6.0))*(b_2_z*b_2_z)
+        + (R(1.0)/R(6.0))*(b_3_x*b_3_x) + (R(1.0)/R(6.0))*(b_3_y*b_3_y) + (R(1.0)/R(6.0))*(b_3_z*b_3_z)
+        + (R(1.0)/R(6.0))*(b_4_x*b_4_x) + (R(1.0)/R(6.0))*(b_4_y*b_4_y) + (R(1.0)/R(6.0))*(b_4_z*b_4_z)
+        + (R(1.0)/R(6.0))*(b_5_x*b_5_x) + (R(1.0)/R(6.0))*(b_5_y*b_5_y) + (R(1.0)/R(6.0))*(b_5_z*b_5_z)
+        + (R(1.0)/R(6.0))*(b_6_x*b_6_x) + (R(1.0)/R(6.0))*(b_6_y*b_6_y) + (R(1.0)/R(6.0))*(b_6_z*b_6_z));
+}
+
 void hexapod_constraint_jacobians(const pkmodes_real p[6], const hexapod_parameters *parameters,
     pkmodes_real D_l[6][6], pkmodes_real D_r[6][6])
 {

@@ -54,6 +54,10 @@ typedef double pkmodes_real;
 #define hexapod_inertia_margin hexapod_inertia_margin_f
 #define hexapod_travel_margin hexapod_travel_margin_f
 #define hexapod_rotation_margin hexapod_rotation_margin_f
+#define hexapod_joint_line_margin hexapod_joint_line_margin_f
+#define hexapod_base_line_margin hexapod_base_line_margin_f
+#define hexapod_leg_margin hexapod_leg_margin_f
+#define hexapod_characteristic_length hexapod_characteristic_length_f
 #define hexapod_constraint_jacobians hexapod_constraint_jacobians_f
 #define hexapod_jacobian_condition hexapod_jacobian_condition_f
 #define hexapod_platform_jacobian hexapod_platform_jacobian_f
@@ -85,7 +89,7 @@ extern "C" {
 /* version of the generator */
 #define HEXAPOD_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define HEXAPOD_HASH "f16e6b8fb0127549"
+#define HEXAPOD_HASH "651a81ed576eae6d"
 /* components of a pose */
 #define HEXAPOD_POSE 6
 /* coordinates, and modes */
@@ -187,6 +191,42 @@ void hexapod_travel_margin(const pkmodes_real p[6], const hexapod_parameters *pa
  */
 void hexapod_rotation_margin(const pkmodes_real p[6], const hexapod_parameters *parameters,
     pkmodes_real *margin);
+
+/* Whether the joints on the platform do not lie in a line.
+ *
+ *   out margin [m^4]: positive for points that span a plane
+ *
+ * Source: second invariant of their second moments about their mean.
+ * 202 operations; 982 with every named value expanded.
+ */
+void hexapod_joint_line_margin(const hexapod_parameters *parameters, pkmodes_real *margin);
+
+/* Whether the joints on the base do not lie in a line.
+ *
+ *   out margin [m^4]: positive for points that span a plane
+ *
+ * Source: second invariant of their second moments about their mean.
+ * 202 operations; 982 with every named value expanded.
+ */
+void hexapod_base_line_margin(const hexapod_parameters *parameters, pkmodes_real *margin);
+
+/* Whether no two legs coincide.
+ *
+ *   out margin [m^2]: positive for two legs that differ
+ *
+ * Source: sums of squared differences.
+ * 270 operations; 270 with every named value expanded.
+ */
+void hexapod_leg_margin(const hexapod_parameters *parameters, pkmodes_real margin[15]);
+
+/* Characteristic length of the platform, which makes rotations comparable with displacements.
+ *
+ *   out length [m]: root mean square distance of the platform joints from the platform's origin
+ *
+ * Source: the condition number of D_l.
+ * 55 operations; 55 with every named value expanded.
+ */
+void hexapod_characteristic_length(const hexapod_parameters *parameters, pkmodes_real *length);
 
 /* Constraint Jacobians D_l and D_r of D_l p_dot = D_r l_dot.
  *

@@ -77,6 +77,8 @@ __all__ = [
     "COORDINATE_UNITS",
     "Parameters",
     "RIGID_MODES",
+    "base_line_margin",
+    "characteristic_length",
     "constraint_jacobians",
     "elastic_gradient",
     "elastic_hessian",
@@ -87,7 +89,9 @@ __all__ = [
     "inertia_margin",
     "inverse_kinematics",
     "jacobian_condition",
+    "joint_line_margin",
     "kinetic_energy",
+    "leg_margin",
     "mass_matrix",
     "modal_matrices",
     "platform_jacobian",
@@ -511,6 +515,290 @@ def rotation_margin(p, parameters):
     margin_out = np.empty(batch, dtype)
     margin_out[...] = -np.sqrt(rot_x**2 + rot_y**2 + rot_z**2) + (1/2)*np.pi
     return margin_out[()]
+
+
+def joint_line_margin(parameters):
+    """Whether the joints on the platform do not lie in a line.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (...) [m^4]
+        Positive for points that span a plane.
+
+    Notes
+    -----
+    Second invariant of their second moments about their mean.
+    202 operations; 982 with every named value expanded.
+    """
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(b_1_x)
+    t1 = (1/6)*b_3_x
+    t2 = (1/6)*b_5_x
+    t3 = (1/6)*b_1_x
+    t4 = (1/6)*b_2_x
+    t5 = (1/6)*b_6_x
+    t6 = t2 + t3 + t4 + t5
+    t7 = (5/6)*b_4_x - t1 - t6
+    t8 = (1/6)*b_4_x
+    t9 = (5/6)*b_3_x - t6 - t8
+    t10 = t1 + t2 + t5 + t8
+    t11 = (5/6)*b_2_x - t10 - t3
+    t12 = (5/6)*b_1_x - t10 - t4
+    t13 = t1 + t3 + t4 + t8
+    t14 = (5/6)*b_6_x - t13 - t2
+    t15 = (5/6)*b_5_x - t13 - t5
+    t16 = t11**2 + t12**2 + t14**2 + t15**2 + t7**2 + t9**2
+    t17 = (1/6)*b_5_y
+    t18 = (1/6)*b_1_y
+    t19 = (1/6)*b_2_y
+    t20 = (1/6)*b_3_y
+    t21 = (1/6)*b_4_y
+    t22 = t18 + t19 + t20 + t21
+    t23 = (5/6)*b_6_y - t17 - t22
+    t24 = (1/6)*b_6_y
+    t25 = (5/6)*b_5_y - t22 - t24
+    t26 = t17 + t18 + t19 + t24
+    t27 = (5/6)*b_4_y - t20 - t26
+    t28 = (5/6)*b_3_y - t21 - t26
+    t29 = t17 + t20 + t21 + t24
+    t30 = (5/6)*b_2_y - t18 - t29
+    t31 = (5/6)*b_1_y - t19 - t29
+    t32 = t23**2 + t25**2 + t27**2 + t28**2 + t30**2 + t31**2
+    t33 = (1/6)*b_5_z
+    t34 = (1/6)*b_1_z
+    t35 = (1/6)*b_2_z
+    t36 = (1/6)*b_3_z
+    t37 = (1/6)*b_4_z
+    t38 = t34 + t35 + t36 + t37
+    t39 = (5/6)*b_6_z - t33 - t38
+    t40 = (1/6)*b_6_z
+    t41 = (5/6)*b_5_z - t38 - t40
+    t42 = t33 + t34 + t35 + t40
+    t43 = (5/6)*b_4_z - t36 - t42
+    t44 = (5/6)*b_3_z - t37 - t42
+    t45 = t33 + t36 + t37 + t40
+    t46 = (5/6)*b_2_z - t34 - t45
+    t47 = (5/6)*b_1_z - t35 - t45
+    t48 = t39**2 + t41**2 + t43**2 + t44**2 + t46**2 + t47**2
+    margin_out = np.empty(batch, dtype)
+    margin_out[...] = (
+        -1/2*t16**2 - 1/2*t32**2 - 1/2*t48**2 + 0.499999*(t16 + t32 + t48)**2 - (t11*t30 + t12*t31 + t14*t23
+        + t15*t25 + t27*t7 + t28*t9)**2 - (t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7 + t44*t9)**2
+        - (t23*t39 + t25*t41 + t27*t43 + t28*t44 + t30*t46 + t31*t47)**2
+    )
+    return margin_out[()]
+
+
+def base_line_margin(parameters):
+    """Whether the joints on the base do not lie in a line.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (...) [m^4]
+        Positive for points that span a plane.
+
+    Notes
+    -----
+    Second invariant of their second moments about their mean.
+    202 operations; 982 with every named value expanded.
+    """
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    batch, dtype = _batch(a_1_x)
+    t1 = (1/6)*a_3_x
+    t2 = (1/6)*a_5_x
+    t3 = (1/6)*a_1_x
+    t4 = (1/6)*a_2_x
+    t5 = (1/6)*a_6_x
+    t6 = t2 + t3 + t4 + t5
+    t7 = (5/6)*a_4_x - t1 - t6
+    t8 = (1/6)*a_4_x
+    t9 = (5/6)*a_3_x - t6 - t8
+    t10 = t1 + t2 + t5 + t8
+    t11 = (5/6)*a_2_x - t10 - t3
+    t12 = (5/6)*a_1_x - t10 - t4
+    t13 = t1 + t3 + t4 + t8
+    t14 = (5/6)*a_6_x - t13 - t2
+    t15 = (5/6)*a_5_x - t13 - t5
+    t16 = t11**2 + t12**2 + t14**2 + t15**2 + t7**2 + t9**2
+    t17 = (1/6)*a_5_y
+    t18 = (1/6)*a_1_y
+    t19 = (1/6)*a_2_y
+    t20 = (1/6)*a_3_y
+    t21 = (1/6)*a_4_y
+    t22 = t18 + t19 + t20 + t21
+    t23 = (5/6)*a_6_y - t17 - t22
+    t24 = (1/6)*a_6_y
+    t25 = (5/6)*a_5_y - t22 - t24
+    t26 = t17 + t18 + t19 + t24
+    t27 = (5/6)*a_4_y - t20 - t26
+    t28 = (5/6)*a_3_y - t21 - t26
+    t29 = t17 + t20 + t21 + t24
+    t30 = (5/6)*a_2_y - t18 - t29
+    t31 = (5/6)*a_1_y - t19 - t29
+    t32 = t23**2 + t25**2 + t27**2 + t28**2 + t30**2 + t31**2
+    t33 = (1/6)*a_5_z
+    t34 = (1/6)*a_1_z
+    t35 = (1/6)*a_2_z
+    t36 = (1/6)*a_3_z
+    t37 = (1/6)*a_4_z
+    t38 = t34 + t35 + t36 + t37
+    t39 = (5/6)*a_6_z - t33 - t38
+    t40 = (1/6)*a_6_z
+    t41 = (5/6)*a_5_z - t38 - t40
+    t42 = t33 + t34 + t35 + t40
+    t43 = (5/6)*a_4_z - t36 - t42
+    t44 = (5/6)*a_3_z - t37 - t42
+    t45 = t33 + t36 + t37 + t40
+    t46 = (5/6)*a_2_z - t34 - t45
+    t47 = (5/6)*a_1_z - t35 - t45
+    t48 = t39**2 + t41**2 + t43**2 + t44**2 + t46**2 + t47**2
+    margin_out = np.empty(batch, dtype)
+    margin_out[...] = (
+        -1/2*t16**2 - 1/2*t32**2 - 1/2*t48**2 + 0.499999*(t16 + t32 + t48)**2 - (t11*t30 + t12*t31 + t14*t23
+        + t15*t25 + t27*t7 + t28*t9)**2 - (t11*t46 + t12*t47 + t14*t39 + t15*t41 + t43*t7 + t44*t9)**2
+        - (t23*t39 + t25*t41 + t27*t43 + t28*t44 + t30*t46 + t31*t47)**2
+    )
+    return margin_out[()]
+
+
+def leg_margin(parameters):
+    """Whether no two legs coincide.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 15) [m^2]
+        Positive for two legs that differ.
+
+    Notes
+    -----
+    Sums of squared differences.
+    270 operations; 270 with every named value expanded.
+    """
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(a_1_x, b_1_x)
+    margin_out = np.empty((*batch, 15), dtype)
+    margin_out[..., 0] = (
+        (a_1_x - a_2_x)**2 + (a_1_y - a_2_y)**2 + (a_1_z - a_2_z)**2 + (b_1_x - b_2_x)**2 + (b_1_y - b_2_y)**2
+        + (b_1_z - b_2_z)**2 - 1e-12
+    )
+    margin_out[..., 1] = (
+        (a_1_x - a_3_x)**2 + (a_1_y - a_3_y)**2 + (a_1_z - a_3_z)**2 + (b_1_x - b_3_x)**2 + (b_1_y - b_3_y)**2
+        + (b_1_z - b_3_z)**2 - 1e-12
+    )
+    margin_out[..., 2] = (
+        (a_1_x - a_4_x)**2 + (a_1_y - a_4_y)**2 + (a_1_z - a_4_z)**2 + (b_1_x - b_4_x)**2 + (b_1_y - b_4_y)**2
+        + (b_1_z - b_4_z)**2 - 1e-12
+    )
+    margin_out[..., 3] = (
+        (a_1_x - a_5_x)**2 + (a_1_y - a_5_y)**2 + (a_1_z - a_5_z)**2 + (b_1_x - b_5_x)**2 + (b_1_y - b_5_y)**2
+        + (b_1_z - b_5_z)**2 - 1e-12
+    )
+    margin_out[..., 4] = (
+        (a_1_x - a_6_x)**2 + (a_1_y - a_6_y)**2 + (a_1_z - a_6_z)**2 + (b_1_x - b_6_x)**2 + (b_1_y - b_6_y)**2
+        + (b_1_z - b_6_z)**2 - 1e-12
+    )
+    margin_out[..., 5] = (
+        (a_2_x - a_3_x)**2 + (a_2_y - a_3_y)**2 + (a_2_z - a_3_z)**2 + (b_2_x - b_3_x)**2 + (b_2_y - b_3_y)**2
+        + (b_2_z - b_3_z)**2 - 1e-12
+    )
+    margin_out[..., 6] = (
+        (a_2_x - a_4_x)**2 + (a_2_y - a_4_y)**2 + (a_2_z - a_4_z)**2 + (b_2_x - b_4_x)**2 + (b_2_y - b_4_y)**2
+        + (b_2_z - b_4_z)**2 - 1e-12
+    )
+    margin_out[..., 7] = (
+        (a_2_x - a_5_x)**2 + (a_2_y - a_5_y)**2 + (a_2_z - a_5_z)**2 + (b_2_x - b_5_x)**2 + (b_2_y - b_5_y)**2
+        + (b_2_z - b_5_z)**2 - 1e-12
+    )
+    margin_out[..., 8] = (
+        (a_2_x - a_6_x)**2 + (a_2_y - a_6_y)**2 + (a_2_z - a_6_z)**2 + (b_2_x - b_6_x)**2 + (b_2_y - b_6_y)**2
+        + (b_2_z - b_6_z)**2 - 1e-12
+    )
+    margin_out[..., 9] = (
+        (a_3_x - a_4_x)**2 + (a_3_y - a_4_y)**2 + (a_3_z - a_4_z)**2 + (b_3_x - b_4_x)**2 + (b_3_y - b_4_y)**2
+        + (b_3_z - b_4_z)**2 - 1e-12
+    )
+    margin_out[..., 10] = (
+        (a_3_x - a_5_x)**2 + (a_3_y - a_5_y)**2 + (a_3_z - a_5_z)**2 + (b_3_x - b_5_x)**2 + (b_3_y - b_5_y)**2
+        + (b_3_z - b_5_z)**2 - 1e-12
+    )
+    margin_out[..., 11] = (
+        (a_3_x - a_6_x)**2 + (a_3_y - a_6_y)**2 + (a_3_z - a_6_z)**2 + (b_3_x - b_6_x)**2 + (b_3_y - b_6_y)**2
+        + (b_3_z - b_6_z)**2 - 1e-12
+    )
+    margin_out[..., 12] = (
+        (a_4_x - a_5_x)**2 + (a_4_y - a_5_y)**2 + (a_4_z - a_5_z)**2 + (b_4_x - b_5_x)**2 + (b_4_y - b_5_y)**2
+        + (b_4_z - b_5_z)**2 - 1e-12
+    )
+    margin_out[..., 13] = (
+        (a_4_x - a_6_x)**2 + (a_4_y - a_6_y)**2 + (a_4_z - a_6_z)**2 + (b_4_x - b_6_x)**2 + (b_4_y - b_6_y)**2
+        + (b_4_z - b_6_z)**2 - 1e-12
+    )
+    margin_out[..., 14] = (
+        (a_5_x - a_6_x)**2 + (a_5_y - a_6_y)**2 + (a_5_z - a_6_z)**2 + (b_5_x - b_6_x)**2 + (b_5_y - b_6_y)**2
+        + (b_5_z - b_6_z)**2 - 1e-12
+    )
+    return margin_out
+
+
+def characteristic_length(parameters):
+    """Characteristic length of the platform, which makes rotations comparable with displacements.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    length : array, shape (...) [m]
+        Root mean square distance of the platform joints from the platform's origin.
+
+    Notes
+    -----
+    The condition number of D_l.
+    55 operations; 55 with every named value expanded.
+    """
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(b_1_x)
+    length_out = np.empty(batch, dtype)
+    length_out[...] = (
+        np.sqrt((1/6)*b_1_x**2 + (1/6)*b_1_y**2 + (1/6)*b_1_z**2 + (1/6)*b_2_x**2 + (1/6)*b_2_y**2
+        + (1/6)*b_2_z**2 + (1/6)*b_3_x**2 + (1/6)*b_3_y**2 + (1/6)*b_3_z**2 + (1/6)*b_4_x**2 + (1/6)*b_4_y**2
+        + (1/6)*b_4_z**2 + (1/6)*b_5_x**2 + (1/6)*b_5_y**2 + (1/6)*b_5_z**2 + (1/6)*b_6_x**2 + (1/6)*b_6_y**2
+        + (1/6)*b_6_z**2)
+    )
+    return length_out[()]
 
 
 def constraint_jacobians(p, parameters):

@@ -6,11 +6,19 @@ the platform.
 
 from __future__ import annotations
 
+from sympy import Expr
+
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.mechanisms.hexaglide.sample import SAMPLE
-from pkmodes_derive.platform_table import platform_that_turns, rotation_margin
+from pkmodes_derive.platform_table import (
+    platform_that_turns,
+    require_a_plane,
+    require_different_legs,
+    rotation_margin,
+)
 from pkmodes_derive.rails import axes as rails
 from pkmodes_derive.rails.picture import draw
+from pkmodes_derive.vectors import cross
 from pkmodes_derive.vocabulary import AXES
 
 __all__ = ["DIRECTIONS", "ROTATIONS", "TITLE", "declare"]
@@ -45,5 +53,16 @@ def declare(m: Machine) -> None:
     draw(m, rails.belts(m, axes, x, theta, lever), parallelograms=False)
 
     rotation_margin(m)
+    require_a_plane(m, "joint", axes.b, "joints on the platform")
+
+    def squares(j: int, k: int) -> list[Expr]:
+        between = tuple(v - w for v, w in zip(axes.o[j], axes.o[k], strict=True))
+        beside = cross(between, axes.n[j])  # of two rails in the same line it is zero
+        of = [(v - w) ** 2 for pair in (axes.b, axes.n) for v, w in zip(pair[j], pair[k], strict=True)]
+        own = [(one[j] - one[k]) ** 2 for one in (axes.l_d, axes.sigma)]
+        return [*of, *own, *(component**2 for component in beside)]
+
+    remedy = "check joint, origin, direction, length of the rod and branch of both"
+    require_different_legs(m, 6, "rods", squares, remedy)
     rails.conditions(m, axes, distance2, "distance of the platform joints from the platform's origin")
     m.sample = SAMPLE

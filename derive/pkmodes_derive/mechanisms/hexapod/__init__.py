@@ -15,7 +15,12 @@ from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.hexapod.picture import draw
 from pkmodes_derive.mechanisms.hexapod.sample import SAMPLE
 from pkmodes_derive.parts import LegPart, Reducer
-from pkmodes_derive.platform_table import platform_that_turns, rotation_margin
+from pkmodes_derive.platform_table import (
+    platform_that_turns,
+    require_a_plane,
+    require_different_legs,
+    rotation_margin,
+)
 from pkmodes_derive.tables import Declared
 from pkmodes_derive.vectors import dot
 from pkmodes_derive.vocabulary import AXES
@@ -127,6 +132,15 @@ def declare(m: Machine) -> None:
         )
     )
     rotation_margin(m)
+    require_a_plane(m, "joint", b, "joints on the platform")
+    require_a_plane(m, "base", a, "joints on the base")
+    require_different_legs(
+        m,
+        6,
+        "legs",
+        lambda j, k: [(v - w) ** 2 for of in (a, b) for v, w in zip(of[j], of[k], strict=True)],
+        "check base and joint of both",
+    )
     numbers = tuple(str(j + 1) for j in J)
     m.margins += (
         Margin(

@@ -120,6 +120,11 @@ class CheckedPoses(NamedTuple):
             yield where, self.points[where]
 
 
+#: Rows of D_l depend on each other where a singular value is at most this part of the largest; a row takes part if
+#: its share in the combination that vanishes exceeds the other.
+DEPENDENT, TAKES_PART = 1e-4, 1e-3
+
+
 def check_poses(
     poses: ArrayLike,
     mechanism: Mechanism,
@@ -308,12 +313,36 @@ def explained(
     with np.errstate(all="ignore"):
         generated = Generated(mechanism.model, parameters)
         values = [margin_of(generated, margin, points) for margin in mechanism.margins]
-    return [
-        ("expected finite coordinates, found NaN or infinity", "give finite coordinates")
-        if code == 1
-        else _sentence(mechanism.margins[code - 2], values[code - 2][i])
-        for i, code in enumerate(codes.tolist())
-    ]
+    found = []
+    for i, code in enumerate(codes.tolist()):
+        if code == 1:
+            found.append(("expected finite coordinates, found NaN or infinity", "give finite coordinates"))
+            continue
+        margin = mechanism.margins[code - 2]
+        what, remedy = _sentence(margin, values[code - 2][i])
+        if margin.rule == "at_most_limit" and mechanism.rotations:
+            what += _dependent_rows(generated, points[i])
+        found.append((what, remedy))
+    return found
+
+
+def _dependent_rows(generated: Generated, point: Array) -> str:
+    """Name the rows of D_l, one for each leg, that depend on each other at a singular pose."""
+    if not generated.has("constraint_jacobians"):
+        return ""
+    with np.errstate(all="ignore"):
+        D_l, _ = generated.constraint_jacobians(point)
+        sizes = np.abs(D_l).max(axis=0)
+        alike = D_l / np.where(sizes > 0.0, sizes, 1.0)
+        alike /= np.linalg.norm(alike, axis=1, keepdims=True)
+    if not np.isfinite(alike).all():
+        return ""
+    left, values, _ = np.linalg.svd(alike)
+    null = left[:, values <= DEPENDENT * values[0]]
+    rows = np.flatnonzero(np.linalg.norm(null, axis=1) > TAKES_PART) + 1
+    if len(rows) < 2:
+        return ""
+    return f"; its rows {', '.join(map(str, rows[:-1]))} and {rows[-1]}, those of these legs, depend on each other"
 
 
 def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
