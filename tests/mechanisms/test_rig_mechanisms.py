@@ -1,4 +1,4 @@
-"""The rigs of the rotary delta and the CoreXY against each other and against the models that they test."""
+"""The rigs of all mechanisms but the linear delta against each other and against the models that they test."""
 
 from __future__ import annotations
 
@@ -13,11 +13,27 @@ import pkmodes
 from pkmodes_rig.corexy import corexy
 from pkmodes_rig.rotary_delta import by_engine, by_hand, rotary_delta
 from pkmodes_rig.rows import OUTSIDE
+from pkmodes_rig.six_legged import hexaglide, hexapod
 
 ROBOTS = Path(__file__).resolve().parents[2] / "robots"
-FILES = {"rotary_delta": "clavel-delta.toml", "corexy": "corexy-printer.toml"}
-RIGS: dict[str, Any] = {"rotary_delta": rotary_delta, "corexy": corexy}
-POSES = {"rotary_delta": np.array([0.1, 0.05, -0.5]), "corexy": np.array([0.1, 0.05])}
+FILES = {
+    "rotary_delta": "clavel-delta.toml",
+    "corexy": "corexy-printer.toml",
+    "hexapod": "hexapod.toml",
+    "hexaglide": "hexaglide.toml",
+}
+RIGS: dict[str, Any] = {
+    "rotary_delta": rotary_delta,
+    "corexy": corexy,
+    "hexapod": hexapod,
+    "hexaglide": hexaglide,
+}
+POSES = {
+    "rotary_delta": np.array([0.1, 0.05, -0.5]),
+    "corexy": np.array([0.1, 0.05]),
+    "hexapod": np.array([0.01, -0.015, 0.24, 0.05, -0.1, 0.12]),
+    "hexaglide": np.array([0.05, -0.03, 0.2, -0.15, 0.2, 0.1]),
+}
 #: 1e-9 of the highest frequency: the error of differences.
 CLOSE = 1e-9
 
@@ -43,6 +59,22 @@ EFFECTS = {
         "belt_mass.linear_density": 0.01,
         "axis_belt_stiffness.factor_2": -0.2,
     },
+    "hexapod": {
+        **COMMON,
+        "gearbox_inertia.inertia": 30.0,
+        "servo_stiffness.stiffness": 2e5,
+        "axis_leg_stiffness.factor_2": -0.2,
+        "axis_leg_stiffness.factor_6": 0.1,
+    },
+    "hexaglide": {
+        **COMMON,
+        "link_compliance.compliance": 1e-7,
+        "gearbox_compliance.compliance": 1e-3,
+        "clamp_compliance.compliance": 1e-6,
+        "belt_end_compliance.compliance": 2e-6,
+        "belt_mass.linear_density": 0.01,
+        "axis_belt_stiffness.factor_5": -0.2,
+    },
 }
 
 
@@ -64,6 +96,9 @@ def declared(mechanism: str, effects: Mapping[str, float], folder: Path) -> pkmo
         ("rotary_delta", "link_compliance"),
         ("corexy", ""),
         ("corexy", "belt_mass"),
+        ("hexapod", ""),
+        ("hexaglide", ""),
+        ("hexaglide", "belt_mass"),
     ],
 )
 def test_rig_and_model_agree(mechanism: str, without: str, tmp_path: Path) -> None:
@@ -76,6 +111,23 @@ def test_rig_and_model_agree(mechanism: str, without: str, tmp_path: Path) -> No
     frequencies = expected.frequencies
     assert found.frequencies == pytest.approx(frequencies, abs=CLOSE * frequencies[-1])
     assert found.rigid == expected.rigid_modes
+
+
+@pytest.mark.parametrize("mechanism", ["hexapod", "hexaglide"])
+def test_rig_and_model_of_six_legs_agree_with_motors_held(mechanism: str, tmp_path: Path) -> None:
+    """The platform's rotations are among the shapes that both give."""
+    effects = EFFECTS[mechanism]
+    found = RIGS[mechanism](
+        pkmodes.load(ROBOTS / FILES[mechanism]).robot.parameters,
+        POSES[mechanism],
+        {**effects, "frame_compliance.mass": 50.0},
+        held=True,
+    )
+    expected = declared(mechanism, effects, tmp_path).modes(POSES[mechanism], drives="held")
+    assert found.frequencies == pytest.approx(expected.frequencies, abs=CLOSE * expected.frequencies[-1])
+    motion = np.abs([found.shapes[name] for name in ("p_x", "p_y", "p_z", "r_x", "r_y", "r_z")]).T
+    size = np.abs(expected.platform_shapes).max(axis=0)
+    assert motion / size == pytest.approx(np.abs(expected.platform_shapes) / size, abs=1e-6)
 
 
 def test_loops_closed_by_hand_are_those_of_the_engine() -> None:
@@ -105,6 +157,13 @@ STRANGERS = {
         "one_run": 1e-9,
         "racking_gantry": 1e-8,
     },
+    "hexapod": {
+        "tuned_absorber": 1e-3,
+        "directional_cable": 1e3,
+        "one_servo": 1e3,
+        "leg_hose": 1e3,
+    },
+    "hexaglide": {"one_gearbox": 1e-6, "one_link": 1e-9},
 }
 
 

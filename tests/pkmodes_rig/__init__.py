@@ -18,6 +18,7 @@ from pkmodes_rig.measurements import (
 from pkmodes_rig.mistakes import ASKEW, MISTAKES, ORDERS, followed, joined, mistaken, parsed
 from pkmodes_rig.robots import POSES, ROBOTS, drawn_values, read
 from pkmodes_rig.rotary_delta import rotary_delta
+from pkmodes_rig.six_legged import hexaglide, hexapod
 from pkmodes_rig.storeys import channels, storey_modes
 
 __all__ = [
@@ -38,6 +39,8 @@ __all__ = [
     "exact",
     "followed",
     "held_at",
+    "hexaglide",
+    "hexapod",
     "identified",
     "joined",
     "measure_modes",

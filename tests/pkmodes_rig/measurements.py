@@ -26,6 +26,10 @@ BASE_RIGID = 3
 LOWEST_FREQUENCY = 2.0
 
 
+#: Largest standard deviation of a shape that a file may state.
+MOST_NOISE = 0.9
+
+
 @dataclass(frozen=True)
 class Identified:
     """One identified mode.
@@ -132,6 +136,7 @@ def identified(
     sigma_scale: float = 1.0,
     drift: float = 0.0,
     base_rigid: int = BASE_RIGID,
+    lever: float = 0.0,
 ) -> list[Identified]:
     """Identify modes, in random order.
 
@@ -154,6 +159,9 @@ def identified(
     base_rigid : int
         Number of rigid-body modes of the robot without effects, which depends on the mechanism; 0 where motors are
         held.
+    lever : float
+        Distance over which displacements measure rotations [m]: the errors of ``r_x`` are those of displacements over
+        this distance.  If 0, all components have the same error in their own units.
     """
     rows: list[Identified] = []
     most = modes if isinstance(modes, int) else modes[1]
@@ -164,7 +172,7 @@ def identified(
         for i, visible in zip(looked_for, chance, strict=True):
             part = sigma * np.exp(rng.normal(0.0, uneven)) if uneven else sigma
             error = rng.normal(0.0, part) + shared
-            shape = _shape(true, i, shapes, shape_noise, rng)
+            shape, noise = _shape(true, i, shapes, shape_noise, rng, lever)
             if rng.random() < missing or (nodes and rng.random() > visible):
                 continue
             frequency = true.frequencies[i] * (1 + drift * index) * np.exp(error)
@@ -173,7 +181,7 @@ def identified(
             number = str(rng.integers(1, 3 * most + 1))
             says = sigma_shape == "stated" or (sigma_shape == "some" and rng.random() < 0.5)
             stated = frequency * part * sigma_scale
-            known = shape_noise if says else None
+            known = noise if says else None
             rows.append(Identified(index, i, frequency, frequency * part, stated, number, shape, known))
     rng.shuffle(rows)
     return rows
@@ -259,15 +267,28 @@ def _chances(true: TrueModes, looked_for: Sequence[int], sensors: Sequence[str],
 
 
 def _shape(
-    true: TrueModes, mode: int, names: Sequence[str], noise: float, rng: np.random.Generator
-) -> np.ndarray:
-    """Return the measured components of a shape, at a random scale."""
+    true: TrueModes,
+    mode: int,
+    names: Sequence[str],
+    noise: float,
+    rng: np.random.Generator,
+    lever: float = 0.0,
+) -> tuple[np.ndarray, float]:
+    """Return the measured components of a shape, at a random scale.
+
+    The second number is the largest of their standard deviations relative to the largest component.
+    """
     components = np.array([true.shapes[name][mode] for name in names])
     if components.size:
-        components = components / np.abs(components).max()
-        components = components + rng.normal(0.0, noise, components.shape)
+        # in displacements of the sensors
+        arms = np.array([lever if lever and name.startswith("r_") else 1.0 for name in names])
+        components = components * arms / np.abs(components * arms).max()
+        components = (components + rng.normal(0.0, noise, components.shape)) / arms
+        largest = np.abs(components).max()
         components *= rng.choice([-1.0, 1.0]) * np.exp(rng.normal(0.0, 2.0))
-    return components
+        if lever:
+            noise = min(noise / float(arms.min() * largest), MOST_NOISE)
+    return components, noise
 
 
 def _digits(number: float) -> str:

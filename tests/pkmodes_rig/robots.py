@@ -26,11 +26,12 @@ DECLARED = {
 }
 
 
-def _published() -> str:
-    text = PUBLISHED.read_text(encoding="utf-8")
-    for line, sigma in DECLARED.items():
+def declared(file: Path, sigmas: Mapping[str, str]) -> str:
+    """Return the text of a robot file in which some lines declare an uncertainty, by what they end with."""
+    text = file.read_text(encoding="utf-8")
+    for line, sigma in sigmas.items():
         if text.count(line) != 1:
-            raise ValueError(f"{line!r} is not in {PUBLISHED.name}")
+            raise ValueError(f"{line!r} is not in {file.name}")
         key, value = line.rsplit(" = ", 1)
         text = text.replace(line, f'{key} = {{ value = {value}, sigma = "{sigma}" }}')
     return text
@@ -157,7 +158,11 @@ mass = "800 g"
 """
 
 #: Text of the robot files.
-ROBOTS: dict[str, str] = {"published": _published(), "tower": TOWER, "asymmetric": ASYMMETRIC}
+ROBOTS: dict[str, str] = {
+    "published": declared(PUBLISHED, DECLARED),
+    "tower": TOWER,
+    "asymmetric": ASYMMETRIC,
+}
 
 #: Centre and half size of the measured part of the workspace [m].
 REGIONS = {

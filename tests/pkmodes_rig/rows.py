@@ -23,6 +23,7 @@ OUTSIDE = {
     "rocking_frame": "the frame of the rotary delta rocks about a horizontal axis on the floor [rad/(N m)]",
     "one_gearbox": "only the shaft of motor 1 of the CoreXY winds up [rad/(N m)]",
     "one_run": "only run 1 of belt 1 has a soft end [m/N]",
+    "leg_hose": "a spring [N/m] to ground along leg 1 of a hexapod, or along rail 1 of a hexaglide",
     "racking_gantry": "the beam of the CoreXY yaws about its middle and takes the tool head along [rad/(N m)]",
 }
 #: Direction in which absorbers slide and cables pull, not in a plane of symmetry, by platform dimension.
@@ -40,11 +41,14 @@ class Rows:
         Coordinates.
     platform : array, shape (d, n)
         Absolute velocity of the platform per velocity of each coordinate.
+    turning : array, shape (r, n), optional
+        Its angular velocity, where it turns.
     """
 
-    def __init__(self, names: Sequence[str], platform: np.ndarray) -> None:
+    def __init__(self, names: Sequence[str], platform: np.ndarray, turning: np.ndarray | None = None) -> None:
         self.names, self.platform = list(names), np.asarray(platform, dtype=float)
         n = len(self.names)
+        self.turning = np.zeros((0, n)) if turning is None else np.asarray(turning, dtype=float)
         self.M, self.springs, self.weights = np.zeros((3, n, n))
 
     def row(self, **parts: float) -> np.ndarray:
@@ -95,6 +99,7 @@ class Rows:
         shapes = of_kept @ follow @ vectors
         named = dict(zip(self.names, shapes, strict=True))
         named |= dict(zip(("p_x", "p_y", "p_z"), self.platform @ shapes, strict=False))
+        named |= dict(zip(("r_x", "r_y", "r_z"), self.turning @ shapes, strict=False))
         return TrueModes(
             frequencies=np.sign(eigenvalues) * np.sqrt(np.abs(eigenvalues)) / (2 * np.pi),
             rigid=int(np.sum(strains < RIGID * strains[-1])),
@@ -106,13 +111,34 @@ class Rows:
         )
 
 
-def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Mapping[str, float]) -> Rows:
-    """Add the effects and causes common to all mechanisms: at the drives, the platform and the frame."""
+def completed(
+    rows: Rows,
+    drive: str,
+    effects: Mapping[str, float],
+    outside: Mapping[str, float],
+    *,
+    motors: Sequence[Mapping[str, float]] = (),
+    tuned: float = 0.0,
+) -> Rows:
+    """Add the effects and causes common to all mechanisms: at the drives, the platform and the frame.
+
+    Parameters
+    ----------
+    rows : Rows
+    drive : str
+        Coordinates of the rotors, without their numbers.
+    effects, outside : mapping
+    motors : sequence of mapping, optional
+        Angle of each motor, its rotor first, where not every rotor is driven.
+    tuned : float, optional
+        Frequency of the isolated absorber [Hz]; by default that in `TUNED`.
+    """
     count = len(rows.platform)
-    for motor in rows.motors(drive):
+    motors = motors or rows.motors(drive)
+    for motor in motors:
         rows.inertia(rows.row(**{next(iter(motor)): 1.0}), effects.get("gearbox_inertia.inertia", 0.0))
         rows.spring(rows.row(**motor), effects.get("servo_stiffness.stiffness", 0.0))
-    rows.spring(rows.row(**{f"{drive}_1": 1.0}), outside.get("one_servo", 0.0))
+    rows.spring(rows.row(**{next(iter(motors[0])): 1.0}), outside.get("one_servo", 0.0))
     rows.spring(rows.platform, effects.get("cable_stiffness.stiffness", 0.0))
     along = ALONG[count] @ rows.platform
     rows.spring(along, outside.get("directional_cable", 0.0))
@@ -125,7 +151,7 @@ def completed(rows: Rows, drive: str, effects: Mapping[str, float], outside: Map
         rows.inertia(rows.platform, mass)
         rows.inertia(along, -mass)
         rows.inertia(along + own, mass)
-        rows.spring(own, mass * (2 * np.pi * TUNED[count]) ** 2)
+        rows.spring(own, mass * (2 * np.pi * (tuned or TUNED[count])) ** 2)
     return rows
 
 

@@ -20,8 +20,13 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
+<<<<<<< HEAD
 from pkmodes.core.mechanism.regular import regular_poses, sample
 from pkmodes.core.mechanism.stepped import STEP
+=======
+from pkmodes.core.mechanism.regular import sample, sample_pose
+from pkmodes.core.mechanism.stepped import STEP, stepped
+>>>>>>> 6cf1aea1 (fix: find regular poses of a hexaglide, so that its motors may be held; look for the sample pose once)
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.paths import ParameterPath
@@ -80,6 +85,7 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
     return joints
 
 
+@cache
 def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     """Return the generated parameters and effects that change the platform's motion with the coordinates."""
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
@@ -90,7 +96,7 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
 def _motion_moves(mechanism: Mechanism) -> Iterator[str]:
     """Yield the effect parameters, dotted, that change that motion of the sample robot at a regular pose."""
     plain, extended = sample(mechanism), mechanism.extended
-    (p,) = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
+    p = sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
         moved = extended.Effects(**{field: STEP * 1j})
         motion = Generated(extended, plain, moved).extended_platform_motion(p)

@@ -15,12 +15,15 @@ from functools import cache
 import numpy as np
 
 from pkmodes import updating
-from pkmodes_rig import Identified, Laboratory, drawn_values, identified, written
+from pkmodes_rig import Identified, Laboratory, drawn_values, drives_of, identified, written
 from pkmodes_rig.suites.judging import diagnosed, same_of
+from pkmodes_rig.suites.motors import words
 from pkmodes_rig.suites.running import Outcome
 from pkmodes_rig.suites.sizes import TYING
 from pkmodes_rig.suites.specimens import (
     MACHINES,
+    PLATFORM,
+    SIX_LEGGED,
     Specimen,
     measurements_of,
     robot_of,
@@ -30,7 +33,15 @@ from pkmodes_rig.suites.specimens import (
 from pkmodes_rig.suites.strengths import signal
 
 #: Numbers of modes at a pose, by the number of vibration modes of the mechanism.
-MODES = {"linear_delta": (4, 8), "rotary_delta": (2, 6), "corexy": (2, 4)}
+MODES = {
+    "linear_delta": (4, 8),
+    "rotary_delta": (2, 6),
+    "corexy": (2, 4),
+    "hexapod": (4, 6),
+    "hexaglide": (6, 12),
+}
+#: Distance over which accelerometers measure how a platform turns [m], and what tells the draw of poses from others.
+LEVER, OF_POSES = 0.1, 6
 #: Fewest rows of a file, and how many laboratories are drawn to get them, and to see a cause.
 LEAST, TRIALS, LABORATORIES = 12, 50, 10
 #: First size of the search for one in SI units, far below any result, and its largest number of steps; the factor
@@ -56,6 +67,8 @@ class ClearCase:
         Whether the cause is outside the catalogue.
     laboratory : int
         Number of the laboratory; earlier ones cannot see a cause, of whatever size.
+    drives : str
+        What the motors do: ``free`` or ``held``.
     """
 
     suite: str
@@ -66,11 +79,29 @@ class ClearCase:
     outside: bool = False
     seed: int = 1
     laboratory: int = 0
+    drives: str = "free"
 
     @property
     def label(self) -> str:
         """Name for reports."""
-        return f"{self.machine}, {self.suite} {self.number}"
+        return f"{self.machine}, {self.suite} {self.number}{words(self.drives)}"
+
+    @property
+    def points(self) -> np.ndarray:
+        """Poses at which it is measured; for a machine with six legs drawn in the box of its own."""
+        points = MACHINES[self.machine].points
+        if self.machine not in SIX_LEGGED:
+            return points
+        rng = np.random.default_rng([*_seeds(self), OF_POSES])
+        return np.round(rng.uniform(points.min(axis=0), points.max(axis=0), points.shape), 4)
+
+    @property
+    def sensors(self) -> tuple[str, ...]:
+        """Sensors of the laboratory; for a machine with six legs on the platform, or on the legs or carriages."""
+        shapes = MACHINES[self.machine].shapes
+        if self.machine not in SIX_LEGGED:
+            return shapes
+        return PLATFORM if self.number % 2 else tuple(name for name in shapes if name not in PLATFORM)
 
     @property
     def mechanism(self) -> str:
@@ -110,14 +141,14 @@ def _diagnosed(
     text: str,
     holdout: Sequence[str] | None,
 ) -> ClearOutcome:
-    robot, kind = robot_of(case.machine), MACHINES[case.machine]
+    robot = robot_of(case.machine)
     diagnosis, said = diagnosed(
         case.names,
         specimen.sizes,
         lambda: updating.diagnose(robot, measurements_of(text, robot), holdout=holdout),
         same_of(case.machine),
     )
-    predicted = signal(specimen, kind.points, holdout=diagnosis.held_out_poses, rows=rows)
+    predicted = signal(specimen, case.points, holdout=diagnosis.held_out_poses, rows=rows)
     return ClearOutcome(case=case, **said, signal=predicted, rows=len(rows))
 
 
@@ -145,14 +176,17 @@ def _measured(case: ClearCase) -> tuple[Specimen, list[Identified], str]:
         case.machine,
         {name: size for one in each for name, size in one.effects.items()},
         outside={name: size for one in each for name, size in one.outside.items()},
+        drives=case.drives,
     )
-    rows, text = _found(case, both)
+    rows, text = found(case, both)
     return both, rows, text
 
 
 def _alone(case: ClearCase, kind: str, size: float) -> Specimen:
     """Return a machine with one cause."""
-    return (with_outside if case.outside else with_effect)(case.machine, kind, size)
+    return replace(
+        (with_outside if case.outside else with_effect)(case.machine, kind, size), drives=case.drives
+    )
 
 
 def _size(case: ClearCase, place: int) -> float:
@@ -166,9 +200,9 @@ def _size(case: ClearCase, place: int) -> float:
 
     def measured_signal(size: float) -> float:
         specimen = _alone(case, kind, size)
-        least = MACHINES[case.machine].rigid if kind in TYING else 0
-        rows = [row for row in _found(case, specimen)[0] if row.mode >= least]
-        return signal(specimen, MACHINES[case.machine].points, rows=rows) if rows else 0.0
+        least = MACHINES[case.machine].rigid if kind in TYING and case.drives == "free" else 0
+        rows = [row for row in found(case, specimen)[0] if row.mode >= least]
+        return signal(specimen, case.points, rows=rows) if rows else 0.0
 
     low, high, size = 0.0, 0.0, START
     for _ in range(STEPS):
@@ -190,7 +224,7 @@ def _size(case: ClearCase, place: int) -> float:
     return BEYOND * high
 
 
-def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
+def found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
     """Return the modes that the laboratory of a case finds and the text of their file.
 
     The true uncertain values are drawn from their priors.
@@ -198,29 +232,33 @@ def _found(case: ClearCase, specimen: Specimen) -> tuple[list[Identified], str]:
     kind, rng = MACHINES[case.machine], np.random.default_rng(_seeds(case))
     drawn = drawn_values(robot_of(case.machine), rng)
     true = replace(specimen, values={**drawn, **specimen.values})
-    modes = true.modes(kind.points)
+    modes = true.modes(case.points)
     for _ in range(TRIALS):
-        laboratory = Laboratory.drawn(rng, _span(case.machine), kind.shapes, modes=MODES[case.mechanism])
+        laboratory = Laboratory.drawn(
+            rng, _span(case.machine, case.drives), case.sensors, modes=MODES[case.mechanism]
+        )
         options = laboratory.options()
         stated = options.pop("band_stated")
-        rows = identified(modes, rng=rng, base_rigid=kind.rigid, **options)  # type: ignore[arg-type]
+        lever = LEVER if case.machine in SIX_LEGGED else 0.0
+        rows = identified(modes, rng=rng, base_rigid=kind.rigid, lever=lever, **options)  # type: ignore[arg-type]
         if len(rows) >= LEAST:
             break
     text = written(
         rows,
-        list(kind.points),
+        list(case.points),
         laboratory.shapes,
         band=laboratory.band if stated else None,
         sigma_shape=laboratory.sigma_shape != "absent",
         components=kind.components,
+        drives=drives_of(modes),
     )
     return rows, text
 
 
 @cache
-def _span(machine: str) -> tuple[float, float]:
+def _span(machine: str, drives: str) -> tuple[float, float]:
     """Return the lowest and highest vibration frequency of the declared model at the first pose [Hz]."""
-    (modes,) = Specimen(machine).modes(MACHINES[machine].points[:1])
+    (modes,) = Specimen(machine, drives=drives).modes(MACHINES[machine].points[:1])
     vibrations = modes.frequencies[modes.rigid :]
     return float(vibrations[0]), float(vibrations[-1])
 

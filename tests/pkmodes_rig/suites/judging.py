@@ -51,6 +51,10 @@ def _equivalent(*groups: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
 EQUIVALENT = {
     # Only inertia * gear_ratio^2 at phi_j enters the modes.
     "rotary_delta": _equivalent(("gearbox_inertia", *_inertias("")), _inertias("axis.2.")),
+    # Only inertia / travel^2 at s_j enters the modes.
+    "hexapod": _equivalent(
+        ("gearbox_inertia", *(f"parameter:motor.{name}" for name in ("inertia", "travel")))
+    ),
     # With rigid shafts, the modes depend only on (inertias at theta_i) / radius^2: theta_i is not measured here.
     # Another belt width changes the stiffness of each belt; and because the common stiffness is uncertain,
     # another width of one belt is equivalent to unequal stiffness of the two.

@@ -20,8 +20,8 @@ OUTSIDE_TARGETS = (20.0, 50.0)
 #: Number of pairs of effects, and the range of the signal of each alone: clearly visible.
 PAIRS, PAIR_TARGETS = 24, (10.0, 25.0)
 
-#: Relative sizes of the factors of a group, such as `axis_belt_stiffness`: all different, one of opposite sign.
-UNEQUAL = (0.5, -1.0, 0.3)
+#: Relative sizes of the factors of a group, such as `axis_belt_stiffness`: all different, some of opposite sign.
+UNEQUAL = (0.5, -1.0, 0.3, 0.1, -0.4, 0.8)
 
 #: Causes of the rig that no combination in the catalogue can represent.  Left out are `rod_taper`, which is exactly a
 #: payload with a wrong carriage mass (mass moved from one end of a rod to the other), and `thermal_drift`, which is
@@ -42,7 +42,16 @@ KINDS = (
 
 #: Causes that tie a robot to ground, of all mechanisms.
 TYING = (
-    *("servo_stiffness", "cable_stiffness", "directional_cable", "hose", "bellows", "one_servo", "arm_hose"),
+    *(
+        "servo_stiffness",
+        "cable_stiffness",
+        "directional_cable",
+        "hose",
+        "bellows",
+        "one_servo",
+        "arm_hose",
+        "leg_hose",
+    ),
 )
 
 #: Sizes of the effects in SI units, for each of `TARGETS`.

@@ -6,6 +6,7 @@ The rigs (`pkmodes_rig.engine`, `pkmodes_rig.corexy`, `pkmodes_rig.rotary_delta`
 from __future__ import annotations
 
 import tempfile
+import tomllib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
@@ -16,7 +17,7 @@ import numpy as np
 
 from pkmodes import updating
 from pkmodes.core.mechanism.registry import mechanism
-from pkmodes.core.robot.reading import read_robot
+from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
@@ -29,11 +30,14 @@ from pkmodes_rig import (
     TrueModes,
     corexy,
     held_at,
+    hexaglide,
+    hexapod,
     read,
     rotary_delta,
     true_modes,
 )
 from pkmodes_rig import ROBOTS as DELTAS
+from pkmodes_rig.robots import declared
 from pkmodes_rig.suites.sizes import UNEQUAL
 
 T = TypeVar("T")
@@ -64,6 +68,8 @@ class Kind:
         Components of a pose, and sensor channels.
     points : ndarray, shape (12, d)
         Poses.
+    uncertain : mapping
+        Relative uncertainties of values whose file declares none, by the text that declares them.
     """
 
     file: str
@@ -72,6 +78,7 @@ class Kind:
     components: tuple[str, ...]
     shapes: tuple[str, ...]
     points: np.ndarray
+    uncertain: Mapping[str, str] = field(default_factory=dict)
 
 
 def _spread(count: int, low: Sequence[float], high: Sequence[float]) -> np.ndarray:
@@ -104,11 +111,46 @@ KINDS = {
 }
 
 
-#: These mechanisms, and the linear deltas of the rig, by name.
-MACHINES = KINDS | {
-    name: Kind("", true_modes, BASE_RIGID, ("x", "y", "z"), SENSORS, np.array(POSES[name]["scattered"]))
-    for name in DELTAS
+#: What a platform that turns measures; sensors on the legs or carriages come before it.
+PLATFORM = ("p_x", "p_y", "p_z", "r_x", "r_y", "r_z")
+#: Machines with six legs; all poses of these boxes [m, rad] can be reached.
+SIX_LEGGED = {
+    "hexapod": Kind(
+        "hexapod.toml",
+        hexapod,
+        6,
+        ("x", "y", "z", "rx", "ry", "rz"),
+        (*(f"l_{j}" for j in range(1, 7)), *PLATFORM),
+        _spread(12, (-0.018, -0.018, 0.232, -0.1, -0.1, -0.15), (0.018, 0.018, 0.252, 0.1, 0.1, 0.15)),
+        {
+            '[platform]\nmass = "6 kg"': "1 %",
+            '[leg]\nstiffness = "1.2e7 N/m"': "2 %",
+            '[motor]\ninertia = "6e-6 kg*m^2"': "2 %",
+        },
+    ),
+    "hexaglide": Kind(
+        "hexaglide.toml",
+        hexaglide,
+        6,
+        ("x", "y", "z", "rx", "ry", "rz"),
+        (*(f"x_{j}" for j in range(1, 7)), *PLATFORM),
+        _spread(12, (-0.08, -0.08, 0.1, -0.25, -0.25, -0.25), (0.08, 0.08, 0.35, 0.25, 0.25, 0.25)),
+        {
+            '[platform]\nmass = "1.1 kg"': "1 %",
+            'specific_stiffness = "2.2e6 N/m"': "2 %",
+            '[motor]\ninertia = "1.2e-5 kg*m^2"': "2 %",
+        },
+    ),
 }
+#: All of these, and the linear deltas of the rig, by name.
+MACHINES = (
+    KINDS
+    | SIX_LEGGED
+    | {
+        name: Kind("", true_modes, BASE_RIGID, ("x", "y", "z"), SENSORS, np.array(POSES[name]["scattered"]))
+        for name in DELTAS
+    }
+)
 
 
 @dataclass(frozen=True)
@@ -159,7 +201,12 @@ class Specimen:
 @cache
 def robot_of(machine: str) -> Robot:
     """Return the declared robot."""
-    return read(machine) if machine in DELTAS else read_robot(ROBOTS / KINDS[machine].file)
+    if machine in DELTAS:
+        return read(machine)
+    file, uncertain = ROBOTS / MACHINES[machine].file, MACHINES[machine].uncertain
+    if not uncertain:
+        return read_robot(file)
+    return robot_from_document(tomllib.loads(declared(file, uncertain)), machine)
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -32,6 +33,15 @@ def sample(mechanism: Mechanism) -> Any:
     """Return the parameters of an asymmetric robot: terms that vanish by symmetry in a real robot do not here."""
     values = {name: np.array(v) if isinstance(v, list) else v for name, v in mechanism.sample.items()}
     return mechanism.model.Parameters(**values)
+
+
+@cache
+def sample_pose(mechanism: Mechanism) -> Array:
+    """Return a regular pose of the sample robot, (d,), which no inertia and no effect changes."""
+    plain = sample(mechanism)
+    pose: Array = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)[0]
+    pose.setflags(write=False)
+    return pose
 
 
 def declared(mechanism: Mechanism) -> list[Key]:
@@ -144,12 +154,18 @@ def _narrowed(
 
 
 def _lacking(generated: Generated, mechanism: Mechanism, p: Array) -> Array:
-    """Return how much poses lack to meet all conditions, (N,): 0 where they do, infinite where one is NaN."""
+    """Return how much poses lack to meet all conditions, (N,): 0 where they do.
+
+    A condition that is NaN, as where links do not meet, lacks more than any that is not: the others order such poses.
+    """
     lacking = np.zeros(len(p))
     with np.errstate(all="ignore"):
         for margin in mechanism.margins:
             values = margin_of(generated, margin, p).reshape(len(p), -1)
             short = np.log(values / REGULAR) if margin.rule == "at_most_limit" else -values
-            scale = np.nanmedian(np.abs(short)) or 1.0
-            lacking += np.maximum(short / scale, 0.0).sum(axis=-1)
-    return np.where(np.isnan(lacking), np.inf, lacking)
+            known = np.isfinite(short)
+            scale = np.median(np.abs(short[known])) if known.any() else 1.0
+            part = np.maximum(short / (scale or 1.0), 0.0)
+            worst = part[known].max(initial=0.0)
+            lacking += np.where(known, part, 1.0 + worst).sum(axis=-1)
+    return lacking

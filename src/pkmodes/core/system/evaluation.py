@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pkmodes.core.compiled.lanes import NO_FOLD, Fold, Lanes, flat
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared, regular_poses, sample
+from pkmodes.core.mechanism.regular import declared, sample, sample_pose
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.released import active_effects, released
 
@@ -253,10 +253,8 @@ def _massless(mechanism: Mechanism, zeros: bytes) -> NDArray[np.bool_]:
     ends = np.cumsum([int(np.prod(shape)) for shape in shapes])
     values = [part.reshape(shape) for part, shape in zip(np.split(present, ends[:-1]), shapes, strict=True)]
     plain = plain._replace(**dict(zip(names, values[len(effects) :], strict=True)))
-    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
-    M, _, _ = Generated(mechanism.extended, plain, effects._make(values[: len(effects)])).extended_matrices(
-        p[0]
-    )
+    of_sample = Generated(mechanism.extended, plain, effects._make(values[: len(effects)]))
+    M, _, _ = of_sample.extended_matrices(sample_pose(mechanism))
     return np.asarray((M == 0.0).all(axis=0))
 
 

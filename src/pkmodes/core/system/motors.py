@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.mechanism.regular import declared, regular_poses, sample
+from pkmodes.core.mechanism.regular import declared, sample, sample_pose
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
 from pkmodes.core.system.value_rates import value_rates
 
@@ -161,8 +161,8 @@ def _loose(mechanism: Mechanism, motion: bytes) -> int:
         The angles of the motors per unit of each coordinate without effects.
     """
     plain, base = sample(mechanism), len(mechanism.coordinates)
-    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)
-    M, K, _ = Generated(mechanism.extended, plain, mechanism.extended.Effects()).extended_matrices(p[0])
+    of_sample = Generated(mechanism.extended, plain, mechanism.extended.Effects())
+    M, K, _ = of_sample.extended_matrices(sample_pose(mechanism))
     rotors, _ = _following(np.frombuffer(motion).reshape(-1, base), base)
     kept = np.setdiff1d(np.arange(base), rotors)
     M, K = (matrix[np.ix_(kept, kept)] for matrix in (M, K))
@@ -176,7 +176,7 @@ def _inert(mechanism: Mechanism) -> _Inert:
     """Return what changes neither M nor K of a sample robot with held motors."""
     extended, plain = mechanism.extended, sample(mechanism)
     generated = Generated(extended, plain, extended.Effects())
-    p = regular_poses(Generated(mechanism.model, plain), mechanism, plain, 1)[0]
+    p = sample_pose(mechanism)
     rotors, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
     T = np.delete(T, rotors, axis=1)
     rates = [each[0] for each in value_rates(mechanism, plain, extended.Effects(), p[None])]
