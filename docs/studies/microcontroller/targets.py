@@ -27,6 +27,10 @@ ROBOTS = {
     "linear-delta-2022-identified": ((0.3, -0.1, -0.25), (0.9, 0.1, -0.16)),
     "clavel-delta": ((-0.3, -0.3, -0.7), (0.3, 0.3, -0.4)),
     "corexy-printer": ((0.02, 0.02), (0.28, 0.28)),
+    "cartesian-printer": ((0.02, 0.02), (0.2, 0.2)),
+    "bed-slinger": ((0.02, 0.02), (0.2, 0.2)),
+    "hexapod": ((-0.02, -0.02, 0.24, -0.15, -0.15, -0.15), (0.02, 0.02, 0.26, 0.15, 0.15, 0.15)),
+    "hexaglide": ((-0.05, -0.05, 0.2, -0.15, -0.15, -0.15), (0.05, 0.05, 0.3, 0.15, 0.15, 0.15)),
 }
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror")
 #: A part of the C library that is linked only for arithmetic with double on a unit for float.
