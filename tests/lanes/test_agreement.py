@@ -9,7 +9,7 @@ import pytest
 
 from helpers.references.lane_agreement import assert_agrees
 from helpers.references.numpy_modes import solve
-from helpers.robots.lane_samples import EFFECTS, EXTREMES, NAMES, case, results
+from helpers.robots.lane_samples import EFFECTS, EXTREMES, NAMES, SIX_LEGGED, case, results
 
 pytestmark = pytest.mark.compiler
 
@@ -19,6 +19,14 @@ def test_modes_agree_with_numpy(subtests: pytest.Subtests, name: str) -> None:
     for effects, seed in product(EFFECTS, range(4)):
         with subtests.test(f"{effects}, {seed}"):
             assert_agrees(case(name, seed, effects))
+
+
+@pytest.mark.parametrize("name", SIX_LEGGED)
+def test_modes_of_platforms_that_turn_agree_with_numpy(name: str) -> None:
+    """Twelve and eighteen coordinates, with all effects more; `test_hexapod_oracle` has many machines."""
+    assert_agrees(case(name, 0, count=25))
+    assert_agrees(case(name, 1, "everything", count=25))
+    assert_agrees(case(name, 2, "none", "hundredfold gravity", count=25))
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.robots.lane_samples import NAMES, ROBOTS, case, evaluator, results
+from helpers.robots.lane_samples import NAMES, ROBOTS, SIX_LEGGED, case, evaluator, results
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.evaluator import SHARE
 from pkmodes.core.compiled.loader import load
@@ -26,8 +26,13 @@ def same_bits(a: np.ndarray, b: np.ndarray) -> bool:
     return a.shape == b.shape and a.tobytes() == b.tobytes()
 
 
-@pytest.mark.parametrize("effects", ["none", "clamps with belt mass", "everything"])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    ("name", "effects"),
+    [
+        *itertools.product(NAMES, ["none", "clamps with belt mass", "everything"]),
+        *itertools.product(SIX_LEGGED, ["everything"]),
+    ],
+)
 def test_all_widths_give_the_same_bits(name: str, effects: str) -> None:
     given = case(name, 2, effects, count=50)
     given.poses[[3, 20, 21, 44]] = np.array([np.nan, 9.0, -np.inf, 1e300])[:, None]

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, case, chosen, robot_of
+from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, SIX_LEGGED, case, robot_of
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.loader import UnavailableError, load
 from pkmodes.core.system.evaluation import ExtendedSystem
@@ -48,11 +48,10 @@ class Robots(NamedTuple):
 def robots(name: str, effects: str, count: int) -> Robots:
     given = case(name, 3, effects, count=EACH + 1)
     mass = "platform_mass" if "platform_mass" in given.parameters._fields else "toolhead_mass"
-    values = chosen(given.mechanism, EFFECTS[effects])
     systems = []
     for b in range(count):
         parameters = given.parameters._replace(**{mass: getattr(given.parameters, mass) * (1 + b / 7)})
-        systems.append(ExtendedSystem(given.mechanism, parameters, values))
+        systems.append(ExtendedSystem(given.mechanism, parameters, given.values))
     robot = robot_of(given)
     moves = resolve_all(robot, [path for path in paths(robot) if path != "axis.joint_radius"])
     moves += [
@@ -92,6 +91,11 @@ def test_derivatives_are_those_of_the_generated_code(subtests: pytest.Subtests, 
     for effects, count in product(EFFECTS, [1, 3]):
         with subtests.test(f"{effects}, {count}"):
             assert_derivatives(name, effects, count)
+
+
+@pytest.mark.parametrize("name", SIX_LEGGED)
+def test_derivatives_of_platforms_that_turn(name: str) -> None:
+    assert_derivatives(name, "everything", 2)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from helpers.robots import sample_mechanisms, sample_robots
+from helpers.robots import sample_mechanisms, sample_robots, six_legged
 from pkmodes import read_robot
 from pkmodes.core.compiled.evaluator import Evaluator
 from pkmodes.core.compiled.lanes import FIELDS, RATES, Terms
@@ -24,8 +25,16 @@ from pkmodes.sensitivity.compiled import terms_of
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 
 ROOT = Path(__file__).parents[3]
-ROBOTS = {"linear_delta": "linear-delta-2022", "rotary_delta": "clavel-delta", "corexy": "corexy-printer"}
+ROBOTS = {
+    "linear_delta": "linear-delta-2022",
+    "rotary_delta": "clavel-delta",
+    "corexy": "corexy-printer",
+    "hexapod": "hexapod",
+    "hexaglide": "hexaglide",
+}
 NAMES = ("linear_delta", "rotary_delta", "corexy")
+#: Their platforms turn, with twelve and eighteen coordinates: large programs, of which few cases are tried.
+SIX_LEGGED = ("hexapod", "hexaglide")
 #: Names of effects by which combination is on.
 EFFECTS = {
     "none": (),
@@ -45,16 +54,24 @@ EXTREMES = {
 
 
 class Case(NamedTuple):
-    """A robot with effects, and poses around a regular one."""
+    """A robot with effects of some values, and poses around a regular one."""
 
     mechanism: Mechanism
     parameters: Any
     evaluation: Evaluation
     poses: np.ndarray
+    values: dict[str, float]
 
 
+@cache
 def robot(name: str, seed: int) -> tuple[Any, np.ndarray]:
     """Parameters and a pose; of the linear delta the first two robots are symmetric."""
+    if name in SIX_LEGGED:
+        machine, place = six_legged.MACHINES[name](seed)
+        with TemporaryDirectory() as folder:
+            file = Path(folder) / "robot.toml"
+            file.write_text(six_legged.toml_text(machine), encoding="utf-8")
+            return read_robot(file).parameters, np.array(place)
     if name == "linear_delta":
         rng = np.random.default_rng(seed)
         made = (sample_robots.published, sample_robots.tower_printer)
@@ -77,21 +94,31 @@ def case(name: str, seed: int, effects: str = "none", extreme: str = "as it is",
     rng = np.random.default_rng(seed + 1000)
     poses = pose + 0.02 * rng.uniform(-1, 1, (count, len(pose)))
     poses[: count // 10] = pose  # symmetric where the robot is
-    values = chosen(mechanism, EFFECTS[effects])
+    values = chosen(mechanism, EFFECTS[effects], typical(name, seed))
     evaluation = (
         ExtendedSystem(mechanism, parameters, values) if values else Evaluation(mechanism, parameters)
     )
-    return Case(mechanism, parameters, evaluation, poses)
+    return Case(mechanism, parameters, evaluation, poses, values)
 
 
-def chosen(mechanism: Mechanism, names: tuple[str, ...]) -> dict[str, float]:
-    """Typical values of the effects whose names are given, those that apply; an empty name means all."""
+def typical(name: str, seed: int) -> dict[str, float]:
+    """Values of effects that matter beside those of a robot."""
+    if name not in SIX_LEGGED:
+        return sample_mechanisms.TYPICAL
+    found = six_legged.effects(
+        six_legged.MACHINES[name](seed)
+    )  # machines of any size have effects of their size
+    return {f"{effect}_{key}": value for effect, table in found.items() for key, value in table.items()}
+
+
+def chosen(mechanism: Mechanism, names: tuple[str, ...], values: dict[str, float]) -> dict[str, float]:
+    """Values of the effects whose names are given, those that apply; an empty name means all."""
     return {
-        f"{effect.name}.{parameter.name}": sample_mechanisms.TYPICAL[f"{effect.name}_{parameter.name}"]
+        f"{effect.name}.{parameter.name}": values[f"{effect.name}_{parameter.name}"]
         for effect in mechanism.effects.values()
         if effect.name in names or "" in names
         for parameter in effect.parameters
-        if f"{effect.name}_{parameter.name}" in sample_mechanisms.TYPICAL
+        if f"{effect.name}_{parameter.name}" in values
     }
 
 
@@ -130,7 +157,7 @@ def results(
         (m,),
         (m,),
         (m, n),
-        (m, len(given.mechanism.directions)),
+        (m, len(given.mechanism.platform)),
         (len(given.mechanism.independent),),
         (n, n),
         (n, n),
