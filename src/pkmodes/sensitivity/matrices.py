@@ -20,13 +20,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-<<<<<<< HEAD
-from pkmodes.core.mechanism.regular import regular_poses, sample
-from pkmodes.core.mechanism.stepped import STEP
-=======
 from pkmodes.core.mechanism.regular import sample, sample_pose
-from pkmodes.core.mechanism.stepped import STEP, stepped
->>>>>>> 6cf1aea1 (fix: find regular poses of a hexaglide, so that its motors may be held; look for the sample pose once)
+from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.paths import ParameterPath
