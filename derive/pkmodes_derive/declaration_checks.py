@@ -109,7 +109,9 @@ def _check_closures(machine: Machine) -> None:
 def _check_levers(machine: Machine) -> None:
     """Check that each link of a platform that turns has its joint on it, with which its vector turns."""
     turning = machine.turning
-    for number, link in enumerate(machine.links, start=1) if turning is not None else ():
+    if turning is None:
+        return
+    for number, link in enumerate(machine.links, start=1):
         where = f"m.link, link {number}"
         if not link.lever:
             raise DefinitionError(
