@@ -31,7 +31,7 @@ NEEDS_A_SHELL = re.compile(r"[|&;<>$`*?~!(){}\[\]\\]")
 LANGUAGES = {"python", "sh", "text", "toml", "csv", "c", "yaml", "dockerfile"}
 RUN = [page for page in PAGES if any(block.elsewhere is None for block in blocks(page))]
 #: Pages with a diagnosis or several compilations; the others take a few seconds at most.
-LONG = {"docs/command-line.md", "docs/tutorial.md", "docs/diagnosis.md"}
+LONG = {"docs/command-line.md", "docs/tutorial.md", "docs/diagnosis.md", "docs/hexapod-campaign.md"}
 
 
 def commands_of(text: str) -> list[list[str]] | None:

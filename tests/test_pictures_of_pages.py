@@ -32,8 +32,11 @@ def alike(one: Path, other: Path) -> bool:
     return float(np.mean(np.asarray(difference) > 40)) < 0.005
 
 
-@pytest.mark.parametrize("name", ["tutorial", "signals", "shapers"])
-def test_the_pictures_are_current(name: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("name", "page_name"),
+    [*((name, name) for name in ("tutorial", "signals", "shapers")), ("six_legs", "gallery")],
+)
+def test_the_pictures_are_current(name: str, page_name: str, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     spec = importlib.util.spec_from_file_location(f"{name}_pictures", FOLDER / f"{name}.py")
     assert spec is not None
@@ -43,7 +46,7 @@ def test_the_pictures_are_current(name: str, tmp_path: Path) -> None:
     script.main([str(tmp_path)])
     drawn = sorted(tmp_path.iterdir())
     assert {path.stem for path in drawn} >= set(script.PICTURES)
-    page = (ROOT / f"docs/{name}.md").read_text(encoding="utf-8")
+    page = (ROOT / f"docs/{page_name}.md").read_text(encoding="utf-8")
     for path in drawn:
         assert f"(figures/{path.name})" in page
         remedy = f"run: python docs/figures/{name}.py ({path.name})"

@@ -1,4 +1,4 @@
-"""examples/roving_hammer and examples/tapped_printer: the rig writes their files again; the pages name the causes."""
+"""examples/roving_hammer, tapped_printer and hexapod: the rig writes their files again; the pages name the causes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.signals.functions import Asked
 from pkmodes.signals.reading import read_signals
-from pkmodes_rig.signals import roving_hammer, tapped_printer
+from pkmodes_rig.signals import roving_hammer, tapped_hexapod, tapped_printer
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
@@ -44,3 +44,17 @@ def test_the_rig_writes_the_recordings_of_the_tapped_printer_again(tmp_path: Pat
         # A value at the edge of a step may be rounded the other way elsewhere.
         assert apart.max() < 1.1 * tapped_printer.DIGIT / tapped_printer.GRAVITY
         assert (apart > 0.0).mean() < 0.01
+
+
+def test_the_oracle_writes_the_functions_of_the_hexapod_again(tmp_path: Path) -> None:
+    stored = EXAMPLES / "hexapod"
+    poses = tapped_hexapod.POSES
+    assert {f"{label}_{k}.uff" for label in poses for k in (1, 2)} == {one.name for one in stored.glob("*.uff")}
+    shutil.copy(stored / "robot.toml", tmp_path)
+    for name, contents in tapped_hexapod.files(tmp_path, dict(list(poses.items())[:2])):
+        (tmp_path / name).write_bytes(contents)
+        made, kept = (read_signals(folder / name, Asked()).functions for folder in (tmp_path, stored))
+        for one, other in zip(made, kept, strict=True):
+            np.testing.assert_allclose(
+                one.values, other.values, rtol=0, atol=1e-5 * np.abs(other.values).max()
+            )

@@ -51,7 +51,7 @@ def _example(name: str, text: str, page: str, command: str, place: str = "") -> 
 CATALOGUE = (
     _example(
         "robots",
-        "Robot files of four machines, the published linear delta among them.",
+        "Robot files of every mechanism, the published linear delta among them.",
         "writing-a-robot-file",
         "pkmodes modes robots/linear-delta-2022.toml --pose 0.6,0,-0.245",
         ROBOTS,
@@ -85,6 +85,12 @@ CATALOGUE = (
         "Blows in time at six points of a linear delta, and its robot file.",
         "roving-hammer",
         "pkmodes identify examples/roving_hammer/campaign.toml --out modes.csv",
+    ),
+    _example(
+        "hexapod",
+        "Frequency responses of a hexapod, one of whose legs is softer, and its robot file.",
+        "hexapod-campaign",
+        "pkmodes identify examples/hexapod/campaign.toml --out modes.csv",
     ),
     _example(
         "voron",
