@@ -24,7 +24,6 @@ from pkmodes_rig.suites.specimens import (
     measurements_of,
     robot_of,
     with_effect,
-    with_outside,
 )
 
 SEED = 2
@@ -40,7 +39,7 @@ def diagnosed(case: ClearCase, specimen: Specimen) -> Diagnosis:
     ("machine", "number", "drives", "effect", "size"),
     [
         ("hexapod", 1, "held", "payload", 0.7),  # sensors on the platform
-        ("hexaglide", 2, "free", "link_compliance", 1.1e-7),  # sensors on the carriages
+        ("hexaglide", 2, "held", "link_compliance", 2e-7),  # sensors on the carriages
     ],
 )
 def test_an_effect_is_named_with_its_value(
@@ -56,12 +55,6 @@ def test_an_effect_is_named_with_its_value(
 def test_a_hexapod_that_lacks_nothing_is_adequate() -> None:
     case = ClearCase("nothing missing", 0, "hexapod", (), (0.0, 0.0))
     assert diagnosed(case, Specimen("hexapod")).verdict == "adequate"
-
-
-def test_a_spring_on_one_carriage_is_outside_the_catalogue() -> None:
-    case = ClearCase("outside the catalogue", 1, "hexaglide", ("leg_hose",), (9.0, 50.0), outside=True)
-    found = diagnosed(case, with_outside("hexaglide", "leg_hose", 2e4))
-    assert judged((), found, same_of("hexaglide")) == "abstained", found.reason
 
 
 @pytest.mark.parametrize("machine", SIX_LEGGED)

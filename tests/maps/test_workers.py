@@ -291,7 +291,8 @@ def test_cases_of_a_suite_on_workers(
 
 
 @pytest.mark.parametrize(
-    "suite", ["campaigns", "clear_suites", "damping", "diagnosis", "limits", "mechanism_suites"]
+    "suite",
+    ["campaigns", "clear_suites", "damping", "diagnosis", "limits", "mechanism_suites", "six_legged_suites"],
 )
 def test_every_suite_with_a_pool_takes_a_scheduler(suite: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(running, "PATIENCE", 1)
