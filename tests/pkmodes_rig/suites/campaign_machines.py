@@ -22,7 +22,7 @@ from pkmodes_rig.signals.visits import Machine, Visit, Wander
 from pkmodes_rig.suites.mechanism_sizes import SIZES
 from pkmodes_rig.suites.motors import shows
 from pkmodes_rig.suites.sizes import EFFECT_SIZES, OUTSIDE_SIZES
-from pkmodes_rig.suites.specimens import KINDS, MACHINES, ROBOTS, Specimen, robot_of, with_effect
+from pkmodes_rig.suites.specimens import KINDS, MACHINES, ROBOTS, SIX_LEGGED, Specimen, robot_of, with_effect
 from pkmodes_rig.suites.strengths import outside_causes
 
 #: How many of sixty machines lack nothing, and how many something that the catalogue does not have.
@@ -80,7 +80,8 @@ class CampaignCase:
 def cases(seed: int, of: int = 60) -> list[CampaignCase]:
     """Return the machines of a seed: robots and kinds in equal shares, in any combination."""
     rng = np.random.default_rng([seed, 1])
-    robots = rng.permutation([list(MACHINES)[i % len(MACHINES)] for i in range(of)])
+    names = [name for name in MACHINES if name not in SIX_LEGGED]
+    robots = rng.permutation([names[i % len(names)] for i in range(of)])
     kinds = rng.permutation([KINDS_OF_RECORD[i % 3] for i in range(of)])
     held = rng.permutation([i % 2 == 0 for i in range(of)])
     complete, outside = (round(of * count / 60) for count in (COMPLETE, OUTSIDE))
