@@ -365,8 +365,7 @@ class Description(Part, frozen=True, omit_defaults=True):
         A field that enters only through its difference from another, and the other, which has the sensitivities.
     drawing : Drawing
     rotations : tuple of str
-        Axes about which the platform turns; pose components ``r`` + axis are its rotation.  Empty where it only
-        translates.
+        Axes about which the platform turns, if it does; pose components ``r`` + axis are its rotation.
     """
 
     name: Name = field(name="mechanism")
@@ -398,7 +397,5 @@ class Description(Part, frozen=True, omit_defaults=True):
     @property
     def platform(self) -> tuple[Named, ...]:
         """The components of the platform's motion, the rows of its Jacobian: displacements, then small rotations."""
-        return (
-            *(Named(f"p_{axis}", "m", f"displacement along {axis}") for axis in self.directions),
-            *(Named(f"r_{axis}", "rad", f"small rotation about {axis}") for axis in self.rotations),
-        )
+        moved = tuple(Named(f"p_{axis}", "m", f"displacement along {axis}") for axis in self.directions)
+        return moved + tuple(Named(f"r_{a}", "rad", f"small rotation about {a}") for a in self.rotations)

@@ -49,7 +49,9 @@ def test_the_rig_writes_the_recordings_of_the_tapped_printer_again(tmp_path: Pat
 def test_the_oracle_writes_the_functions_of_the_hexapod_again(tmp_path: Path) -> None:
     stored = EXAMPLES / "hexapod"
     poses = tapped_hexapod.POSES
-    assert {f"{label}_{k}.uff" for label in poses for k in (1, 2)} == {one.name for one in stored.glob("*.uff")}
+    assert {f"{label}_{k}.uff" for label in poses for k in (1, 2)} == {
+        one.name for one in stored.glob("*.uff")
+    }
     shutil.copy(stored / "robot.toml", tmp_path)
     for name, contents in tapped_hexapod.files(tmp_path, dict(list(poses.items())[:2])):
         (tmp_path / name).write_bytes(contents)
