@@ -138,8 +138,7 @@ class ParameterGroup(Part, frozen=True):
     ----------
     path : str
     kind : str
-        ``span``: moves both ends of every pair evenly apart; ``radius``: scales every vector.  The value is that of
-        the first entry.
+        ``span``: moves both ends of every pair evenly apart; ``radius``: scales every vector.  Its value: the first.
     field, unit, description : str
     """
 
@@ -365,7 +364,7 @@ class Description(Part, frozen=True, omit_defaults=True):
         A field that enters only through its difference from another, and the other, which has the sensitivities.
     drawing : Drawing
     rotations : tuple of str
-        Axes about which the platform turns, if it does; pose components ``r`` + axis are its rotation.
+        Axes about which the platform turns, if any: see `components`.
     """
 
     name: Name = field(name="mechanism")
@@ -392,7 +391,7 @@ class Description(Part, frozen=True, omit_defaults=True):
     @property
     def components(self) -> tuple[Name, ...]:
         """The pose components that say where the platform is and how it is turned, in the order of `platform`."""
-        return (*self.directions, *(f"r{axis}" for axis in self.rotations))
+        return self.directions + tuple(f"r{axis}" for axis in self.rotations)
 
     @property
     def platform(self) -> tuple[Named, ...]:
