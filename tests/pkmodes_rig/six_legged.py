@@ -22,7 +22,7 @@ FRAME = ("u_x", "u_y", "u_z")
 #: Frequency of the isolated absorber [Hz], below the lowest vibration mode.
 TUNED = {"hexapod": 150.0, "hexaglide": 40.0}
 #: Fields of a machine's shared tables, each a value for all legs or one for each leg in the parameters.
-TABLES = {
+TABLES: dict[str, dict[str, tuple[str, ...]]] = {
     "hexapod": {
         "leg": (
             *("stiffness", "base_mass", "base_center", "base_inertia"),

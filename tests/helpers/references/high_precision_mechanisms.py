@@ -150,7 +150,7 @@ class HighPrecision:
 
     def columns(self, positions: Callable[[Vector], Sequence[Vector]]) -> list[list[Vector]]:
         """Derivatives of several positions by each coordinate: [coordinate][position][component]."""
-        found = []
+        found: list[list[Vector]] = []
         for name in self.coordinates:
             ahead, behind = positions(self.at(**{name: STEP})), positions(self.at(**{name: -STEP}))
             pairs = zip(ahead, behind, strict=True)

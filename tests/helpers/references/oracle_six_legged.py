@@ -271,7 +271,8 @@ class SixLegged:
 
         def along(*which: int) -> np.ndarray:
             ahead, behind = (values(self.at(*((k, step) for k in which))) for step in (STEP, -STEP))
-            return (np.array(ahead, dtype=object) + np.array(behind, dtype=object) - 2 * here) / STEP**2
+            bent = np.array(ahead, dtype=object) + np.array(behind, dtype=object) - 2 * here
+            return np.asarray(bent / STEP**2)
 
         single = [along(k) for k in range(n)]
         found = np.empty((n, n, len(here)), dtype=object)
@@ -349,7 +350,7 @@ class SixLegged:
         """Transmissions, and the springs to ground: of the motors, and of the platform's origin."""
         found = self.form(self.springs())
         motion = self.platform_motion()[:3]
-        return found + self.effect("cable_stiffness", "stiffness") * motion.T @ motion
+        return np.asarray(found + self.effect("cable_stiffness", "stiffness") * motion.T @ motion)
 
     def released_stiffness(self) -> dict[str, Number]:
         """Stiffness of the joints that effects release, by coordinate."""
@@ -549,7 +550,7 @@ class Hexaglide(SixLegged):
             width = self.of(j, "belt", "width")
             unit_stiffness = width * self.of(j, "belt", "specific_stiffness") * factor * preload
             for length, one, other in self.spans(j):
-                strain = other | {name: -value for name, value in one.items()}
+                strain = {**other, **{name: -value for name, value in one.items()}}
                 found.append((1 / (length / unit_stiffness + series), strain))
         return found
 

@@ -54,7 +54,7 @@ def rotation(vector: Any) -> np.ndarray:
         return np.eye(3)
     x, y, z = np.asarray(vector) / angle
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
+    return np.asarray(np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross)
 
 
 def hexapod(seed: int) -> Case:
@@ -230,7 +230,7 @@ def _pose(rng: np.random.Generator, spread: Any, middle: Any) -> np.ndarray:
 
 
 def _units(vectors: np.ndarray) -> np.ndarray:
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
 
 
 def _nearest(starts: np.ndarray, ends: np.ndarray) -> float:

@@ -24,7 +24,7 @@ from pkmodes_rig.signals import universal
 SEED = 39
 #: What the robot file does not say, and by how much what it calls uncertain is off.
 FACTOR = {3: -0.25}
-OFF = {"mass": 0.008, "inertia": (-0.015, 0.02, 0.01), "stiffness": -0.04}
+OFF: Mapping[str, Any] = {"mass": 0.008, "inertia": (-0.015, 0.02, 0.01), "stiffness": -0.04}
 #: Position [m] and rotation vector [rad] of each pose; the file states millimetres and degrees.
 POSES: Mapping[str, tuple[float, ...]] = {
     label: (*np.array(pose[:3]) / 1e3, *np.radians(pose[3:]))
