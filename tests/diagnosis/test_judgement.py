@@ -7,6 +7,7 @@ chi-square is known: a cause of strength z gains z^2.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import pytest
@@ -26,8 +27,8 @@ SETUPS, MODES = 10, 5
 DIRECTIONS = directions(SETUPS * MODES, 12)
 
 
-def structure(signatures: Mapping[str, np.ndarray], **roles: dict[str, bool]) -> LogLinear:
-    """One cause for each signature; some are remote or not nameable."""
+def structure(signatures: Mapping[str, np.ndarray], **roles: dict[str, Any]) -> LogLinear:
+    """One cause for each signature; some are remote, not nameable, or part of another."""
     return of_signatures(signatures, SETUPS, MODES, roles=roles)
 
 
@@ -85,6 +86,22 @@ def test_a_nameable_remote_cause_that_looks_like_a_plain_one_is_listed_in_its_cl
         # One that cannot be named is in no class.
         strange = found(structure({"a": a, "b": b, "like a": like_a}, **{"like a": STRANGE}), change)
         assert set(strange.effects[0].members) == {"a"}
+
+
+def test_parts_that_cannot_be_told_apart_are_claimed_only_with_their_whole() -> None:
+    a, b = DIRECTIONS[:2]
+    signatures = {
+        name: (a + k * b) / np.hypot(1.0, k) for name, k in (("x", 0.0), ("y", 0.02), ("whole", 0.01))
+    }
+    parts = {name: {"part_of": "whole"} for name in ("x", "y")}
+    alone = {name: signatures[name] for name in parts}
+    without = found(structure(alone, **parts), 30.0 * a)
+    assert without.verdict == "ambiguous"
+    assert {name for group in without.survivors for name in group} == {"x", "y"}
+    # One part is a claim; so are causes that are no parts, and the whole with its parts.
+    assert found(structure(alone, x=parts["x"]), 30.0 * a).verdict == "effect_found"
+    assert found(structure(alone), 30.0 * a).verdict == "effect_found"
+    assert set(found(structure(signatures, **parts), 30.0 * a).effects[0].members) == {"x", "y", "whole"}
 
 
 def test_a_remote_cause_that_can_be_told_from_a_plain_one_and_fits_better_is_not_hidden_by_it() -> None:

@@ -99,6 +99,18 @@ def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
     return grouped(fits, lambda member, fit: fitter.difference(fit, member) < near)
 
 
+def parts_alone(members: Sequence[Fit]) -> bool:
+    """Return whether a class has several parts of a whole that is not in it, such as two directions of a frame.
+
+    Data that do not tell along which direction a frame yields do not tell either that it yields along one of them,
+    rather than obliquely, or by rocking.
+    """
+    causes = [fit.causes[-1] for fit in members]
+    names = {cause.name for cause in causes}
+    wholes = [cause.part_of for cause in causes if cause.part_of and cause.part_of not in names]
+    return len(set(wholes)) < len(wholes)
+
+
 def nested(fitter: Fitter, a: Fit, b: Fit) -> bool:
     """Return whether two fits differ in one cause, and one of these is a special case of the other at both fits."""
     of_a = [cause for cause in a.causes if cause not in b.causes]
