@@ -104,6 +104,13 @@ def test_parts_that_cannot_be_told_apart_are_claimed_only_with_their_whole() -> 
     assert set(found(structure(signatures, **parts), 30.0 * a).effects[0].members) == {"x", "y", "whole"}
 
 
+def test_a_whole_and_a_part_of_it_are_not_claimed_together() -> None:
+    a, b = DIRECTIONS[:2]
+    change = 30.0 * a + 40.0 * b
+    assert names(found(structure({"whole": a, "x": b}), change)) == ["whole", "x"]
+    assert found(structure({"whole": a, "x": b}, x={"part_of": "whole"}), change).verdict == "unexplained"
+
+
 def test_a_remote_cause_that_can_be_told_from_a_plain_one_and_fits_better_is_not_hidden_by_it() -> None:
     """z = 4.6 from the plain one's best fit: not enough for the gate, which asks for the sum of all squares."""
     a, b = DIRECTIONS[:2]

@@ -105,7 +105,7 @@ def test_a_claim_is_refused_where_its_general_form_is_significantly_better(z: fl
         (effect,) = diagnosis.effects
         assert effect.members == ("special",)  # a form of it has no name of its own
     else:
-        assert diagnosis.verdict == "unexplained"
+        assert (diagnosis.verdict, diagnosis.rule) == ("unexplained", "claims.more_general")
         assert (
             "special would explain the residual, but general would do so significantly better"
             in diagnosis.reason

@@ -29,7 +29,7 @@ TABLES = {
 #: Tests of the rules that decide no case of the suites.
 SHOWN_BY = {
     "after.dead_channel": "tests/diagnosis/test_notes.py",
-    "claims.held_out": "tests/diagnosis/test_held_out.py",
+    "claims.more_general": "tests/diagnosis/test_nested.py",
     **dict.fromkeys(
         (
             *("claims.better_shapes", "claims.not_settled"),

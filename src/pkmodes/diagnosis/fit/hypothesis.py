@@ -55,6 +55,10 @@ class Hypothesis:
         """Whether it has a remote cause."""
         return any(cause.remote for cause in self.causes)
 
+    def allows(self, cause: Candidate) -> bool:
+        """Return whether a cause may be added: a whole and a part of it are the same cause given in two ways."""
+        return not any(cause.part_of == one.name or one.part_of == cause.name for one in self.causes)
+
     def adding(self, cause: Candidate) -> Hypothesis:
         """Return the hypothesis with an additional cause."""
         return replace(self, causes=(*self.causes, cause))

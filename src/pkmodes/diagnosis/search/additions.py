@@ -189,9 +189,9 @@ class Additions:
         return self._rows <= self.criteria.search.few_rows and count * (count - 1) // 2 <= FEW_PAIRS
 
     def _testable(self, fit: Fit, candidate: Candidate) -> bool:
-        """Return whether data are left to test the fit: otherwise a cause would fit anything."""
+        """Return whether a cause may be added, and data are left to test it: otherwise it would fit anything."""
         free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
-        return self.store.degrees(fit) > free
+        return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free
 
     def _refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
         """Return fits with one more cause; new ones are rough, each from the best of several starts."""

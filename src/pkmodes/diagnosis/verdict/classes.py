@@ -99,6 +99,13 @@ def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
     return grouped(fits, lambda member, fit: fitter.difference(fit, member) < near)
 
 
+def distinct(members: Sequence[Fit]) -> int:
+    """Return the number of causes in a class, a whole and its parts counted once."""
+    causes = [fit.causes[-1] for fit in members]
+    names = {cause.name for cause in causes}
+    return sum(cause.part_of not in names for cause in causes)
+
+
 def parts_alone(members: Sequence[Fit]) -> bool:
     """Return whether a class has several parts of a whole that is not in it, such as two directions of a frame.
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from pkmodes.diagnosis.readings import table
 from pkmodes.diagnosis.verdict import misfit
-from pkmodes.diagnosis.verdict.classes import more_general, parts_alone
+from pkmodes.diagnosis.verdict.classes import distinct, more_general, parts_alone
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
@@ -284,7 +284,7 @@ def several_explanations(e: Evidence) -> Says | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, most = e.claim, e.criteria.claim.most_members
     many = any(len(groups) > 1 for groups in claim.grouped)
-    many = many or any(len(own) > most or parts_alone(own) for own in claim.own)
+    many = many or any(distinct(own) > most or parts_alone(own) for own in claim.own)
     if not claim.others and not many:
         return None
     remaining = [[name for name, _ in group] for group in claim.remains()]
