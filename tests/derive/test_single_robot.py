@@ -49,6 +49,7 @@ VALUES: dict[str, dict[str, float]] = {
     "link_compliance": {"compliance": 1e-7},
     "clamp_compliance": {"compliance": 1e-7},
     "frame_compliance": {"compliance": 1e-8},
+    "gantry_racking": {"compliance": 1e-4, "inertia": 0.02, "center": 0.14},
     "belt_loss": {"loss_factor": 0.02},
     "reducer_loss": {"loss_factor": 0.03},
     "rail_friction": {"viscous": 20.0},
