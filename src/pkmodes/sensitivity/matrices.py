@@ -90,8 +90,7 @@ def geometry_of(mechanism: Mechanism) -> frozenset[str]:
 
 def _motion_moves(mechanism: Mechanism) -> Iterator[str]:
     """Yield the effect parameters, dotted, that change that motion of the sample robot at a regular pose."""
-    plain, extended = sample(mechanism), mechanism.extended
-    p = sample_pose(mechanism)
+    plain, extended, p = sample(mechanism), mechanism.extended, sample_pose(mechanism)
     for field, dotted in effect_fields(mechanism).items():
         moved = extended.Effects(**{field: STEP * 1j})
         motion = Generated(extended, plain, moved).extended_platform_motion(p)
