@@ -160,7 +160,7 @@ DIAGNOSIS = ("core.base", "core.linalg", "core.robot.columns", "support", "measu
 #: Most lines of a module.
 MOST = 400
 #: Modules of one idea that is longer, most of it docstrings: the evaluator of a robot, what a mechanism declares.
-LONG = {"src/pkmodes/core/model.py": 650, "derive/pkmodes_derive/machine.py": 620}
+LONG = {"src/pkmodes/core/model.py": 650, "derive/pkmodes_derive/machine.py": 590}
 
 
 def modules_imported(file: Path) -> set[str]:

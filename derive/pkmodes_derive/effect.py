@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import reduce
 from typing import Any
 
 from sympy import Expr, Symbol
@@ -27,6 +26,12 @@ COMPLIANCE = "compliance"
 def _letter(name: str) -> str:
     """Return the letter of the index in a name, empty for none."""
     return next((letter for letter in "ij" if f"{{{letter}}}" in name), "")
+
+
+def _worded(text: str, machine: Any) -> str:
+    """Return a text with a machine's words for the body that carries payloads."""
+    carrier = machine.carries
+    return text.replace("{carrier}", carrier.name).replace("{on_carrier}", carrier.place)
 
 
 @dataclass(frozen=True)
@@ -72,11 +77,11 @@ class EffectParameter:
     turning: bool = False
 
     def on(self, machine: Any) -> EffectParameter:
-        """Return the parameter with the unit that it has on a machine."""
-        if self.along_legs is None or not machine.linear_drives:
-            return self
-        unit, description = self.along_legs
-        return replace(self, unit=unit, description=description)
+        """Return the parameter with the unit and the description that it has on a machine."""
+        unit, description = self.unit, self.description
+        if self.along_legs is not None and machine.linear_drives:
+            unit, description = self.along_legs
+        return replace(self, unit=unit, description=_worded(description, machine))
 
     def at(self, place: str) -> EffectParameter:
         """Return the parameter for one part, if it exists once for each."""
@@ -193,16 +198,6 @@ class Effect:
         """Position of its coordinates among those of other effects."""
         return self.released.order if self.released else 0
 
-    def in_words_of(self, machine: Any) -> Effect:
-        """Return the effect with the words that a machine has for the body that carries payloads."""
-        words = {"{carrier}": machine.carries.name, "{on_carrier}": machine.carries.place}
-
-        def worded(text: str) -> str:
-            return reduce(lambda found, word: found.replace(word, words[word]), words, text)
-
-        parameters = tuple(replace(p, description=worded(p.description)) for p in self.parameters)
-        return replace(self, sentence=worded(self.sentence), parameters=parameters)
-
     def on(self, machine: Any) -> Effect:
         """Return the effect with the parameters and coordinates it has on a machine."""
         parts = self.parts(machine)
@@ -211,7 +206,8 @@ class Effect:
         own = [p.on(machine) for p in self.parameters if machine.turning is not None or not p.turning]
         parameters = [p.at(place) for p in own for place in places[_letter(p.name)]]
         released = places[_letter(self.released.name)] if self.released else ()
-        return replace(self, parameters=tuple(parameters), places=released)
+        sentence = _worded(self.sentence, machine)
+        return replace(self, sentence=sentence, parameters=tuple(parameters), places=released)
 
     def softening(self, place: str) -> tuple[EffectParameter, ...]:
         """Return the compliances in series that one of its released coordinates has."""

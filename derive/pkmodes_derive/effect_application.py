@@ -29,7 +29,7 @@ def apply_effects(
     machine.delta_p = machine.of_platform(
         "delta_p", "m", "small displacement of the platform from the pose", r"(\Delta p)_{i}"
     )
-    machine.effects = tuple(_free(effect.in_words_of(machine).on(machine), zeros) for effect in effects)
+    machine.effects = tuple(_free(effect.on(machine), zeros) for effect in effects)
     # Two passes: each effect sees every released coordinate, whatever the order of application.
     prepared = [
         (effect, _parameters(machine, effect), _release(machine, effect)) for effect in machine.effects

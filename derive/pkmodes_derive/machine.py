@@ -37,7 +37,7 @@ from pkmodes_derive.tables import Declared, Tables
 from pkmodes_derive.turning import Turning
 from pkmodes_derive.vectors import placed
 from pkmodes_derive.vocabulary import AXES, DeclarationError, Field, Vocabulary
-from pkmodes_description import Margin, ParameterGroup, Requirement, Scale
+from pkmodes_description import Axis, Margin, ParameterGroup, Requirement, Scale
 
 #: Meaning of the index letters; a mechanism may override it.
 LETTERS = {
@@ -126,8 +126,6 @@ class Machine:
         Dissipation functions [W] that effects add: half the power that viscous friction takes, quadratic in rates.
     elastic_of : list of str
         The effect that added each elastic energy.
-    weights : list of (mass, position)
-        Bodies on which gravity acts, added by effects.
     compliances : tuple of sympy.Expr
         Spring compliance of each released coordinate: a parameter, or the sum of several.
     effects : tuple of Effect
@@ -137,7 +135,7 @@ class Machine:
     """
 
     def __init__(
-        self, name: str, title: str, directions: Sequence[str] = AXES, rotations: Sequence[str] = ()
+        self, name: str, title: str, directions: Sequence[str] = AXES, rotations: Sequence[Axis] = ()
     ) -> None:
         self.name, self.title, self.directions = name, title, tuple(directions)
         self.rotations = tuple(rotations)
@@ -181,7 +179,6 @@ class Machine:
         self.dissipation: list[Expr] = []
         self.elastic: list[Expr] = []
         self.elastic_of: list[str] = []
-        self.weights: list[tuple[Expr, Sequence[Expr]]] = []
         self.released: tuple[Coordinate, ...] = ()
         self.compliances: tuple[Expr, ...] = ()
         self.effects: tuple[Effect, ...] = ()
@@ -401,9 +398,8 @@ class Machine:
         felt = "inertia of leg {j} at its platform joint, perpendicular to the leg"
         lifted = "mass that is lifted with the vector of leg {j}"
         leg = Leg(
-            link.vector,
+            link,
             (ends[0], ends[1]),
-            link.coordinate,
             tuple(parts),
             v.declare("m_perp_{j}", "kg", felt, r"m_{{\perp,{j}}}", **index),
             v.declare("m_lift_{j}", "kg", lifted, r"m_{{\uparrow,{j}}}", **index),
@@ -542,34 +538,10 @@ class Machine:
         return self.carrier or Carrier("the platform", "at the platform centre", self.platform)
 
     @property
-    def platform_position(self) -> tuple[Expr, ...]:
-        """Absolute position of the platform, including the displacement of the frame."""
-        return tuple(Add(c, u) for c, u in zip(self.platform, self.frame_position, strict=True))
-
-    @property
     def moving(self) -> tuple[Coordinate, ...]:
         """Released coordinates on which positions depend: elongations of links, and the rotation of a beam."""
         of_links = (c for link in self.links for c in link.elongation)
         return (*of_links, *(self.beam.released if self.beam else ()))
-
-    def turn_beam(self, coordinate: Coordinate, middle: Expr) -> None:
-        """Turn the beam by a released coordinate, with the platform, bodies and points of the drawing on it."""
-        assert self.beam is not None
-        beam = self.beam
-        beam.released.append(coordinate)
-        beam.middle = middle
-        what = "distance of what slides along the beam from the beam's middle"
-        beam.lever = self.define(self.vocabulary.declare("b", "m", what, "b"), beam.along - middle)
-
-        def moved(position: Sequence[Expr]) -> tuple[Expr, ...]:
-            on_beam = any(self.chain.derivative(component, beam.across) != 0 for component in position)
-            return beam.turned(position) if on_beam else tuple(position)
-
-        self.platform = moved(self.platform)
-        for body in self.points:
-            if body is not beam.body:
-                body.position = moved(body.position)
-        self.draw.move(moved)
 
     def add_kinetic(self, energy: Expr) -> None:
         """Add kinetic energy, a quadratic form in rates."""
@@ -582,10 +554,6 @@ class Machine:
     def add_dissipation(self, function: Expr) -> None:
         """Add half the power that viscous friction takes, a quadratic form in rates."""
         self.dissipation.append(function)
-
-    def add_weight(self, mass: Expr, position: Sequence[Expr]) -> None:
-        """Add a body on which gravity acts."""
-        self.weights.append((mass, position))
 
     # The end of a declaration ---------------------------------------------------------------------------------
 

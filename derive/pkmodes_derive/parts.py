@@ -143,24 +143,31 @@ class Leg:
 
     Attributes
     ----------
-    vector : tuple of sympy.Symbol
-        From its joint on the frame to its joint on the platform [m], as for its `Link`.
+    link : Link
+        Closes the loop: its vector goes from the joint on the frame to that on the platform.
     ends : tuple of Position
         Positions of both joints [m].
-    length : sympy.Symbol
-        Its coordinate, which is the distance of the joints [m].
     parts : tuple of LegPart
     inertia, weight : sympy.Symbol
         Names of what the platform joint feels perpendicular to the leg [kg], and of the mass that is lifted where
         `vector` grows [kg].
     """
 
-    vector: tuple[Symbol, ...]
+    link: Link
     ends: tuple[Position, Position]
-    length: Symbol
     parts: tuple[LegPart, ...]
     inertia: Symbol
     weight: Symbol
+
+    @property
+    def vector(self) -> tuple[Symbol, ...]:
+        """Vector of its link [m]."""
+        return self.link.vector
+
+    @property
+    def length(self) -> Symbol:
+        """Its coordinate, which is the distance of the joints [m]."""
+        return self.link.coordinate
 
     @property
     def mass(self) -> Expr:

@@ -168,7 +168,6 @@ class Declared:
         latex: str,
         elements: Sequence[str] = AXES,
         *,
-        field: str = "",
         above: float | None = None,
         default: float | None = None,
     ) -> Symbols:
@@ -176,7 +175,7 @@ class Declared:
 
         They may have either sign if there is no bound.  With a default the key may be left out.
         """
-        unit, name = unit_of(dimension), field or f"{self.name}_{key}"
+        unit, name = unit_of(dimension), f"{self.name}_{key}"
         declare = self._tables._vocabulary.declare
         symbols = tuple(declare(f"{symbol}_{{i}}", unit, description, latex, i=one) for one in elements)
         text = description.format(i="i")

@@ -12,6 +12,7 @@ from pkmodes_description.encoding import FILE_NAME, DescriptionError, decode, en
 from pkmodes_description.structure import (
     CHOICES,
     UNITS,
+    Axis,
     Description,
     Drawing,
     Effect,
@@ -31,6 +32,7 @@ __all__ = [
     "CHOICES",
     "FILE_NAME",
     "UNITS",
+    "Axis",
     "Description",
     "DescriptionError",
     "Drawing",

@@ -17,7 +17,6 @@ FUNCTIONS = {
     f"{name} {function.name}": (model, function)
     for name, model in MODELS.items()
     for function in model.functions
-    if function.name != "leg_margin"  # it compares squares with that of a smallest length, a bare number
 }
 UNITS = pint.UnitRegistry()
 

@@ -116,7 +116,7 @@ def test_legs_that_depend_on_each_other_are_named(tmp_path: Any) -> None:
     """Six vertical legs hold three motions; of six, four that are parallel in one plane hold two."""
     case, _ = vertical()
     (tmp_path / "robot.toml").write_text(toml_text(case.machine), encoding="utf-8")
-    with pytest.raises(PoseError, match=r"rows 1, 2, 3, 4, 5 and 6, those of these legs, depend on each"):
+    with pytest.raises(PoseError, match=r"rows 1, 2, 3, 4, 5 and 6, one for each leg, depend on each"):
         pkmodes.load(tmp_path / "robot.toml").modes(case.pose)
     machine = deepcopy(case.machine)
     joints = [[0.1, 0, 0], [0.05, 0, 0], [-0.02, 0, 0], [0.1, 0.1, 0], [-0.1, 0.1, 0], [0.0, -0.1, 0]]

@@ -8,7 +8,7 @@ from pkmodes_derive import lagrangian
 from pkmodes_derive.assembly.closure_functions import closures
 from pkmodes_derive.assembly.condensed import Condensed
 from pkmodes_derive.assembly.derived import (
-    drive_units,
+    drive_words,
     flat,
     units_of_damping,
     units_of_mass,
@@ -166,12 +166,12 @@ def _links(c: Condensed) -> list[Function]:
 
 def _midpoint_jacobian(c: Condensed, j: int) -> Matrix:
     """Return D_d,j (equation 16 with W_c = W_t: the centre of mass is midway)."""
-    first, _ = c.machine.rods[j].ends
-    n = len(c.machine.independent)
-    moved = Matrix(3, n, lambda m, k: c.kin.chain.derivative(first[m], c.machine.independent[k]))
-    if c.machine.turning is None:
-        return Matrix(3, n, lambda m, k: (c.kin.D_p[m, k] + moved[m, k]) * HALF)
-    return Matrix(3, n, lambda m, k: moved[m, k] + HALF * c.kin.U[j][m, k])
+    q = c.machine.independent
+    first, second = (
+        Matrix(3, len(q), lambda m, k, end=end: c.kin.chain.derivative(end[m], q[k]))
+        for end in c.machine.rods[j].ends
+    )
+    return Matrix(3, len(q), lambda m, k: (second[m, k] + first[m, k]) * HALF)
 
 
 def _angular_jacobian(c: Condensed, j: int) -> Matrix:
@@ -191,9 +191,8 @@ def _dynamics(c: Condensed) -> list[Function]:
     velocities = tuple(m.velocities[i] for i in c.derived.free)
     if m.turning is None:
         h = lagrangian.velocity_forces(c.moving_energy, m.independent, velocities, c.kin.chain)
-        known = c.locked
     else:
-        h, known = forces_of_twist(c, m.turning, velocities), c.locked
+        h = forces_of_twist(c, m.turning, velocities)
     return [
         c.function(
             "kinetic_energy",
@@ -223,7 +222,7 @@ def _dynamics(c: Condensed) -> list[Function]:
                 f"generalised forces conjugate to the {m.independent_are}",
             ),
             details="With released joints locked and transmissions rigid." if m.effects else "",
-            known=known,
+            known=c.locked,
         ),
     ]
 
@@ -274,7 +273,7 @@ def _transmissions(c: Condensed) -> list[Function]:
             )
         )
     force = ", ".join({"m": "N", "rad": "N m"}[u] for u in c.delta_q.unit.split(", "))
-    of_drives, by = drive_units(m), "rotations" if "rad" in drive_units(m)[1] else "displacements"
+    of_drives = drive_words(m)
     zero = {0: "no", 2: "two", 3: "three"}.get(c.rigid_modes, str(c.rigid_modes))
     return functions + [
         c.function(
@@ -306,24 +305,24 @@ def _transmissions(c: Condensed) -> list[Function]:
         ),
         c.function(
             "static_equilibrium",
-            f"Drive {of_drives[2]} that hold the pose, and the corresponding {by}.",
+            f"Drive {of_drives.loads} that hold the pose, and the corresponding {of_drives.motions}.",
             "equation 44, solved at the pose",
             [c.pose],
             Output(
                 "tau_st",
                 (len(m.drives),),
                 c.equilibrium.torques,
-                of_drives[0],
-                "torques on the driven rotors, positive in the direction of their rotation"
-                if by == "rotations"
-                else "forces of the drives, positive in the direction of their coordinates",
+                of_drives.load_unit,
+                "forces of the drives, positive in the direction of their coordinates"
+                if m.linear_drives
+                else "torques on the driven rotors, positive in the direction of their rotation",
             ),
             Output(
                 "theta_st",
                 (len(rotations),),
                 rotations,
-                of_drives[1],
-                f"{by} relative to the unstrained transmissions, in the order of the coordinates",
+                of_drives.motion_unit,
+                f"{of_drives.motions} relative to the unstrained transmissions, in the order of the coordinates",
             ),
             details="Springs added by effects are relaxed at the pose, and released joints are locked."
             if m.effects

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from sympy import Add, Expr, Integer, sqrt
 
-from pkmodes_derive.assembly.condensed import Condensed
+from pkmodes_derive.assembly.condensed import COUNTS, Condensed
 from pkmodes_derive.functions import Function, Output
+from pkmodes_derive.vectors import dot
 
 
 def closures(c: Condensed) -> list[Function]:
@@ -24,7 +25,7 @@ def closures(c: Condensed) -> list[Function]:
     jacobian_norm2 = Add(*((kin.D_l[j, m] / length[m]) ** 2 for j in range(n) for m in range(n)))
     q, turns = c.machine.argument, bool(c.machine.rotations)
     return [
-        *([_length_function(c)] if turns else []),
+        *([_joints_function(c)] if turns else []),
         c.function(
             "constraint_jacobians",
             f"Constraint Jacobians D_l and D_r of D_l p_dot = D_r {q}_dot.",
@@ -49,9 +50,7 @@ def closures(c: Condensed) -> list[Function]:
         c.function(
             "jacobian_condition",
             "Assembly branch and condition number of D_l in the Frobenius norm.",
-            "equation 15; |D_l| |D_l^-1|, one to three times the condition number in the 2-norm"
-            if n == 3
-            else f"equation 15; |D_l| |D_l^-1|, one to {n} times the condition number in the 2-norm",
+            f"equation 15; |D_l| |D_l^-1|, one to {COUNTS.get(n, n)} times the condition number in the 2-norm",
             [c.pose],
             Output(
                 "determinant",
@@ -81,19 +80,28 @@ def _characteristic_length(c: Condensed) -> list[Expr]:
     if m.turning is None:
         return [Integer(1)] * len(m.components)
     levers = [link.lever for link in m.links]
-    length = sqrt(Add(*(component**2 for lever in levers for component in lever)) / len(levers))
+    length = sqrt(Add(*(dot(lever, lever) for lever in levers)) / len(levers))
     return [Integer(1)] * len(m.directions) + [length] * len(m.rotations)
 
 
-def _length_function(c: Condensed) -> Function:
+def _joints_function(c: Condensed) -> Function:
+    """Return the function for how the joints lie on a platform that turns."""
     turning, links = c.machine.turning, c.machine.links
     assert turning is not None
-    squares = Add(*(b**2 for link in links for b in turning.given[link.lever]))
-    text = "root mean square distance of the platform joints from the platform's origin"
+    joints = [turning.given[link.lever] for link in links]
+    squares = Add(*(dot(joint, joint) for joint in joints))
+    middle = tuple(Add(*component) / len(links) for component in zip(*joints, strict=True))
     return c.function(
-        "characteristic_length",
-        "Characteristic length of the platform, which makes rotations comparable with displacements.",
-        "the condition number of D_l",
+        "platform_joints",
+        "How the joints lie on the platform: a characteristic length, and their middle.",
+        "the condition number of D_l, in which the length makes rotations comparable with displacements",
         [],
-        Output("length", (), (sqrt(squares / len(links)),), "m", text),
+        Output(
+            "length",
+            (),
+            (sqrt(squares / len(links)),),
+            "m",
+            "root mean square distance of the platform joints from the platform's origin",
+        ),
+        Output("middle", (3,), middle, "m", "middle of the platform joints from that origin, platform axes"),
     )

@@ -8,9 +8,8 @@ from sympy import Expr, Symbol
 
 from pkmodes_derive.assembly import sensitivity
 from pkmodes_derive.assembly.derived import Derived, added
+from pkmodes_derive.assembly.sensitivity import Places
 from pkmodes_derive.functions import Function, Output
-
-Places = tuple[tuple[int, int], ...]
 
 
 def derivatives(d: Derived) -> tuple[list[Function], list[tuple[str, str, tuple[object, ...]]]]:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from sympy import Add, Expr, Integer, Matrix, Symbol
 
 from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.assembly import energy, kinematics, statics
+from pkmodes_derive.assembly.blocks import named_block
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.differentiation import partial_derivative
 from pkmodes_derive.functions import Argument
@@ -94,23 +96,12 @@ def _mass_matrix(machine: Machine, kin: kinematics.Kinematics, energies: energy.
         [[partial_derivative(kin.chain.definitions[v], rate) for rate in machine.rates] for v in twist]
     )
     second = implicit.second_derivatives(T, machine.rates, twist, unrelated)
+    # The apparent mass: that of the platform if it carried the other bodies at their joints.
+    what = "apparent mass of the platform, entry {i}, {a}"
+    mass = named_block(machine, second.dependent, "M_p", ("kg", "kg m", "kg m^2"), what)
     return implicit.congruent(
-        _named_mass(machine, second), by_rates, lambda i, k, value: _momentum(machine, i, k, value)
+        replace(second, dependent=mass), by_rates, lambda i, k, value: _momentum(machine, i, k, value)
     )
-
-
-def _named_mass(machine: Machine, second: implicit.SecondDerivatives) -> implicit.SecondDerivatives:
-    """Name the apparent mass of the platform: what it would be if it carried the other bodies at their joints."""
-    names, v = machine.components, machine.vocabulary
-    first, matrix = len(machine.directions), second.dependent.copy()
-    for i in range(len(names)):
-        for k in range(i, len(names)):
-            if matrix[i, k] != 0:
-                unit = ("kg", "kg m", "kg m^2")[(i >= first) + (k >= first)]
-                what = "apparent mass of the platform, entry {i}, {a}"
-                name = v.declare("M_p_{i}_{a}", unit, what, "(M_p)_{{{i}{a}}}", i=names[i], a=names[k])
-                matrix[i, k] = matrix[k, i] = machine.define(name, matrix[i, k])
-    return replace(second, dependent=matrix)
 
 
 def _momentum(machine: Machine, i: int, k: int, value: Expr) -> Expr:
@@ -166,12 +157,20 @@ def units_of_damping(machine: Machine) -> str:
     return _listed(machine, "N s/m", "N s", "N m s")
 
 
-def drive_units(machine: Machine) -> tuple[str, str, str]:
-    """Return the units of the loads and of the static displacements of the drives, and what the loads are."""
-    v = machine.vocabulary
-    loads = dict.fromkeys(v[drive.torque].unit for drive in machine.drives)
-    moved = dict.fromkeys(v[q].unit for q in machine.coordinates if q not in machine.independent)
-    return ", ".join(loads), ", ".join(moved), "torques" if "N m" in loads else "forces"
+class DriveWords(NamedTuple):
+    """What drives exert and how they move, with the units: torques and rotations, or forces and displacements."""
+
+    loads: str
+    load_unit: str
+    motions: str
+    motion_unit: str
+
+
+def drive_words(machine: Machine) -> DriveWords:
+    """Return the words for the drives of a machine."""
+    if machine.linear_drives:
+        return DriveWords("forces", "N", "displacements", "m")
+    return DriveWords("torques", "N m", "rotations", "rad")
 
 
 def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:

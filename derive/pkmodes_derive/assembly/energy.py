@@ -154,7 +154,7 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
         if any(along):
             moved.append((rate, along))
     frame = zip(machine.frame_rate, BASIS, strict=True)
-    return [*moved, *((rate, axis) for rate, axis in frame if rate != 0)]
+    return [*moved, *((rate, along) for rate, along in frame if rate != 0)]
 
 
 def _body(machine: Machine, body: Body, w: Sequence[Symbol]) -> Expr:
@@ -218,11 +218,9 @@ def _structure(machine: Machine) -> Expr:
         along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
         u = machine.frame_rate
         T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
-    if machine.turning is not None:
-        T += Add(*(_body(machine, body, machine.turning.rates) for body in machine.bodies))
     T += Add(*(_leg(machine, leg) for leg in machine.legs))
     if machine.turning is not None:
-        return T
+        return T + Add(*(_body(machine, body, machine.turning.rates) for body in machine.bodies))
     # One coefficient for each product of velocities: the apparent mass.
     v_p = machine.v_p
     return collect(expand(T), [c**2 for c in v_p] + list(v_p))
@@ -321,7 +319,6 @@ def _gravity(machine: Machine) -> Expr:
     moment = [
         Add(
             *(mass * (position[m] + frame[m]) for mass, position in bodies),
-            *(mass * position[m] for mass, position in machine.weights),
             *(leg.mass * (leg.ends[0][m] + frame[m]) + leg.weight * leg.vector[m] for leg in machine.legs),
         )
         for m in range(3)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Set
-from typing import Literal
 
 from sympy import Add, Symbol, default_sort_key, diff
 
@@ -13,7 +12,7 @@ from pkmodes_derive.assembly.derivatives import derivatives
 from pkmodes_derive.assembly.derived import (
     Derived,
     derive,
-    drive_units,
+    drive_words,
     flat,
     units_of_mass,
     units_of_stiffness,
@@ -24,8 +23,6 @@ from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relati
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing, Named
 
-#: Axes about which a platform may turn, in the order of its components.
-ROTATIONS: tuple[Literal["x", "y", "z"], ...] = ("x", "y", "z")
 Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
 
 
@@ -82,7 +79,7 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
         difference_pairs=tuple(machine.differences.items()),
         sample=dict(machine.sample),
         drawing=drawing,
-        rotations=tuple(axis for axis in ROTATIONS if axis in machine.rotations),
+        rotations=machine.rotations,
     )
 
 
@@ -233,21 +230,23 @@ def _needs(machine: Machine) -> list[Function]:
 def _static_equilibrium(d: Derived) -> Function:
     """Return the function for the static equilibrium (equation 44)."""
     torques, rotations = d.equilibrium.torques, d.equilibrium.rotations
-    loads, moved, what = drive_units(d.machine)
-    by = "rotations" if "rad" in moved else "displacements"
+    words = drive_words(d.machine)
     return Function(
         "extended_static_equilibrium",
-        f"Drive {what} and {by} that hold the pose, with the weights and stiffness changes of effects.",
+        f"Drive {words.loads} and {words.motions} that hold the pose, with the weights and stiffness changes of "
+        "effects.",
         "equation 44; springs added by effects are relaxed at the pose, and released joints are locked",
         (d.pose,),
         (
-            Output("tau_st", (len(torques),), torques, loads, f"{what} on the driven rotors"),
+            Output(
+                "tau_st", (len(torques),), torques, words.load_unit, f"{words.loads} on the driven rotors"
+            ),
             Output(
                 "theta_st",
                 (len(rotations),),
                 rotations,
-                moved,
-                f"{by} relative to the unstrained transmissions",
+                words.motion_unit,
+                f"{words.motions} relative to the unstrained transmissions",
             ),
         ),
         d.kin.definitions,

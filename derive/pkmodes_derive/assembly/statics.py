@@ -19,6 +19,7 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Integer, Matrix, Symbol, diff
 
 from pkmodes_derive import implicit, lagrangian
+from pkmodes_derive.assembly.blocks import named_block
 from pkmodes_derive.assembly.energy import Energies
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.machine import Machine
@@ -210,7 +211,7 @@ def _hessian_in_blocks(
     second = implicit.second_derivatives(
         lagrangian, kinematics.independent, machine.dependent, kinematics.partial
     )
-    names, first, v = machine.components, len(machine.directions), machine.vocabulary
+    v = machine.vocabulary
     assert machine.turning is not None
 
     def gradient(number: int, i: int, value: Expr) -> Expr:
@@ -219,16 +220,10 @@ def _hessian_in_blocks(
         return machine.define(name, value)
 
     second = implicit.with_small_rotations(second, lagrangian, machine.turning, kinematics.partial, gradient)
-    matrix, mixed = second.dependent.copy(), second.mixed.xreplace(kinematics.reference)
-    for i in range(len(names)):
-        for k in range(i, len(names)):
-            if matrix[i, k] != 0:
-                what = (
-                    "second derivative of gravity and closures with respect to the platform, entry {i}, {a}"
-                )
-                unit = ("N/m", "N", "N m")[(i >= first) + (k >= first)]
-                name = v.declare("L_{i}_{a}", unit, what, "L_{{{i}{a}}}", i=names[i], a=names[k])
-                matrix[i, k] = matrix[k, i] = machine.define(name, matrix[i, k])
+    what = "second derivative of gravity and closures with respect to the platform, entry {i}, {a}"
+    matrix = named_block(machine, second.dependent, "L", ("N/m", "N", "N m"), what)
+    mixed = second.mixed.xreplace(kinematics.reference)
+    names, first = machine.components, len(machine.directions)
 
     def named(i: int, k: int, value: Expr) -> Expr:
         if value.is_number or value.is_Symbol:

@@ -6,7 +6,7 @@ beam: gearboxes have psi with a number.
 
 from collections.abc import Mapping, Sequence
 
-from sympy import Rational, Symbol
+from sympy import Expr, Rational, Symbol
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter, Positive, Released
 from pkmodes_derive.machine import Machine
@@ -20,8 +20,21 @@ def beams(machine: Machine) -> list[Beam]:
 
 def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
     """Turn the beam and all that lies on it, and add the beam's rotational inertia."""
-    (coordinate,) = released
-    machine.turn_beam(coordinate, parameters["center"])
+    (coordinate,), (beam,) = released, beams(machine)
+    beam.released.append(coordinate)
+    beam.middle = parameters["center"]
+    what = "distance of what slides along the beam from the beam's middle"
+    beam.lever = machine.define(machine.vocabulary.declare("b", "m", what, "b"), beam.along - beam.middle)
+
+    def moved(position: Sequence[Expr]) -> tuple[Expr, ...]:
+        on_beam = any(machine.chain.derivative(component, beam.across) != 0 for component in position)
+        return beam.turned(position) if on_beam else tuple(position)
+
+    machine.platform = moved(machine.platform)
+    for body in machine.points:
+        if body is not beam.body:
+            body.position = moved(body.position)
+    machine.draw.move(moved)
     machine.add_kinetic(Rational(1, 2) * parameters["inertia"] * coordinate.rate**2)
 
 

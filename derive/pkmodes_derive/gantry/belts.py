@@ -15,6 +15,7 @@ from sympy import Add, Integer, Symbol
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.parts import Clamp, Form, Run
 from pkmodes_derive.tables import Repeated
+from pkmodes_derive.transmission_tables import geared_motor, pulley, timing_belt
 
 BELTS = range(2)
 #: Meaning of the index letters.
@@ -77,45 +78,18 @@ class Fastened:
 def declare(table: Repeated, lengths_are: str) -> Belts:
     """Declare the keys of the belts: lengths of their runs, and the shared tables belt, pulley and motor."""
     lengths = table.lengths("lengths", "l_0", 2, lengths_are, "l_{{0,{j},{k}}}")
-    belt = table.shared("belt", "one timing belt")
-    k_sp = belt.quantity(
-        "specific_stiffness",
-        "k_sp",
-        "specific stiffness",
-        "specific stiffness of belt {j}: k = w_b k_sp / free length",
-        latex="k_{{sp,{j}}}",
-        above=0.0,
-    )
-    w_b = belt.quantity("width", "w_b", "length", "width of belt {j}", latex="w_{{b,{j}}}", above=0.0)
-    pulley = table.shared("pulley", "the motor pulley of a belt")
-    R_p = pulley.quantity(
-        "radius", "R_p", "length", "radius of motor pulley {j}", latex="R_{{p,{j}}}", above=0.0
-    )
-    I_p = pulley.quantity(
-        "inertia",
-        "I_p",
-        "moment of inertia",
+    k_sp, w_b = timing_belt(table)
+    R_p, I_p = pulley(
+        table,
+        "the motor pulley of a belt",
+        "radius of motor pulley {j}",
         "moment of inertia of motor pulley {j}",
-        latex="I_{{p,{j}}}",
-        above=0.0,
     )
-    motor = table.shared("motor", "the motor of a belt")
-    I_m = motor.quantity(
-        "inertia",
-        "I_m",
-        "moment of inertia",
+    I_m, i_g = geared_motor(
+        table,
+        "the motor of a belt",
         "moment of inertia of motor {j} at its shaft",
-        latex="I_{{m,{j}}}",
-        at_least=0.0,
-    )
-    i_g = motor.quantity(
-        "gear_ratio",
-        "i_g",
-        "number",
         "gear ratio of motor {j}, motor over pulley",
-        latex="i_{{g,{j}}}",
-        field="gear_ratio",
-        above=0.0,
     )
     return Belts(table.name, lengths, k_sp, w_b, R_p, I_p, I_m, i_g)
 

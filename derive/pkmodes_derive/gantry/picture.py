@@ -67,9 +67,8 @@ def straight_belt(
     Run 1 leaves the clamped point for the motor pulley, run 2 for the idler and back below to the motor pulley.
     """
     r, side = belt.radius, 1 - along
-    across = (
-        2 * along - 1
-    )  # on this side of run 1 is the axis of a pulley that pulls it in with a positive rotation
+    # On this side of run 1 is the axis of a pulley that pulls it in with a positive rotation.
+    across = 2 * along - 1
 
     def at(place: Expr, off: int) -> tuple[Expr, ...]:
         point = list(clamped)

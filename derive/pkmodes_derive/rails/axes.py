@@ -12,11 +12,13 @@ from dataclasses import dataclass
 
 from sympy import Rational, Symbol, sqrt
 
+from pkmodes_derive.conditions import SINGULAR
 from pkmodes_derive.description import Margin, ParameterGroup, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.parts import Clamp, PointMass, Rod, Run
 from pkmodes_derive.rails.picture import Axis
+from pkmodes_derive.transmission_tables import geared_motor, pulley, timing_belt
 from pkmodes_derive.vectors import dot
 
 HALF = Rational(1, 2)
@@ -75,45 +77,18 @@ def declare_axes(m: Machine, count: int, words: Words) -> Axes:
     l_t = carriage.quantity(
         "length", "l_t", "length", "length of carriage {j} along its rail", latex="l_{{t,{j}}}", at_least=0.0
     )
-    belt = axis.shared("belt", "one timing belt")
-    k_sp = belt.quantity(
-        "specific_stiffness",
-        "k_sp",
-        "specific stiffness",
-        "specific stiffness of belt {j}: k = w_b k_sp / free length",
-        latex="k_{{sp,{j}}}",
-        above=0.0,
-    )
-    w_b = belt.quantity("width", "w_b", "length", "width of belt {j}", latex="w_{{b,{j}}}", above=0.0)
-    pulley = axis.shared("pulley", "each of the two pulleys of an axis")
-    R_p = pulley.quantity(
-        "radius", "R_p", "length", "radius of the pulleys of axis {j}", latex="R_{{p,{j}}}", above=0.0
-    )
-    I_p = pulley.quantity(
-        "inertia",
-        "I_p",
-        "moment of inertia",
+    k_sp, w_b = timing_belt(axis)
+    R_p, I_p = pulley(
+        axis,
+        "each of the two pulleys of an axis",
+        "radius of the pulleys of axis {j}",
         "moment of inertia of each pulley of axis {j}",
-        latex="I_{{p,{j}}}",
-        above=0.0,
     )
-    motor = axis.shared("motor", "motor and gearbox of an axis")
-    I_m = motor.quantity(
-        "inertia",
-        "I_m",
-        "moment of inertia",
+    I_m, i_g = geared_motor(
+        axis,
+        "motor and gearbox of an axis",
         "moment of inertia of motor {j} at the motor shaft",
-        latex="I_{{m,{j}}}",
-        at_least=0.0,
-    )
-    i_g = motor.quantity(
-        "gear_ratio",
-        "i_g",
-        "number",
         "gear ratio of axis {j}, motor over driven pulley",
-        latex="i_{{g,{j}}}",
-        field="gear_ratio",
-        above=0.0,
     )
     driven = axis.one_of(
         "driven_pulley",
@@ -338,16 +313,7 @@ def _margins(count: int) -> tuple[Margin, ...]:
             "choose a pose closer to the rails",
             (numbers,),
         ),
-        Margin(
-            "singular",
-            "jacobian_condition",
-            1,
-            "at_most_limit",
-            "the pose is singular",
-            "the pose is singular: the condition number of D_l is {value}",
-            "choose a pose farther from the singularity",
-            unit="1",
-        ),
+        SINGULAR,
         Margin(
             "limits",
             "belt_spans",

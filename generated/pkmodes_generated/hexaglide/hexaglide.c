@@ -459,153 +459,172 @@ void hexaglide_leg_margin(const hexaglide_parameters *parameters, pkmodes_real m
     const pkmodes_real sigma_4 = parameters->branch[3];
     const pkmodes_real sigma_5 = parameters->branch[4];
     const pkmodes_real sigma_6 = parameters->branch[5];
-    const pkmodes_real t1 = o_1_y - o_2_y;
+    const pkmodes_real t1 = o_1_z - o_2_z;
     const pkmodes_real t2 = o_1_x - o_2_x;
-    const pkmodes_real t3 = o_1_z - o_2_z;
-    const pkmodes_real t4 = o_1_y - o_3_y;
-    const pkmodes_real t5 = o_1_x - o_3_x;
-    const pkmodes_real t6 = o_1_z - o_3_z;
-    const pkmodes_real t7 = o_1_y - o_4_y;
-    const pkmodes_real t8 = o_1_x - o_4_x;
-    const pkmodes_real t9 = o_1_z - o_4_z;
-    const pkmodes_real t10 = o_1_y - o_5_y;
-    const pkmodes_real t11 = o_1_x - o_5_x;
-    const pkmodes_real t12 = o_1_z - o_5_z;
-    const pkmodes_real t13 = o_1_y - o_6_y;
-    const pkmodes_real t14 = o_1_x - o_6_x;
-    const pkmodes_real t15 = o_1_z - o_6_z;
-    const pkmodes_real t16 = o_2_y - o_3_y;
-    const pkmodes_real t17 = o_2_x - o_3_x;
-    const pkmodes_real t18 = o_2_z - o_3_z;
-    const pkmodes_real t19 = o_2_y - o_4_y;
-    const pkmodes_real t20 = o_2_x - o_4_x;
-    const pkmodes_real t21 = o_2_z - o_4_z;
-    const pkmodes_real t22 = o_2_y - o_5_y;
-    const pkmodes_real t23 = o_2_x - o_5_x;
-    const pkmodes_real t24 = o_2_z - o_5_z;
-    const pkmodes_real t25 = o_2_y - o_6_y;
-    const pkmodes_real t26 = o_2_x - o_6_x;
-    const pkmodes_real t27 = o_2_z - o_6_z;
-    const pkmodes_real t28 = o_3_y - o_4_y;
-    const pkmodes_real t29 = o_3_x - o_4_x;
-    const pkmodes_real t30 = o_3_z - o_4_z;
-    const pkmodes_real t31 = o_3_y - o_5_y;
-    const pkmodes_real t32 = o_3_x - o_5_x;
-    const pkmodes_real t33 = o_3_z - o_5_z;
-    const pkmodes_real t34 = o_3_y - o_6_y;
-    const pkmodes_real t35 = o_3_x - o_6_x;
-    const pkmodes_real t36 = o_3_z - o_6_z;
-    const pkmodes_real t37 = o_4_y - o_5_y;
-    const pkmodes_real t38 = o_4_x - o_5_x;
-    const pkmodes_real t39 = o_4_z - o_5_z;
-    const pkmodes_real t40 = o_4_y - o_6_y;
-    const pkmodes_real t41 = o_4_x - o_6_x;
-    const pkmodes_real t42 = o_4_z - o_6_z;
-    const pkmodes_real t43 = o_5_y - o_6_y;
-    const pkmodes_real t44 = o_5_x - o_6_x;
-    const pkmodes_real t45 = o_5_z - o_6_z;
+    const pkmodes_real t3 = o_1_y - o_2_y;
+    const pkmodes_real t4 = (b_3_y*b_3_y);
+    const pkmodes_real t5 = (b_3_z*b_3_z);
+    const pkmodes_real t6 = (b_4_x*b_4_x);
+    const pkmodes_real t7 = (b_4_y*b_4_y);
+    const pkmodes_real t8 = (b_4_z*b_4_z);
+    const pkmodes_real t9 = (b_5_x*b_5_x);
+    const pkmodes_real t10 = (b_5_y*b_5_y);
+    const pkmodes_real t11 = (b_5_z*b_5_z);
+    const pkmodes_real t12 = (b_6_x*b_6_x);
+    const pkmodes_real t13 = (b_6_y*b_6_y);
+    const pkmodes_real t14 = (b_6_z*b_6_z);
+    const pkmodes_real t15 = (b_1_x*b_1_x);
+    const pkmodes_real t16 = (b_1_y*b_1_y);
+    const pkmodes_real t17 = (b_1_z*b_1_z);
+    const pkmodes_real t18 = (b_2_x*b_2_x);
+    const pkmodes_real t19 = (b_2_y*b_2_y);
+    const pkmodes_real t20 = (b_2_z*b_2_z);
+    const pkmodes_real t21 = (b_3_x*b_3_x);
+    const pkmodes_real t22 =
+        (R(1.0)/R(6.0))*t10 + (R(1.0)/R(6.0))*t11 + (R(1.0)/R(6.0))*t12 + (R(1.0)/R(6.0))*t13
+        + (R(1.0)/R(6.0))*t14 + (R(1.0)/R(6.0))*t15 + (R(1.0)/R(6.0))*t16 + (R(1.0)/R(6.0))*t17
+        + (R(1.0)/R(6.0))*t18 + (R(1.0)/R(6.0))*t19 + (R(1.0)/R(6.0))*t20 + (R(1.0)/R(6.0))*t21
+        + (R(1.0)/R(6.0))*t4 + (R(1.0)/R(6.0))*t5 + (R(1.0)/R(6.0))*t6 + (R(1.0)/R(6.0))*t7
+        + (R(1.0)/R(6.0))*t8 + (R(1.0)/R(6.0))*t9;
+    const pkmodes_real t23 =
+        R(1.6666666666666667e-11)*t10 + R(1.6666666666666667e-11)*t11 + R(1.6666666666666667e-11)*t12
+        + R(1.6666666666666667e-11)*t13 + R(1.6666666666666667e-11)*t14 + R(1.6666666666666667e-11)*t15
+        + R(1.6666666666666667e-11)*t16 + R(1.6666666666666667e-11)*t17 + R(1.6666666666666667e-11)*t18
+        + R(1.6666666666666667e-11)*t19 + R(1.6666666666666667e-11)*t20 + R(1.6666666666666667e-11)*t21
+        + R(1.6666666666666667e-11)*t4 + R(1.6666666666666667e-11)*t5 + R(1.6666666666666667e-11)*t6
+        + R(1.6666666666666667e-11)*t7 + R(1.6666666666666667e-11)*t8 + R(1.6666666666666667e-11)*t9;
+    const pkmodes_real t24 = o_1_z - o_3_z;
+    const pkmodes_real t25 = o_1_x - o_3_x;
+    const pkmodes_real t26 = o_1_y - o_3_y;
+    const pkmodes_real t27 = o_1_z - o_4_z;
+    const pkmodes_real t28 = o_1_x - o_4_x;
+    const pkmodes_real t29 = o_1_y - o_4_y;
+    const pkmodes_real t30 = o_1_z - o_5_z;
+    const pkmodes_real t31 = o_1_x - o_5_x;
+    const pkmodes_real t32 = o_1_y - o_5_y;
+    const pkmodes_real t33 = o_1_z - o_6_z;
+    const pkmodes_real t34 = o_1_x - o_6_x;
+    const pkmodes_real t35 = o_1_y - o_6_y;
+    const pkmodes_real t36 = o_2_z - o_3_z;
+    const pkmodes_real t37 = o_2_x - o_3_x;
+    const pkmodes_real t38 = o_2_y - o_3_y;
+    const pkmodes_real t39 = o_2_z - o_4_z;
+    const pkmodes_real t40 = o_2_x - o_4_x;
+    const pkmodes_real t41 = o_2_y - o_4_y;
+    const pkmodes_real t42 = o_2_z - o_5_z;
+    const pkmodes_real t43 = o_2_x - o_5_x;
+    const pkmodes_real t44 = o_2_y - o_5_y;
+    const pkmodes_real t45 = o_2_z - o_6_z;
+    const pkmodes_real t46 = o_2_x - o_6_x;
+    const pkmodes_real t47 = o_2_y - o_6_y;
+    const pkmodes_real t48 = o_3_z - o_4_z;
+    const pkmodes_real t49 = o_3_x - o_4_x;
+    const pkmodes_real t50 = o_3_y - o_4_y;
+    const pkmodes_real t51 = o_3_z - o_5_z;
+    const pkmodes_real t52 = o_3_x - o_5_x;
+    const pkmodes_real t53 = o_3_y - o_5_y;
+    const pkmodes_real t54 = o_3_z - o_6_z;
+    const pkmodes_real t55 = o_3_x - o_6_x;
+    const pkmodes_real t56 = o_3_y - o_6_y;
+    const pkmodes_real t57 = o_4_z - o_5_z;
+    const pkmodes_real t58 = o_4_x - o_5_x;
+    const pkmodes_real t59 = o_4_y - o_5_y;
+    const pkmodes_real t60 = o_4_z - o_6_z;
+    const pkmodes_real t61 = o_4_x - o_6_x;
+    const pkmodes_real t62 = o_4_y - o_6_y;
+    const pkmodes_real t63 = o_5_z - o_6_z;
+    const pkmodes_real t64 = o_5_x - o_6_x;
+    const pkmodes_real t65 = o_5_y - o_6_y;
     margin[0] =
-        ((b_1_x - b_2_x)*(b_1_x - b_2_x)) + ((b_1_y - b_2_y)*(b_1_y - b_2_y)) + ((b_1_z - b_2_z)*(b_1_z
-        - b_2_z)) + ((l_d_1 - l_d_2)*(l_d_1 - l_d_2)) + ((n_1_x - n_2_x)*(n_1_x - n_2_x)) + ((n_1_y
-        - n_2_y)*(n_1_y - n_2_y)) + ((n_1_z - n_2_z)*(n_1_z - n_2_z)) + ((sigma_1 - sigma_2)*(sigma_1
-        - sigma_2)) + ((-n_1_x*t1 + n_1_y*t2)*(-n_1_x*t1 + n_1_y*t2)) + ((n_1_x*t3 - n_1_z*t2)*(n_1_x*t3
-        - n_1_z*t2)) + ((-n_1_y*t3 + n_1_z*t1)*(-n_1_y*t3 + n_1_z*t1)) + R(-1e-12);
+        t22*(((n_1_x - n_2_x)*(n_1_x - n_2_x)) + ((n_1_y - n_2_y)*(n_1_y - n_2_y)) + ((n_1_z - n_2_z)*(n_1_z
+        - n_2_z)) + ((sigma_1 - sigma_2)*(sigma_1 - sigma_2))) - t23 + ((b_1_x - b_2_x)*(b_1_x - b_2_x))
+        + ((b_1_y - b_2_y)*(b_1_y - b_2_y)) + ((b_1_z - b_2_z)*(b_1_z - b_2_z)) + ((l_d_1 - l_d_2)*(l_d_1
+        - l_d_2)) + ((n_1_x*t1 - n_1_z*t2)*(n_1_x*t1 - n_1_z*t2)) + ((-n_1_x*t3 + n_1_y*t2)*(-n_1_x*t3
+        + n_1_y*t2)) + ((-n_1_y*t1 + n_1_z*t3)*(-n_1_y*t1 + n_1_z*t3));
     margin[1] =
-        ((b_1_x - b_3_x)*(b_1_x - b_3_x)) + ((b_1_y - b_3_y)*(b_1_y - b_3_y)) + ((b_1_z - b_3_z)*(b_1_z
-        - b_3_z)) + ((l_d_1 - l_d_3)*(l_d_1 - l_d_3)) + ((n_1_x - n_3_x)*(n_1_x - n_3_x)) + ((n_1_y
-        - n_3_y)*(n_1_y - n_3_y)) + ((n_1_z - n_3_z)*(n_1_z - n_3_z)) + ((sigma_1 - sigma_3)*(sigma_1
-        - sigma_3)) + ((-n_1_x*t4 + n_1_y*t5)*(-n_1_x*t4 + n_1_y*t5)) + ((n_1_x*t6 - n_1_z*t5)*(n_1_x*t6
-        - n_1_z*t5)) + ((-n_1_y*t6 + n_1_z*t4)*(-n_1_y*t6 + n_1_z*t4)) + R(-1e-12);
+        t22*(((n_1_x - n_3_x)*(n_1_x - n_3_x)) + ((n_1_y - n_3_y)*(n_1_y - n_3_y)) + ((n_1_z - n_3_z)*(n_1_z
+        - n_3_z)) + ((sigma_1 - sigma_3)*(sigma_1 - sigma_3))) - t23 + ((b_1_x - b_3_x)*(b_1_x - b_3_x))
+        + ((b_1_y - b_3_y)*(b_1_y - b_3_y)) + ((b_1_z - b_3_z)*(b_1_z - b_3_z)) + ((l_d_1 - l_d_3)*(l_d_1
+        - l_d_3)) + ((n_1_x*t24 - n_1_z*t25)*(n_1_x*t24 - n_1_z*t25)) + ((-n_1_x*t26 + n_1_y*t25)*(-n_1_x*t26
+        + n_1_y*t25)) + ((-n_1_y*t24 + n_1_z*t26)*(-n_1_y*t24 + n_1_z*t26));
     margin[2] =
-        ((b_1_x - b_4_x)*(b_1_x - b_4_x)) + ((b_1_y - b_4_y)*(b_1_y - b_4_y)) + ((b_1_z - b_4_z)*(b_1_z
-        - b_4_z)) + ((l_d_1 - l_d_4)*(l_d_1 - l_d_4)) + ((n_1_x - n_4_x)*(n_1_x - n_4_x)) + ((n_1_y
-        - n_4_y)*(n_1_y - n_4_y)) + ((n_1_z - n_4_z)*(n_1_z - n_4_z)) + ((sigma_1 - sigma_4)*(sigma_1
-        - sigma_4)) + ((-n_1_x*t7 + n_1_y*t8)*(-n_1_x*t7 + n_1_y*t8)) + ((n_1_x*t9 - n_1_z*t8)*(n_1_x*t9
-        - n_1_z*t8)) + ((-n_1_y*t9 + n_1_z*t7)*(-n_1_y*t9 + n_1_z*t7)) + R(-1e-12);
+        t22*(((n_1_x - n_4_x)*(n_1_x - n_4_x)) + ((n_1_y - n_4_y)*(n_1_y - n_4_y)) + ((n_1_z - n_4_z)*(n_1_z
+        - n_4_z)) + ((sigma_1 - sigma_4)*(sigma_1 - sigma_4))) - t23 + ((b_1_x - b_4_x)*(b_1_x - b_4_x))
+        + ((b_1_y - b_4_y)*(b_1_y - b_4_y)) + ((b_1_z - b_4_z)*(b_1_z - b_4_z)) + ((l_d_1 - l_d_4)*(l_d_1
+        - l_d_4)) + ((n_1_x*t27 - n_1_z*t28)*(n_1_x*t27 - n_1_z*t28)) + ((-n_1_x*t29 + n_1_y*t28)*(-n_1_x*t29
+        + n_1_y*t28)) + ((-n_1_y*t27 + n_1_z*t29)*(-n_1_y*t27 + n_1_z*t29));
     margin[3] =
-        ((b_1_x - b_5_x)*(b_1_x - b_5_x)) + ((b_1_y - b_5_y)*(b_1_y - b_5_y)) + ((b_1_z - b_5_z)*(b_1_z
-        - b_5_z)) + ((l_d_1 - l_d_5)*(l_d_1 - l_d_5)) + ((n_1_x - n_5_x)*(n_1_x - n_5_x)) + ((n_1_y
-        - n_5_y)*(n_1_y - n_5_y)) + ((n_1_z - n_5_z)*(n_1_z - n_5_z)) + ((sigma_1 - sigma_5)*(sigma_1
-        - sigma_5)) + ((-n_1_x*t10 + n_1_y*t11)*(-n_1_x*t10 + n_1_y*t11)) + ((n_1_x*t12
-        - n_1_z*t11)*(n_1_x*t12 - n_1_z*t11)) + ((-n_1_y*t12 + n_1_z*t10)*(-n_1_y*t12 + n_1_z*t10))
-        + R(-1e-12);
+        t22*(((n_1_x - n_5_x)*(n_1_x - n_5_x)) + ((n_1_y - n_5_y)*(n_1_y - n_5_y)) + ((n_1_z - n_5_z)*(n_1_z
+        - n_5_z)) + ((sigma_1 - sigma_5)*(sigma_1 - sigma_5))) - t23 + ((b_1_x - b_5_x)*(b_1_x - b_5_x))
+        + ((b_1_y - b_5_y)*(b_1_y - b_5_y)) + ((b_1_z - b_5_z)*(b_1_z - b_5_z)) + ((l_d_1 - l_d_5)*(l_d_1
+        - l_d_5)) + ((n_1_x*t30 - n_1_z*t31)*(n_1_x*t30 - n_1_z*t31)) + ((-n_1_x*t32 + n_1_y*t31)*(-n_1_x*t32
+        + n_1_y*t31)) + ((-n_1_y*t30 + n_1_z*t32)*(-n_1_y*t30 + n_1_z*t32));
     margin[4] =
-        ((b_1_x - b_6_x)*(b_1_x - b_6_x)) + ((b_1_y - b_6_y)*(b_1_y - b_6_y)) + ((b_1_z - b_6_z)*(b_1_z
-        - b_6_z)) + ((l_d_1 - l_d_6)*(l_d_1 - l_d_6)) + ((n_1_x - n_6_x)*(n_1_x - n_6_x)) + ((n_1_y
-        - n_6_y)*(n_1_y - n_6_y)) + ((n_1_z - n_6_z)*(n_1_z - n_6_z)) + ((sigma_1 - sigma_6)*(sigma_1
-        - sigma_6)) + ((-n_1_x*t13 + n_1_y*t14)*(-n_1_x*t13 + n_1_y*t14)) + ((n_1_x*t15
-        - n_1_z*t14)*(n_1_x*t15 - n_1_z*t14)) + ((-n_1_y*t15 + n_1_z*t13)*(-n_1_y*t15 + n_1_z*t13))
-        + R(-1e-12);
+        t22*(((n_1_x - n_6_x)*(n_1_x - n_6_x)) + ((n_1_y - n_6_y)*(n_1_y - n_6_y)) + ((n_1_z - n_6_z)*(n_1_z
+        - n_6_z)) + ((sigma_1 - sigma_6)*(sigma_1 - sigma_6))) - t23 + ((b_1_x - b_6_x)*(b_1_x - b_6_x))
+        + ((b_1_y - b_6_y)*(b_1_y - b_6_y)) + ((b_1_z - b_6_z)*(b_1_z - b_6_z)) + ((l_d_1 - l_d_6)*(l_d_1
+        - l_d_6)) + ((n_1_x*t33 - n_1_z*t34)*(n_1_x*t33 - n_1_z*t34)) + ((-n_1_x*t35 + n_1_y*t34)*(-n_1_x*t35
+        + n_1_y*t34)) + ((-n_1_y*t33 + n_1_z*t35)*(-n_1_y*t33 + n_1_z*t35));
     margin[5] =
-        ((b_2_x - b_3_x)*(b_2_x - b_3_x)) + ((b_2_y - b_3_y)*(b_2_y - b_3_y)) + ((b_2_z - b_3_z)*(b_2_z
-        - b_3_z)) + ((l_d_2 - l_d_3)*(l_d_2 - l_d_3)) + ((n_2_x - n_3_x)*(n_2_x - n_3_x)) + ((n_2_y
-        - n_3_y)*(n_2_y - n_3_y)) + ((n_2_z - n_3_z)*(n_2_z - n_3_z)) + ((sigma_2 - sigma_3)*(sigma_2
-        - sigma_3)) + ((-n_2_x*t16 + n_2_y*t17)*(-n_2_x*t16 + n_2_y*t17)) + ((n_2_x*t18
-        - n_2_z*t17)*(n_2_x*t18 - n_2_z*t17)) + ((-n_2_y*t18 + n_2_z*t16)*(-n_2_y*t18 + n_2_z*t16))
-        + R(-1e-12);
+        t22*(((n_2_x - n_3_x)*(n_2_x - n_3_x)) + ((n_2_y - n_3_y)*(n_2_y - n_3_y)) + ((n_2_z - n_3_z)*(n_2_z
+        - n_3_z)) + ((sigma_2 - sigma_3)*(sigma_2 - sigma_3))) - t23 + ((b_2_x - b_3_x)*(b_2_x - b_3_x))
+        + ((b_2_y - b_3_y)*(b_2_y - b_3_y)) + ((b_2_z - b_3_z)*(b_2_z - b_3_z)) + ((l_d_2 - l_d_3)*(l_d_2
+        - l_d_3)) + ((n_2_x*t36 - n_2_z*t37)*(n_2_x*t36 - n_2_z*t37)) + ((-n_2_x*t38 + n_2_y*t37)*(-n_2_x*t38
+        + n_2_y*t37)) + ((-n_2_y*t36 + n_2_z*t38)*(-n_2_y*t36 + n_2_z*t38));
     margin[6] =
-        ((b_2_x - b_4_x)*(b_2_x - b_4_x)) + ((b_2_y - b_4_y)*(b_2_y - b_4_y)) + ((b_2_z - b_4_z)*(b_2_z
-        - b_4_z)) + ((l_d_2 - l_d_4)*(l_d_2 - l_d_4)) + ((n_2_x - n_4_x)*(n_2_x - n_4_x)) + ((n_2_y
-        - n_4_y)*(n_2_y - n_4_y)) + ((n_2_z - n_4_z)*(n_2_z - n_4_z)) + ((sigma_2 - sigma_4)*(sigma_2
-        - sigma_4)) + ((-n_2_x*t19 + n_2_y*t20)*(-n_2_x*t19 + n_2_y*t20)) + ((n_2_x*t21
-        - n_2_z*t20)*(n_2_x*t21 - n_2_z*t20)) + ((-n_2_y*t21 + n_2_z*t19)*(-n_2_y*t21 + n_2_z*t19))
-        + R(-1e-12);
+        t22*(((n_2_x - n_4_x)*(n_2_x - n_4_x)) + ((n_2_y - n_4_y)*(n_2_y - n_4_y)) + ((n_2_z - n_4_z)*(n_2_z
+        - n_4_z)) + ((sigma_2 - sigma_4)*(sigma_2 - sigma_4))) - t23 + ((b_2_x - b_4_x)*(b_2_x - b_4_x))
+        + ((b_2_y - b_4_y)*(b_2_y - b_4_y)) + ((b_2_z - b_4_z)*(b_2_z - b_4_z)) + ((l_d_2 - l_d_4)*(l_d_2
+        - l_d_4)) + ((n_2_x*t39 - n_2_z*t40)*(n_2_x*t39 - n_2_z*t40)) + ((-n_2_x*t41 + n_2_y*t40)*(-n_2_x*t41
+        + n_2_y*t40)) + ((-n_2_y*t39 + n_2_z*t41)*(-n_2_y*t39 + n_2_z*t41));
     margin[7] =
-        ((b_2_x - b_5_x)*(b_2_x - b_5_x)) + ((b_2_y - b_5_y)*(b_2_y - b_5_y)) + ((b_2_z - b_5_z)*(b_2_z
-        - b_5_z)) + ((l_d_2 - l_d_5)*(l_d_2 - l_d_5)) + ((n_2_x - n_5_x)*(n_2_x - n_5_x)) + ((n_2_y
-        - n_5_y)*(n_2_y - n_5_y)) + ((n_2_z - n_5_z)*(n_2_z - n_5_z)) + ((sigma_2 - sigma_5)*(sigma_2
-        - sigma_5)) + ((-n_2_x*t22 + n_2_y*t23)*(-n_2_x*t22 + n_2_y*t23)) + ((n_2_x*t24
-        - n_2_z*t23)*(n_2_x*t24 - n_2_z*t23)) + ((-n_2_y*t24 + n_2_z*t22)*(-n_2_y*t24 + n_2_z*t22))
-        + R(-1e-12);
+        t22*(((n_2_x - n_5_x)*(n_2_x - n_5_x)) + ((n_2_y - n_5_y)*(n_2_y - n_5_y)) + ((n_2_z - n_5_z)*(n_2_z
+        - n_5_z)) + ((sigma_2 - sigma_5)*(sigma_2 - sigma_5))) - t23 + ((b_2_x - b_5_x)*(b_2_x - b_5_x))
+        + ((b_2_y - b_5_y)*(b_2_y - b_5_y)) + ((b_2_z - b_5_z)*(b_2_z - b_5_z)) + ((l_d_2 - l_d_5)*(l_d_2
+        - l_d_5)) + ((n_2_x*t42 - n_2_z*t43)*(n_2_x*t42 - n_2_z*t43)) + ((-n_2_x*t44 + n_2_y*t43)*(-n_2_x*t44
+        + n_2_y*t43)) + ((-n_2_y*t42 + n_2_z*t44)*(-n_2_y*t42 + n_2_z*t44));
     margin[8] =
-        ((b_2_x - b_6_x)*(b_2_x - b_6_x)) + ((b_2_y - b_6_y)*(b_2_y - b_6_y)) + ((b_2_z - b_6_z)*(b_2_z
-        - b_6_z)) + ((l_d_2 - l_d_6)*(l_d_2 - l_d_6)) + ((n_2_x - n_6_x)*(n_2_x - n_6_x)) + ((n_2_y
-        - n_6_y)*(n_2_y - n_6_y)) + ((n_2_z - n_6_z)*(n_2_z - n_6_z)) + ((sigma_2 - sigma_6)*(sigma_2
-        - sigma_6)) + ((-n_2_x*t25 + n_2_y*t26)*(-n_2_x*t25 + n_2_y*t26)) + ((n_2_x*t27
-        - n_2_z*t26)*(n_2_x*t27 - n_2_z*t26)) + ((-n_2_y*t27 + n_2_z*t25)*(-n_2_y*t27 + n_2_z*t25))
-        + R(-1e-12);
+        t22*(((n_2_x - n_6_x)*(n_2_x - n_6_x)) + ((n_2_y - n_6_y)*(n_2_y - n_6_y)) + ((n_2_z - n_6_z)*(n_2_z
+        - n_6_z)) + ((sigma_2 - sigma_6)*(sigma_2 - sigma_6))) - t23 + ((b_2_x - b_6_x)*(b_2_x - b_6_x))
+        + ((b_2_y - b_6_y)*(b_2_y - b_6_y)) + ((b_2_z - b_6_z)*(b_2_z - b_6_z)) + ((l_d_2 - l_d_6)*(l_d_2
+        - l_d_6)) + ((n_2_x*t45 - n_2_z*t46)*(n_2_x*t45 - n_2_z*t46)) + ((-n_2_x*t47 + n_2_y*t46)*(-n_2_x*t47
+        + n_2_y*t46)) + ((-n_2_y*t45 + n_2_z*t47)*(-n_2_y*t45 + n_2_z*t47));
     margin[9] =
-        ((b_3_x - b_4_x)*(b_3_x - b_4_x)) + ((b_3_y - b_4_y)*(b_3_y - b_4_y)) + ((b_3_z - b_4_z)*(b_3_z
-        - b_4_z)) + ((l_d_3 - l_d_4)*(l_d_3 - l_d_4)) + ((n_3_x - n_4_x)*(n_3_x - n_4_x)) + ((n_3_y
-        - n_4_y)*(n_3_y - n_4_y)) + ((n_3_z - n_4_z)*(n_3_z - n_4_z)) + ((sigma_3 - sigma_4)*(sigma_3
-        - sigma_4)) + ((-n_3_x*t28 + n_3_y*t29)*(-n_3_x*t28 + n_3_y*t29)) + ((n_3_x*t30
-        - n_3_z*t29)*(n_3_x*t30 - n_3_z*t29)) + ((-n_3_y*t30 + n_3_z*t28)*(-n_3_y*t30 + n_3_z*t28))
-        + R(-1e-12);
+        t22*(((n_3_x - n_4_x)*(n_3_x - n_4_x)) + ((n_3_y - n_4_y)*(n_3_y - n_4_y)) + ((n_3_z - n_4_z)*(n_3_z
+        - n_4_z)) + ((sigma_3 - sigma_4)*(sigma_3 - sigma_4))) - t23 + ((b_3_x - b_4_x)*(b_3_x - b_4_x))
+        + ((b_3_y - b_4_y)*(b_3_y - b_4_y)) + ((b_3_z - b_4_z)*(b_3_z - b_4_z)) + ((l_d_3 - l_d_4)*(l_d_3
+        - l_d_4)) + ((n_3_x*t48 - n_3_z*t49)*(n_3_x*t48 - n_3_z*t49)) + ((-n_3_x*t50 + n_3_y*t49)*(-n_3_x*t50
+        + n_3_y*t49)) + ((-n_3_y*t48 + n_3_z*t50)*(-n_3_y*t48 + n_3_z*t50));
     margin[10] =
-        ((b_3_x - b_5_x)*(b_3_x - b_5_x)) + ((b_3_y - b_5_y)*(b_3_y - b_5_y)) + ((b_3_z - b_5_z)*(b_3_z
-        - b_5_z)) + ((l_d_3 - l_d_5)*(l_d_3 - l_d_5)) + ((n_3_x - n_5_x)*(n_3_x - n_5_x)) + ((n_3_y
-        - n_5_y)*(n_3_y - n_5_y)) + ((n_3_z - n_5_z)*(n_3_z - n_5_z)) + ((sigma_3 - sigma_5)*(sigma_3
-        - sigma_5)) + ((-n_3_x*t31 + n_3_y*t32)*(-n_3_x*t31 + n_3_y*t32)) + ((n_3_x*t33
-        - n_3_z*t32)*(n_3_x*t33 - n_3_z*t32)) + ((-n_3_y*t33 + n_3_z*t31)*(-n_3_y*t33 + n_3_z*t31))
-        + R(-1e-12);
+        t22*(((n_3_x - n_5_x)*(n_3_x - n_5_x)) + ((n_3_y - n_5_y)*(n_3_y - n_5_y)) + ((n_3_z - n_5_z)*(n_3_z
+        - n_5_z)) + ((sigma_3 - sigma_5)*(sigma_3 - sigma_5))) - t23 + ((b_3_x - b_5_x)*(b_3_x - b_5_x))
+        + ((b_3_y - b_5_y)*(b_3_y - b_5_y)) + ((b_3_z - b_5_z)*(b_3_z - b_5_z)) + ((l_d_3 - l_d_5)*(l_d_3
+        - l_d_5)) + ((n_3_x*t51 - n_3_z*t52)*(n_3_x*t51 - n_3_z*t52)) + ((-n_3_x*t53 + n_3_y*t52)*(-n_3_x*t53
+        + n_3_y*t52)) + ((-n_3_y*t51 + n_3_z*t53)*(-n_3_y*t51 + n_3_z*t53));
     margin[11] =
-        ((b_3_x - b_6_x)*(b_3_x - b_6_x)) + ((b_3_y - b_6_y)*(b_3_y - b_6_y)) + ((b_3_z - b_6_z)*(b_3_z
-        - b_6_z)) + ((l_d_3 - l_d_6)*(l_d_3 - l_d_6)) + ((n_3_x - n_6_x)*(n_3_x - n_6_x)) + ((n_3_y
-        - n_6_y)*(n_3_y - n_6_y)) + ((n_3_z - n_6_z)*(n_3_z - n_6_z)) + ((sigma_3 - sigma_6)*(sigma_3
-        - sigma_6)) + ((-n_3_x*t34 + n_3_y*t35)*(-n_3_x*t34 + n_3_y*t35)) + ((n_3_x*t36
-        - n_3_z*t35)*(n_3_x*t36 - n_3_z*t35)) + ((-n_3_y*t36 + n_3_z*t34)*(-n_3_y*t36 + n_3_z*t34))
-        + R(-1e-12);
+        t22*(((n_3_x - n_6_x)*(n_3_x - n_6_x)) + ((n_3_y - n_6_y)*(n_3_y - n_6_y)) + ((n_3_z - n_6_z)*(n_3_z
+        - n_6_z)) + ((sigma_3 - sigma_6)*(sigma_3 - sigma_6))) - t23 + ((b_3_x - b_6_x)*(b_3_x - b_6_x))
+        + ((b_3_y - b_6_y)*(b_3_y - b_6_y)) + ((b_3_z - b_6_z)*(b_3_z - b_6_z)) + ((l_d_3 - l_d_6)*(l_d_3
+        - l_d_6)) + ((n_3_x*t54 - n_3_z*t55)*(n_3_x*t54 - n_3_z*t55)) + ((-n_3_x*t56 + n_3_y*t55)*(-n_3_x*t56
+        + n_3_y*t55)) + ((-n_3_y*t54 + n_3_z*t56)*(-n_3_y*t54 + n_3_z*t56));
     margin[12] =
-        ((b_4_x - b_5_x)*(b_4_x - b_5_x)) + ((b_4_y - b_5_y)*(b_4_y - b_5_y)) + ((b_4_z - b_5_z)*(b_4_z
-        - b_5_z)) + ((l_d_4 - l_d_5)*(l_d_4 - l_d_5)) + ((n_4_x - n_5_x)*(n_4_x - n_5_x)) + ((n_4_y
-        - n_5_y)*(n_4_y - n_5_y)) + ((n_4_z - n_5_z)*(n_4_z - n_5_z)) + ((sigma_4 - sigma_5)*(sigma_4
-        - sigma_5)) + ((-n_4_x*t37 + n_4_y*t38)*(-n_4_x*t37 + n_4_y*t38)) + ((n_4_x*t39
-        - n_4_z*t38)*(n_4_x*t39 - n_4_z*t38)) + ((-n_4_y*t39 + n_4_z*t37)*(-n_4_y*t39 + n_4_z*t37))
-        + R(-1e-12);
+        t22*(((n_4_x - n_5_x)*(n_4_x - n_5_x)) + ((n_4_y - n_5_y)*(n_4_y - n_5_y)) + ((n_4_z - n_5_z)*(n_4_z
+        - n_5_z)) + ((sigma_4 - sigma_5)*(sigma_4 - sigma_5))) - t23 + ((b_4_x - b_5_x)*(b_4_x - b_5_x))
+        + ((b_4_y - b_5_y)*(b_4_y - b_5_y)) + ((b_4_z - b_5_z)*(b_4_z - b_5_z)) + ((l_d_4 - l_d_5)*(l_d_4
+        - l_d_5)) + ((n_4_x*t57 - n_4_z*t58)*(n_4_x*t57 - n_4_z*t58)) + ((-n_4_x*t59 + n_4_y*t58)*(-n_4_x*t59
+        + n_4_y*t58)) + ((-n_4_y*t57 + n_4_z*t59)*(-n_4_y*t57 + n_4_z*t59));
     margin[13] =
-        ((b_4_x - b_6_x)*(b_4_x - b_6_x)) + ((b_4_y - b_6_y)*(b_4_y - b_6_y)) + ((b_4_z - b_6_z)*(b_4_z
-        - b_6_z)) + ((l_d_4 - l_d_6)*(l_d_4 - l_d_6)) + ((n_4_x - n_6_x)*(n_4_x - n_6_x)) + ((n_4_y
-        - n_6_y)*(n_4_y - n_6_y)) + ((n_4_z - n_6_z)*(n_4_z - n_6_z)) + ((sigma_4 - sigma_6)*(sigma_4
-        - sigma_6)) + ((-n_4_x*t40 + n_4_y*t41)*(-n_4_x*t40 + n_4_y*t41)) + ((n_4_x*t42
-        - n_4_z*t41)*(n_4_x*t42 - n_4_z*t41)) + ((-n_4_y*t42 + n_4_z*t40)*(-n_4_y*t42 + n_4_z*t40))
-        + R(-1e-12);
+        t22*(((n_4_x - n_6_x)*(n_4_x - n_6_x)) + ((n_4_y - n_6_y)*(n_4_y - n_6_y)) + ((n_4_z - n_6_z)*(n_4_z
+        - n_6_z)) + ((sigma_4 - sigma_6)*(sigma_4 - sigma_6))) - t23 + ((b_4_x - b_6_x)*(b_4_x - b_6_x))
+        + ((b_4_y - b_6_y)*(b_4_y - b_6_y)) + ((b_4_z - b_6_z)*(b_4_z - b_6_z)) + ((l_d_4 - l_d_6)*(l_d_4
+        - l_d_6)) + ((n_4_x*t60 - n_4_z*t61)*(n_4_x*t60 - n_4_z*t61)) + ((-n_4_x*t62 + n_4_y*t61)*(-n_4_x*t62
+        + n_4_y*t61)) + ((-n_4_y*t60 + n_4_z*t62)*(-n_4_y*t60 + n_4_z*t62));
     margin[14] =
-        ((b_5_x - b_6_x)*(b_5_x - b_6_x)) + ((b_5_y - b_6_y)*(b_5_y - b_6_y)) + ((b_5_z - b_6_z)*(b_5_z
-        - b_6_z)) + ((l_d_5 - l_d_6)*(l_d_5 - l_d_6)) + ((n_5_x - n_6_x)*(n_5_x - n_6_x)) + ((n_5_y
-        - n_6_y)*(n_5_y - n_6_y)) + ((n_5_z - n_6_z)*(n_5_z - n_6_z)) + ((sigma_5 - sigma_6)*(sigma_5
-        - sigma_6)) + ((-n_5_x*t43 + n_5_y*t44)*(-n_5_x*t43 + n_5_y*t44)) + ((n_5_x*t45
-        - n_5_z*t44)*(n_5_x*t45 - n_5_z*t44)) + ((-n_5_y*t45 + n_5_z*t43)*(-n_5_y*t45 + n_5_z*t43))
-        + R(-1e-12);
+        t22*(((n_5_x - n_6_x)*(n_5_x - n_6_x)) + ((n_5_y - n_6_y)*(n_5_y - n_6_y)) + ((n_5_z - n_6_z)*(n_5_z
+        - n_6_z)) + ((sigma_5 - sigma_6)*(sigma_5 - sigma_6))) - t23 + ((b_5_x - b_6_x)*(b_5_x - b_6_x))
+        + ((b_5_y - b_6_y)*(b_5_y - b_6_y)) + ((b_5_z - b_6_z)*(b_5_z - b_6_z)) + ((l_d_5 - l_d_6)*(l_d_5
+        - l_d_6)) + ((n_5_x*t63 - n_5_z*t64)*(n_5_x*t63 - n_5_z*t64)) + ((-n_5_x*t65 + n_5_y*t64)*(-n_5_x*t65
+        + n_5_y*t64)) + ((-n_5_y*t63 + n_5_z*t65)*(-n_5_y*t63 + n_5_z*t65));
 }
 
 void hexaglide_reach_margin(const pkmodes_real p[6], const hexaglide_parameters *parameters,
@@ -1034,7 +1053,8 @@ void hexaglide_belt_spans(const pkmodes_real p[6], const hexaglide_parameters *p
     l_f[5][2] = l_f_6_3;
 }
 
-void hexaglide_characteristic_length(const hexaglide_parameters *parameters, pkmodes_real *length)
+void hexaglide_platform_joints(const hexaglide_parameters *parameters, pkmodes_real *length,
+    pkmodes_real middle[3])
 {
     const pkmodes_real b_1_x = parameters->joint[0][0];
     const pkmodes_real b_1_y = parameters->joint[0][1];
@@ -1061,6 +1081,15 @@ void hexaglide_characteristic_length(const hexaglide_parameters *parameters, pkm
         + (R(1.0)/R(6.0))*(b_4_x*b_4_x) + (R(1.0)/R(6.0))*(b_4_y*b_4_y) + (R(1.0)/R(6.0))*(b_4_z*b_4_z)
         + (R(1.0)/R(6.0))*(b_5_x*b_5_x) + (R(1.0)/R(6.0))*(b_5_y*b_5_y) + (R(1.0)/R(6.0))*(b_5_z*b_5_z)
         + (R(1.0)/R(6.0))*(b_6_x*b_6_x) + (R(1.0)/R(6.0))*(b_6_y*b_6_y) + (R(1.0)/R(6.0))*(b_6_z*b_6_z));
+    middle[0] =
+        (R(1.0)/R(6.0))*b_1_x + (R(1.0)/R(6.0))*b_2_x + (R(1.0)/R(6.0))*b_3_x + (R(1.0)/R(6.0))*b_4_x
+        + (R(1.0)/R(6.0))*b_5_x + (R(1.0)/R(6.0))*b_6_x;
+    middle[1] =
+        (R(1.0)/R(6.0))*b_1_y + (R(1.0)/R(6.0))*b_2_y + (R(1.0)/R(6.0))*b_3_y + (R(1.0)/R(6.0))*b_4_y
+        + (R(1.0)/R(6.0))*b_5_y + (R(1.0)/R(6.0))*b_6_y;
+    middle[2] =
+        (R(1.0)/R(6.0))*b_1_z + (R(1.0)/R(6.0))*b_2_z + (R(1.0)/R(6.0))*b_3_z + (R(1.0)/R(6.0))*b_4_z
+        + (R(1.0)/R(6.0))*b_5_z + (R(1.0)/R(6.0))*b_6_z;
 }
 
 void hexaglide_constraint_jacobians(const pkmodes_real p[6], const hexaglide_parameters *parameters,
@@ -5985,336 +6014,558 @@ void hexaglide_link_jacobians(const pkmodes_real p[6], const hexaglide_parameter
     const pkmodes_real D_p_rz_4 = A_rz_4*t22;
     const pkmodes_real D_p_rz_5 = A_rz_5*t23;
     const pkmodes_real D_p_rz_6 = A_rz_6*t24;
-    const pkmodes_real U_1_x_1 = -B_1_y*D_p_rz_1 + B_1_z*D_p_ry_1 + D_p_x_1 - n_1_x;
-    const pkmodes_real U_1_x_2 = -B_1_y*D_p_rz_2 + B_1_z*D_p_ry_2 + D_p_x_2;
-    const pkmodes_real U_1_x_3 = -B_1_y*D_p_rz_3 + B_1_z*D_p_ry_3 + D_p_x_3;
-    const pkmodes_real U_1_x_4 = -B_1_y*D_p_rz_4 + B_1_z*D_p_ry_4 + D_p_x_4;
-    const pkmodes_real U_1_x_5 = -B_1_y*D_p_rz_5 + B_1_z*D_p_ry_5 + D_p_x_5;
-    const pkmodes_real U_1_x_6 = -B_1_y*D_p_rz_6 + B_1_z*D_p_ry_6 + D_p_x_6;
-    const pkmodes_real U_1_y_1 = B_1_x*D_p_rz_1 - B_1_z*D_p_rx_1 + D_p_y_1 - n_1_y;
-    const pkmodes_real U_1_y_2 = B_1_x*D_p_rz_2 - B_1_z*D_p_rx_2 + D_p_y_2;
-    const pkmodes_real U_1_y_3 = B_1_x*D_p_rz_3 - B_1_z*D_p_rx_3 + D_p_y_3;
-    const pkmodes_real U_1_y_4 = B_1_x*D_p_rz_4 - B_1_z*D_p_rx_4 + D_p_y_4;
-    const pkmodes_real U_1_y_5 = B_1_x*D_p_rz_5 - B_1_z*D_p_rx_5 + D_p_y_5;
-    const pkmodes_real U_1_y_6 = B_1_x*D_p_rz_6 - B_1_z*D_p_rx_6 + D_p_y_6;
-    const pkmodes_real U_1_z_1 = -B_1_x*D_p_ry_1 + B_1_y*D_p_rx_1 + D_p_z_1 - n_1_z;
-    const pkmodes_real U_1_z_2 = -B_1_x*D_p_ry_2 + B_1_y*D_p_rx_2 + D_p_z_2;
-    const pkmodes_real U_1_z_3 = -B_1_x*D_p_ry_3 + B_1_y*D_p_rx_3 + D_p_z_3;
-    const pkmodes_real U_1_z_4 = -B_1_x*D_p_ry_4 + B_1_y*D_p_rx_4 + D_p_z_4;
-    const pkmodes_real U_1_z_5 = -B_1_x*D_p_ry_5 + B_1_y*D_p_rx_5 + D_p_z_5;
-    const pkmodes_real U_1_z_6 = -B_1_x*D_p_ry_6 + B_1_y*D_p_rx_6 + D_p_z_6;
-    const pkmodes_real U_2_x_1 = -B_2_y*D_p_rz_1 + B_2_z*D_p_ry_1 + D_p_x_1;
-    const pkmodes_real U_2_x_2 = -B_2_y*D_p_rz_2 + B_2_z*D_p_ry_2 + D_p_x_2 - n_2_x;
-    const pkmodes_real U_2_x_3 = -B_2_y*D_p_rz_3 + B_2_z*D_p_ry_3 + D_p_x_3;
-    const pkmodes_real U_2_x_4 = -B_2_y*D_p_rz_4 + B_2_z*D_p_ry_4 + D_p_x_4;
-    const pkmodes_real U_2_x_5 = -B_2_y*D_p_rz_5 + B_2_z*D_p_ry_5 + D_p_x_5;
-    const pkmodes_real U_2_x_6 = -B_2_y*D_p_rz_6 + B_2_z*D_p_ry_6 + D_p_x_6;
-    const pkmodes_real U_2_y_1 = B_2_x*D_p_rz_1 - B_2_z*D_p_rx_1 + D_p_y_1;
-    const pkmodes_real U_2_y_2 = B_2_x*D_p_rz_2 - B_2_z*D_p_rx_2 + D_p_y_2 - n_2_y;
-    const pkmodes_real U_2_y_3 = B_2_x*D_p_rz_3 - B_2_z*D_p_rx_3 + D_p_y_3;
-    const pkmodes_real U_2_y_4 = B_2_x*D_p_rz_4 - B_2_z*D_p_rx_4 + D_p_y_4;
-    const pkmodes_real U_2_y_5 = B_2_x*D_p_rz_5 - B_2_z*D_p_rx_5 + D_p_y_5;
-    const pkmodes_real U_2_y_6 = B_2_x*D_p_rz_6 - B_2_z*D_p_rx_6 + D_p_y_6;
-    const pkmodes_real U_2_z_1 = -B_2_x*D_p_ry_1 + B_2_y*D_p_rx_1 + D_p_z_1;
-    const pkmodes_real U_2_z_2 = -B_2_x*D_p_ry_2 + B_2_y*D_p_rx_2 + D_p_z_2 - n_2_z;
-    const pkmodes_real U_2_z_3 = -B_2_x*D_p_ry_3 + B_2_y*D_p_rx_3 + D_p_z_3;
-    const pkmodes_real U_2_z_4 = -B_2_x*D_p_ry_4 + B_2_y*D_p_rx_4 + D_p_z_4;
-    const pkmodes_real U_2_z_5 = -B_2_x*D_p_ry_5 + B_2_y*D_p_rx_5 + D_p_z_5;
-    const pkmodes_real U_2_z_6 = -B_2_x*D_p_ry_6 + B_2_y*D_p_rx_6 + D_p_z_6;
-    const pkmodes_real U_3_x_1 = -B_3_y*D_p_rz_1 + B_3_z*D_p_ry_1 + D_p_x_1;
-    const pkmodes_real U_3_x_2 = -B_3_y*D_p_rz_2 + B_3_z*D_p_ry_2 + D_p_x_2;
-    const pkmodes_real U_3_x_3 = -B_3_y*D_p_rz_3 + B_3_z*D_p_ry_3 + D_p_x_3 - n_3_x;
-    const pkmodes_real U_3_x_4 = -B_3_y*D_p_rz_4 + B_3_z*D_p_ry_4 + D_p_x_4;
-    const pkmodes_real U_3_x_5 = -B_3_y*D_p_rz_5 + B_3_z*D_p_ry_5 + D_p_x_5;
-    const pkmodes_real U_3_x_6 = -B_3_y*D_p_rz_6 + B_3_z*D_p_ry_6 + D_p_x_6;
-    const pkmodes_real U_3_y_1 = B_3_x*D_p_rz_1 - B_3_z*D_p_rx_1 + D_p_y_1;
-    const pkmodes_real U_3_y_2 = B_3_x*D_p_rz_2 - B_3_z*D_p_rx_2 + D_p_y_2;
-    const pkmodes_real U_3_y_3 = B_3_x*D_p_rz_3 - B_3_z*D_p_rx_3 + D_p_y_3 - n_3_y;
-    const pkmodes_real U_3_y_4 = B_3_x*D_p_rz_4 - B_3_z*D_p_rx_4 + D_p_y_4;
-    const pkmodes_real U_3_y_5 = B_3_x*D_p_rz_5 - B_3_z*D_p_rx_5 + D_p_y_5;
-    const pkmodes_real U_3_y_6 = B_3_x*D_p_rz_6 - B_3_z*D_p_rx_6 + D_p_y_6;
-    const pkmodes_real U_3_z_1 = -B_3_x*D_p_ry_1 + B_3_y*D_p_rx_1 + D_p_z_1;
-    const pkmodes_real U_3_z_2 = -B_3_x*D_p_ry_2 + B_3_y*D_p_rx_2 + D_p_z_2;
-    const pkmodes_real U_3_z_3 = -B_3_x*D_p_ry_3 + B_3_y*D_p_rx_3 + D_p_z_3 - n_3_z;
-    const pkmodes_real U_3_z_4 = -B_3_x*D_p_ry_4 + B_3_y*D_p_rx_4 + D_p_z_4;
-    const pkmodes_real U_3_z_5 = -B_3_x*D_p_ry_5 + B_3_y*D_p_rx_5 + D_p_z_5;
-    const pkmodes_real U_3_z_6 = -B_3_x*D_p_ry_6 + B_3_y*D_p_rx_6 + D_p_z_6;
-    const pkmodes_real U_4_x_1 = -B_4_y*D_p_rz_1 + B_4_z*D_p_ry_1 + D_p_x_1;
-    const pkmodes_real U_4_x_2 = -B_4_y*D_p_rz_2 + B_4_z*D_p_ry_2 + D_p_x_2;
-    const pkmodes_real U_4_x_3 = -B_4_y*D_p_rz_3 + B_4_z*D_p_ry_3 + D_p_x_3;
-    const pkmodes_real U_4_x_4 = -B_4_y*D_p_rz_4 + B_4_z*D_p_ry_4 + D_p_x_4 - n_4_x;
-    const pkmodes_real U_4_x_5 = -B_4_y*D_p_rz_5 + B_4_z*D_p_ry_5 + D_p_x_5;
-    const pkmodes_real U_4_x_6 = -B_4_y*D_p_rz_6 + B_4_z*D_p_ry_6 + D_p_x_6;
-    const pkmodes_real U_4_y_1 = B_4_x*D_p_rz_1 - B_4_z*D_p_rx_1 + D_p_y_1;
-    const pkmodes_real U_4_y_2 = B_4_x*D_p_rz_2 - B_4_z*D_p_rx_2 + D_p_y_2;
-    const pkmodes_real U_4_y_3 = B_4_x*D_p_rz_3 - B_4_z*D_p_rx_3 + D_p_y_3;
-    const pkmodes_real U_4_y_4 = B_4_x*D_p_rz_4 - B_4_z*D_p_rx_4 + D_p_y_4 - n_4_y;
-    const pkmodes_real U_4_y_5 = B_4_x*D_p_rz_5 - B_4_z*D_p_rx_5 + D_p_y_5;
-    const pkmodes_real U_4_y_6 = B_4_x*D_p_rz_6 - B_4_z*D_p_rx_6 + D_p_y_6;
-    const pkmodes_real U_4_z_1 = -B_4_x*D_p_ry_1 + B_4_y*D_p_rx_1 + D_p_z_1;
-    const pkmodes_real U_4_z_2 = -B_4_x*D_p_ry_2 + B_4_y*D_p_rx_2 + D_p_z_2;
-    const pkmodes_real U_4_z_3 = -B_4_x*D_p_ry_3 + B_4_y*D_p_rx_3 + D_p_z_3;
-    const pkmodes_real U_4_z_4 = -B_4_x*D_p_ry_4 + B_4_y*D_p_rx_4 + D_p_z_4 - n_4_z;
-    const pkmodes_real U_4_z_5 = -B_4_x*D_p_ry_5 + B_4_y*D_p_rx_5 + D_p_z_5;
-    const pkmodes_real U_4_z_6 = -B_4_x*D_p_ry_6 + B_4_y*D_p_rx_6 + D_p_z_6;
-    const pkmodes_real U_5_x_1 = -B_5_y*D_p_rz_1 + B_5_z*D_p_ry_1 + D_p_x_1;
-    const pkmodes_real U_5_x_2 = -B_5_y*D_p_rz_2 + B_5_z*D_p_ry_2 + D_p_x_2;
-    const pkmodes_real U_5_x_3 = -B_5_y*D_p_rz_3 + B_5_z*D_p_ry_3 + D_p_x_3;
-    const pkmodes_real U_5_x_4 = -B_5_y*D_p_rz_4 + B_5_z*D_p_ry_4 + D_p_x_4;
-    const pkmodes_real U_5_x_5 = -B_5_y*D_p_rz_5 + B_5_z*D_p_ry_5 + D_p_x_5 - n_5_x;
-    const pkmodes_real U_5_x_6 = -B_5_y*D_p_rz_6 + B_5_z*D_p_ry_6 + D_p_x_6;
-    const pkmodes_real U_5_y_1 = B_5_x*D_p_rz_1 - B_5_z*D_p_rx_1 + D_p_y_1;
-    const pkmodes_real U_5_y_2 = B_5_x*D_p_rz_2 - B_5_z*D_p_rx_2 + D_p_y_2;
-    const pkmodes_real U_5_y_3 = B_5_x*D_p_rz_3 - B_5_z*D_p_rx_3 + D_p_y_3;
-    const pkmodes_real U_5_y_4 = B_5_x*D_p_rz_4 - B_5_z*D_p_rx_4 + D_p_y_4;
-    const pkmodes_real U_5_y_5 = B_5_x*D_p_rz_5 - B_5_z*D_p_rx_5 + D_p_y_5 - n_5_y;
-    const pkmodes_real U_5_y_6 = B_5_x*D_p_rz_6 - B_5_z*D_p_rx_6 + D_p_y_6;
-    const pkmodes_real U_5_z_1 = -B_5_x*D_p_ry_1 + B_5_y*D_p_rx_1 + D_p_z_1;
-    const pkmodes_real U_5_z_2 = -B_5_x*D_p_ry_2 + B_5_y*D_p_rx_2 + D_p_z_2;
-    const pkmodes_real U_5_z_3 = -B_5_x*D_p_ry_3 + B_5_y*D_p_rx_3 + D_p_z_3;
-    const pkmodes_real U_5_z_4 = -B_5_x*D_p_ry_4 + B_5_y*D_p_rx_4 + D_p_z_4;
-    const pkmodes_real U_5_z_5 = -B_5_x*D_p_ry_5 + B_5_y*D_p_rx_5 + D_p_z_5 - n_5_z;
-    const pkmodes_real U_5_z_6 = -B_5_x*D_p_ry_6 + B_5_y*D_p_rx_6 + D_p_z_6;
-    const pkmodes_real U_6_x_1 = -B_6_y*D_p_rz_1 + B_6_z*D_p_ry_1 + D_p_x_1;
-    const pkmodes_real U_6_x_2 = -B_6_y*D_p_rz_2 + B_6_z*D_p_ry_2 + D_p_x_2;
-    const pkmodes_real U_6_x_3 = -B_6_y*D_p_rz_3 + B_6_z*D_p_ry_3 + D_p_x_3;
-    const pkmodes_real U_6_x_4 = -B_6_y*D_p_rz_4 + B_6_z*D_p_ry_4 + D_p_x_4;
-    const pkmodes_real U_6_x_5 = -B_6_y*D_p_rz_5 + B_6_z*D_p_ry_5 + D_p_x_5;
-    const pkmodes_real U_6_x_6 = -B_6_y*D_p_rz_6 + B_6_z*D_p_ry_6 + D_p_x_6 - n_6_x;
-    const pkmodes_real U_6_y_1 = B_6_x*D_p_rz_1 - B_6_z*D_p_rx_1 + D_p_y_1;
-    const pkmodes_real U_6_y_2 = B_6_x*D_p_rz_2 - B_6_z*D_p_rx_2 + D_p_y_2;
-    const pkmodes_real U_6_y_3 = B_6_x*D_p_rz_3 - B_6_z*D_p_rx_3 + D_p_y_3;
-    const pkmodes_real U_6_y_4 = B_6_x*D_p_rz_4 - B_6_z*D_p_rx_4 + D_p_y_4;
-    const pkmodes_real U_6_y_5 = B_6_x*D_p_rz_5 - B_6_z*D_p_rx_5 + D_p_y_5;
-    const pkmodes_real U_6_y_6 = B_6_x*D_p_rz_6 - B_6_z*D_p_rx_6 + D_p_y_6 - n_6_y;
-    const pkmodes_real U_6_z_1 = -B_6_x*D_p_ry_1 + B_6_y*D_p_rx_1 + D_p_z_1;
-    const pkmodes_real U_6_z_2 = -B_6_x*D_p_ry_2 + B_6_y*D_p_rx_2 + D_p_z_2;
-    const pkmodes_real U_6_z_3 = -B_6_x*D_p_ry_3 + B_6_y*D_p_rx_3 + D_p_z_3;
-    const pkmodes_real U_6_z_4 = -B_6_x*D_p_ry_4 + B_6_y*D_p_rx_4 + D_p_z_4;
-    const pkmodes_real U_6_z_5 = -B_6_x*D_p_ry_5 + B_6_y*D_p_rx_5 + D_p_z_5;
-    const pkmodes_real U_6_z_6 = -B_6_x*D_p_ry_6 + B_6_y*D_p_rx_6 + D_p_z_6 - n_6_z;
-    const pkmodes_real t25 = 1/t12;
-    const pkmodes_real t26 = 1/t13;
-    const pkmodes_real t27 = 1/t14;
-    const pkmodes_real t28 = 1/t15;
-    const pkmodes_real t29 = 1/t16;
-    const pkmodes_real t30 = 1/t17;
-    D_d[0][0][0] = (R(1.0)/R(2.0))*U_1_x_1 + n_1_x;
-    D_d[0][0][1] = (R(1.0)/R(2.0))*U_1_x_2;
-    D_d[0][0][2] = (R(1.0)/R(2.0))*U_1_x_3;
-    D_d[0][0][3] = (R(1.0)/R(2.0))*U_1_x_4;
-    D_d[0][0][4] = (R(1.0)/R(2.0))*U_1_x_5;
-    D_d[0][0][5] = (R(1.0)/R(2.0))*U_1_x_6;
-    D_d[0][1][0] = (R(1.0)/R(2.0))*U_1_y_1 + n_1_y;
-    D_d[0][1][1] = (R(1.0)/R(2.0))*U_1_y_2;
-    D_d[0][1][2] = (R(1.0)/R(2.0))*U_1_y_3;
-    D_d[0][1][3] = (R(1.0)/R(2.0))*U_1_y_4;
-    D_d[0][1][4] = (R(1.0)/R(2.0))*U_1_y_5;
-    D_d[0][1][5] = (R(1.0)/R(2.0))*U_1_y_6;
-    D_d[0][2][0] = (R(1.0)/R(2.0))*U_1_z_1 + n_1_z;
-    D_d[0][2][1] = (R(1.0)/R(2.0))*U_1_z_2;
-    D_d[0][2][2] = (R(1.0)/R(2.0))*U_1_z_3;
-    D_d[0][2][3] = (R(1.0)/R(2.0))*U_1_z_4;
-    D_d[0][2][4] = (R(1.0)/R(2.0))*U_1_z_5;
-    D_d[0][2][5] = (R(1.0)/R(2.0))*U_1_z_6;
-    D_d[1][0][0] = (R(1.0)/R(2.0))*U_2_x_1;
-    D_d[1][0][1] = (R(1.0)/R(2.0))*U_2_x_2 + n_2_x;
-    D_d[1][0][2] = (R(1.0)/R(2.0))*U_2_x_3;
-    D_d[1][0][3] = (R(1.0)/R(2.0))*U_2_x_4;
-    D_d[1][0][4] = (R(1.0)/R(2.0))*U_2_x_5;
-    D_d[1][0][5] = (R(1.0)/R(2.0))*U_2_x_6;
-    D_d[1][1][0] = (R(1.0)/R(2.0))*U_2_y_1;
-    D_d[1][1][1] = (R(1.0)/R(2.0))*U_2_y_2 + n_2_y;
-    D_d[1][1][2] = (R(1.0)/R(2.0))*U_2_y_3;
-    D_d[1][1][3] = (R(1.0)/R(2.0))*U_2_y_4;
-    D_d[1][1][4] = (R(1.0)/R(2.0))*U_2_y_5;
-    D_d[1][1][5] = (R(1.0)/R(2.0))*U_2_y_6;
-    D_d[1][2][0] = (R(1.0)/R(2.0))*U_2_z_1;
-    D_d[1][2][1] = (R(1.0)/R(2.0))*U_2_z_2 + n_2_z;
-    D_d[1][2][2] = (R(1.0)/R(2.0))*U_2_z_3;
-    D_d[1][2][3] = (R(1.0)/R(2.0))*U_2_z_4;
-    D_d[1][2][4] = (R(1.0)/R(2.0))*U_2_z_5;
-    D_d[1][2][5] = (R(1.0)/R(2.0))*U_2_z_6;
-    D_d[2][0][0] = (R(1.0)/R(2.0))*U_3_x_1;
-    D_d[2][0][1] = (R(1.0)/R(2.0))*U_3_x_2;
-    D_d[2][0][2] = (R(1.0)/R(2.0))*U_3_x_3 + n_3_x;
-    D_d[2][0][3] = (R(1.0)/R(2.0))*U_3_x_4;
-    D_d[2][0][4] = (R(1.0)/R(2.0))*U_3_x_5;
-    D_d[2][0][5] = (R(1.0)/R(2.0))*U_3_x_6;
-    D_d[2][1][0] = (R(1.0)/R(2.0))*U_3_y_1;
-    D_d[2][1][1] = (R(1.0)/R(2.0))*U_3_y_2;
-    D_d[2][1][2] = (R(1.0)/R(2.0))*U_3_y_3 + n_3_y;
-    D_d[2][1][3] = (R(1.0)/R(2.0))*U_3_y_4;
-    D_d[2][1][4] = (R(1.0)/R(2.0))*U_3_y_5;
-    D_d[2][1][5] = (R(1.0)/R(2.0))*U_3_y_6;
-    D_d[2][2][0] = (R(1.0)/R(2.0))*U_3_z_1;
-    D_d[2][2][1] = (R(1.0)/R(2.0))*U_3_z_2;
-    D_d[2][2][2] = (R(1.0)/R(2.0))*U_3_z_3 + n_3_z;
-    D_d[2][2][3] = (R(1.0)/R(2.0))*U_3_z_4;
-    D_d[2][2][4] = (R(1.0)/R(2.0))*U_3_z_5;
-    D_d[2][2][5] = (R(1.0)/R(2.0))*U_3_z_6;
-    D_d[3][0][0] = (R(1.0)/R(2.0))*U_4_x_1;
-    D_d[3][0][1] = (R(1.0)/R(2.0))*U_4_x_2;
-    D_d[3][0][2] = (R(1.0)/R(2.0))*U_4_x_3;
-    D_d[3][0][3] = (R(1.0)/R(2.0))*U_4_x_4 + n_4_x;
-    D_d[3][0][4] = (R(1.0)/R(2.0))*U_4_x_5;
-    D_d[3][0][5] = (R(1.0)/R(2.0))*U_4_x_6;
-    D_d[3][1][0] = (R(1.0)/R(2.0))*U_4_y_1;
-    D_d[3][1][1] = (R(1.0)/R(2.0))*U_4_y_2;
-    D_d[3][1][2] = (R(1.0)/R(2.0))*U_4_y_3;
-    D_d[3][1][3] = (R(1.0)/R(2.0))*U_4_y_4 + n_4_y;
-    D_d[3][1][4] = (R(1.0)/R(2.0))*U_4_y_5;
-    D_d[3][1][5] = (R(1.0)/R(2.0))*U_4_y_6;
-    D_d[3][2][0] = (R(1.0)/R(2.0))*U_4_z_1;
-    D_d[3][2][1] = (R(1.0)/R(2.0))*U_4_z_2;
-    D_d[3][2][2] = (R(1.0)/R(2.0))*U_4_z_3;
-    D_d[3][2][3] = (R(1.0)/R(2.0))*U_4_z_4 + n_4_z;
-    D_d[3][2][4] = (R(1.0)/R(2.0))*U_4_z_5;
-    D_d[3][2][5] = (R(1.0)/R(2.0))*U_4_z_6;
-    D_d[4][0][0] = (R(1.0)/R(2.0))*U_5_x_1;
-    D_d[4][0][1] = (R(1.0)/R(2.0))*U_5_x_2;
-    D_d[4][0][2] = (R(1.0)/R(2.0))*U_5_x_3;
-    D_d[4][0][3] = (R(1.0)/R(2.0))*U_5_x_4;
-    D_d[4][0][4] = (R(1.0)/R(2.0))*U_5_x_5 + n_5_x;
-    D_d[4][0][5] = (R(1.0)/R(2.0))*U_5_x_6;
-    D_d[4][1][0] = (R(1.0)/R(2.0))*U_5_y_1;
-    D_d[4][1][1] = (R(1.0)/R(2.0))*U_5_y_2;
-    D_d[4][1][2] = (R(1.0)/R(2.0))*U_5_y_3;
-    D_d[4][1][3] = (R(1.0)/R(2.0))*U_5_y_4;
-    D_d[4][1][4] = (R(1.0)/R(2.0))*U_5_y_5 + n_5_y;
-    D_d[4][1][5] = (R(1.0)/R(2.0))*U_5_y_6;
-    D_d[4][2][0] = (R(1.0)/R(2.0))*U_5_z_1;
-    D_d[4][2][1] = (R(1.0)/R(2.0))*U_5_z_2;
-    D_d[4][2][2] = (R(1.0)/R(2.0))*U_5_z_3;
-    D_d[4][2][3] = (R(1.0)/R(2.0))*U_5_z_4;
-    D_d[4][2][4] = (R(1.0)/R(2.0))*U_5_z_5 + n_5_z;
-    D_d[4][2][5] = (R(1.0)/R(2.0))*U_5_z_6;
-    D_d[5][0][0] = (R(1.0)/R(2.0))*U_6_x_1;
-    D_d[5][0][1] = (R(1.0)/R(2.0))*U_6_x_2;
-    D_d[5][0][2] = (R(1.0)/R(2.0))*U_6_x_3;
-    D_d[5][0][3] = (R(1.0)/R(2.0))*U_6_x_4;
-    D_d[5][0][4] = (R(1.0)/R(2.0))*U_6_x_5;
-    D_d[5][0][5] = (R(1.0)/R(2.0))*U_6_x_6 + n_6_x;
-    D_d[5][1][0] = (R(1.0)/R(2.0))*U_6_y_1;
-    D_d[5][1][1] = (R(1.0)/R(2.0))*U_6_y_2;
-    D_d[5][1][2] = (R(1.0)/R(2.0))*U_6_y_3;
-    D_d[5][1][3] = (R(1.0)/R(2.0))*U_6_y_4;
-    D_d[5][1][4] = (R(1.0)/R(2.0))*U_6_y_5;
-    D_d[5][1][5] = (R(1.0)/R(2.0))*U_6_y_6 + n_6_y;
-    D_d[5][2][0] = (R(1.0)/R(2.0))*U_6_z_1;
-    D_d[5][2][1] = (R(1.0)/R(2.0))*U_6_z_2;
-    D_d[5][2][2] = (R(1.0)/R(2.0))*U_6_z_3;
-    D_d[5][2][3] = (R(1.0)/R(2.0))*U_6_z_4;
-    D_d[5][2][4] = (R(1.0)/R(2.0))*U_6_z_5;
-    D_d[5][2][5] = (R(1.0)/R(2.0))*U_6_z_6 + n_6_z;
-    D_omega[0][0][0] = t25*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y);
-    D_omega[0][0][1] = t25*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y);
-    D_omega[0][0][2] = t25*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y);
-    D_omega[0][0][3] = t25*(-U_1_y_4*s_1_z + U_1_z_4*s_1_y);
-    D_omega[0][0][4] = t25*(-U_1_y_5*s_1_z + U_1_z_5*s_1_y);
-    D_omega[0][0][5] = t25*(-U_1_y_6*s_1_z + U_1_z_6*s_1_y);
-    D_omega[0][1][0] = t25*(U_1_x_1*s_1_z - U_1_z_1*s_1_x);
-    D_omega[0][1][1] = t25*(U_1_x_2*s_1_z - U_1_z_2*s_1_x);
-    D_omega[0][1][2] = t25*(U_1_x_3*s_1_z - U_1_z_3*s_1_x);
-    D_omega[0][1][3] = t25*(U_1_x_4*s_1_z - U_1_z_4*s_1_x);
-    D_omega[0][1][4] = t25*(U_1_x_5*s_1_z - U_1_z_5*s_1_x);
-    D_omega[0][1][5] = t25*(U_1_x_6*s_1_z - U_1_z_6*s_1_x);
-    D_omega[0][2][0] = t25*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x);
-    D_omega[0][2][1] = t25*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x);
-    D_omega[0][2][2] = t25*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x);
-    D_omega[0][2][3] = t25*(-U_1_x_4*s_1_y + U_1_y_4*s_1_x);
-    D_omega[0][2][4] = t25*(-U_1_x_5*s_1_y + U_1_y_5*s_1_x);
-    D_omega[0][2][5] = t25*(-U_1_x_6*s_1_y + U_1_y_6*s_1_x);
-    D_omega[1][0][0] = t26*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y);
-    D_omega[1][0][1] = t26*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y);
-    D_omega[1][0][2] = t26*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y);
-    D_omega[1][0][3] = t26*(-U_2_y_4*s_2_z + U_2_z_4*s_2_y);
-    D_omega[1][0][4] = t26*(-U_2_y_5*s_2_z + U_2_z_5*s_2_y);
-    D_omega[1][0][5] = t26*(-U_2_y_6*s_2_z + U_2_z_6*s_2_y);
-    D_omega[1][1][0] = t26*(U_2_x_1*s_2_z - U_2_z_1*s_2_x);
-    D_omega[1][1][1] = t26*(U_2_x_2*s_2_z - U_2_z_2*s_2_x);
-    D_omega[1][1][2] = t26*(U_2_x_3*s_2_z - U_2_z_3*s_2_x);
-    D_omega[1][1][3] = t26*(U_2_x_4*s_2_z - U_2_z_4*s_2_x);
-    D_omega[1][1][4] = t26*(U_2_x_5*s_2_z - U_2_z_5*s_2_x);
-    D_omega[1][1][5] = t26*(U_2_x_6*s_2_z - U_2_z_6*s_2_x);
-    D_omega[1][2][0] = t26*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x);
-    D_omega[1][2][1] = t26*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x);
-    D_omega[1][2][2] = t26*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x);
-    D_omega[1][2][3] = t26*(-U_2_x_4*s_2_y + U_2_y_4*s_2_x);
-    D_omega[1][2][4] = t26*(-U_2_x_5*s_2_y + U_2_y_5*s_2_x);
-    D_omega[1][2][5] = t26*(-U_2_x_6*s_2_y + U_2_y_6*s_2_x);
-    D_omega[2][0][0] = t27*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y);
-    D_omega[2][0][1] = t27*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y);
-    D_omega[2][0][2] = t27*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y);
-    D_omega[2][0][3] = t27*(-U_3_y_4*s_3_z + U_3_z_4*s_3_y);
-    D_omega[2][0][4] = t27*(-U_3_y_5*s_3_z + U_3_z_5*s_3_y);
-    D_omega[2][0][5] = t27*(-U_3_y_6*s_3_z + U_3_z_6*s_3_y);
-    D_omega[2][1][0] = t27*(U_3_x_1*s_3_z - U_3_z_1*s_3_x);
-    D_omega[2][1][1] = t27*(U_3_x_2*s_3_z - U_3_z_2*s_3_x);
-    D_omega[2][1][2] = t27*(U_3_x_3*s_3_z - U_3_z_3*s_3_x);
-    D_omega[2][1][3] = t27*(U_3_x_4*s_3_z - U_3_z_4*s_3_x);
-    D_omega[2][1][4] = t27*(U_3_x_5*s_3_z - U_3_z_5*s_3_x);
-    D_omega[2][1][5] = t27*(U_3_x_6*s_3_z - U_3_z_6*s_3_x);
-    D_omega[2][2][0] = t27*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x);
-    D_omega[2][2][1] = t27*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x);
-    D_omega[2][2][2] = t27*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x);
-    D_omega[2][2][3] = t27*(-U_3_x_4*s_3_y + U_3_y_4*s_3_x);
-    D_omega[2][2][4] = t27*(-U_3_x_5*s_3_y + U_3_y_5*s_3_x);
-    D_omega[2][2][5] = t27*(-U_3_x_6*s_3_y + U_3_y_6*s_3_x);
-    D_omega[3][0][0] = t28*(-U_4_y_1*s_4_z + U_4_z_1*s_4_y);
-    D_omega[3][0][1] = t28*(-U_4_y_2*s_4_z + U_4_z_2*s_4_y);
-    D_omega[3][0][2] = t28*(-U_4_y_3*s_4_z + U_4_z_3*s_4_y);
-    D_omega[3][0][3] = t28*(-U_4_y_4*s_4_z + U_4_z_4*s_4_y);
-    D_omega[3][0][4] = t28*(-U_4_y_5*s_4_z + U_4_z_5*s_4_y);
-    D_omega[3][0][5] = t28*(-U_4_y_6*s_4_z + U_4_z_6*s_4_y);
-    D_omega[3][1][0] = t28*(U_4_x_1*s_4_z - U_4_z_1*s_4_x);
-    D_omega[3][1][1] = t28*(U_4_x_2*s_4_z - U_4_z_2*s_4_x);
-    D_omega[3][1][2] = t28*(U_4_x_3*s_4_z - U_4_z_3*s_4_x);
-    D_omega[3][1][3] = t28*(U_4_x_4*s_4_z - U_4_z_4*s_4_x);
-    D_omega[3][1][4] = t28*(U_4_x_5*s_4_z - U_4_z_5*s_4_x);
-    D_omega[3][1][5] = t28*(U_4_x_6*s_4_z - U_4_z_6*s_4_x);
-    D_omega[3][2][0] = t28*(-U_4_x_1*s_4_y + U_4_y_1*s_4_x);
-    D_omega[3][2][1] = t28*(-U_4_x_2*s_4_y + U_4_y_2*s_4_x);
-    D_omega[3][2][2] = t28*(-U_4_x_3*s_4_y + U_4_y_3*s_4_x);
-    D_omega[3][2][3] = t28*(-U_4_x_4*s_4_y + U_4_y_4*s_4_x);
-    D_omega[3][2][4] = t28*(-U_4_x_5*s_4_y + U_4_y_5*s_4_x);
-    D_omega[3][2][5] = t28*(-U_4_x_6*s_4_y + U_4_y_6*s_4_x);
-    D_omega[4][0][0] = t29*(-U_5_y_1*s_5_z + U_5_z_1*s_5_y);
-    D_omega[4][0][1] = t29*(-U_5_y_2*s_5_z + U_5_z_2*s_5_y);
-    D_omega[4][0][2] = t29*(-U_5_y_3*s_5_z + U_5_z_3*s_5_y);
-    D_omega[4][0][3] = t29*(-U_5_y_4*s_5_z + U_5_z_4*s_5_y);
-    D_omega[4][0][4] = t29*(-U_5_y_5*s_5_z + U_5_z_5*s_5_y);
-    D_omega[4][0][5] = t29*(-U_5_y_6*s_5_z + U_5_z_6*s_5_y);
-    D_omega[4][1][0] = t29*(U_5_x_1*s_5_z - U_5_z_1*s_5_x);
-    D_omega[4][1][1] = t29*(U_5_x_2*s_5_z - U_5_z_2*s_5_x);
-    D_omega[4][1][2] = t29*(U_5_x_3*s_5_z - U_5_z_3*s_5_x);
-    D_omega[4][1][3] = t29*(U_5_x_4*s_5_z - U_5_z_4*s_5_x);
-    D_omega[4][1][4] = t29*(U_5_x_5*s_5_z - U_5_z_5*s_5_x);
-    D_omega[4][1][5] = t29*(U_5_x_6*s_5_z - U_5_z_6*s_5_x);
-    D_omega[4][2][0] = t29*(-U_5_x_1*s_5_y + U_5_y_1*s_5_x);
-    D_omega[4][2][1] = t29*(-U_5_x_2*s_5_y + U_5_y_2*s_5_x);
-    D_omega[4][2][2] = t29*(-U_5_x_3*s_5_y + U_5_y_3*s_5_x);
-    D_omega[4][2][3] = t29*(-U_5_x_4*s_5_y + U_5_y_4*s_5_x);
-    D_omega[4][2][4] = t29*(-U_5_x_5*s_5_y + U_5_y_5*s_5_x);
-    D_omega[4][2][5] = t29*(-U_5_x_6*s_5_y + U_5_y_6*s_5_x);
-    D_omega[5][0][0] = t30*(-U_6_y_1*s_6_z + U_6_z_1*s_6_y);
-    D_omega[5][0][1] = t30*(-U_6_y_2*s_6_z + U_6_z_2*s_6_y);
-    D_omega[5][0][2] = t30*(-U_6_y_3*s_6_z + U_6_z_3*s_6_y);
-    D_omega[5][0][3] = t30*(-U_6_y_4*s_6_z + U_6_z_4*s_6_y);
-    D_omega[5][0][4] = t30*(-U_6_y_5*s_6_z + U_6_z_5*s_6_y);
-    D_omega[5][0][5] = t30*(-U_6_y_6*s_6_z + U_6_z_6*s_6_y);
-    D_omega[5][1][0] = t30*(U_6_x_1*s_6_z - U_6_z_1*s_6_x);
-    D_omega[5][1][1] = t30*(U_6_x_2*s_6_z - U_6_z_2*s_6_x);
-    D_omega[5][1][2] = t30*(U_6_x_3*s_6_z - U_6_z_3*s_6_x);
-    D_omega[5][1][3] = t30*(U_6_x_4*s_6_z - U_6_z_4*s_6_x);
-    D_omega[5][1][4] = t30*(U_6_x_5*s_6_z - U_6_z_5*s_6_x);
-    D_omega[5][1][5] = t30*(U_6_x_6*s_6_z - U_6_z_6*s_6_x);
-    D_omega[5][2][0] = t30*(-U_6_x_1*s_6_y + U_6_y_1*s_6_x);
-    D_omega[5][2][1] = t30*(-U_6_x_2*s_6_y + U_6_y_2*s_6_x);
-    D_omega[5][2][2] = t30*(-U_6_x_3*s_6_y + U_6_y_3*s_6_x);
-    D_omega[5][2][3] = t30*(-U_6_x_4*s_6_y + U_6_y_4*s_6_x);
-    D_omega[5][2][4] = t30*(-U_6_x_5*s_6_y + U_6_y_5*s_6_x);
-    D_omega[5][2][5] = t30*(-U_6_x_6*s_6_y + U_6_y_6*s_6_x);
+    const pkmodes_real t25 = B_1_y*D_p_rz_1;
+    const pkmodes_real U_1_x_1 = B_1_z*D_p_ry_1 + D_p_x_1 - n_1_x - t25;
+    const pkmodes_real t26 = B_1_z*D_p_ry_2;
+    const pkmodes_real t27 = B_1_y*D_p_rz_2;
+    const pkmodes_real U_1_x_2 = D_p_x_2 + t26 - t27;
+    const pkmodes_real t28 = B_1_z*D_p_ry_3;
+    const pkmodes_real t29 = B_1_y*D_p_rz_3;
+    const pkmodes_real U_1_x_3 = D_p_x_3 + t28 - t29;
+    const pkmodes_real t30 = B_1_z*D_p_ry_4;
+    const pkmodes_real t31 = B_1_y*D_p_rz_4;
+    const pkmodes_real U_1_x_4 = D_p_x_4 + t30 - t31;
+    const pkmodes_real t32 = B_1_z*D_p_ry_5;
+    const pkmodes_real t33 = B_1_y*D_p_rz_5;
+    const pkmodes_real U_1_x_5 = D_p_x_5 + t32 - t33;
+    const pkmodes_real t34 = B_1_z*D_p_ry_6;
+    const pkmodes_real t35 = B_1_y*D_p_rz_6;
+    const pkmodes_real U_1_x_6 = D_p_x_6 + t34 - t35;
+    const pkmodes_real t36 = B_1_x*D_p_rz_1;
+    const pkmodes_real t37 = B_1_z*D_p_rx_1;
+    const pkmodes_real U_1_y_1 = D_p_y_1 - n_1_y + t36 - t37;
+    const pkmodes_real t38 = B_1_x*D_p_rz_2;
+    const pkmodes_real t39 = B_1_z*D_p_rx_2;
+    const pkmodes_real U_1_y_2 = D_p_y_2 + t38 - t39;
+    const pkmodes_real t40 = B_1_x*D_p_rz_3;
+    const pkmodes_real t41 = B_1_z*D_p_rx_3;
+    const pkmodes_real U_1_y_3 = D_p_y_3 + t40 - t41;
+    const pkmodes_real t42 = B_1_x*D_p_rz_4;
+    const pkmodes_real t43 = B_1_z*D_p_rx_4;
+    const pkmodes_real U_1_y_4 = D_p_y_4 + t42 - t43;
+    const pkmodes_real t44 = B_1_x*D_p_rz_5;
+    const pkmodes_real t45 = B_1_z*D_p_rx_5;
+    const pkmodes_real U_1_y_5 = D_p_y_5 + t44 - t45;
+    const pkmodes_real t46 = B_1_x*D_p_rz_6;
+    const pkmodes_real t47 = B_1_z*D_p_rx_6;
+    const pkmodes_real U_1_y_6 = D_p_y_6 + t46 - t47;
+    const pkmodes_real t48 = B_1_x*D_p_ry_1;
+    const pkmodes_real U_1_z_1 = B_1_y*D_p_rx_1 + D_p_z_1 - n_1_z - t48;
+    const pkmodes_real t49 = B_1_y*D_p_rx_2;
+    const pkmodes_real t50 = B_1_x*D_p_ry_2;
+    const pkmodes_real U_1_z_2 = D_p_z_2 + t49 - t50;
+    const pkmodes_real t51 = B_1_y*D_p_rx_3;
+    const pkmodes_real t52 = B_1_x*D_p_ry_3;
+    const pkmodes_real U_1_z_3 = D_p_z_3 + t51 - t52;
+    const pkmodes_real t53 = B_1_y*D_p_rx_4;
+    const pkmodes_real t54 = B_1_x*D_p_ry_4;
+    const pkmodes_real U_1_z_4 = D_p_z_4 + t53 - t54;
+    const pkmodes_real t55 = B_1_y*D_p_rx_5;
+    const pkmodes_real t56 = B_1_x*D_p_ry_5;
+    const pkmodes_real U_1_z_5 = D_p_z_5 + t55 - t56;
+    const pkmodes_real t57 = B_1_y*D_p_rx_6;
+    const pkmodes_real t58 = B_1_x*D_p_ry_6;
+    const pkmodes_real U_1_z_6 = D_p_z_6 + t57 - t58;
+    const pkmodes_real t59 = B_2_z*D_p_ry_1;
+    const pkmodes_real t60 = B_2_y*D_p_rz_1;
+    const pkmodes_real U_2_x_1 = D_p_x_1 + t59 - t60;
+    const pkmodes_real t61 = B_2_y*D_p_rz_2;
+    const pkmodes_real U_2_x_2 = B_2_z*D_p_ry_2 + D_p_x_2 - n_2_x - t61;
+    const pkmodes_real t62 = B_2_z*D_p_ry_3;
+    const pkmodes_real t63 = B_2_y*D_p_rz_3;
+    const pkmodes_real U_2_x_3 = D_p_x_3 + t62 - t63;
+    const pkmodes_real t64 = B_2_z*D_p_ry_4;
+    const pkmodes_real t65 = B_2_y*D_p_rz_4;
+    const pkmodes_real U_2_x_4 = D_p_x_4 + t64 - t65;
+    const pkmodes_real t66 = B_2_z*D_p_ry_5;
+    const pkmodes_real t67 = B_2_y*D_p_rz_5;
+    const pkmodes_real U_2_x_5 = D_p_x_5 + t66 - t67;
+    const pkmodes_real t68 = B_2_z*D_p_ry_6;
+    const pkmodes_real t69 = B_2_y*D_p_rz_6;
+    const pkmodes_real U_2_x_6 = D_p_x_6 + t68 - t69;
+    const pkmodes_real t70 = B_2_x*D_p_rz_1;
+    const pkmodes_real t71 = B_2_z*D_p_rx_1;
+    const pkmodes_real U_2_y_1 = D_p_y_1 + t70 - t71;
+    const pkmodes_real t72 = B_2_x*D_p_rz_2;
+    const pkmodes_real t73 = B_2_z*D_p_rx_2;
+    const pkmodes_real U_2_y_2 = D_p_y_2 - n_2_y + t72 - t73;
+    const pkmodes_real t74 = B_2_x*D_p_rz_3;
+    const pkmodes_real t75 = B_2_z*D_p_rx_3;
+    const pkmodes_real U_2_y_3 = D_p_y_3 + t74 - t75;
+    const pkmodes_real t76 = B_2_x*D_p_rz_4;
+    const pkmodes_real t77 = B_2_z*D_p_rx_4;
+    const pkmodes_real U_2_y_4 = D_p_y_4 + t76 - t77;
+    const pkmodes_real t78 = B_2_x*D_p_rz_5;
+    const pkmodes_real t79 = B_2_z*D_p_rx_5;
+    const pkmodes_real U_2_y_5 = D_p_y_5 + t78 - t79;
+    const pkmodes_real t80 = B_2_x*D_p_rz_6;
+    const pkmodes_real t81 = B_2_z*D_p_rx_6;
+    const pkmodes_real U_2_y_6 = D_p_y_6 + t80 - t81;
+    const pkmodes_real t82 = B_2_x*D_p_ry_1;
+    const pkmodes_real t83 = B_2_y*D_p_rx_1;
+    const pkmodes_real U_2_z_1 = D_p_z_1 - t82 + t83;
+    const pkmodes_real t84 = B_2_x*D_p_ry_2;
+    const pkmodes_real U_2_z_2 = B_2_y*D_p_rx_2 + D_p_z_2 - n_2_z - t84;
+    const pkmodes_real t85 = B_2_y*D_p_rx_3;
+    const pkmodes_real t86 = B_2_x*D_p_ry_3;
+    const pkmodes_real U_2_z_3 = D_p_z_3 + t85 - t86;
+    const pkmodes_real t87 = B_2_y*D_p_rx_4;
+    const pkmodes_real t88 = B_2_x*D_p_ry_4;
+    const pkmodes_real U_2_z_4 = D_p_z_4 + t87 - t88;
+    const pkmodes_real t89 = B_2_y*D_p_rx_5;
+    const pkmodes_real t90 = B_2_x*D_p_ry_5;
+    const pkmodes_real U_2_z_5 = D_p_z_5 + t89 - t90;
+    const pkmodes_real t91 = B_2_y*D_p_rx_6;
+    const pkmodes_real t92 = B_2_x*D_p_ry_6;
+    const pkmodes_real U_2_z_6 = D_p_z_6 + t91 - t92;
+    const pkmodes_real t93 = B_3_z*D_p_ry_1;
+    const pkmodes_real t94 = B_3_y*D_p_rz_1;
+    const pkmodes_real U_3_x_1 = D_p_x_1 + t93 - t94;
+    const pkmodes_real t95 = B_3_z*D_p_ry_2;
+    const pkmodes_real t96 = B_3_y*D_p_rz_2;
+    const pkmodes_real U_3_x_2 = D_p_x_2 + t95 - t96;
+    const pkmodes_real t97 = B_3_y*D_p_rz_3;
+    const pkmodes_real U_3_x_3 = B_3_z*D_p_ry_3 + D_p_x_3 - n_3_x - t97;
+    const pkmodes_real t98 = B_3_z*D_p_ry_4;
+    const pkmodes_real t99 = B_3_y*D_p_rz_4;
+    const pkmodes_real U_3_x_4 = D_p_x_4 + t98 - t99;
+    const pkmodes_real t100 = B_3_z*D_p_ry_5;
+    const pkmodes_real t101 = B_3_y*D_p_rz_5;
+    const pkmodes_real U_3_x_5 = D_p_x_5 + t100 - t101;
+    const pkmodes_real t102 = B_3_z*D_p_ry_6;
+    const pkmodes_real t103 = B_3_y*D_p_rz_6;
+    const pkmodes_real U_3_x_6 = D_p_x_6 + t102 - t103;
+    const pkmodes_real t104 = B_3_x*D_p_rz_1;
+    const pkmodes_real t105 = B_3_z*D_p_rx_1;
+    const pkmodes_real U_3_y_1 = D_p_y_1 + t104 - t105;
+    const pkmodes_real t106 = B_3_x*D_p_rz_2;
+    const pkmodes_real t107 = B_3_z*D_p_rx_2;
+    const pkmodes_real U_3_y_2 = D_p_y_2 + t106 - t107;
+    const pkmodes_real t108 = B_3_x*D_p_rz_3;
+    const pkmodes_real t109 = B_3_z*D_p_rx_3;
+    const pkmodes_real U_3_y_3 = D_p_y_3 - n_3_y + t108 - t109;
+    const pkmodes_real t110 = B_3_x*D_p_rz_4;
+    const pkmodes_real t111 = B_3_z*D_p_rx_4;
+    const pkmodes_real U_3_y_4 = D_p_y_4 + t110 - t111;
+    const pkmodes_real t112 = B_3_x*D_p_rz_5;
+    const pkmodes_real t113 = B_3_z*D_p_rx_5;
+    const pkmodes_real U_3_y_5 = D_p_y_5 + t112 - t113;
+    const pkmodes_real t114 = B_3_x*D_p_rz_6;
+    const pkmodes_real t115 = B_3_z*D_p_rx_6;
+    const pkmodes_real U_3_y_6 = D_p_y_6 + t114 - t115;
+    const pkmodes_real t116 = B_3_y*D_p_rx_1;
+    const pkmodes_real t117 = B_3_x*D_p_ry_1;
+    const pkmodes_real U_3_z_1 = D_p_z_1 + t116 - t117;
+    const pkmodes_real t118 = B_3_y*D_p_rx_2;
+    const pkmodes_real t119 = B_3_x*D_p_ry_2;
+    const pkmodes_real U_3_z_2 = D_p_z_2 + t118 - t119;
+    const pkmodes_real t120 = B_3_x*D_p_ry_3;
+    const pkmodes_real U_3_z_3 = B_3_y*D_p_rx_3 + D_p_z_3 - n_3_z - t120;
+    const pkmodes_real t121 = B_3_y*D_p_rx_4;
+    const pkmodes_real t122 = B_3_x*D_p_ry_4;
+    const pkmodes_real U_3_z_4 = D_p_z_4 + t121 - t122;
+    const pkmodes_real t123 = B_3_y*D_p_rx_5;
+    const pkmodes_real t124 = B_3_x*D_p_ry_5;
+    const pkmodes_real U_3_z_5 = D_p_z_5 + t123 - t124;
+    const pkmodes_real t125 = B_3_y*D_p_rx_6;
+    const pkmodes_real t126 = B_3_x*D_p_ry_6;
+    const pkmodes_real U_3_z_6 = D_p_z_6 + t125 - t126;
+    const pkmodes_real t127 = B_4_z*D_p_ry_1;
+    const pkmodes_real t128 = B_4_y*D_p_rz_1;
+    const pkmodes_real U_4_x_1 = D_p_x_1 + t127 - t128;
+    const pkmodes_real t129 = B_4_z*D_p_ry_2;
+    const pkmodes_real t130 = B_4_y*D_p_rz_2;
+    const pkmodes_real U_4_x_2 = D_p_x_2 + t129 - t130;
+    const pkmodes_real t131 = B_4_z*D_p_ry_3;
+    const pkmodes_real t132 = B_4_y*D_p_rz_3;
+    const pkmodes_real U_4_x_3 = D_p_x_3 + t131 - t132;
+    const pkmodes_real t133 = B_4_y*D_p_rz_4;
+    const pkmodes_real U_4_x_4 = B_4_z*D_p_ry_4 + D_p_x_4 - n_4_x - t133;
+    const pkmodes_real t134 = B_4_z*D_p_ry_5;
+    const pkmodes_real t135 = B_4_y*D_p_rz_5;
+    const pkmodes_real U_4_x_5 = D_p_x_5 + t134 - t135;
+    const pkmodes_real t136 = B_4_z*D_p_ry_6;
+    const pkmodes_real t137 = B_4_y*D_p_rz_6;
+    const pkmodes_real U_4_x_6 = D_p_x_6 + t136 - t137;
+    const pkmodes_real t138 = B_4_x*D_p_rz_1;
+    const pkmodes_real t139 = B_4_z*D_p_rx_1;
+    const pkmodes_real U_4_y_1 = D_p_y_1 + t138 - t139;
+    const pkmodes_real t140 = B_4_x*D_p_rz_2;
+    const pkmodes_real t141 = B_4_z*D_p_rx_2;
+    const pkmodes_real U_4_y_2 = D_p_y_2 + t140 - t141;
+    const pkmodes_real t142 = B_4_x*D_p_rz_3;
+    const pkmodes_real t143 = B_4_z*D_p_rx_3;
+    const pkmodes_real U_4_y_3 = D_p_y_3 + t142 - t143;
+    const pkmodes_real t144 = B_4_x*D_p_rz_4;
+    const pkmodes_real t145 = B_4_z*D_p_rx_4;
+    const pkmodes_real U_4_y_4 = D_p_y_4 - n_4_y + t144 - t145;
+    const pkmodes_real t146 = B_4_x*D_p_rz_5;
+    const pkmodes_real t147 = B_4_z*D_p_rx_5;
+    const pkmodes_real U_4_y_5 = D_p_y_5 + t146 - t147;
+    const pkmodes_real t148 = B_4_x*D_p_rz_6;
+    const pkmodes_real t149 = B_4_z*D_p_rx_6;
+    const pkmodes_real U_4_y_6 = D_p_y_6 + t148 - t149;
+    const pkmodes_real t150 = B_4_y*D_p_rx_1;
+    const pkmodes_real t151 = B_4_x*D_p_ry_1;
+    const pkmodes_real U_4_z_1 = D_p_z_1 + t150 - t151;
+    const pkmodes_real t152 = B_4_y*D_p_rx_2;
+    const pkmodes_real t153 = B_4_x*D_p_ry_2;
+    const pkmodes_real U_4_z_2 = D_p_z_2 + t152 - t153;
+    const pkmodes_real t154 = B_4_y*D_p_rx_3;
+    const pkmodes_real t155 = B_4_x*D_p_ry_3;
+    const pkmodes_real U_4_z_3 = D_p_z_3 + t154 - t155;
+    const pkmodes_real t156 = B_4_x*D_p_ry_4;
+    const pkmodes_real U_4_z_4 = B_4_y*D_p_rx_4 + D_p_z_4 - n_4_z - t156;
+    const pkmodes_real t157 = B_4_y*D_p_rx_5;
+    const pkmodes_real t158 = B_4_x*D_p_ry_5;
+    const pkmodes_real U_4_z_5 = D_p_z_5 + t157 - t158;
+    const pkmodes_real t159 = B_4_y*D_p_rx_6;
+    const pkmodes_real t160 = B_4_x*D_p_ry_6;
+    const pkmodes_real U_4_z_6 = D_p_z_6 + t159 - t160;
+    const pkmodes_real t161 = B_5_z*D_p_ry_1;
+    const pkmodes_real t162 = B_5_y*D_p_rz_1;
+    const pkmodes_real U_5_x_1 = D_p_x_1 + t161 - t162;
+    const pkmodes_real t163 = B_5_z*D_p_ry_2;
+    const pkmodes_real t164 = B_5_y*D_p_rz_2;
+    const pkmodes_real U_5_x_2 = D_p_x_2 + t163 - t164;
+    const pkmodes_real t165 = B_5_z*D_p_ry_3;
+    const pkmodes_real t166 = B_5_y*D_p_rz_3;
+    const pkmodes_real U_5_x_3 = D_p_x_3 + t165 - t166;
+    const pkmodes_real t167 = B_5_z*D_p_ry_4;
+    const pkmodes_real t168 = B_5_y*D_p_rz_4;
+    const pkmodes_real U_5_x_4 = D_p_x_4 + t167 - t168;
+    const pkmodes_real t169 = B_5_y*D_p_rz_5;
+    const pkmodes_real U_5_x_5 = B_5_z*D_p_ry_5 + D_p_x_5 - n_5_x - t169;
+    const pkmodes_real t170 = B_5_z*D_p_ry_6;
+    const pkmodes_real t171 = B_5_y*D_p_rz_6;
+    const pkmodes_real U_5_x_6 = D_p_x_6 + t170 - t171;
+    const pkmodes_real t172 = B_5_x*D_p_rz_1;
+    const pkmodes_real t173 = B_5_z*D_p_rx_1;
+    const pkmodes_real U_5_y_1 = D_p_y_1 + t172 - t173;
+    const pkmodes_real t174 = B_5_x*D_p_rz_2;
+    const pkmodes_real t175 = B_5_z*D_p_rx_2;
+    const pkmodes_real U_5_y_2 = D_p_y_2 + t174 - t175;
+    const pkmodes_real t176 = B_5_x*D_p_rz_3;
+    const pkmodes_real t177 = B_5_z*D_p_rx_3;
+    const pkmodes_real U_5_y_3 = D_p_y_3 + t176 - t177;
+    const pkmodes_real t178 = B_5_x*D_p_rz_4;
+    const pkmodes_real t179 = B_5_z*D_p_rx_4;
+    const pkmodes_real U_5_y_4 = D_p_y_4 + t178 - t179;
+    const pkmodes_real t180 = B_5_x*D_p_rz_5;
+    const pkmodes_real t181 = B_5_z*D_p_rx_5;
+    const pkmodes_real U_5_y_5 = D_p_y_5 - n_5_y + t180 - t181;
+    const pkmodes_real t182 = B_5_x*D_p_rz_6;
+    const pkmodes_real t183 = B_5_z*D_p_rx_6;
+    const pkmodes_real U_5_y_6 = D_p_y_6 + t182 - t183;
+    const pkmodes_real t184 = B_5_y*D_p_rx_1;
+    const pkmodes_real t185 = B_5_x*D_p_ry_1;
+    const pkmodes_real U_5_z_1 = D_p_z_1 + t184 - t185;
+    const pkmodes_real t186 = B_5_y*D_p_rx_2;
+    const pkmodes_real t187 = B_5_x*D_p_ry_2;
+    const pkmodes_real U_5_z_2 = D_p_z_2 + t186 - t187;
+    const pkmodes_real t188 = B_5_y*D_p_rx_3;
+    const pkmodes_real t189 = B_5_x*D_p_ry_3;
+    const pkmodes_real U_5_z_3 = D_p_z_3 + t188 - t189;
+    const pkmodes_real t190 = B_5_y*D_p_rx_4;
+    const pkmodes_real t191 = B_5_x*D_p_ry_4;
+    const pkmodes_real U_5_z_4 = D_p_z_4 + t190 - t191;
+    const pkmodes_real t192 = B_5_x*D_p_ry_5;
+    const pkmodes_real U_5_z_5 = B_5_y*D_p_rx_5 + D_p_z_5 - n_5_z - t192;
+    const pkmodes_real t193 = B_5_y*D_p_rx_6;
+    const pkmodes_real t194 = B_5_x*D_p_ry_6;
+    const pkmodes_real U_5_z_6 = D_p_z_6 + t193 - t194;
+    const pkmodes_real t195 = B_6_z*D_p_ry_1;
+    const pkmodes_real t196 = B_6_y*D_p_rz_1;
+    const pkmodes_real U_6_x_1 = D_p_x_1 + t195 - t196;
+    const pkmodes_real t197 = B_6_z*D_p_ry_2;
+    const pkmodes_real t198 = B_6_y*D_p_rz_2;
+    const pkmodes_real U_6_x_2 = D_p_x_2 + t197 - t198;
+    const pkmodes_real t199 = B_6_z*D_p_ry_3;
+    const pkmodes_real t200 = B_6_y*D_p_rz_3;
+    const pkmodes_real U_6_x_3 = D_p_x_3 + t199 - t200;
+    const pkmodes_real t201 = B_6_z*D_p_ry_4;
+    const pkmodes_real t202 = B_6_y*D_p_rz_4;
+    const pkmodes_real U_6_x_4 = D_p_x_4 + t201 - t202;
+    const pkmodes_real t203 = B_6_z*D_p_ry_5;
+    const pkmodes_real t204 = B_6_y*D_p_rz_5;
+    const pkmodes_real U_6_x_5 = D_p_x_5 + t203 - t204;
+    const pkmodes_real t205 = B_6_y*D_p_rz_6;
+    const pkmodes_real U_6_x_6 = B_6_z*D_p_ry_6 + D_p_x_6 - n_6_x - t205;
+    const pkmodes_real t206 = B_6_x*D_p_rz_1;
+    const pkmodes_real t207 = B_6_z*D_p_rx_1;
+    const pkmodes_real U_6_y_1 = D_p_y_1 + t206 - t207;
+    const pkmodes_real t208 = B_6_x*D_p_rz_2;
+    const pkmodes_real t209 = B_6_z*D_p_rx_2;
+    const pkmodes_real U_6_y_2 = D_p_y_2 + t208 - t209;
+    const pkmodes_real t210 = B_6_x*D_p_rz_3;
+    const pkmodes_real t211 = B_6_z*D_p_rx_3;
+    const pkmodes_real U_6_y_3 = D_p_y_3 + t210 - t211;
+    const pkmodes_real t212 = B_6_x*D_p_rz_4;
+    const pkmodes_real t213 = B_6_z*D_p_rx_4;
+    const pkmodes_real U_6_y_4 = D_p_y_4 + t212 - t213;
+    const pkmodes_real t214 = B_6_x*D_p_rz_5;
+    const pkmodes_real t215 = B_6_z*D_p_rx_5;
+    const pkmodes_real U_6_y_5 = D_p_y_5 + t214 - t215;
+    const pkmodes_real t216 = B_6_x*D_p_rz_6;
+    const pkmodes_real t217 = B_6_z*D_p_rx_6;
+    const pkmodes_real U_6_y_6 = D_p_y_6 - n_6_y + t216 - t217;
+    const pkmodes_real t218 = B_6_y*D_p_rx_1;
+    const pkmodes_real t219 = B_6_x*D_p_ry_1;
+    const pkmodes_real U_6_z_1 = D_p_z_1 + t218 - t219;
+    const pkmodes_real t220 = B_6_y*D_p_rx_2;
+    const pkmodes_real t221 = B_6_x*D_p_ry_2;
+    const pkmodes_real U_6_z_2 = D_p_z_2 + t220 - t221;
+    const pkmodes_real t222 = B_6_y*D_p_rx_3;
+    const pkmodes_real t223 = B_6_x*D_p_ry_3;
+    const pkmodes_real U_6_z_3 = D_p_z_3 + t222 - t223;
+    const pkmodes_real t224 = B_6_y*D_p_rx_4;
+    const pkmodes_real t225 = B_6_x*D_p_ry_4;
+    const pkmodes_real U_6_z_4 = D_p_z_4 + t224 - t225;
+    const pkmodes_real t226 = B_6_y*D_p_rx_5;
+    const pkmodes_real t227 = B_6_x*D_p_ry_5;
+    const pkmodes_real U_6_z_5 = D_p_z_5 + t226 - t227;
+    const pkmodes_real t228 = B_6_x*D_p_ry_6;
+    const pkmodes_real U_6_z_6 = B_6_y*D_p_rx_6 + D_p_z_6 - n_6_z - t228;
+    const pkmodes_real t229 = (R(1.0)/R(2.0))*D_p_x_1;
+    const pkmodes_real t230 = (R(1.0)/R(2.0))*D_p_x_2;
+    const pkmodes_real t231 = (R(1.0)/R(2.0))*D_p_x_3;
+    const pkmodes_real t232 = (R(1.0)/R(2.0))*D_p_x_4;
+    const pkmodes_real t233 = (R(1.0)/R(2.0))*D_p_x_5;
+    const pkmodes_real t234 = (R(1.0)/R(2.0))*D_p_x_6;
+    const pkmodes_real t235 = (R(1.0)/R(2.0))*D_p_y_1;
+    const pkmodes_real t236 = (R(1.0)/R(2.0))*D_p_y_2;
+    const pkmodes_real t237 = (R(1.0)/R(2.0))*D_p_y_3;
+    const pkmodes_real t238 = (R(1.0)/R(2.0))*D_p_y_4;
+    const pkmodes_real t239 = (R(1.0)/R(2.0))*D_p_y_5;
+    const pkmodes_real t240 = (R(1.0)/R(2.0))*D_p_y_6;
+    const pkmodes_real t241 = (R(1.0)/R(2.0))*D_p_z_1;
+    const pkmodes_real t242 = (R(1.0)/R(2.0))*D_p_z_2;
+    const pkmodes_real t243 = (R(1.0)/R(2.0))*D_p_z_3;
+    const pkmodes_real t244 = (R(1.0)/R(2.0))*D_p_z_4;
+    const pkmodes_real t245 = (R(1.0)/R(2.0))*D_p_z_5;
+    const pkmodes_real t246 = (R(1.0)/R(2.0))*D_p_z_6;
+    const pkmodes_real t247 = 1/t12;
+    const pkmodes_real t248 = 1/t13;
+    const pkmodes_real t249 = 1/t14;
+    const pkmodes_real t250 = 1/t15;
+    const pkmodes_real t251 = 1/t16;
+    const pkmodes_real t252 = 1/t17;
+    D_d[0][0][0] = (R(1.0)/R(2.0))*B_1_z*D_p_ry_1 + (R(1.0)/R(2.0))*n_1_x + t229 - R(1.0)/R(2.0)*t25;
+    D_d[0][0][1] = t230 + (R(1.0)/R(2.0))*t26 - R(1.0)/R(2.0)*t27;
+    D_d[0][0][2] = t231 + (R(1.0)/R(2.0))*t28 - R(1.0)/R(2.0)*t29;
+    D_d[0][0][3] = t232 + (R(1.0)/R(2.0))*t30 - R(1.0)/R(2.0)*t31;
+    D_d[0][0][4] = t233 + (R(1.0)/R(2.0))*t32 - R(1.0)/R(2.0)*t33;
+    D_d[0][0][5] = t234 + (R(1.0)/R(2.0))*t34 - R(1.0)/R(2.0)*t35;
+    D_d[0][1][0] = (R(1.0)/R(2.0))*n_1_y + t235 + (R(1.0)/R(2.0))*t36 - R(1.0)/R(2.0)*t37;
+    D_d[0][1][1] = t236 + (R(1.0)/R(2.0))*t38 - R(1.0)/R(2.0)*t39;
+    D_d[0][1][2] = t237 + (R(1.0)/R(2.0))*t40 - R(1.0)/R(2.0)*t41;
+    D_d[0][1][3] = t238 + (R(1.0)/R(2.0))*t42 - R(1.0)/R(2.0)*t43;
+    D_d[0][1][4] = t239 + (R(1.0)/R(2.0))*t44 - R(1.0)/R(2.0)*t45;
+    D_d[0][1][5] = t240 + (R(1.0)/R(2.0))*t46 - R(1.0)/R(2.0)*t47;
+    D_d[0][2][0] = (R(1.0)/R(2.0))*B_1_y*D_p_rx_1 + (R(1.0)/R(2.0))*n_1_z + t241 - R(1.0)/R(2.0)*t48;
+    D_d[0][2][1] = t242 + (R(1.0)/R(2.0))*t49 - R(1.0)/R(2.0)*t50;
+    D_d[0][2][2] = t243 + (R(1.0)/R(2.0))*t51 - R(1.0)/R(2.0)*t52;
+    D_d[0][2][3] = t244 + (R(1.0)/R(2.0))*t53 - R(1.0)/R(2.0)*t54;
+    D_d[0][2][4] = t245 + (R(1.0)/R(2.0))*t55 - R(1.0)/R(2.0)*t56;
+    D_d[0][2][5] = t246 + (R(1.0)/R(2.0))*t57 - R(1.0)/R(2.0)*t58;
+    D_d[1][0][0] = t229 + (R(1.0)/R(2.0))*t59 - R(1.0)/R(2.0)*t60;
+    D_d[1][0][1] = (R(1.0)/R(2.0))*B_2_z*D_p_ry_2 + (R(1.0)/R(2.0))*n_2_x + t230 - R(1.0)/R(2.0)*t61;
+    D_d[1][0][2] = t231 + (R(1.0)/R(2.0))*t62 - R(1.0)/R(2.0)*t63;
+    D_d[1][0][3] = t232 + (R(1.0)/R(2.0))*t64 - R(1.0)/R(2.0)*t65;
+    D_d[1][0][4] = t233 + (R(1.0)/R(2.0))*t66 - R(1.0)/R(2.0)*t67;
+    D_d[1][0][5] = t234 + (R(1.0)/R(2.0))*t68 - R(1.0)/R(2.0)*t69;
+    D_d[1][1][0] = t235 + (R(1.0)/R(2.0))*t70 - R(1.0)/R(2.0)*t71;
+    D_d[1][1][1] = (R(1.0)/R(2.0))*n_2_y + t236 + (R(1.0)/R(2.0))*t72 - R(1.0)/R(2.0)*t73;
+    D_d[1][1][2] = t237 + (R(1.0)/R(2.0))*t74 - R(1.0)/R(2.0)*t75;
+    D_d[1][1][3] = t238 + (R(1.0)/R(2.0))*t76 - R(1.0)/R(2.0)*t77;
+    D_d[1][1][4] = t239 + (R(1.0)/R(2.0))*t78 - R(1.0)/R(2.0)*t79;
+    D_d[1][1][5] = t240 + (R(1.0)/R(2.0))*t80 - R(1.0)/R(2.0)*t81;
+    D_d[1][2][0] = t241 - R(1.0)/R(2.0)*t82 + (R(1.0)/R(2.0))*t83;
+    D_d[1][2][1] = (R(1.0)/R(2.0))*B_2_y*D_p_rx_2 + (R(1.0)/R(2.0))*n_2_z + t242 - R(1.0)/R(2.0)*t84;
+    D_d[1][2][2] = t243 + (R(1.0)/R(2.0))*t85 - R(1.0)/R(2.0)*t86;
+    D_d[1][2][3] = t244 + (R(1.0)/R(2.0))*t87 - R(1.0)/R(2.0)*t88;
+    D_d[1][2][4] = t245 + (R(1.0)/R(2.0))*t89 - R(1.0)/R(2.0)*t90;
+    D_d[1][2][5] = t246 + (R(1.0)/R(2.0))*t91 - R(1.0)/R(2.0)*t92;
+    D_d[2][0][0] = t229 + (R(1.0)/R(2.0))*t93 - R(1.0)/R(2.0)*t94;
+    D_d[2][0][1] = t230 + (R(1.0)/R(2.0))*t95 - R(1.0)/R(2.0)*t96;
+    D_d[2][0][2] = (R(1.0)/R(2.0))*B_3_z*D_p_ry_3 + (R(1.0)/R(2.0))*n_3_x + t231 - R(1.0)/R(2.0)*t97;
+    D_d[2][0][3] = t232 + (R(1.0)/R(2.0))*t98 - R(1.0)/R(2.0)*t99;
+    D_d[2][0][4] = (R(1.0)/R(2.0))*t100 - R(1.0)/R(2.0)*t101 + t233;
+    D_d[2][0][5] = (R(1.0)/R(2.0))*t102 - R(1.0)/R(2.0)*t103 + t234;
+    D_d[2][1][0] = (R(1.0)/R(2.0))*t104 - R(1.0)/R(2.0)*t105 + t235;
+    D_d[2][1][1] = (R(1.0)/R(2.0))*t106 - R(1.0)/R(2.0)*t107 + t236;
+    D_d[2][1][2] = (R(1.0)/R(2.0))*n_3_y + (R(1.0)/R(2.0))*t108 - R(1.0)/R(2.0)*t109 + t237;
+    D_d[2][1][3] = (R(1.0)/R(2.0))*t110 - R(1.0)/R(2.0)*t111 + t238;
+    D_d[2][1][4] = (R(1.0)/R(2.0))*t112 - R(1.0)/R(2.0)*t113 + t239;
+    D_d[2][1][5] = (R(1.0)/R(2.0))*t114 - R(1.0)/R(2.0)*t115 + t240;
+    D_d[2][2][0] = (R(1.0)/R(2.0))*t116 - R(1.0)/R(2.0)*t117 + t241;
+    D_d[2][2][1] = (R(1.0)/R(2.0))*t118 - R(1.0)/R(2.0)*t119 + t242;
+    D_d[2][2][2] = (R(1.0)/R(2.0))*B_3_y*D_p_rx_3 + (R(1.0)/R(2.0))*n_3_z - R(1.0)/R(2.0)*t120 + t243;
+    D_d[2][2][3] = (R(1.0)/R(2.0))*t121 - R(1.0)/R(2.0)*t122 + t244;
+    D_d[2][2][4] = (R(1.0)/R(2.0))*t123 - R(1.0)/R(2.0)*t124 + t245;
+    D_d[2][2][5] = (R(1.0)/R(2.0))*t125 - R(1.0)/R(2.0)*t126 + t246;
+    D_d[3][0][0] = (R(1.0)/R(2.0))*t127 - R(1.0)/R(2.0)*t128 + t229;
+    D_d[3][0][1] = (R(1.0)/R(2.0))*t129 - R(1.0)/R(2.0)*t130 + t230;
+    D_d[3][0][2] = (R(1.0)/R(2.0))*t131 - R(1.0)/R(2.0)*t132 + t231;
+    D_d[3][0][3] = (R(1.0)/R(2.0))*B_4_z*D_p_ry_4 + (R(1.0)/R(2.0))*n_4_x - R(1.0)/R(2.0)*t133 + t232;
+    D_d[3][0][4] = (R(1.0)/R(2.0))*t134 - R(1.0)/R(2.0)*t135 + t233;
+    D_d[3][0][5] = (R(1.0)/R(2.0))*t136 - R(1.0)/R(2.0)*t137 + t234;
+    D_d[3][1][0] = (R(1.0)/R(2.0))*t138 - R(1.0)/R(2.0)*t139 + t235;
+    D_d[3][1][1] = (R(1.0)/R(2.0))*t140 - R(1.0)/R(2.0)*t141 + t236;
+    D_d[3][1][2] = (R(1.0)/R(2.0))*t142 - R(1.0)/R(2.0)*t143 + t237;
+    D_d[3][1][3] = (R(1.0)/R(2.0))*n_4_y + (R(1.0)/R(2.0))*t144 - R(1.0)/R(2.0)*t145 + t238;
+    D_d[3][1][4] = (R(1.0)/R(2.0))*t146 - R(1.0)/R(2.0)*t147 + t239;
+    D_d[3][1][5] = (R(1.0)/R(2.0))*t148 - R(1.0)/R(2.0)*t149 + t240;
+    D_d[3][2][0] = (R(1.0)/R(2.0))*t150 - R(1.0)/R(2.0)*t151 + t241;
+    D_d[3][2][1] = (R(1.0)/R(2.0))*t152 - R(1.0)/R(2.0)*t153 + t242;
+    D_d[3][2][2] = (R(1.0)/R(2.0))*t154 - R(1.0)/R(2.0)*t155 + t243;
+    D_d[3][2][3] = (R(1.0)/R(2.0))*B_4_y*D_p_rx_4 + (R(1.0)/R(2.0))*n_4_z - R(1.0)/R(2.0)*t156 + t244;
+    D_d[3][2][4] = (R(1.0)/R(2.0))*t157 - R(1.0)/R(2.0)*t158 + t245;
+    D_d[3][2][5] = (R(1.0)/R(2.0))*t159 - R(1.0)/R(2.0)*t160 + t246;
+    D_d[4][0][0] = (R(1.0)/R(2.0))*t161 - R(1.0)/R(2.0)*t162 + t229;
+    D_d[4][0][1] = (R(1.0)/R(2.0))*t163 - R(1.0)/R(2.0)*t164 + t230;
+    D_d[4][0][2] = (R(1.0)/R(2.0))*t165 - R(1.0)/R(2.0)*t166 + t231;
+    D_d[4][0][3] = (R(1.0)/R(2.0))*t167 - R(1.0)/R(2.0)*t168 + t232;
+    D_d[4][0][4] = (R(1.0)/R(2.0))*B_5_z*D_p_ry_5 + (R(1.0)/R(2.0))*n_5_x - R(1.0)/R(2.0)*t169 + t233;
+    D_d[4][0][5] = (R(1.0)/R(2.0))*t170 - R(1.0)/R(2.0)*t171 + t234;
+    D_d[4][1][0] = (R(1.0)/R(2.0))*t172 - R(1.0)/R(2.0)*t173 + t235;
+    D_d[4][1][1] = (R(1.0)/R(2.0))*t174 - R(1.0)/R(2.0)*t175 + t236;
+    D_d[4][1][2] = (R(1.0)/R(2.0))*t176 - R(1.0)/R(2.0)*t177 + t237;
+    D_d[4][1][3] = (R(1.0)/R(2.0))*t178 - R(1.0)/R(2.0)*t179 + t238;
+    D_d[4][1][4] = (R(1.0)/R(2.0))*n_5_y + (R(1.0)/R(2.0))*t180 - R(1.0)/R(2.0)*t181 + t239;
+    D_d[4][1][5] = (R(1.0)/R(2.0))*t182 - R(1.0)/R(2.0)*t183 + t240;
+    D_d[4][2][0] = (R(1.0)/R(2.0))*t184 - R(1.0)/R(2.0)*t185 + t241;
+    D_d[4][2][1] = (R(1.0)/R(2.0))*t186 - R(1.0)/R(2.0)*t187 + t242;
+    D_d[4][2][2] = (R(1.0)/R(2.0))*t188 - R(1.0)/R(2.0)*t189 + t243;
+    D_d[4][2][3] = (R(1.0)/R(2.0))*t190 - R(1.0)/R(2.0)*t191 + t244;
+    D_d[4][2][4] = (R(1.0)/R(2.0))*B_5_y*D_p_rx_5 + (R(1.0)/R(2.0))*n_5_z - R(1.0)/R(2.0)*t192 + t245;
+    D_d[4][2][5] = (R(1.0)/R(2.0))*t193 - R(1.0)/R(2.0)*t194 + t246;
+    D_d[5][0][0] = (R(1.0)/R(2.0))*t195 - R(1.0)/R(2.0)*t196 + t229;
+    D_d[5][0][1] = (R(1.0)/R(2.0))*t197 - R(1.0)/R(2.0)*t198 + t230;
+    D_d[5][0][2] = (R(1.0)/R(2.0))*t199 - R(1.0)/R(2.0)*t200 + t231;
+    D_d[5][0][3] = (R(1.0)/R(2.0))*t201 - R(1.0)/R(2.0)*t202 + t232;
+    D_d[5][0][4] = (R(1.0)/R(2.0))*t203 - R(1.0)/R(2.0)*t204 + t233;
+    D_d[5][0][5] = (R(1.0)/R(2.0))*B_6_z*D_p_ry_6 + (R(1.0)/R(2.0))*n_6_x - R(1.0)/R(2.0)*t205 + t234;
+    D_d[5][1][0] = (R(1.0)/R(2.0))*t206 - R(1.0)/R(2.0)*t207 + t235;
+    D_d[5][1][1] = (R(1.0)/R(2.0))*t208 - R(1.0)/R(2.0)*t209 + t236;
+    D_d[5][1][2] = (R(1.0)/R(2.0))*t210 - R(1.0)/R(2.0)*t211 + t237;
+    D_d[5][1][3] = (R(1.0)/R(2.0))*t212 - R(1.0)/R(2.0)*t213 + t238;
+    D_d[5][1][4] = (R(1.0)/R(2.0))*t214 - R(1.0)/R(2.0)*t215 + t239;
+    D_d[5][1][5] = (R(1.0)/R(2.0))*n_6_y + (R(1.0)/R(2.0))*t216 - R(1.0)/R(2.0)*t217 + t240;
+    D_d[5][2][0] = (R(1.0)/R(2.0))*t218 - R(1.0)/R(2.0)*t219 + t241;
+    D_d[5][2][1] = (R(1.0)/R(2.0))*t220 - R(1.0)/R(2.0)*t221 + t242;
+    D_d[5][2][2] = (R(1.0)/R(2.0))*t222 - R(1.0)/R(2.0)*t223 + t243;
+    D_d[5][2][3] = (R(1.0)/R(2.0))*t224 - R(1.0)/R(2.0)*t225 + t244;
+    D_d[5][2][4] = (R(1.0)/R(2.0))*t226 - R(1.0)/R(2.0)*t227 + t245;
+    D_d[5][2][5] = (R(1.0)/R(2.0))*B_6_y*D_p_rx_6 + (R(1.0)/R(2.0))*n_6_z - R(1.0)/R(2.0)*t228 + t246;
+    D_omega[0][0][0] = t247*(-U_1_y_1*s_1_z + U_1_z_1*s_1_y);
+    D_omega[0][0][1] = t247*(-U_1_y_2*s_1_z + U_1_z_2*s_1_y);
+    D_omega[0][0][2] = t247*(-U_1_y_3*s_1_z + U_1_z_3*s_1_y);
+    D_omega[0][0][3] = t247*(-U_1_y_4*s_1_z + U_1_z_4*s_1_y);
+    D_omega[0][0][4] = t247*(-U_1_y_5*s_1_z + U_1_z_5*s_1_y);
+    D_omega[0][0][5] = t247*(-U_1_y_6*s_1_z + U_1_z_6*s_1_y);
+    D_omega[0][1][0] = t247*(U_1_x_1*s_1_z - U_1_z_1*s_1_x);
+    D_omega[0][1][1] = t247*(U_1_x_2*s_1_z - U_1_z_2*s_1_x);
+    D_omega[0][1][2] = t247*(U_1_x_3*s_1_z - U_1_z_3*s_1_x);
+    D_omega[0][1][3] = t247*(U_1_x_4*s_1_z - U_1_z_4*s_1_x);
+    D_omega[0][1][4] = t247*(U_1_x_5*s_1_z - U_1_z_5*s_1_x);
+    D_omega[0][1][5] = t247*(U_1_x_6*s_1_z - U_1_z_6*s_1_x);
+    D_omega[0][2][0] = t247*(-U_1_x_1*s_1_y + U_1_y_1*s_1_x);
+    D_omega[0][2][1] = t247*(-U_1_x_2*s_1_y + U_1_y_2*s_1_x);
+    D_omega[0][2][2] = t247*(-U_1_x_3*s_1_y + U_1_y_3*s_1_x);
+    D_omega[0][2][3] = t247*(-U_1_x_4*s_1_y + U_1_y_4*s_1_x);
+    D_omega[0][2][4] = t247*(-U_1_x_5*s_1_y + U_1_y_5*s_1_x);
+    D_omega[0][2][5] = t247*(-U_1_x_6*s_1_y + U_1_y_6*s_1_x);
+    D_omega[1][0][0] = t248*(-U_2_y_1*s_2_z + U_2_z_1*s_2_y);
+    D_omega[1][0][1] = t248*(-U_2_y_2*s_2_z + U_2_z_2*s_2_y);
+    D_omega[1][0][2] = t248*(-U_2_y_3*s_2_z + U_2_z_3*s_2_y);
+    D_omega[1][0][3] = t248*(-U_2_y_4*s_2_z + U_2_z_4*s_2_y);
+    D_omega[1][0][4] = t248*(-U_2_y_5*s_2_z + U_2_z_5*s_2_y);
+    D_omega[1][0][5] = t248*(-U_2_y_6*s_2_z + U_2_z_6*s_2_y);
+    D_omega[1][1][0] = t248*(U_2_x_1*s_2_z - U_2_z_1*s_2_x);
+    D_omega[1][1][1] = t248*(U_2_x_2*s_2_z - U_2_z_2*s_2_x);
+    D_omega[1][1][2] = t248*(U_2_x_3*s_2_z - U_2_z_3*s_2_x);
+    D_omega[1][1][3] = t248*(U_2_x_4*s_2_z - U_2_z_4*s_2_x);
+    D_omega[1][1][4] = t248*(U_2_x_5*s_2_z - U_2_z_5*s_2_x);
+    D_omega[1][1][5] = t248*(U_2_x_6*s_2_z - U_2_z_6*s_2_x);
+    D_omega[1][2][0] = t248*(-U_2_x_1*s_2_y + U_2_y_1*s_2_x);
+    D_omega[1][2][1] = t248*(-U_2_x_2*s_2_y + U_2_y_2*s_2_x);
+    D_omega[1][2][2] = t248*(-U_2_x_3*s_2_y + U_2_y_3*s_2_x);
+    D_omega[1][2][3] = t248*(-U_2_x_4*s_2_y + U_2_y_4*s_2_x);
+    D_omega[1][2][4] = t248*(-U_2_x_5*s_2_y + U_2_y_5*s_2_x);
+    D_omega[1][2][5] = t248*(-U_2_x_6*s_2_y + U_2_y_6*s_2_x);
+    D_omega[2][0][0] = t249*(-U_3_y_1*s_3_z + U_3_z_1*s_3_y);
+    D_omega[2][0][1] = t249*(-U_3_y_2*s_3_z + U_3_z_2*s_3_y);
+    D_omega[2][0][2] = t249*(-U_3_y_3*s_3_z + U_3_z_3*s_3_y);
+    D_omega[2][0][3] = t249*(-U_3_y_4*s_3_z + U_3_z_4*s_3_y);
+    D_omega[2][0][4] = t249*(-U_3_y_5*s_3_z + U_3_z_5*s_3_y);
+    D_omega[2][0][5] = t249*(-U_3_y_6*s_3_z + U_3_z_6*s_3_y);
+    D_omega[2][1][0] = t249*(U_3_x_1*s_3_z - U_3_z_1*s_3_x);
+    D_omega[2][1][1] = t249*(U_3_x_2*s_3_z - U_3_z_2*s_3_x);
+    D_omega[2][1][2] = t249*(U_3_x_3*s_3_z - U_3_z_3*s_3_x);
+    D_omega[2][1][3] = t249*(U_3_x_4*s_3_z - U_3_z_4*s_3_x);
+    D_omega[2][1][4] = t249*(U_3_x_5*s_3_z - U_3_z_5*s_3_x);
+    D_omega[2][1][5] = t249*(U_3_x_6*s_3_z - U_3_z_6*s_3_x);
+    D_omega[2][2][0] = t249*(-U_3_x_1*s_3_y + U_3_y_1*s_3_x);
+    D_omega[2][2][1] = t249*(-U_3_x_2*s_3_y + U_3_y_2*s_3_x);
+    D_omega[2][2][2] = t249*(-U_3_x_3*s_3_y + U_3_y_3*s_3_x);
+    D_omega[2][2][3] = t249*(-U_3_x_4*s_3_y + U_3_y_4*s_3_x);
+    D_omega[2][2][4] = t249*(-U_3_x_5*s_3_y + U_3_y_5*s_3_x);
+    D_omega[2][2][5] = t249*(-U_3_x_6*s_3_y + U_3_y_6*s_3_x);
+    D_omega[3][0][0] = t250*(-U_4_y_1*s_4_z + U_4_z_1*s_4_y);
+    D_omega[3][0][1] = t250*(-U_4_y_2*s_4_z + U_4_z_2*s_4_y);
+    D_omega[3][0][2] = t250*(-U_4_y_3*s_4_z + U_4_z_3*s_4_y);
+    D_omega[3][0][3] = t250*(-U_4_y_4*s_4_z + U_4_z_4*s_4_y);
+    D_omega[3][0][4] = t250*(-U_4_y_5*s_4_z + U_4_z_5*s_4_y);
+    D_omega[3][0][5] = t250*(-U_4_y_6*s_4_z + U_4_z_6*s_4_y);
+    D_omega[3][1][0] = t250*(U_4_x_1*s_4_z - U_4_z_1*s_4_x);
+    D_omega[3][1][1] = t250*(U_4_x_2*s_4_z - U_4_z_2*s_4_x);
+    D_omega[3][1][2] = t250*(U_4_x_3*s_4_z - U_4_z_3*s_4_x);
+    D_omega[3][1][3] = t250*(U_4_x_4*s_4_z - U_4_z_4*s_4_x);
+    D_omega[3][1][4] = t250*(U_4_x_5*s_4_z - U_4_z_5*s_4_x);
+    D_omega[3][1][5] = t250*(U_4_x_6*s_4_z - U_4_z_6*s_4_x);
+    D_omega[3][2][0] = t250*(-U_4_x_1*s_4_y + U_4_y_1*s_4_x);
+    D_omega[3][2][1] = t250*(-U_4_x_2*s_4_y + U_4_y_2*s_4_x);
+    D_omega[3][2][2] = t250*(-U_4_x_3*s_4_y + U_4_y_3*s_4_x);
+    D_omega[3][2][3] = t250*(-U_4_x_4*s_4_y + U_4_y_4*s_4_x);
+    D_omega[3][2][4] = t250*(-U_4_x_5*s_4_y + U_4_y_5*s_4_x);
+    D_omega[3][2][5] = t250*(-U_4_x_6*s_4_y + U_4_y_6*s_4_x);
+    D_omega[4][0][0] = t251*(-U_5_y_1*s_5_z + U_5_z_1*s_5_y);
+    D_omega[4][0][1] = t251*(-U_5_y_2*s_5_z + U_5_z_2*s_5_y);
+    D_omega[4][0][2] = t251*(-U_5_y_3*s_5_z + U_5_z_3*s_5_y);
+    D_omega[4][0][3] = t251*(-U_5_y_4*s_5_z + U_5_z_4*s_5_y);
+    D_omega[4][0][4] = t251*(-U_5_y_5*s_5_z + U_5_z_5*s_5_y);
+    D_omega[4][0][5] = t251*(-U_5_y_6*s_5_z + U_5_z_6*s_5_y);
+    D_omega[4][1][0] = t251*(U_5_x_1*s_5_z - U_5_z_1*s_5_x);
+    D_omega[4][1][1] = t251*(U_5_x_2*s_5_z - U_5_z_2*s_5_x);
+    D_omega[4][1][2] = t251*(U_5_x_3*s_5_z - U_5_z_3*s_5_x);
+    D_omega[4][1][3] = t251*(U_5_x_4*s_5_z - U_5_z_4*s_5_x);
+    D_omega[4][1][4] = t251*(U_5_x_5*s_5_z - U_5_z_5*s_5_x);
+    D_omega[4][1][5] = t251*(U_5_x_6*s_5_z - U_5_z_6*s_5_x);
+    D_omega[4][2][0] = t251*(-U_5_x_1*s_5_y + U_5_y_1*s_5_x);
+    D_omega[4][2][1] = t251*(-U_5_x_2*s_5_y + U_5_y_2*s_5_x);
+    D_omega[4][2][2] = t251*(-U_5_x_3*s_5_y + U_5_y_3*s_5_x);
+    D_omega[4][2][3] = t251*(-U_5_x_4*s_5_y + U_5_y_4*s_5_x);
+    D_omega[4][2][4] = t251*(-U_5_x_5*s_5_y + U_5_y_5*s_5_x);
+    D_omega[4][2][5] = t251*(-U_5_x_6*s_5_y + U_5_y_6*s_5_x);
+    D_omega[5][0][0] = t252*(-U_6_y_1*s_6_z + U_6_z_1*s_6_y);
+    D_omega[5][0][1] = t252*(-U_6_y_2*s_6_z + U_6_z_2*s_6_y);
+    D_omega[5][0][2] = t252*(-U_6_y_3*s_6_z + U_6_z_3*s_6_y);
+    D_omega[5][0][3] = t252*(-U_6_y_4*s_6_z + U_6_z_4*s_6_y);
+    D_omega[5][0][4] = t252*(-U_6_y_5*s_6_z + U_6_z_5*s_6_y);
+    D_omega[5][0][5] = t252*(-U_6_y_6*s_6_z + U_6_z_6*s_6_y);
+    D_omega[5][1][0] = t252*(U_6_x_1*s_6_z - U_6_z_1*s_6_x);
+    D_omega[5][1][1] = t252*(U_6_x_2*s_6_z - U_6_z_2*s_6_x);
+    D_omega[5][1][2] = t252*(U_6_x_3*s_6_z - U_6_z_3*s_6_x);
+    D_omega[5][1][3] = t252*(U_6_x_4*s_6_z - U_6_z_4*s_6_x);
+    D_omega[5][1][4] = t252*(U_6_x_5*s_6_z - U_6_z_5*s_6_x);
+    D_omega[5][1][5] = t252*(U_6_x_6*s_6_z - U_6_z_6*s_6_x);
+    D_omega[5][2][0] = t252*(-U_6_x_1*s_6_y + U_6_y_1*s_6_x);
+    D_omega[5][2][1] = t252*(-U_6_x_2*s_6_y + U_6_y_2*s_6_x);
+    D_omega[5][2][2] = t252*(-U_6_x_3*s_6_y + U_6_y_3*s_6_x);
+    D_omega[5][2][3] = t252*(-U_6_x_4*s_6_y + U_6_y_4*s_6_x);
+    D_omega[5][2][4] = t252*(-U_6_x_5*s_6_y + U_6_y_5*s_6_x);
+    D_omega[5][2][5] = t252*(-U_6_x_6*s_6_y + U_6_y_6*s_6_x);
 }
 
 void hexaglide_kinetic_energy(const pkmodes_real p[6], const pkmodes_real q_dot[18],

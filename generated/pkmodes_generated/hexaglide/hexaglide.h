@@ -64,7 +64,7 @@ typedef double pkmodes_real;
 #define hexaglide_reach_margin hexaglide_reach_margin_f
 #define hexaglide_travel_margin hexaglide_travel_margin_f
 #define hexaglide_belt_spans hexaglide_belt_spans_f
-#define hexaglide_characteristic_length hexaglide_characteristic_length_f
+#define hexaglide_platform_joints hexaglide_platform_joints_f
 #define hexaglide_constraint_jacobians hexaglide_constraint_jacobians_f
 #define hexaglide_jacobian_condition hexaglide_jacobian_condition_f
 #define hexaglide_platform_jacobian hexaglide_platform_jacobian_f
@@ -98,7 +98,7 @@ extern "C" {
 /* version of the generator */
 #define HEXAGLIDE_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define HEXAGLIDE_HASH "a57d98ac75647e80"
+#define HEXAGLIDE_HASH "c51710d26bfb9a18"
 /* components of a pose */
 #define HEXAGLIDE_POSE 6
 /* coordinates, and modes */
@@ -215,8 +215,8 @@ void hexaglide_joint_line_margin(const hexaglide_parameters *parameters, pkmodes
  *
  *   out margin [m^2]: positive for two legs that differ
  *
- * Source: sums of squared differences.
- * 630 operations; 675 with every named value expanded.
+ * Source: sums of squared differences; numbers count times the rms distance of the platform joints.
+ * 733 operations; 2280 with every named value expanded.
  */
 void hexaglide_leg_margin(const hexaglide_parameters *parameters, pkmodes_real margin[15]);
 
@@ -251,14 +251,16 @@ void hexaglide_travel_margin(const hexaglide_parameters *parameters, pkmodes_rea
 void hexaglide_belt_spans(const pkmodes_real p[6], const hexaglide_parameters *parameters,
     pkmodes_real l_f[6][3]);
 
-/* Characteristic length of the platform, which makes rotations comparable with displacements.
+/* How the joints lie on the platform: a characteristic length, and their middle.
  *
  *   out length [m]: root mean square distance of the platform joints from the platform's origin
+ *   out middle [m]: middle of the platform joints from that origin, platform axes
  *
- * Source: the condition number of D_l.
- * 55 operations; 55 with every named value expanded.
+ * Source: the condition number of D_l, in which the length makes rotations comparable with displacements.
+ * 88 operations; 88 with every named value expanded.
  */
-void hexaglide_characteristic_length(const hexaglide_parameters *parameters, pkmodes_real *length);
+void hexaglide_platform_joints(const hexaglide_parameters *parameters, pkmodes_real *length,
+    pkmodes_real middle[3]);
 
 /* Constraint Jacobians D_l and D_r of D_l p_dot = D_r x_dot.
  *
@@ -284,7 +286,7 @@ void hexaglide_constraint_jacobians(const pkmodes_real p[6], const hexaglide_par
  *   out determinant [m^9]: det D_l; its sign is the assembly branch
  *   out condition [1]: Frobenius condition number, at least 6
  *
- * Source: equation 15; |D_l| |D_l^-1|, one to 6 times the condition number in the 2-norm.
+ * Source: equation 15; |D_l| |D_l^-1|, one to six times the condition number in the 2-norm.
  * 1817 operations; 186565260 with every named value expanded.
  */
 void hexaglide_jacobian_condition(const pkmodes_real p[6], const hexaglide_parameters *parameters,
@@ -339,7 +341,7 @@ void hexaglide_platform_second_derivatives(const pkmodes_real p[6], const hexagl
  *   out D_omega [1/m]: D_omega[j-1] x_dot is the angular velocity of linkage j
  *
  * Source: equations 16 and 23; the angular velocity without spin about the rod, which carries no energy.
- * 2648 operations; 4904818776 with every named value expanded.
+ * 3020 operations; 4904818992 with every named value expanded.
  */
 void hexaglide_link_jacobians(const pkmodes_real p[6], const hexaglide_parameters *parameters,
     pkmodes_real D_d[6][3][6], pkmodes_real D_omega[6][3][6]);

@@ -572,69 +572,80 @@ void hexapod_leg_margin(const hexapod_parameters *parameters, pkmodes_real margi
     const pkmodes_real b_6_x = parameters->joint[5][0];
     const pkmodes_real b_6_y = parameters->joint[5][1];
     const pkmodes_real b_6_z = parameters->joint[5][2];
+    const pkmodes_real t1 =
+        R(1.6666666666666667e-11)*(b_1_x*b_1_x) + R(1.6666666666666667e-11)*(b_1_y*b_1_y)
+        + R(1.6666666666666667e-11)*(b_1_z*b_1_z) + R(1.6666666666666667e-11)*(b_2_x*b_2_x)
+        + R(1.6666666666666667e-11)*(b_2_y*b_2_y) + R(1.6666666666666667e-11)*(b_2_z*b_2_z)
+        + R(1.6666666666666667e-11)*(b_3_x*b_3_x) + R(1.6666666666666667e-11)*(b_3_y*b_3_y)
+        + R(1.6666666666666667e-11)*(b_3_z*b_3_z) + R(1.6666666666666667e-11)*(b_4_x*b_4_x)
+        + R(1.6666666666666667e-11)*(b_4_y*b_4_y) + R(1.6666666666666667e-11)*(b_4_z*b_4_z)
+        + R(1.6666666666666667e-11)*(b_5_x*b_5_x) + R(1.6666666666666667e-11)*(b_5_y*b_5_y)
+        + R(1.6666666666666667e-11)*(b_5_z*b_5_z) + R(1.6666666666666667e-11)*(b_6_x*b_6_x)
+        + R(1.6666666666666667e-11)*(b_6_y*b_6_y) + R(1.6666666666666667e-11)*(b_6_z*b_6_z);
     margin[0] =
-        ((a_1_x - a_2_x)*(a_1_x - a_2_x)) + ((a_1_y - a_2_y)*(a_1_y - a_2_y)) + ((a_1_z - a_2_z)*(a_1_z
+        -t1 + ((a_1_x - a_2_x)*(a_1_x - a_2_x)) + ((a_1_y - a_2_y)*(a_1_y - a_2_y)) + ((a_1_z - a_2_z)*(a_1_z
         - a_2_z)) + ((b_1_x - b_2_x)*(b_1_x - b_2_x)) + ((b_1_y - b_2_y)*(b_1_y - b_2_y)) + ((b_1_z
-        - b_2_z)*(b_1_z - b_2_z)) + R(-1e-12);
+        - b_2_z)*(b_1_z - b_2_z));
     margin[1] =
-        ((a_1_x - a_3_x)*(a_1_x - a_3_x)) + ((a_1_y - a_3_y)*(a_1_y - a_3_y)) + ((a_1_z - a_3_z)*(a_1_z
+        -t1 + ((a_1_x - a_3_x)*(a_1_x - a_3_x)) + ((a_1_y - a_3_y)*(a_1_y - a_3_y)) + ((a_1_z - a_3_z)*(a_1_z
         - a_3_z)) + ((b_1_x - b_3_x)*(b_1_x - b_3_x)) + ((b_1_y - b_3_y)*(b_1_y - b_3_y)) + ((b_1_z
-        - b_3_z)*(b_1_z - b_3_z)) + R(-1e-12);
+        - b_3_z)*(b_1_z - b_3_z));
     margin[2] =
-        ((a_1_x - a_4_x)*(a_1_x - a_4_x)) + ((a_1_y - a_4_y)*(a_1_y - a_4_y)) + ((a_1_z - a_4_z)*(a_1_z
+        -t1 + ((a_1_x - a_4_x)*(a_1_x - a_4_x)) + ((a_1_y - a_4_y)*(a_1_y - a_4_y)) + ((a_1_z - a_4_z)*(a_1_z
         - a_4_z)) + ((b_1_x - b_4_x)*(b_1_x - b_4_x)) + ((b_1_y - b_4_y)*(b_1_y - b_4_y)) + ((b_1_z
-        - b_4_z)*(b_1_z - b_4_z)) + R(-1e-12);
+        - b_4_z)*(b_1_z - b_4_z));
     margin[3] =
-        ((a_1_x - a_5_x)*(a_1_x - a_5_x)) + ((a_1_y - a_5_y)*(a_1_y - a_5_y)) + ((a_1_z - a_5_z)*(a_1_z
+        -t1 + ((a_1_x - a_5_x)*(a_1_x - a_5_x)) + ((a_1_y - a_5_y)*(a_1_y - a_5_y)) + ((a_1_z - a_5_z)*(a_1_z
         - a_5_z)) + ((b_1_x - b_5_x)*(b_1_x - b_5_x)) + ((b_1_y - b_5_y)*(b_1_y - b_5_y)) + ((b_1_z
-        - b_5_z)*(b_1_z - b_5_z)) + R(-1e-12);
+        - b_5_z)*(b_1_z - b_5_z));
     margin[4] =
-        ((a_1_x - a_6_x)*(a_1_x - a_6_x)) + ((a_1_y - a_6_y)*(a_1_y - a_6_y)) + ((a_1_z - a_6_z)*(a_1_z
+        -t1 + ((a_1_x - a_6_x)*(a_1_x - a_6_x)) + ((a_1_y - a_6_y)*(a_1_y - a_6_y)) + ((a_1_z - a_6_z)*(a_1_z
         - a_6_z)) + ((b_1_x - b_6_x)*(b_1_x - b_6_x)) + ((b_1_y - b_6_y)*(b_1_y - b_6_y)) + ((b_1_z
-        - b_6_z)*(b_1_z - b_6_z)) + R(-1e-12);
+        - b_6_z)*(b_1_z - b_6_z));
     margin[5] =
-        ((a_2_x - a_3_x)*(a_2_x - a_3_x)) + ((a_2_y - a_3_y)*(a_2_y - a_3_y)) + ((a_2_z - a_3_z)*(a_2_z
+        -t1 + ((a_2_x - a_3_x)*(a_2_x - a_3_x)) + ((a_2_y - a_3_y)*(a_2_y - a_3_y)) + ((a_2_z - a_3_z)*(a_2_z
         - a_3_z)) + ((b_2_x - b_3_x)*(b_2_x - b_3_x)) + ((b_2_y - b_3_y)*(b_2_y - b_3_y)) + ((b_2_z
-        - b_3_z)*(b_2_z - b_3_z)) + R(-1e-12);
+        - b_3_z)*(b_2_z - b_3_z));
     margin[6] =
-        ((a_2_x - a_4_x)*(a_2_x - a_4_x)) + ((a_2_y - a_4_y)*(a_2_y - a_4_y)) + ((a_2_z - a_4_z)*(a_2_z
+        -t1 + ((a_2_x - a_4_x)*(a_2_x - a_4_x)) + ((a_2_y - a_4_y)*(a_2_y - a_4_y)) + ((a_2_z - a_4_z)*(a_2_z
         - a_4_z)) + ((b_2_x - b_4_x)*(b_2_x - b_4_x)) + ((b_2_y - b_4_y)*(b_2_y - b_4_y)) + ((b_2_z
-        - b_4_z)*(b_2_z - b_4_z)) + R(-1e-12);
+        - b_4_z)*(b_2_z - b_4_z));
     margin[7] =
-        ((a_2_x - a_5_x)*(a_2_x - a_5_x)) + ((a_2_y - a_5_y)*(a_2_y - a_5_y)) + ((a_2_z - a_5_z)*(a_2_z
+        -t1 + ((a_2_x - a_5_x)*(a_2_x - a_5_x)) + ((a_2_y - a_5_y)*(a_2_y - a_5_y)) + ((a_2_z - a_5_z)*(a_2_z
         - a_5_z)) + ((b_2_x - b_5_x)*(b_2_x - b_5_x)) + ((b_2_y - b_5_y)*(b_2_y - b_5_y)) + ((b_2_z
-        - b_5_z)*(b_2_z - b_5_z)) + R(-1e-12);
+        - b_5_z)*(b_2_z - b_5_z));
     margin[8] =
-        ((a_2_x - a_6_x)*(a_2_x - a_6_x)) + ((a_2_y - a_6_y)*(a_2_y - a_6_y)) + ((a_2_z - a_6_z)*(a_2_z
+        -t1 + ((a_2_x - a_6_x)*(a_2_x - a_6_x)) + ((a_2_y - a_6_y)*(a_2_y - a_6_y)) + ((a_2_z - a_6_z)*(a_2_z
         - a_6_z)) + ((b_2_x - b_6_x)*(b_2_x - b_6_x)) + ((b_2_y - b_6_y)*(b_2_y - b_6_y)) + ((b_2_z
-        - b_6_z)*(b_2_z - b_6_z)) + R(-1e-12);
+        - b_6_z)*(b_2_z - b_6_z));
     margin[9] =
-        ((a_3_x - a_4_x)*(a_3_x - a_4_x)) + ((a_3_y - a_4_y)*(a_3_y - a_4_y)) + ((a_3_z - a_4_z)*(a_3_z
+        -t1 + ((a_3_x - a_4_x)*(a_3_x - a_4_x)) + ((a_3_y - a_4_y)*(a_3_y - a_4_y)) + ((a_3_z - a_4_z)*(a_3_z
         - a_4_z)) + ((b_3_x - b_4_x)*(b_3_x - b_4_x)) + ((b_3_y - b_4_y)*(b_3_y - b_4_y)) + ((b_3_z
-        - b_4_z)*(b_3_z - b_4_z)) + R(-1e-12);
+        - b_4_z)*(b_3_z - b_4_z));
     margin[10] =
-        ((a_3_x - a_5_x)*(a_3_x - a_5_x)) + ((a_3_y - a_5_y)*(a_3_y - a_5_y)) + ((a_3_z - a_5_z)*(a_3_z
+        -t1 + ((a_3_x - a_5_x)*(a_3_x - a_5_x)) + ((a_3_y - a_5_y)*(a_3_y - a_5_y)) + ((a_3_z - a_5_z)*(a_3_z
         - a_5_z)) + ((b_3_x - b_5_x)*(b_3_x - b_5_x)) + ((b_3_y - b_5_y)*(b_3_y - b_5_y)) + ((b_3_z
-        - b_5_z)*(b_3_z - b_5_z)) + R(-1e-12);
+        - b_5_z)*(b_3_z - b_5_z));
     margin[11] =
-        ((a_3_x - a_6_x)*(a_3_x - a_6_x)) + ((a_3_y - a_6_y)*(a_3_y - a_6_y)) + ((a_3_z - a_6_z)*(a_3_z
+        -t1 + ((a_3_x - a_6_x)*(a_3_x - a_6_x)) + ((a_3_y - a_6_y)*(a_3_y - a_6_y)) + ((a_3_z - a_6_z)*(a_3_z
         - a_6_z)) + ((b_3_x - b_6_x)*(b_3_x - b_6_x)) + ((b_3_y - b_6_y)*(b_3_y - b_6_y)) + ((b_3_z
-        - b_6_z)*(b_3_z - b_6_z)) + R(-1e-12);
+        - b_6_z)*(b_3_z - b_6_z));
     margin[12] =
-        ((a_4_x - a_5_x)*(a_4_x - a_5_x)) + ((a_4_y - a_5_y)*(a_4_y - a_5_y)) + ((a_4_z - a_5_z)*(a_4_z
+        -t1 + ((a_4_x - a_5_x)*(a_4_x - a_5_x)) + ((a_4_y - a_5_y)*(a_4_y - a_5_y)) + ((a_4_z - a_5_z)*(a_4_z
         - a_5_z)) + ((b_4_x - b_5_x)*(b_4_x - b_5_x)) + ((b_4_y - b_5_y)*(b_4_y - b_5_y)) + ((b_4_z
-        - b_5_z)*(b_4_z - b_5_z)) + R(-1e-12);
+        - b_5_z)*(b_4_z - b_5_z));
     margin[13] =
-        ((a_4_x - a_6_x)*(a_4_x - a_6_x)) + ((a_4_y - a_6_y)*(a_4_y - a_6_y)) + ((a_4_z - a_6_z)*(a_4_z
+        -t1 + ((a_4_x - a_6_x)*(a_4_x - a_6_x)) + ((a_4_y - a_6_y)*(a_4_y - a_6_y)) + ((a_4_z - a_6_z)*(a_4_z
         - a_6_z)) + ((b_4_x - b_6_x)*(b_4_x - b_6_x)) + ((b_4_y - b_6_y)*(b_4_y - b_6_y)) + ((b_4_z
-        - b_6_z)*(b_4_z - b_6_z)) + R(-1e-12);
+        - b_6_z)*(b_4_z - b_6_z));
     margin[14] =
-        ((a_5_x - a_6_x)*(a_5_x - a_6_x)) + ((a_5_y - a_6_y)*(a_5_y - a_6_y)) + ((a_5_z - a_6_z)*(a_5_z
+        -t1 + ((a_5_x - a_6_x)*(a_5_x - a_6_x)) + ((a_5_y - a_6_y)*(a_5_y - a_6_y)) + ((a_5_z - a_6_z)*(a_5_z
         - a_6_z)) + ((b_5_x - b_6_x)*(b_5_x - b_6_x)) + ((b_5_y - b_6_y)*(b_5_y - b_6_y)) + ((b_5_z
-        - b_6_z)*(b_5_z - b_6_z)) + R(-1e-12);
+        - b_6_z)*(b_5_z - b_6_z));
 }
 
-void hexapod_characteristic_length(const hexapod_parameters *parameters, pkmodes_real *length)
+void hexapod_platform_joints(const hexapod_parameters *parameters, pkmodes_real *length,
+    pkmodes_real middle[3])
 {
     const pkmodes_real b_1_x = parameters->joint[0][0];
     const pkmodes_real b_1_y = parameters->joint[0][1];
@@ -661,6 +672,15 @@ void hexapod_characteristic_length(const hexapod_parameters *parameters, pkmodes
         + (R(1.0)/R(6.0))*(b_4_x*b_4_x) + (R(1.0)/R(6.0))*(b_4_y*b_4_y) + (R(1.0)/R(6.0))*(b_4_z*b_4_z)
         + (R(1.0)/R(6.0))*(b_5_x*b_5_x) + (R(1.0)/R(6.0))*(b_5_y*b_5_y) + (R(1.0)/R(6.0))*(b_5_z*b_5_z)
         + (R(1.0)/R(6.0))*(b_6_x*b_6_x) + (R(1.0)/R(6.0))*(b_6_y*b_6_y) + (R(1.0)/R(6.0))*(b_6_z*b_6_z));
+    middle[0] =
+        (R(1.0)/R(6.0))*b_1_x + (R(1.0)/R(6.0))*b_2_x + (R(1.0)/R(6.0))*b_3_x + (R(1.0)/R(6.0))*b_4_x
+        + (R(1.0)/R(6.0))*b_5_x + (R(1.0)/R(6.0))*b_6_x;
+    middle[1] =
+        (R(1.0)/R(6.0))*b_1_y + (R(1.0)/R(6.0))*b_2_y + (R(1.0)/R(6.0))*b_3_y + (R(1.0)/R(6.0))*b_4_y
+        + (R(1.0)/R(6.0))*b_5_y + (R(1.0)/R(6.0))*b_6_y;
+    middle[2] =
+        (R(1.0)/R(6.0))*b_1_z + (R(1.0)/R(6.0))*b_2_z + (R(1.0)/R(6.0))*b_3_z + (R(1.0)/R(6.0))*b_4_z
+        + (R(1.0)/R(6.0))*b_5_z + (R(1.0)/R(6.0))*b_6_z;
 }
 
 void hexapod_constraint_jacobians(const pkmodes_real p[6], const hexapod_parameters *parameters,

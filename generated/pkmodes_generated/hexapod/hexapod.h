@@ -57,7 +57,7 @@ typedef double pkmodes_real;
 #define hexapod_joint_line_margin hexapod_joint_line_margin_f
 #define hexapod_base_line_margin hexapod_base_line_margin_f
 #define hexapod_leg_margin hexapod_leg_margin_f
-#define hexapod_characteristic_length hexapod_characteristic_length_f
+#define hexapod_platform_joints hexapod_platform_joints_f
 #define hexapod_constraint_jacobians hexapod_constraint_jacobians_f
 #define hexapod_jacobian_condition hexapod_jacobian_condition_f
 #define hexapod_platform_jacobian hexapod_platform_jacobian_f
@@ -89,7 +89,7 @@ extern "C" {
 /* version of the generator */
 #define HEXAPOD_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define HEXAPOD_HASH "651a81ed576eae6d"
+#define HEXAPOD_HASH "308ed44b36705ac5"
 /* components of a pose */
 #define HEXAPOD_POSE 6
 /* coordinates, and modes */
@@ -214,19 +214,21 @@ void hexapod_base_line_margin(const hexapod_parameters *parameters, pkmodes_real
  *
  *   out margin [m^2]: positive for two legs that differ
  *
- * Source: sums of squared differences.
- * 270 operations; 270 with every named value expanded.
+ * Source: sums of squared differences; numbers count times the rms distance of the platform joints.
+ * 323 operations; 1065 with every named value expanded.
  */
 void hexapod_leg_margin(const hexapod_parameters *parameters, pkmodes_real margin[15]);
 
-/* Characteristic length of the platform, which makes rotations comparable with displacements.
+/* How the joints lie on the platform: a characteristic length, and their middle.
  *
  *   out length [m]: root mean square distance of the platform joints from the platform's origin
+ *   out middle [m]: middle of the platform joints from that origin, platform axes
  *
- * Source: the condition number of D_l.
- * 55 operations; 55 with every named value expanded.
+ * Source: the condition number of D_l, in which the length makes rotations comparable with displacements.
+ * 88 operations; 88 with every named value expanded.
  */
-void hexapod_characteristic_length(const hexapod_parameters *parameters, pkmodes_real *length);
+void hexapod_platform_joints(const hexapod_parameters *parameters, pkmodes_real *length,
+    pkmodes_real middle[3]);
 
 /* Constraint Jacobians D_l and D_r of D_l p_dot = D_r l_dot.
  *
@@ -252,7 +254,7 @@ void hexapod_constraint_jacobians(const pkmodes_real p[6], const hexapod_paramet
  *   out determinant [m^9]: det D_l; its sign is the assembly branch
  *   out condition [1]: Frobenius condition number, at least 6
  *
- * Source: equation 15; |D_l| |D_l^-1|, one to 6 times the condition number in the 2-norm.
+ * Source: equation 15; |D_l| |D_l^-1|, one to six times the condition number in the 2-norm.
  * 1649 operations; 18478002 with every named value expanded.
  */
 void hexapod_jacobian_condition(const pkmodes_real p[6], const hexapod_parameters *parameters,

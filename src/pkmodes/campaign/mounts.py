@@ -20,11 +20,11 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation
+
+from pkmodes.core.linalg.rotations import AXES, about, matrix_of
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
-AXES = "xyz"
 #: What the names of the platform's displacements and rotations begin with.
 DISPLACEMENT, ROTATION = "p_", "r_"
 ORIGIN = (0.0, 0.0, 0.0)
@@ -45,8 +45,7 @@ class Platform:
 
     def rotation(self, point: Mapping[str, float]) -> Array:
         """Return its rotation, (3, 3), at a pose whose components ``r`` + axis are a rotation vector [rad]."""
-        vector = along(self.rotations, [point[f"r{axis}"] for axis in self.rotations])
-        return np.asarray(Rotation.from_rotvec(vector).as_matrix())
+        return matrix_of(about(self.rotations, np.array([point[f"r{axis}"] for axis in self.rotations])))
 
 
 @dataclass(frozen=True)
@@ -89,8 +88,8 @@ class Mount:
 
 def along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
     """Return the vector that has these numbers along these axes, and 0 along the others."""
-    found = dict.fromkeys(AXES, 0.0) | dict(zip(axes, numbers, strict=True))
-    return found["x"], found["y"], found["z"]
+    x, y, z = about(axes, np.asarray(numbers, dtype=float)).tolist()
+    return x, y, z
 
 
 def spread(mounts: Sequence[Mount]) -> float:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PoseError
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.generated import Generated
-from pkmodes.core.mechanism.length import platform_points
+from pkmodes.core.mechanism.length import middle_of_joints
 from pkmodes.core.mechanism.poses import LARGE
 from pkmodes.core.mechanism.regular import drawn_poses
 from pkmodes.core.mechanism.rods import singular_angles
@@ -145,10 +145,10 @@ def hanging(model: Model, poses: Array) -> Array:
 def _beside_joints(model: Model) -> Array | None:
     """Return the direction from the middle of a platform's joints to its origin; None if it is in the middle."""
     mechanism = model.mechanism
-    points = platform_points(mechanism, model.robot.parameters)
-    if not len(points):
+    if not mechanism.rotations:
         return None
-    beside = -points.mean(axis=0)[["xyz".index(axis) for axis in mechanism.directions]]
+    middle = middle_of_joints(mechanism, model.robot.parameters)
+    beside = -middle[["xyz".index(axis) for axis in mechanism.directions]]
     return beside if np.linalg.norm(beside) > BESIDE * model.characteristic_length else None
 
 

@@ -23,9 +23,9 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import sample, sample_pose
 from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.layout import Slot
+from pkmodes.core.system.entry_rates import Entries, entries_of, rates_by_steps
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.paths import ParameterPath
-from pkmodes.sensitivity.steps import Entries, rates_by_steps
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -60,8 +60,7 @@ def _slots(mechanism: Mechanism) -> dict[Slot, int]:
 
 @cache
 def _entries(mechanism: Mechanism, matrix: int) -> Entries:
-    places = [(i, *place) for i, entry in enumerate(_listed(mechanism)) for place in entry[2 + matrix]]
-    return Entries(*np.array(places, dtype=np.intp).reshape(-1, 3).T)
+    return entries_of(_listed(mechanism), matrix)
 
 
 @cache
@@ -201,8 +200,8 @@ class MatrixDerivatives:
         extended = self.system.mechanism.extended
         if not self.system.generated.has("value_sensitivities"):
             moved = np.flatnonzero(self._directions[1].any(axis=(0, 2)))
-            entries = [_entries(self.system.mechanism, matrix) for matrix in (0, 1)]
-            return rates_by_steps(self.system, self._p, _listed(self.system.mechanism), entries, moved)
+            of, listed = self.system, _listed(self.system.mechanism)
+            return rates_by_steps(of.mechanism, of.parameters, of.effects, self._p, listed, moved)
         values = self.system.single("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
             geometry = self.system.single("geometry_sensitivities", self._p)

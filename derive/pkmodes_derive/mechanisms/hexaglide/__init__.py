@@ -6,16 +6,10 @@ the platform.
 
 from __future__ import annotations
 
-from sympy import Expr
-
+from pkmodes_derive.conditions import Apart, require_a_plane, require_different_legs, rotation_margin
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.mechanisms.hexaglide.sample import SAMPLE
-from pkmodes_derive.platform_table import (
-    platform_that_turns,
-    require_a_plane,
-    require_different_legs,
-    rotation_margin,
-)
+from pkmodes_derive.platform_table import platform_that_turns
 from pkmodes_derive.rails import axes as rails
 from pkmodes_derive.rails.picture import draw
 from pkmodes_derive.vectors import cross
@@ -55,14 +49,15 @@ def declare(m: Machine) -> None:
     rotation_margin(m)
     require_a_plane(m, "joint", axes.b, "joints on the platform")
 
-    def squares(j: int, k: int) -> list[Expr]:
+    def apart(j: int, k: int) -> Apart:
         between = tuple(v - w for v, w in zip(axes.o[j], axes.o[k], strict=True))
         beside = cross(between, axes.n[j])  # of two rails in the same line it is zero
-        of = [(v - w) ** 2 for pair in (axes.b, axes.n) for v, w in zip(pair[j], pair[k], strict=True)]
-        own = [(one[j] - one[k]) ** 2 for one in (axes.l_d, axes.sigma)]
-        return [*of, *own, *(component**2 for component in beside)]
+        joints = [v - w for v, w in zip(axes.b[j], axes.b[k], strict=True)]
+        directions = [v - w for v, w in zip(axes.n[j], axes.n[k], strict=True)]
+        lengths = [*joints, *beside, axes.l_d[j] - axes.l_d[k]]
+        return lengths, [*directions, axes.sigma[j] - axes.sigma[k]]
 
     remedy = "check joint, origin, direction, length of the rod and branch of both"
-    require_different_legs(m, 6, "rods", squares, remedy)
+    require_different_legs(m, axes.b, "rods", apart, remedy)
     rails.conditions(m, axes, distance2, "distance of the platform joints from the platform's origin")
     m.sample = SAMPLE

@@ -9,18 +9,14 @@ from __future__ import annotations
 
 from sympy import Integer, Symbol, sqrt
 
+from pkmodes_derive.conditions import SINGULAR, require_a_plane, require_different_legs, rotation_margin
 from pkmodes_derive.description import Margin
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.hexapod.picture import draw
 from pkmodes_derive.mechanisms.hexapod.sample import SAMPLE
 from pkmodes_derive.parts import LegPart, Reducer
-from pkmodes_derive.platform_table import (
-    platform_that_turns,
-    require_a_plane,
-    require_different_legs,
-    rotation_margin,
-)
+from pkmodes_derive.platform_table import platform_that_turns
 from pkmodes_derive.tables import Declared
 from pkmodes_derive.vectors import dot
 from pkmodes_derive.vocabulary import AXES
@@ -120,7 +116,7 @@ def declare(m: Machine) -> None:
         m.follows[s[j]] = l[j]
     draw(m, a, lever)
 
-    # Conditions on a pose ------------------------------------------------------------------------
+    # Conditions on a pose and on a robot --------------------------------------------------------------------
     travel = tuple(margin for j in J for margin in (l[j] - l_min[j], l_max[j] - l[j]))
     text = "for each leg: above the least and below the greatest length"
     m.extras.append(
@@ -136,23 +132,14 @@ def declare(m: Machine) -> None:
     require_a_plane(m, "base", a, "joints on the base")
     require_different_legs(
         m,
-        6,
+        b,
         "legs",
-        lambda j, k: [(v - w) ** 2 for of in (a, b) for v, w in zip(of[j], of[k], strict=True)],
+        lambda j, k: ([v - w for of in (a, b) for v, w in zip(of[j], of[k], strict=True)], ()),
         "check base and joint of both",
     )
     numbers = tuple(str(j + 1) for j in J)
     m.margins += (
-        Margin(
-            "singular",
-            "jacobian_condition",
-            1,
-            "at_most_limit",
-            "the pose is singular",
-            "the pose is singular: the condition number of D_l is {value}",
-            "choose a pose farther from the singularity",
-            unit="1",
-        ),
+        SINGULAR,
         Margin(
             "limits",
             "travel_margin",

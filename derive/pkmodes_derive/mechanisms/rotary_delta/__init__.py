@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from sympy import Expr, Rational, Symbol, atan2, cos, sin, sqrt
 
+from pkmodes_derive.conditions import SINGULAR
 from pkmodes_derive.description import Margin, ParameterGroup, Requirement
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
@@ -320,16 +321,7 @@ def _margins() -> tuple[Margin, ...]:
             "choose a pose that the arms and links can reach",
             (three, ("too short", "too long")),
         ),
-        Margin(
-            "singular",
-            "jacobian_condition",
-            1,
-            "at_most_limit",
-            "the pose is singular",
-            "the pose is singular: the condition number of D_l is {value}",
-            "choose a pose farther from the singularity",
-            unit="1",
-        ),
+        SINGULAR,
         Margin(
             "limits",
             "limit_margin",

@@ -31,37 +31,30 @@ def about(axes: Sequence[str], angles: Array) -> Array:
 
 
 def matrix_of(vectors: Array) -> Array:
-    """Return the rotation matrices of rotation vectors, (..., 3) to (..., 3, 3): Rodrigues' formula."""
-    cross, first, second, _ = _parts(vectors)
-    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross))
+    """Return the rotation matrices of rotation vectors, (..., 3) to (..., 3, 3)."""
+    flat = _rotations().from_rotvec(vectors.reshape(-1, 3)).as_matrix()
+    return np.asarray(flat.reshape(*vectors.shape, 3))
 
 
 def vector_of(matrices: Array) -> Array:
     """Return the rotation vectors of rotations of less than half a turn, (..., 3, 3) to (..., 3)."""
-    twice = np.stack(
-        [matrices[..., (i + 2) % 3, (i + 1) % 3] - matrices[..., (i + 1) % 3, (i + 2) % 3] for i in range(3)],
-        axis=-1,
-    )
-    sine = 0.5 * np.linalg.norm(twice, axis=-1)
-    angle = np.arctan2(sine, 0.5 * (np.trace(matrices, axis1=-2, axis2=-1) - 1.0))
-    small = sine < SMALL
-    factor = np.where(small, 1.0 + sine**2 / 6.0, angle / np.where(small, 1.0, sine))
-    return np.asarray(0.5 * factor[..., None] * twice)
+    flat = _rotations().from_matrix(matrices.reshape(-1, 3, 3)).as_rotvec()
+    return np.asarray(flat.reshape(matrices.shape[:-1]))
+
+
+def _rotations() -> Any:
+    # Imported here: it takes longer than the rest of the core.
+    from scipy.spatial.transform import Rotation
+
+    return Rotation
 
 
 def rates_of(vectors: Array) -> Array:
     """Return J, the small rotation about base axes per change of the rotation vector, (..., 3, 3)."""
-    cross, _, first, second = _parts(vectors)
-    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross))
-
-
-def _parts(vectors: Array) -> tuple[Any, ...]:
-    """Return [r], sin(t)/t, (1 - cos t)/t^2 and (t - sin t)/t^3, with trailing axes for matrices."""
     angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
     small = angle < SMALL
     t = np.where(small, 1.0, angle)
-    square = angle**2
-    first = np.where(small, 1.0 - square / 6.0, np.sin(t) / t)
-    second = np.where(small, 0.5 - square / 24.0, 2.0 * (np.sin(0.5 * t) / t) ** 2)
-    third = np.where(small, 1.0 / 6.0 - square / 120.0, (t - np.sin(t)) / t**3)
-    return np.cross(np.eye(3), vectors[..., None, :]), first, second, third
+    first = np.where(small, 0.5 - angle**2 / 24.0, 2.0 * (np.sin(0.5 * t) / t) ** 2)
+    second = np.where(small, 1.0 / 6.0 - angle**2 / 120.0, (t - np.sin(t)) / t**3)
+    cross = np.cross(np.eye(3), vectors[..., None, :])
+    return np.asarray(np.eye(3) + first * cross + second * (cross @ cross))

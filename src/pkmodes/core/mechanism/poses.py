@@ -51,6 +51,9 @@ MEANT = {
 }
 #: A bare length from here on, in metres.
 LARGE = MEANT["m"].size
+#: Rows of D_l depend on each other where a singular value is at most this part of the largest; a row takes part if
+#: its share in the combination that vanishes exceeds the other.
+DEPENDENT, TAKES_PART = 1e-4, 1e-3
 
 
 def reasons(mechanism: Mechanism) -> dict[str, str]:
@@ -118,11 +121,6 @@ class CheckedPoses(NamedTuple):
             )
             where: Where = slice(start, stop) if places is None else places[start:stop]
             yield where, self.points[where]
-
-
-#: Rows of D_l depend on each other where a singular value is at most this part of the largest; a row takes part if
-#: its share in the combination that vanishes exceeds the other.
-DEPENDENT, TAKES_PART = 1e-4, 1e-3
 
 
 def check_poses(
@@ -342,7 +340,8 @@ def _dependent_rows(generated: Generated, point: Array) -> str:
     rows = np.flatnonzero(np.linalg.norm(null, axis=1) > TAKES_PART) + 1
     if len(rows) < 2:
         return ""
-    return f"; its rows {', '.join(map(str, rows[:-1]))} and {rows[-1]}, those of these legs, depend on each other"
+    listed = f"{', '.join(map(str, rows[:-1]))} and {rows[-1]}"
+    return f"; its rows {listed}, one for each leg, depend on each other"
 
 
 def _sentence(margin: Margin, values: Array) -> tuple[str, str]:

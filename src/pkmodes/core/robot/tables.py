@@ -222,9 +222,7 @@ class Tables:
             elif not isinstance(given, list) or len(given) != len(components):
                 path = f"{EFFECTS}.{effect.name}.{key}"
                 what = f"expected a list of {len(components)} lengths, found {shown(given)}"
-                self.problem(
-                    path, what, f"write {key} = [{', '.join(axis for axis in XYZ[: len(components)])}]"
-                )
+                self.problem(path, what, f"write {key} = [{', '.join(XYZ[: len(components)])}]")
             else:
                 written |= dict(zip(components, given, strict=True))
         return written

@@ -17,8 +17,8 @@ from pkmodes.core.base.drives import FREE
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared, sample, sample_pose
+from pkmodes.core.system.entry_rates import value_rates
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
-from pkmodes.core.system.value_rates import value_rates
 
 Array = NDArray[np.float64]
 #: An eigenvalue below this fraction of the largest is that of a motion that strains nothing.

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.system.entry_rates import value_rates
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
-from pkmodes.core.system.value_rates import value_rates
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,145 @@
+"""Conditions on poses and robots that several mechanisms have."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from itertools import combinations
+
+from sympy import Add, Expr, Float, Matrix, Symbol, pi, sqrt
+
+from pkmodes_derive.description import Margin, Requirement
+from pkmodes_derive.functions import Output
+from pkmodes_derive.machine import Extra, Machine
+from pkmodes_derive.vectors import dot
+
+#: Differences of two legs: lengths [m], and plain numbers, such as those of directions.
+Apart = tuple[Sequence[Expr], Sequence[Expr]]
+#: Points whose distances from a line are below this part of their spread along it lie in the line.
+IN_LINE = Float("1e-3")
+#: Legs that differ by less than this part of the platform's size coincide.
+SAME = Float("1e-5")
+#: A pose at which the closures do not determine the platform.
+SINGULAR = Margin(
+    "singular",
+    "jacobian_condition",
+    1,
+    "at_most_limit",
+    "the pose is singular",
+    "the pose is singular: the condition number of D_l is {value}",
+    "choose a pose farther from the singularity",
+    unit="1",
+)
+
+
+def require_a_plane(m: Machine, name: str, points: Sequence[Sequence[Symbol]], what: str) -> None:
+    """Require that points of the axes do not lie in a line.
+
+    The second invariant of their second moments about their mean measures the area that they span, and the trace of
+    these their spread.
+
+    Parameters
+    ----------
+    name : str
+        Their key in the table ``axis``.
+    what : str
+        What they are, in the plural.
+    """
+    mean = [Add(*component) / len(points) for component in zip(*points, strict=True)]
+    apart = Matrix([[c - middle for c, middle in zip(point, mean, strict=True)] for point in points])
+    moments = apart.T * apart
+    square = Add(*(entry**2 for entry in moments))
+    area = (moments.trace() ** 2 - square) / 2 - IN_LINE**2 * moments.trace() ** 2
+    function = f"{name}_line_margin"
+    m.extras.append(
+        Extra(
+            function,
+            f"Whether the {what} do not lie in a line.",
+            "second invariant of their second moments about their mean",
+            (Output("margin", (), (area,), "m^4", "positive for points that span a plane"),),
+            arguments=(),
+            definitions={},
+        )
+    )
+    m.requirements += (
+        Requirement(
+            function,
+            "above_zero",
+            (f"axis.{name}",),
+            f"expected {what} that do not lie in one line, found all of them in one",
+            f"in a line they leave the platform free to turn about it: check {name} of every axis",
+            "m^4",
+        ),
+    )
+
+
+def require_different_legs(
+    m: Machine,
+    joints: Sequence[Sequence[Symbol]],
+    what: str,
+    apart: Callable[[int, int], Apart],
+    remedy: str,
+) -> None:
+    """Require that no two legs coincide.
+
+    Parameters
+    ----------
+    joints : sequence of sequence of sympy.Symbol
+        Those on the platform, whose distance from its origin is the scale.
+    what : str
+        What the legs are, in the plural.
+    apart : callable
+        ``apart(j, k)`` returns the differences of two legs, by their indices.
+    """
+    pairs = tuple(combinations(range(len(joints)), 2))
+    scale = Add(*(dot(joint, joint) for joint in joints)) / len(joints)
+    margins = []
+    for j, k in pairs:
+        lengths, numbers = apart(j, k)
+        square = dot(lengths, lengths) + scale * dot(numbers, numbers)
+        margins.append(square - scale * SAME**2)
+    m.extras.append(
+        Extra(
+            "leg_margin",
+            "Whether no two legs coincide.",
+            "sums of squared differences; numbers count times the rms distance of the platform joints",
+            (Output("margin", (len(pairs),), tuple(margins), "m^2", "positive for two legs that differ"),),
+            arguments=(),
+            definitions={},
+        )
+    )
+    m.requirements += (
+        Requirement(
+            "leg_margin",
+            "above_zero",
+            tuple(f"axis.{j + 1} and axis.{k + 1}" for j, k in pairs),
+            f"expected {what} that differ, found two that coincide",
+            remedy,
+            "m^2",
+        ),
+    )
+
+
+def rotation_margin(m: Machine) -> None:
+    """Require a rotation of less than 90 degrees."""
+    assert m.turning is not None
+    angle = sqrt(dot(m.turning.vector, m.turning.vector))
+    m.extras.append(
+        Extra(
+            "rotation_margin",
+            "By how much the rotation of the platform is less than 90 degrees.",
+            "the norm of the rotation vector",
+            (Output("margin", (), (pi / 2 - angle,), "rad", "positive for a rotation below 90 degrees"),),
+        )
+    )
+    m.margins += (
+        Margin(
+            "rotation",
+            "rotation_margin",
+            0,
+            "above_zero",
+            "the platform turns by 90 degrees or more",
+            "the platform is turned by 90 degrees or more, {missing} too far",
+            "choose a rotation vector shorter than 90 degrees",
+            unit="rad",
+        ),
+    )

@@ -1,0 +1,104 @@
+"""Derivatives of the entries of M and K that the generated model lists for each parameter.
+
+They are those that it has or, for a mechanism without them, by complex step of its matrices, which is exact to
+rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.mechanism.stepped import STEP, stepped
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+#: Poses times parameters that are differentiated at once.
+AT_ONCE = 4096
+
+
+class Entries(NamedTuple):
+    """The entries of a symmetric matrix to which the derivatives belong, in their order.
+
+    Attributes
+    ----------
+    slot, row, column : ndarray of int, shape (E,)
+        Index of the parameter, and position in the upper triangle.
+    """
+
+    slot: Index
+    row: Index
+    column: Index
+
+
+def entries_of(listed: Sequence[Any], matrix: int) -> Entries:
+    """Return the entries of M (0) or K (1) to which the derivatives of listed parameters belong."""
+    places = [(i, *place) for i, entry in enumerate(listed) for place in entry[2 + matrix]]
+    return Entries(*np.array(places, dtype=np.intp).reshape(-1, 3).T)
+
+
+def value_rates(
+    mechanism: Mechanism, parameters: Any, effects: Any, p: Array, fields: Collection[str] | None = None
+) -> tuple[Array, Array]:
+    """Evaluate the derivatives with respect to numbers that move no coordinate, at N poses, (N, d).
+
+    Parameters
+    ----------
+    parameters, effects : Parameters and Effects
+        Of the robot; numbers may have a leading axis for the poses.
+    fields : collection of str, optional
+        The fields that are wanted; derivatives with respect to others may be 0.
+
+    Returns
+    -------
+    of_M, of_K : ndarray, shape (N, entries)
+        As ``VALUE_SENSITIVITIES`` lists them.
+    """
+    generated = Generated(mechanism.extended, parameters, effects)
+    if generated.has("value_sensitivities"):
+        of_M, of_K = generated.value_sensitivities(p)
+        return of_M, of_K
+    listed = mechanism.extended.VALUE_SENSITIVITIES
+    moved = [i for i, one in enumerate(listed) if fields is None or one[0] in fields]
+    return rates_by_steps(mechanism, parameters, effects, p, listed, moved)
+
+
+def rates_by_steps(
+    mechanism: Mechanism,
+    parameters: Any,
+    effects: Any,
+    p: Array,
+    listed: Sequence[Any],
+    moved: Sequence[int] | Index,
+) -> tuple[Array, Array]:
+    """Evaluate derivatives by complex step at N poses, (N, d), a block of parameters at once.
+
+    Parameters
+    ----------
+    listed : sequence
+        The parameters with derivatives: field, index, entries of M and of K.
+    moved : sequence of int
+        Indices of the parameters that are wanted; derivatives with respect to others are 0.
+
+    Returns
+    -------
+    of_M, of_K : ndarray, shape (N, entries)
+    """
+    entries = [entries_of(listed, matrix) for matrix in (0, 1)]
+    values = tuple(np.zeros((len(p), len(some.slot))) for some in entries)
+    size = max(1, AT_ONCE // max(1, len(p)))
+    for block in (moved[i : i + size] for i in range(0, len(moved), size)):
+        names = [listed[slot][:2] for slot in block]
+        generated = Generated(mechanism.extended, stepped(parameters, names), stepped(effects, names))
+        M, K_el, K_g = generated.extended_matrices(p)
+        for one, matrix, out in zip(entries, (M, K_el + K_g), values, strict=True):
+            rates = np.broadcast_to(np.imag(matrix) / STEP, (len(block), len(p), *matrix.shape[-2:]))
+            for k, slot in enumerate(block):
+                some = np.flatnonzero(one.slot == slot)
+                out[:, some] = rates[k][:, one.row[some], one.column[some]]
+    return values[0], values[1]
