@@ -24,11 +24,7 @@ from pkmodes.robot_files.saving import Correction, corrected_text
 from pkmodes.view import poses as viewed
 
 ROOT = Path(__file__).parents[2]
-#: Without the hexaglide: with every effect it has 39 coordinates, and its commands take many minutes.
-SLOW = "hexaglide.toml"
-ROBOTS = sorted(
-    path for path in (*ROOT.glob("robots/*.toml"), *ROOT.glob("examples/*/robot.toml")) if path.name != SLOW
-)
+ROBOTS = sorted([*ROOT.glob("robots/*.toml"), *ROOT.glob("examples/*/robot.toml")])
 NAMES = [str(path.relative_to(ROOT)) for path in ROBOTS]
 VALUES = {
     **EFFECTS["everything"],
@@ -54,7 +50,7 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
     The viewer has few poses: with every effect NumPy solves each.  Few are drawn to find the workspace, too.
     """
     monkeypatch.setattr(workspace, "DRAWS", 20_000)
-    monkeypatch.setattr(viewed, "LEVELS", dict.fromkeys((2, 3), 2))
+    monkeypatch.setattr(viewed, "LEVELS", dict.fromkeys((2, 3, 6), 2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
     monkeypatch.setattr(files, "rendered", lambda *_, **__: b"drawn")

@@ -49,6 +49,7 @@ def as_data(scene: Scene) -> dict[str, Any]:
         "places": None if scene.places is None else scene.places.ravel().tolist(),
         "order": None if scene.order is None else scene.order.tolist(),
         "deviations": _largest_deviations(scene),
+        "checked": scene.checked,
         "poses": _rounded(scene.poses, 6),
         "axes": [{"name": c.name, "unit": c.unit} for c in scene.axes],
         "varied": bool(scene.varied),

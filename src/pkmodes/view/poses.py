@@ -22,8 +22,10 @@ from pkmodes.view.workspace import workspace
 Array = NDArray[np.float64]
 #: Values of each component in the grid, by the number of components; a page holds some hundred poses.
 LEVELS = {1: 41, 2: 11, 3: 7}
-#: Where between two values of a component frequencies are computed for comparison: at every stop of its slider.
+#: Where between two values of a component frequencies are computed for comparison: at every stop of its slider, with
+#: more than `FINELY` components at three of nine: at all of them the hexaglide has 16 million poses, five minutes.
 CHECKED = tuple(k / FINE for k in range(1, FINE))
+FINELY, COARSE = 4, CHECKED[1::3]
 #: Regular poses that are looked for.
 SEEDS = 200
 
@@ -96,7 +98,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     if turning := list(resting(model, first)):
         for end, of_rotations in zip((low, high), turning_box(model, first), strict=True):
             end[turning] = of_rotations[turning]
-    count = LEVELS.get(len(first), 3)
+    count, coarse = LEVELS.get(len(first), 3), len(first) > FINELY
     levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
     valid = inside(grid.reshape(-1, len(first))).reshape(grid.shape[:-1])
@@ -117,8 +119,9 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
             places,
             levels,
             lambda points: model.frequencies(points, on_error="nan", drives=drives)[:, rigid:],
-            CHECKED,
+            COARSE if coarse else CHECKED,
         ),
+        checked="at three stops in nine of each slider" if coarse else "",
     )
 
 

@@ -76,6 +76,8 @@ class Scene:
         On a grid, index of the mode that carries each number at each pose: see ``pkmodes.view.pairing``.
     deviations : ndarray, shape (2 size - 1 along each axis, m - rigid_modes), optional
         How far frequencies between the states of a grid are off: see ``pkmodes.view.interpolation``.
+    checked : str
+        Where between the states that was found, in words; empty where it was at all that the page can show.
     varied : tuple of Named
         Parameters that change between the states, by path; empty where only the pose does.
     values : ndarray, shape (N, len(varied)), optional
@@ -123,6 +125,7 @@ class Scene:
     workspace: Surface | None = None
     order: NDArray[np.intp] | None = None
     deviations: Array | None = None
+    checked: str = ""
     varied: tuple[Named, ...] = ()
     values: Array | None = None
     declared: int | None = None

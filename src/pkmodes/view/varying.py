@@ -114,6 +114,7 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
         declared=declared,
         order=order,
         deviations=deviations(vibrations, order[:, rigid:] - rigid, places, levels, exact),
+        checked="half-way between them",
     )
 
 

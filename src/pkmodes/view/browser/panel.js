@@ -103,8 +103,8 @@ class Panel {
   interpolated(state) {
     const off = state.deviation, what = this.data.varied ? "values" : "poses";
     if (off === null) return `Interpolated between computed ${what}; not checked here.`;
-    const size = off < 1e-4 ? "less than 0.01" : `up to ${precise(100 * off)}`, where = this.data.varied ? "half-way between them, " : "";
-    return `Interpolated between computed ${what}: ${where}frequencies are off by ${size} %.`;
+    const size = off < 1e-4 ? "less than 0.01" : `up to ${precise(100 * off)}`, where = this.data.checked;
+    return `Interpolated between computed ${what}: ${where ? `${where}, ` : ""}frequencies are off by ${size} %.`;
   }
 
   // A frequency, between states with no more decimals than it deserves.
