@@ -34,14 +34,14 @@ def platform_that_turns(m: Machine) -> PlatformTable:
         "center",
         "c_p",
         "length",
-        "component {i} of the platform's centre of mass from its origin, platform axes",
+        "centre of mass of the platform from its origin in platform axes",
         "c_{{p,{i}}}",
     )
     inertia = table.vector_of(
         "inertia",
         "I_p",
         "moment of inertia",
-        "moment of inertia of the platform about its centre of mass, axis {i} of the platform",
+        "moment of inertia of the platform about its centre of mass in platform axes",
         "I_{{p,{i}}}",
         above=0.0,
     )
@@ -49,7 +49,7 @@ def platform_that_turns(m: Machine) -> PlatformTable:
         "products",
         "I_p",
         "moment of inertia",
-        "entry {i} of the platform's inertia tensor about its centre of mass, platform axes",
+        "entry of the platform's inertia tensor about its centre of mass in platform axes",
         "I_{{p,{i}}}",
         PRODUCTS,
         default=0.0,

@@ -171,22 +171,24 @@ class Declared:
         above: float | None = None,
         default: float | None = None,
     ) -> Symbols:
-        """Declare several numbers under one key of a single table; letter i for the element.
+        """Declare several numbers under one key of a single table; letter i for the element in their LaTeX.
 
         They may have either sign if there is no bound.  With a default the key may be left out.
         """
         unit, name = unit_of(dimension), f"{self.name}_{key}"
         declare = self._tables._vocabulary.declare
-        symbols = tuple(declare(f"{symbol}_{{i}}", unit, description, latex, i=one) for one in elements)
-        text = description.format(i="i")
-        self._tables.field(name, (len(elements),), symbols, unit, text)
+        symbols = tuple(
+            declare(f"{symbol}_{{i}}", unit, f"{description}, component {{i}}", latex, i=one)
+            for one in elements
+        )
+        self._tables.field(name, (len(elements),), symbols, unit, description)
         self.keys.append(
             Key(
                 key,
                 "vector",
                 name,
                 dimension,
-                text,
+                description,
                 elements=tuple(elements),
                 above=above,
                 default=default,

@@ -75,7 +75,7 @@ def test_every_candidate_with_a_kind_is_one_of_some_mechanism() -> None:
     known = {f"measurement:offset.{axis}" for axis in "xyz"}
     for name in registry.supplied():
         described = registry.mechanism(name)
-        known |= set(described.effects)
+        known |= {name for effect in described.effects.values() for name in effect.forms}
         known |= {f"parameter:{table.name}.{key.name}" for table in described.tables for key in table.keys}
     assert {name for parts in KINDS.values() for name in parts} <= known
 

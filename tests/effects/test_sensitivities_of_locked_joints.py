@@ -61,8 +61,12 @@ def solved(M: Array, K: Array, compliance: float) -> list[mpf]:
 
 
 def test_joints_only_soften() -> None:
-    """The compliance of a locked joint lowers or keeps every elastic eigenvalue: the rate is -|B phi|^2."""
+    """The compliance of a locked joint lowers or keeps every elastic eigenvalue: the rate is -|B phi|^2.
+
+    It is zero but for rounding where the mode does not strain the joint.
+    """
     for name in ("published", "tower", "random"):
         it = case(name)
         locked = [t for t, move in enumerate(it.moves) if is_locked(it.robot, move)]
-        assert (it.found.eigenvalues[:, locked] <= 0.0).all()
+        rates = it.found.eigenvalues[:, locked]
+        assert (rates <= 1e-16 * np.abs(rates).max(axis=-1, keepdims=True)).all()

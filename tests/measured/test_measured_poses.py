@@ -131,7 +131,7 @@ def test_the_first_of_several_mistakes_is_told_before_poses_are_checked(tmp_path
 @pytest.mark.parametrize(
     ("columns", "robot", "first", "whose"),
     [
-        ("shape:x_1,shape:theta_1_1", "clavel-delta", "shape:x_1", "linear_delta"),
+        ("shape:x_1,shape:theta_1_1", "clavel-delta", "shape:x_1", "hexaglide or linear_delta"),
         ("shape:theta_1,shape:phi_1", "linear-delta-2022", "shape:theta_1", "rotary_delta"),
     ],
 )

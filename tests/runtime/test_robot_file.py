@@ -152,7 +152,7 @@ MISTAKES = [
     ("driven_pulley = 1", "driven_pulley = 3", "axis.1.driven_pulley", "1 or 2", "3"),
     ("branch = 1\n", "branch = 0\n", "axis.1.branch", "1 or -1", "0"),
     ("format = 1", "format = 2", "format", "1", "2"),
-    ('mechanism = "linear_delta"', 'mechanism = "hexapod"', "mechanism", "linear_delta", '"hexapod"'),
+    ('mechanism = "linear_delta"', 'mechanism = "tripod"', "mechanism", "linear_delta", '"tripod"'),
     ('name = "linear-delta-2022"', "name = 7", "name", "plain text", "found 7"),
     ("gear_ratio = 10", "gear_ratio = 0", "motor.gear_ratio", "greater than 0", "0"),
     (

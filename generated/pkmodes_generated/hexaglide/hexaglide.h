@@ -127,11 +127,11 @@ extern "C" {
 typedef struct {
     /* [kg] platform mass */
     pkmodes_real platform_mass;
-    /* [m] component i of the platform's centre of mass from its origin, platform axes */
+    /* [m] centre of mass of the platform from its origin in platform axes */
     pkmodes_real platform_center[3];
-    /* [kg m^2] moment of inertia of the platform about its centre of mass, axis i of the platform */
+    /* [kg m^2] moment of inertia of the platform about its centre of mass in platform axes */
     pkmodes_real platform_inertia[3];
-    /* [kg m^2] entry i of the platform's inertia tensor about its centre of mass, platform axes */
+    /* [kg m^2] entry of the platform's inertia tensor about its centre of mass in platform axes */
     pkmodes_real platform_products[3];
     /* [m/s^2] gravitational acceleration g, base frame */
     pkmodes_real gravity[3];
@@ -139,7 +139,7 @@ typedef struct {
     pkmodes_real origin[6][3];
     /* [1] unit vector along rail j */
     pkmodes_real direction[6][3];
-    /* [m] platform joint j from the platform's origin, platform axes */
+    /* [m] platform joint j from the platform's origin in platform axes */
     pkmodes_real joint[6][3];
     /* [m] length of rod j */
     pkmodes_real link_length[6];

@@ -146,17 +146,17 @@ class Parameters(NamedTuple):
     platform_mass : float or array, shape (...) [kg]
         Platform mass.
     platform_center : array, shape (..., 3) [m]
-        Component i of the platform's centre of mass from its origin, platform axes.
+        Centre of mass of the platform from its origin in platform axes.
     platform_inertia : array, shape (..., 3) [kg m^2]
-        Moment of inertia of the platform about its centre of mass, axis i of the platform.
+        Moment of inertia of the platform about its centre of mass in platform axes.
     platform_products : array, shape (..., 3) [kg m^2]
-        Entry i of the platform's inertia tensor about its centre of mass, platform axes.
+        Entry of the platform's inertia tensor about its centre of mass in platform axes.
     gravity : array, shape (..., 3) [m/s^2]
         Gravitational acceleration g, base frame.
     base : array, shape (..., 6, 3) [m]
         Base joint j.
     joint : array, shape (..., 6, 3) [m]
-        Platform joint j from the platform's origin, platform axes.
+        Platform joint j from the platform's origin in platform axes.
     limits : array, shape (..., 6, 2) [m]
         min(l_j), max(l_j).
     leg_stiffness : array, shape (..., 6) [N/m]

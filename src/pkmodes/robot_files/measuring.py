@@ -19,6 +19,7 @@ class Way(NamedTuple):
 BY_PATH = {
     "gravity": Way("choose the frame; where z points up, gravity is -9.81 m/s^2 along z"),
     "platform.mass": Way("weigh it with its tool and half of the cables and hoses that hang from it", "2 %"),
+    "platform.center": Way("take it from CAD, or balance the platform on an edge"),
     "toolhead.mass": Way("weigh it with half of the cables and hoses that hang from it", "2 %"),
     "beam.mass": Way(
         "weigh it with its rail, carriages and the motor that it carries, without the tool head", "2 %"
@@ -43,6 +44,7 @@ BY_PATH = {
     "pulley.inertia": Way("take it from CAD; m r^2 / 2 for a solid disc", "5 %"),
     "motor.inertia": Way("data sheet of the motor: its rotor; add brake, coupling and gearbox input", "5 %"),
     "motor.gear_ratio": Way("data sheet of the gearbox; 1 without one"),
+    "motor.travel": Way("lead of the screw / (2 pi), divided by the ratio of a gearbox before it"),
     "reducer.stiffness": Way("data sheet of the reducer", "10 %"),
     "frame.mass": Way("estimate it from CAD"),
     "damping.ratio": Way("identify it from measured signals, with pkmodes identify"),
@@ -56,6 +58,10 @@ BY_PATH = {
     "belt_path.lengths": Way("measure along the run, from the tool head to the motor pulley, with a tape"),
     "effects.servo_stiffness.stiffness": Way("docs/stepper-printer.md has it for a stepper motor"),
     "effects.gearbox_inertia.inertia": Way("data sheet of the gearbox, at its output"),
+    "effects.gantry_racking.compliance": Way(
+        "push one end of the beam along the rails with a known force: the angle between dial gauges at both ends, "
+        "divided by force times distance to the middle"
+    ),
     "effects.payload.mass": Way("weigh what the platform carries"),
 }
 #: By dimension (`pkmodes_description.UNITS`).

@@ -26,6 +26,7 @@ from pkmodes.core.robot.usable import RADIUS, SINGULAR_ANGLE, USABLE, limits_wri
 from pkmodes.core.robot.variants import document_of
 from pkmodes.robot_files.measuring import way_of
 from pkmodes.robot_files.supplied import robot_of
+from pkmodes.support.ordering import joined
 from pkmodes_description import Effect, Key, Table
 
 WIDTH = 110
@@ -209,16 +210,20 @@ def _line(key: Key, raw: Any, default: Any = None) -> str:
         # The inertia of a beam has the default 0, with which it cannot turn: no value that a file may give.
         given = None if key.middle_of or (key.effect and key.default == key.above) else key.default
         default = DIMENSIONS[key.dimension][1] if given is None else _si(given, key)
+        default = [default] * len(key.elements) if key.kind == "vector" else default
     return f"#{key.name} = {_toml(default)}"
 
 
 def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> Iterator[str]:
-    """Yield the table of an effect, without a parameter that another table declares."""
+    """Yield the table of an effect, without a parameter that another table declares or that replaces another."""
     name, values = f"{EFFECTS}.{effect.name}", given.get(effect.name)
     yield ""
     yield f"{'#' if values is None else ''}[{name}]  # {effect.sentence}"
     for parameter in effect.parameters:
-        path = f"{name}.{parameter.name}"
+        path, others = f"{name}.{parameter.name}", [one.name for one in effect.excluded(parameter.name)]
+        instead = parameter.in_place_of or not set(others).isdisjoint(values or {})
+        if instead and parameter.name not in (values or {}):
+            continue
         if path in lent(mechanism):
             yield from _prose(f"{parameter.name} is that of [{lent(mechanism)[path].rpartition('.')[0]}]")
             continue
@@ -227,8 +232,7 @@ def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> I
             "quantity",
             "",
             dimension_of_effect(parameter.unit),
-            parameter.description
-            + (f"; in place of {parameter.in_place_of}" if parameter.in_place_of else ""),
+            parameter.description + (f"; in its place, {joined(others)}" if others else ""),
             above=parameter.greater_than,
             below=parameter.less_than,
             default=0.0,

@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 #: Values of each component in the grid, by the number of components; a page holds some hundred poses.
 LEVELS = {1: 41, 2: 11, 3: 7}
 #: Where between two values of a component frequencies are computed for comparison: at every stop of its slider, with
-#: more than `FINELY` components at three of nine: at all of them the hexaglide has 16 million poses, five minutes.
+#: more than `FINELY` components at three of nine: six of a large workspace have 16 million poses, five minutes.
 CHECKED = tuple(k / FINE for k in range(1, FINE))
 FINELY, COARSE = 4, CHECKED[1::3]
 #: Regular poses that are looked for.

@@ -44,8 +44,8 @@ MISTAKES = {
     "braces": ('"m_{{a,{j}}}"', '"m_{a,{j}}"', r"cannot fill in the indices {j} of .* \(five_bar.py:\d+\)"),
     "dimension": (
         '"torsional stiffness", what',
-        '"stiffness", what',
-        r"unknown dimension 'stiffness' .*use one of mass",
+        '"rigidity", what',
+        r"unknown dimension 'rigidity' .*use one of mass",
     ),
     "no such function": (
         '"reach_margin", 0',

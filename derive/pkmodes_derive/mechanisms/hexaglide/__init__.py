@@ -23,7 +23,7 @@ WORDS = rails.Words(
     link="one rod, uniform and slender",
     length="length of rod {j}",
     mass="mass of rod {j}",
-    joint="platform joint {j} from the platform's origin, platform axes",
+    joint="platform joint {j} from the platform's origin in platform axes",
 )
 
 

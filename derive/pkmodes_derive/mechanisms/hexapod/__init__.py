@@ -38,7 +38,7 @@ def declare(m: Machine) -> None:
     m.add_gravity()
     axis = m.tables.repeated("axis", 6, "one leg, from its base joint to its platform joint")
     a = axis.vector("base", "a", "base joint {j}", "a_{j}")
-    b = axis.vector("joint", "b", "platform joint {j} from the platform's origin, platform axes", "b_{j}")
+    b = axis.vector("joint", "b", "platform joint {j} from the platform's origin in platform axes", "b_{j}")
     l_min, l_max = axis.pair(
         "limits",
         ("l_min", "least length of leg {j}", r"\min(l_{j})"),
