@@ -146,7 +146,7 @@ $(VENV)/.derive: $(VENV)/.python pyproject.toml
 
 $(VENV)/.demo: $(VENV)/.core pyproject.toml
 	@echo
-	@echo "installing what makes code, maps and pages, and compiling the evaluator: two minutes or three"
+	@echo "installing what makes code, maps and pages, and compiling the evaluator: two or three minutes"
 	@$(INSTALL) '.[derive,report]'
 	@touch $@ $(VENV)/.derive $(VENV)/.core
 

@@ -89,6 +89,8 @@ def require_different_legs(
         What the legs are, in the plural.
     apart : callable
         ``apart(j, k)`` returns the differences of two legs, by their indices.
+    remedy : str
+        What to do about two that coincide.
     """
     pairs = tuple(combinations(range(len(joints)), 2))
     scale = Add(*(dot(joint, joint) for joint in joints)) / len(joints)

@@ -26,10 +26,23 @@ def pulley(table: Repeated, what: str, radius: str, inertia: str) -> tuple[Symbo
     return R_p, own.quantity("inertia", "I_p", "moment of inertia", inertia, latex="I_{{p,{j}}}", above=0.0)
 
 
-def geared_motor(table: Repeated, what: str, inertia: str, ratio: str) -> tuple[Symbols, Symbols]:
-    """Declare ``motor`` likewise, with descriptions: moment of inertia at its shaft [kg m^2] and gear ratio."""
+def geared_motor(
+    table: Repeated, what: str, inertia: str, ratio: str, *, alone: bool = False
+) -> tuple[Symbols, Symbols]:
+    """Declare ``motor`` likewise, with descriptions: moment of inertia at its shaft [kg m^2] and gear ratio.
+
+    A motor that is `alone` on its rotor must have inertia; a pulley beside it has some of its own.
+    """
     motor = table.shared("motor", what)
-    I_m = motor.quantity("inertia", "I_m", "moment of inertia", inertia, latex="I_{{m,{j}}}", at_least=0.0)
+    I_m = motor.quantity(
+        "inertia",
+        "I_m",
+        "moment of inertia",
+        inertia,
+        latex="I_{{m,{j}}}",
+        at_least=None if alone else 0.0,
+        above=0.0 if alone else None,
+    )
     return I_m, motor.quantity(
         "gear_ratio", "i_g", "number", ratio, latex="i_{{g,{j}}}", field="gear_ratio", above=0.0
     )

@@ -35,10 +35,6 @@ VALUES = {
     "gantry_racking.compliance": 1e-4,
     "gantry_racking.inertia": 0.02,
 }
-SIX_LEGGED = {
-    "hexapod": (0.004, 0.0, 0.245, 0.05, 0.02, 0.0),
-    "hexaglide": (0.01, 0.0, 0.2, 0.05, -0.03, 0.02),
-}
 SVG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 2 1"></svg>'
 FIELDS = {"customer": "Example Works", "machine": "cell 7", "serial": "00123", "operator": "A. Berg"}
 
@@ -50,7 +46,9 @@ def _drawn_only(monkeypatch: pytest.MonkeyPatch) -> None:
     The viewer has few poses: with every effect NumPy solves each.  Few are drawn to find the workspace, too.
     """
     monkeypatch.setattr(workspace, "DRAWS", 20_000)
-    monkeypatch.setattr(viewed, "LEVELS", dict.fromkeys((2, 3, 6), 2))
+    few = {count: grid._replace(levels=2) for count, grid in viewed.GRIDS.items()}
+    monkeypatch.setattr(viewed, "GRIDS", few)
+    monkeypatch.setattr(viewed, "OF_MORE", viewed.OF_MORE._replace(levels=2))
     monkeypatch.setattr(blocks, "inline", lambda *_, **__: SVG)
     monkeypatch.setattr(blocks, "inline_narrow", lambda *_, **__: "")
     monkeypatch.setattr(files, "rendered", lambda *_, **__: b"drawn")
@@ -82,7 +80,7 @@ def with_everything(path: Path, folder: Path, *, tied: bool) -> Path:
 
 def places(mechanism: str) -> tuple[str, str]:
     """A pose, and a grid of four poses around it, as options."""
-    pose = SIX_LEGGED[mechanism] if mechanism in SIX_LEGGED else POSES[mechanism]
+    pose = POSES[mechanism]
     names = ("x", "y", "z", "rx", "ry", "rz")[: len(pose)]
     ends = [
         f"{n}={v:g}:{v + 0.01:g}:2" if n in "xy" else f"{n}={v:g}" for n, v in zip(names, pose, strict=True)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from itertools import product
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import pkmodes
+from helpers.robots.one_of_each import POSES
 from pkmodes.view import poses_around
 from pkmodes.view.interpolation import FINE, deviations, largest_around, mean_frequency
 from pkmodes.view.pairing import paired_modes
@@ -88,31 +90,43 @@ def test_points_beside_the_middle_are_checked_too() -> None:
     np.testing.assert_allclose(only[1], off[0], rtol=1e-12)
 
 
-@pytest.mark.parametrize("name", ["corexy-printer", "clavel-delta"])
-def test_a_scene_tells_how_far_its_interpolation_is_off(name: str) -> None:
-    """Recomputed inside one cell from the model alone, by rank: these modes do not cross there."""
+@pytest.mark.parametrize(
+    ("name", "pose", "stops", "where", "typical"),
+    [
+        ("corexy-printer", [0.1, 0.2], np.arange(1, FINE), "", 0.02),
+        ("clavel-delta", [0.0, 0.0, -0.55], np.arange(1, FINE), "", 0.02),
+        # Three levels of each of six components are few.
+        ("hexapod", POSES["hexapod"], np.array([2, 5, 8]), "at three stops in nine of each slider", 0.05),
+    ],
+)
+def test_a_scene_tells_how_far_its_interpolation_is_off(
+    name: str, pose: Any, stops: Any, where: str, typical: float
+) -> None:
+    """Recomputed at the widest place between poses, from the model alone, by rank: modes do not cross there."""
     model = pkmodes.load(ROBOTS / f"{name}.toml")
-    shown = poses_around(model, {"corexy-printer": [0.1, 0.2], "clavel-delta": [0.0, 0.0, -0.55]}[name])
+    shown = poses_around(model, pose)
+    assert shown.checked == where
     assert shown.levels is not None
     assert shown.places is not None
     assert shown.deviations is not None
-    d, rigid = len(shown.levels), shown.rigid_modes
-    cells = shown.deviations[(slice(1, None, 2),) * d]
-    cell = tuple(np.argwhere(np.isfinite(cells[..., 0]))[-1])
-    corners = np.stack(
-        np.meshgrid(
-            *([values[i], values[i + 1]] for values, i in zip(shown.levels, cell, strict=True)), indexing="ij"
-        ),
-        axis=-1,
-    ).reshape(-1, d)
+    rigid, known = shown.rigid_modes, np.argwhere(np.isfinite(shown.deviations[..., 0]))
+    between = known % 2  # of the components between whose levels a place is
+    widest = between.sum(axis=1) == between.sum(axis=1).max()
+    place, spans = known[widest][-1], between[widest][-1]
+    ends = [
+        values[[i // 2, i // 2 + 1]] if i % 2 else values[[i // 2]]
+        for values, i in zip(shown.levels, place, strict=True)
+    ]
+    corners = np.array(list(product(*ends)))
     at_corners, off = model.frequencies(corners)[:, rigid:], []
-    for parts in product(np.arange(1, FINE) / FINE, repeat=d):
-        weights = np.array([np.prod(one) for one in product(*((1.0 - t, t) for t in parts))])
+    for parts in product(*(stops / FINE if spanned else [0.0] for spanned in spans)):
+        shares = [(1.0 - t, t) if spanned else (1.0,) for t, spanned in zip(parts, spans, strict=True)]
+        weights = np.array([np.prod(one) for one in product(*shares)])
         exact = model.frequencies(weights @ corners)[rigid:]
         off.append(mean_frequency(at_corners, weights) / exact - 1.0)
     largest = np.take_along_axis(np.array(off), np.abs(off).argmax(axis=0)[None], axis=0)[0]
-    np.testing.assert_allclose(cells[cell], largest, atol=1e-9)
-    assert np.nanmedian(np.abs(cells)) < 0.02
+    np.testing.assert_allclose(shown.deviations[tuple(place)], largest, atol=1e-9)
+    assert np.median(np.abs(shown.deviations[tuple(known[widest].T)])) < typical
 
 
 def test_the_stated_error_holds_all_along_the_sliders() -> None:

@@ -153,7 +153,9 @@ def test_a_slider_changes_the_robot_beside_the_declared_one(tmp_path: Path) -> N
         for _ in range(5):
             slider.press("ArrowRight")
         assert text("title").startswith("Mode 1: \u2248 ")
-        assert text("between").startswith("Interpolated between computed values")
+        assert text("between").startswith(
+            "Interpolated between computed values: half-way between them, frequencies "
+        )
         mass = 0.5 + 0.5 * 0.25
         exact = model.with_values({"platform.mass": mass}).frequencies(POSE)[3:]
         off = asked("viewer.state.deviation")

@@ -6,7 +6,7 @@ from sympy import Matrix, Rational
 
 from pkmodes_derive import lagrangian
 from pkmodes_derive.assembly.closure_functions import closures
-from pkmodes_derive.assembly.condensed import Condensed
+from pkmodes_derive.assembly.condensed import COUNTS, Condensed
 from pkmodes_derive.assembly.derived import (
     drive_words,
     flat,
@@ -274,7 +274,7 @@ def _transmissions(c: Condensed) -> list[Function]:
         )
     force = ", ".join({"m": "N", "rad": "N m"}[u] for u in c.delta_q.unit.split(", "))
     of_drives = drive_words(m)
-    zero = {0: "no", 2: "two", 3: "three"}.get(c.rigid_modes, str(c.rigid_modes))
+    zero = COUNTS.get(c.rigid_modes, str(c.rigid_modes)) if c.rigid_modes else "no"
     return functions + [
         c.function(
             "elastic_potential",
@@ -313,9 +313,7 @@ def _transmissions(c: Condensed) -> list[Function]:
                 (len(m.drives),),
                 c.equilibrium.torques,
                 of_drives.load_unit,
-                "forces of the drives, positive in the direction of their coordinates"
-                if m.linear_drives
-                else "torques on the driven rotors, positive in the direction of their rotation",
+                of_drives.described,
             ),
             Output(
                 "theta_st",

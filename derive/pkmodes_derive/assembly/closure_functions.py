@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from sympy import Add, Expr, Integer, sqrt
 
 from pkmodes_derive.assembly.condensed import COUNTS, Condensed
@@ -80,8 +82,7 @@ def _characteristic_length(c: Condensed) -> list[Expr]:
     if m.turning is None:
         return [Integer(1)] * len(m.components)
     levers = [link.lever for link in m.links]
-    length = sqrt(Add(*(dot(lever, lever) for lever in levers)) / len(levers))
-    return [Integer(1)] * len(m.directions) + [length] * len(m.rotations)
+    return [Integer(1)] * len(m.directions) + [_rms(levers)] * len(m.rotations)
 
 
 def _joints_function(c: Condensed) -> Function:
@@ -89,7 +90,6 @@ def _joints_function(c: Condensed) -> Function:
     turning, links = c.machine.turning, c.machine.links
     assert turning is not None
     joints = [turning.given[link.lever] for link in links]
-    squares = Add(*(dot(joint, joint) for joint in joints))
     middle = tuple(Add(*component) / len(links) for component in zip(*joints, strict=True))
     return c.function(
         "platform_joints",
@@ -99,9 +99,13 @@ def _joints_function(c: Condensed) -> Function:
         Output(
             "length",
             (),
-            (sqrt(squares / len(links)),),
+            (_rms(joints),),
             "m",
             "root mean square distance of the platform joints from the platform's origin",
         ),
         Output("middle", (3,), middle, "m", "middle of the platform joints from that origin, platform axes"),
     )
+
+
+def _rms(vectors: Sequence[Sequence[Expr]]) -> Expr:
+    return sqrt(Add(*(dot(vector, vector) for vector in vectors)) / len(vectors))

@@ -162,6 +162,7 @@ class DriveWords(NamedTuple):
 
     loads: str
     load_unit: str
+    described: str
     motions: str
     motion_unit: str
 
@@ -169,8 +170,10 @@ class DriveWords(NamedTuple):
 def drive_words(machine: Machine) -> DriveWords:
     """Return the words for the drives of a machine."""
     if machine.linear_drives:
-        return DriveWords("forces", "N", "displacements", "m")
-    return DriveWords("torques", "N m", "rotations", "rad")
+        what = "forces of the drives, positive in the direction of their coordinates"
+        return DriveWords("forces", "N", what, "displacements", "m")
+    what = "torques on the driven rotors, positive in the direction of their rotation"
+    return DriveWords("torques", "N m", what, "rotations", "rad")
 
 
 def _listed(machine: Machine, translation: str, both: str, rotation: str) -> str:

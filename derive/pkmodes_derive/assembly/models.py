@@ -238,9 +238,7 @@ def _static_equilibrium(d: Derived) -> Function:
         "equation 44; springs added by effects are relaxed at the pose, and released joints are locked",
         (d.pose,),
         (
-            Output(
-                "tau_st", (len(torques),), torques, words.load_unit, f"{words.loads} on the driven rotors"
-            ),
+            Output("tau_st", (len(torques),), torques, words.load_unit, words.described),
             Output(
                 "theta_st",
                 (len(rotations),),

@@ -475,7 +475,7 @@ void hexaglide_elastic_gradient(const pkmodes_real p[6], const pkmodes_real delt
  * Call `hexaglide_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m, rad]: platform's origin in the base frame, then the platform's rotation vector
- *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, with 6 zero eigenvalues
+ *   out H_el [N/m, N, N m]: d2V_el/dq2, symmetric, with six zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
  * 438 operations; 109518 with every named value expanded.

@@ -183,7 +183,7 @@ void hexaglide_extended_joint_stiffness(const hexaglide_effects *effects, pkmode
 /* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *
  *   in  p [m, rad]: platform's origin in the base frame, then the platform's rotation vector
- *   out tau_st [N m]: torques on the driven rotors
+ *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
  *   out theta_st [rad]: rotations relative to the unstrained transmissions
  *
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.

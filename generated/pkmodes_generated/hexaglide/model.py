@@ -12669,7 +12669,7 @@ def elastic_hessian(p, parameters):
     Returns
     -------
     H_el : array, shape (..., 18, 18) [N/m, N, N m]
-        d2V_el/dq2, symmetric, with 6 zero eigenvalues.
+        d2V_el/dq2, symmetric, with six zero eigenvalues.
 
     Notes
     -----

@@ -2954,7 +2954,7 @@ def extended_static_equilibrium(p, parameters, effects):
     Returns
     -------
     tau_st : array, shape (..., 6) [N]
-        Forces on the driven rotors.
+        Forces of the drives, positive in the direction of their coordinates.
     theta_st : array, shape (..., 6) [m]
         Displacements relative to the unstrained transmissions.
 

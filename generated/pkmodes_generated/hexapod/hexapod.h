@@ -416,7 +416,7 @@ void hexapod_elastic_gradient(const pkmodes_real p[6], const pkmodes_real delta_
  * Call `hexapod_status` first: where it is not 0, the results are NaN or have no meaning.
  *
  *   in  p [m, rad]: platform's origin in the base frame, then the platform's rotation vector
- *   out H_el [N/m]: d2V_el/dq2, symmetric, with 6 zero eigenvalues
+ *   out H_el [N/m]: d2V_el/dq2, symmetric, with six zero eigenvalues
  *
  * Source: equation 38 differentiated twice.
  * 6 operations; 12 with every named value expanded.

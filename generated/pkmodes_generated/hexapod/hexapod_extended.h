@@ -139,7 +139,7 @@ void hexapod_extended_joint_stiffness(const hexapod_effects *effects, pkmodes_re
 /* Drive forces and displacements that hold the pose, with the weights and stiffness changes of effects.
  *
  *   in  p [m, rad]: platform's origin in the base frame, then the platform's rotation vector
- *   out tau_st [N]: forces on the driven rotors
+ *   out tau_st [N]: forces of the drives, positive in the direction of their coordinates
  *   out theta_st [m]: displacements relative to the unstrained transmissions
  *
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.

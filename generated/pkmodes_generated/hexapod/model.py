@@ -9956,7 +9956,7 @@ def elastic_hessian(p, parameters):
     Returns
     -------
     H_el : array, shape (..., 12, 12) [N/m]
-        d2V_el/dq2, symmetric, with 6 zero eigenvalues.
+        d2V_el/dq2, symmetric, with six zero eigenvalues.
 
     Notes
     -----

@@ -1583,7 +1583,7 @@ def extended_static_equilibrium(p, parameters, effects):
     Returns
     -------
     tau_st : array, shape (..., 3) [N m]
-        Torques on the driven rotors.
+        Torques on the driven rotors, positive in the direction of their rotation.
     theta_st : array, shape (..., 6) [rad]
         Rotations relative to the unstrained transmissions.
 

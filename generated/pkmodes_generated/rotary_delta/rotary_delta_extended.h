@@ -128,7 +128,7 @@ void rotary_delta_extended_joint_stiffness(const rotary_delta_effects *effects, 
 /* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
  *
  *   in  p [m]: platform centre in the base frame
- *   out tau_st [N m]: torques on the driven rotors
+ *   out tau_st [N m]: torques on the driven rotors, positive in the direction of their rotation
  *   out theta_st [rad]: rotations relative to the unstrained transmissions
  *
  * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.

@@ -59,8 +59,8 @@ BY_PATH = {
     "effects.servo_stiffness.stiffness": Way("docs/stepper-printer.md has it for a stepper motor"),
     "effects.gearbox_inertia.inertia": Way("data sheet of the gearbox, at its output"),
     "effects.gantry_racking.compliance": Way(
-        "push one end of the beam along the rails with a known force: the angle between dial gauges at both ends, "
-        "divided by force times distance to the middle"
+        "push one end of the beam along its guides with a known force: the difference of two dial gauges over their "
+        "distance is the angle; divide it by force times distance to the middle"
     ),
     "effects.payload.mass": Way("weigh what the platform carries"),
 }

@@ -217,12 +217,13 @@ def _line(key: Key, raw: Any, default: Any = None) -> str:
 def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> Iterator[str]:
     """Yield the table of an effect, without a parameter that another table declares or that replaces another."""
     name, values = f"{EFFECTS}.{effect.name}", given.get(effect.name)
+    present: Mapping[str, Any] = values or {}
     yield ""
     yield f"{'#' if values is None else ''}[{name}]  # {effect.sentence}"
     for parameter in effect.parameters:
         path, others = f"{name}.{parameter.name}", [one.name for one in effect.excluded(parameter.name)]
-        instead = parameter.in_place_of or not set(others).isdisjoint(values or {})
-        if instead and parameter.name not in (values or {}):
+        replaced = parameter.in_place_of or not present.keys().isdisjoint(others)
+        if replaced and parameter.name not in present:
             continue
         if path in lent(mechanism):
             yield from _prose(f"{parameter.name} is that of [{lent(mechanism)[path].rpartition('.')[0]}]")
@@ -237,7 +238,7 @@ def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> I
             below=parameter.less_than,
             default=0.0,
         )
-        yield from _key(key, path, values or {})
+        yield from _key(key, path, present)
 
 
 def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:

@@ -200,8 +200,8 @@ class MatrixDerivatives:
         extended = self.system.mechanism.extended
         if not self.system.generated.has("value_sensitivities"):
             moved = np.flatnonzero(self._directions[1].any(axis=(0, 2)))
-            of, listed = self.system, _listed(self.system.mechanism)
-            return rates_by_steps(of.mechanism, of.parameters, of.effects, self._p, listed, moved)
+            system, listed = self.system, _listed(self.system.mechanism)
+            return rates_by_steps(system.mechanism, system.parameters, system.effects, self._p, listed, moved)
         values = self.system.single("value_sensitivities", self._p)
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
             geometry = self.system.single("geometry_sensitivities", self._p)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,12 +21,30 @@ from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
 
 Array = NDArray[np.float64]
-#: Values of each component in the grid, by the number of components; a page holds some hundred poses.
-LEVELS = {1: 41, 2: 11, 3: 7}
-#: Where between two values of a component frequencies are computed for comparison: at every stop of its slider, with
-#: more than `FINELY` components at three of nine: six of a large workspace have 16 million poses, five minutes.
-CHECKED = tuple(k / FINE for k in range(1, FINE))
-FINELY, COARSE = 4, CHECKED[1::3]
+#: Every stop of a slider between two values of a component.
+STOPS = tuple(k / FINE for k in range(1, FINE))
+
+
+class Grid(NamedTuple):
+    """How densely a page covers the workspace.
+
+    Attributes
+    ----------
+    levels : int
+        Values of each component.
+    checked : tuple of float
+        Where between two of them frequencies are computed for comparison, and in words where that is not everywhere.
+    """
+
+    levels: int
+    checked: tuple[float, ...] = STOPS
+    where: str = ""
+
+
+#: Grids by the number of components: a page holds some hundred poses.  At all stops of six components a large
+#: workspace has 16 million poses, which take five minutes.
+GRIDS = {1: Grid(41), 2: Grid(11), 3: Grid(7)}
+OF_MORE = Grid(3, STOPS[1::3], "at three stops in nine of each slider")
 #: Regular poses that are looked for.
 SEEDS = 200
 
@@ -98,8 +117,8 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
     if turning := list(resting(model, first)):
         for end, of_rotations in zip((low, high), turning_box(model, first), strict=True):
             end[turning] = of_rotations[turning]
-    count, coarse = LEVELS.get(len(first), 3), len(first) > FINELY
-    levels = tuple(_levels(*ends, count) for ends in zip(low, high, first, strict=True))
+    dense = GRIDS.get(len(first), OF_MORE)
+    levels = tuple(_levels(*ends, dense.levels) for ends in zip(low, high, first, strict=True))
     grid = np.stack(np.meshgrid(*levels, indexing="ij"), axis=-1)
     valid = inside(grid.reshape(-1, len(first))).reshape(grid.shape[:-1])
     places = np.where(valid, np.cumsum(valid.ravel()).reshape(valid.shape) - 1, -1)
@@ -119,9 +138,9 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
             places,
             levels,
             lambda points: model.frequencies(points, on_error="nan", drives=drives)[:, rigid:],
-            COARSE if coarse else CHECKED,
+            dense.checked,
         ),
-        checked="at three stops in nine of each slider" if coarse else "",
+        checked=dense.where,
     )
 
 

@@ -28,6 +28,8 @@ POSES = {
     "linear_delta": np.array([0.55, 0.06, -0.26]),
     "rotary_delta": np.array([0.1, 0.05, -0.5]),
     "corexy": np.array([0.1, 0.05]),
+    "hexapod": np.array([0.004, 0.0, 0.245, 0.05, 0.02, 0.0]),
+    "hexaglide": np.array([0.01, 0.0, 0.2, 0.05, -0.03, 0.02]),
 }
 for _name, _file in EVERY.items():  # the workspace is the travel of the pose's components
     _parameters = pkmodes.read_robot(ROBOTS / _file).parameters

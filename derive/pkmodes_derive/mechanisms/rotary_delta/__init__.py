@@ -17,6 +17,7 @@ from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.rotary_delta.picture import Axis, draw
 from pkmodes_derive.mechanisms.rotary_delta.sample import SAMPLE
 from pkmodes_derive.parts import Arm, PointMass, Reducer, Rod
+from pkmodes_derive.transmission_tables import geared_motor
 from pkmodes_derive.trilateration import spheres
 from pkmodes_derive.vectors import cross, dot
 from pkmodes_derive.vocabulary import AXES
@@ -84,23 +85,12 @@ def declare(m: Machine) -> None:
         latex="k_{{r,{j}}}",
         above=0.0,
     )
-    motor = axis.shared("motor", "the motor of an axis")
-    I_m = motor.quantity(
-        "inertia",
-        "I_m",
-        "moment of inertia",
+    I_m, i_g = geared_motor(
+        axis,
+        "the motor of an axis",
         "moment of inertia of motor {j} at its shaft",
-        latex="I_{{m,{j}}}",
-        above=0.0,
-    )
-    i_g = motor.quantity(
-        "gear_ratio",
-        "i_g",
-        "number",
         "gear ratio of axis {j}, motor over arm",
-        latex="i_{{g,{j}}}",
-        field="gear_ratio",
-        above=0.0,
+        alone=True,
     )
     low, high = axis.pair(
         "limits",
