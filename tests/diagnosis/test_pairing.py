@@ -13,7 +13,7 @@ import pytest
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Measurements, Prediction
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
-from pkmodes.support.mac import ALIKE, space
+from pkmodes.support.mac import ALIKE, explained_difference, space
 
 CHANNELS = ("a", "b", "c", "d", "e")
 
@@ -72,6 +72,36 @@ def test_the_same_shape_at_twice_the_frequency_is_another_mode() -> None:
     found = pair(measured([10.0], shapes[[1]]), predicted([10.0, 20.0], shapes))
     assert found.partner.tolist() == [0]
     assert found.mac[0] < 0.9
+
+
+@pytest.mark.parametrize(("sigma", "partner"), [(0.01, 1), (0.1, 0)])
+def test_within_its_errors_a_shape_does_not_tell_modes_apart(sigma: float, partner: int) -> None:
+    """The shape is a little more like that of the mode whose frequency is 1.5 % off."""
+    shapes = np.eye(3, len(CHANNELS))
+    row = shapes[0] + shapes[1] * [0.0, 1.02, 0.0, 0.0, 0.0]
+    halves = np.array([[1.0, 0.8, 0.0, 0.0, 0.0], [0.9, 1.0, 0.0, 0.0, 0.0], shapes[2]])
+    both = (halves[:2] @ row) ** 2 / (halves[:2] ** 2).sum(axis=1) / (row @ row)
+    assert 0.98 < both[0] < both[1] - 4e-3
+    data = measured([10.0], row[None])
+    given = Measurements.from_rows(
+        ["A"],
+        data.frequency,
+        data.sigma,
+        shapes=dict(zip(CHANNELS, row[:, None], strict=True)),
+        shape_sigma=sigma,
+    )
+    assert pair(given, predicted([10.0, 10.15, 20.0], halves)).partner.tolist() == [partner]
+
+
+def test_what_errors_explain_of_the_mac_is_what_many_noisy_shapes_have() -> None:
+    rng = np.random.default_rng(11)
+    shape = np.array([1.0, -0.6, 0.3, 0.0, 0.8])
+    errors = np.array([0.02, 0.05, 0.04, 0.03, 0.0])
+    noisy = shape + errors * rng.standard_normal((200_000, 5))
+    loss = 1.0 - (noisy @ shape) ** 2 / (noisy**2).sum(axis=1) / (shape @ shape)
+    for sigmas in (0.0, 3.0):
+        expected = loss.mean() + sigmas * loss.std()
+        assert explained_difference(shape, errors, sigmas) == pytest.approx(expected, rel=0.02)
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.3, np.pi / 4, 1.2])

@@ -20,6 +20,9 @@ class PairingCriteria:
     reach: float = 0.6
     #: A MAC of 0 counts like this difference of the frequencies.
     shape_weight: float = 0.25
+    #: What the errors of a shape make of its MAC, up to this many standard deviations, does not count: within them a
+    #: shape does not tell which of two modes it is, and the frequencies decide.
+    shape_sigmas: float = 3.0
     #: Modes of the model closer than this are one group: the smallest error rotates their shapes into each other, so
     #: their measured partners are assigned by the order of the frequencies alone.
     close: float = 0.01

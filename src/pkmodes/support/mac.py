@@ -23,21 +23,18 @@ def normalised(shapes: Array) -> Array:
     return np.asarray(values / np.where(largest > 0.0, largest, 1.0))
 
 
-def weighted(shapes: Array, model: Array, moves: Array) -> tuple[Array, Array]:
-    """Return measured shapes and the model's, in units of each channel's motion.
+def channel_weights(model: Array, moves: Array) -> Array:
+    """Return the factors by which shapes are in units of each channel's motion, (..., 1, C).
 
     Parameters
     ----------
-    shapes : ndarray, shape (..., r, C)
-        From `normalised`.
     model : ndarray, shape (..., m, C)
     moves : ndarray, shape (..., C)
         See `channel_motion`; for channels that do not move in the reference, this model's motion is used.
     """
     if not (moves > 0.0).all():
         moves = np.where(moves > 0.0, moves, channel_motion(model))
-    weights = np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)[..., None, :]
-    return shapes * weights, model * weights
+    return np.where(moves > 0.0, 1.0 / np.where(moves > 0.0, moves, 1.0), 0.0)[..., None, :]
 
 
 def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
@@ -46,7 +43,7 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
     Parameters
     ----------
     shapes, model : ndarray, shape (..., r, C) and (..., m, C)
-        From `weighted`.
+        Times `channel_weights`.
     measured : ndarray of bool, shape (..., r, C)
 
     Returns
@@ -62,6 +59,29 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
     return np.where(known[..., None], likeness, np.nan)
 
 
+def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
+    """Return one minus the MAC of each measured shape with its own mode that its errors explain, (...).
+
+    Mean and standard deviation of a quadratic form of the errors perpendicular to the shape: those along it change
+    its scale only.
+
+    Parameters
+    ----------
+    shapes, errors : ndarray, shape (..., C)
+        Times `channel_weights`; independent standard deviations, zero where not measured.
+    sigmas : float
+        The result is the mean plus this many standard deviations.
+    """
+    squares = shapes**2
+    lengths = squares.sum(axis=-1)
+    lengths = np.where(lengths > 0.0, lengths, 1.0)
+    shares, variances = squares / lengths[..., None], errors**2
+    along = (variances * shares).sum(axis=-1)
+    mean = variances.sum(axis=-1) - along
+    spread = (variances**2 * (1.0 - 2.0 * shares)).sum(axis=-1) + along**2
+    return np.asarray((mean + sigmas * np.sqrt(2.0 * np.maximum(spread, 0.0))) / lengths)
+
+
 def subspace_mac(
     shapes: Array, model: Array, members: NDArray[np.bool_], measured: NDArray[np.bool_]
 ) -> Array:
@@ -70,7 +90,7 @@ def subspace_mac(
     Parameters
     ----------
     shapes, model : ndarray, shape (B, C) and (B, m, C)
-        From `weighted`.
+        Times `channel_weights`.
     members : ndarray of bool, shape (B, m)
         Modes that span the subspace.
     measured : ndarray of bool, shape (B, C)
@@ -110,7 +130,7 @@ def space(shapes: Array) -> tuple[Array, Array]:
     Parameters
     ----------
     shapes : ndarray, shape (B, g, C)
-        From `weighted`, zero at components that were not measured; rows of zeros are ignored.
+        Times `channel_weights`, zero at components that were not measured; rows of zeros are ignored.
 
     Returns
     -------

@@ -71,8 +71,8 @@ REASONS = {
         claim.claimed claim.specific claim.spread claim.many claim.told_apart fits.most_shared damping.specific[1]
         reasons.far""",
     "pairs and weighs modes; those of the outcomes that were tried are clearly close or clearly apart": """
-        pairing.reach pairing.shape_weight pairing.close pairing.mixed pairing.mixed_sigmas pairing.most_mixed
-        gate.margin gate.visible""",
+        pairing.reach pairing.shape_weight pairing.shape_sigmas pairing.close pairing.mixed
+        pairing.mixed_sigmas pairing.most_mixed gate.margin gate.visible""",
     "the start or a limit of what is estimated": """
         shapes.least_sigma shapes.scatter shapes.least_scatter shapes.most_scatter damping.floor
         damping.resolution damping.least damping.outlier""",

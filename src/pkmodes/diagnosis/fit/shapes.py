@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.pairing import Pairing, neighbours, tiled, unmeasured_neighbours
+from pkmodes.diagnosis.match.shape_errors import shape_errors
 from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.mac import space
@@ -82,7 +83,7 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        each = np.where(self.stated, _not_better_than_possible(data, criteria), scatter)
+        each = shape_errors(data, criteria, scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
         self._crowd(neighbours(data, criteria))
@@ -176,20 +177,3 @@ def _scales(units: Sequence[str], moves: Array) -> Array:
         size = float(np.sqrt(np.mean(moves[:, some] ** 2)))
         scales[some] = 1.0 / size if size > 0.0 else 0.0
     return scales
-
-
-def _not_better_than_possible(data: Measurements, criteria: Criteria) -> Array:
-    """Return the stated errors of shapes; instead of those below any sensor's, what sensors and machine leave open.
-
-    A change of the machine that moves two frequencies by their errors turns the shapes into each other by an angle of
-    about the relative error over the relative distance of the frequencies (Fox and Kapoor, AIAA Journal 6(12), 1968).
-    Modes so close that they are compared as one subspace do not count.
-    """
-    logs, errors = np.log(data.frequency), data.sigma / data.frequency
-    angles = np.zeros(len(logs))
-    for i in range(len(logs)):
-        apart = np.abs(logs - logs[i])
-        others = (data.pose == data.pose[i]) & (apart > criteria.pairing.mixed)
-        angles[i] = np.sqrt(((errors**2 + errors[i] ** 2) / np.where(others, apart, np.inf) ** 2).sum())
-    least = np.clip(angles, criteria.shapes.least_sigma, criteria.shapes.most_scatter)
-    return np.where(data.shape_sigma < criteria.shapes.least_sigma, least, data.shape_sigma)

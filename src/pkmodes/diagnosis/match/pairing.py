@@ -2,7 +2,8 @@
 
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
-one minus the modal assurance criterion (`support.mac`).
+one minus the modal assurance criterion (`support.mac`), less what the errors of the shape make of it: within its
+errors a shape does not tell which of two modes it is.
 """
 
 from __future__ import annotations
@@ -17,10 +18,18 @@ from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.match.shape_errors import shape_errors
 from pkmodes.diagnosis.problem import Array, Index, Prediction
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
-from pkmodes.support.mac import channel_motion, mac, normalised, subspace_mac, weighted
+from pkmodes.support.mac import (
+    channel_motion,
+    channel_weights,
+    explained_difference,
+    mac,
+    normalised,
+    subspace_mac,
+)
 
 
 @dataclass(frozen=True)
@@ -40,11 +49,19 @@ class Pairing:
 
 
 class _Shapes(NamedTuple):
-    """Shapes of rows (S, r, C) and modes (S, m, C) in the same weighting, and the measured components (S, r, C)."""
+    """Shapes of rows (S, r, C) and modes (S, m, C) in the same weighting.
+
+    With the measured components of the rows and their standard deviations, 0 where not measured, (S, r, C).
+    """
 
     rows: Array
     model: Array
     measured: NDArray[np.bool_]
+    errors: Array
+
+    def alone(self) -> Array:
+        """Return the MAC of each row with each mode of its setup, (S, r, m)."""
+        return mac(self.rows, self.model, self.measured)
 
     def in_subspace(self, setup: Index, row: Index, members: NDArray[np.bool_]) -> Array:
         """Return the MAC of some rows, each with the subspace of some modes of its setup, (B, m)."""
@@ -96,6 +113,8 @@ class Pairer:
         self._place = place
         padded = np.where((self._row >= 0)[..., None], data.shapes[self._row], np.nan)
         self._normalised, self._measured = normalised(padded), np.isfinite(padded)
+        self._errors = shape_errors(data, self._criteria, self._criteria.shapes.scatter)[self._row]
+        self._stated = np.isfinite(data.shape_sigma)[self._row]
         self._mates = neighbours(data, self._criteria)
 
     def tiled(self, count: int) -> Pairer:
@@ -105,6 +124,7 @@ class Pairer:
         copies._normalised, copies._measured = (
             np.tile(whole, (count, 1, 1)) for whole in (self._normalised, self._measured)
         )
+        copies._errors, copies._stated = (np.tile(each, (count, 1)) for each in (self._errors, self._stated))
         copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
         copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
         copies._mates = tiled(self._mates, count, rows)
@@ -129,9 +149,11 @@ class Pairer:
             close = np.diff(logs, axis=1) < c.pairing.close
         cost = distance**2
         if shapes is not None:
-            alone = mac(*shapes)
+            alone = shapes.alone()
             likeness = self._grouped(alone, shapes, logs, close)
-            cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, 1.0 - likeness)
+            noise = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)
+            unlike = np.maximum(1.0 - likeness - noise[..., None], 0.0)
+            cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, unlike)
         # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
         # constant: otherwise a mode that the model lacks would shift the others.
         cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
@@ -155,7 +177,7 @@ class Pairer:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
         if not len(self.columns):
             return np.full((len(self._log), prediction.shapes.shape[1] - prediction.rigid), np.nan)
-        return mac(*self._shapes(prediction))[self.pose, self._place]
+        return self._shapes(prediction).alone()[self.pose, self._place]
 
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
@@ -166,8 +188,15 @@ class Pairer:
 
     def _shapes(self, prediction: Prediction) -> _Shapes:
         """Return the shapes of the rows and modes of each setup, in units of each channel's motion."""
-        shapes, model = weighted(self._normalised, prediction.shapes[..., self.columns], self.moves)
-        return _Shapes(shapes, model[:, prediction.rigid :], self._measured)
+        model = prediction.shapes[..., self.columns]
+        weights = channel_weights(model, self.moves)
+        rows = self._normalised * weights
+        # A stated error is relative to the largest component; a scatter, in units of each channel's motion.
+        largest = np.abs(rows).max(axis=-1, keepdims=True)
+        units = np.where(self._stated[..., None], weights, largest) * self._measured
+        return _Shapes(
+            rows, model[:, prediction.rigid :] * weights, self._measured, self._errors[..., None] * units
+        )
 
     def _grouped(self, alone: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
