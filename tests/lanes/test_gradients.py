@@ -33,7 +33,13 @@ pytestmark = pytest.mark.compiler
 #: Of the largest derivative along the same path; and where a heavy motor hardly moves because the motions of its
 #: coordinates cancel, or a rigid mode has digits of the stiffest one only.
 EXACT, CANCELLED = 1e-11, 1e-8
-POSES = {"linear_delta": [0.6, 0.03, -0.245], "rotary_delta": [0.05, -0.02, -0.8], "corexy": [0.15, 0.2]}
+POSES = {
+    "linear_delta": [0.6, 0.03, -0.245],
+    "rotary_delta": [0.05, -0.02, -0.8],
+    "corexy": [0.15, 0.2],
+    "cartesian": [0.15, 0.2],
+    "bed_slinger": [0.15, 0.2],
+}
 
 
 def assert_agrees(given: Case, tolerance: float = EXACT) -> None:

@@ -23,8 +23,8 @@ link = build._run
 build._run = lambda command, folder: link(
     [*command, "-fsanitize=address,undefined"] if "-shared" in command else command, folder)
 loader.SHIPPED = loader.SHIPPED / "none"
-from helpers.robots.lane_samples import NAMES, case, results
-for name in NAMES:
+from helpers.robots.lane_samples import NAMES, SIX_LEGGED, case, results
+for name in (*NAMES, *SIX_LEGGED):
     for effects in ("none", "clamps with belt mass", "everything"):
         for count in (1, 3, 6, 13):
             given = case(name, 2, effects, count=count)

@@ -65,9 +65,9 @@ def robots(name: str, effects: str, count: int) -> Robots:
     return Robots(systems, points, moves, modes_of_systems(systems, points))
 
 
-def assert_near(found: np.ndarray, expected: np.ndarray, *over: int) -> None:
-    """Compare with the largest of each path."""
-    largest = np.abs(expected).max(axis=over, keepdims=True)
+def assert_near(found: np.ndarray, expected: np.ndarray, *over: int, least: float | np.ndarray = 0.0) -> None:
+    """Compare with the largest of each path, or with what would be usual."""
+    largest = np.maximum(np.abs(expected).max(axis=over, keepdims=True), least)
     assert (np.abs(found - expected) <= EXACT * largest).all()
     assert largest.any()
 
@@ -76,14 +76,17 @@ def assert_derivatives(name: str, effects: str, count: int) -> None:
     given = robots(name, effects, count)
     found, expected = given.derivatives()
     eigenvalues, shapes, rigid = given.modes.eigenvalues, given.modes.shapes, given.systems[0].rigid_modes
-    assert_near(found.eigenvalues(eigenvalues, shapes), expected.eigenvalues(eigenvalues, shapes), 0, 1)
+    rates = expected.eigenvalues(eigenvalues, shapes)
+    assert_near(found.eigenvalues(eigenvalues, shapes), rates, 0, 1)
     for one, other in zip(
         found.changes(eigenvalues, shapes), expected.changes(eigenvalues, shapes), strict=True
     ):
         assert_near(one, other, 0, *range(2, one.ndim))
     turned, wanted = (shape_derivatives(one, eigenvalues, shapes) for one in (found, expected))
     if eigenvalues.shape[1] > rigid:  # single rigid modes are arbitrary
-        assert_near(turned[:, :, rigid:], wanted[:, :, rigid:], 0, 2, 3)
+        # a mode of a single belt keeps its shape, whatever the belt: its derivative is rounding
+        usual = np.abs(rates).max(axis=(0, 1)) / np.abs(eigenvalues).max() * np.abs(shapes).max()
+        assert_near(turned[:, :, rigid:], wanted[:, :, rigid:], 0, 2, 3, least=usual[:, None, None])
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -29,10 +29,12 @@ ROBOTS = {
     "linear_delta": "linear-delta-2022",
     "rotary_delta": "clavel-delta",
     "corexy": "corexy-printer",
+    "cartesian": "cartesian-printer",
+    "bed_slinger": "bed-slinger",
     "hexapod": "hexapod",
     "hexaglide": "hexaglide",
 }
-NAMES = ("linear_delta", "rotary_delta", "corexy")
+NAMES = ("linear_delta", "rotary_delta", "corexy", "cartesian", "bed_slinger")
 #: Their platforms turn, with twelve and eighteen coordinates: large programs, of which few cases are tried.
 SIX_LEGGED = ("hexapod", "hexaglide")
 #: Names of effects by which combination is on.
