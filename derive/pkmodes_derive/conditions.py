@@ -18,6 +18,8 @@ Apart = tuple[Sequence[Expr], Sequence[Expr]]
 IN_LINE = Float("1e-3")
 #: Legs that differ by less than this part of the platform's size coincide.
 SAME = Float("1e-5")
+#: Legs cross if they come closer than about this part of the smaller of the distances of their joints.
+CROSSED = Float("1e-3")
 #: A pose at which the closures do not determine the platform.
 SINGULAR = Margin(
     "singular",
@@ -115,6 +117,55 @@ def require_different_legs(
             "above_zero",
             tuple(f"axis.{j + 1} and axis.{k + 1}" for j, k in pairs),
             f"expected {what} that differ, found two that coincide",
+            remedy,
+            "m^2",
+        ),
+    )
+
+
+def require_legs_that_do_not_cross(
+    m: Machine, base: Sequence[Sequence[Symbol]], joints: Sequence[Sequence[Symbol]], remedy: str
+) -> None:
+    """Require that no two legs meet between their joints while the platform is not turned, wherever it is.
+
+    The points of legs j and k at a fraction t of their lengths are apart by (1 - t) A + t B, A from base joint to
+    base joint and B from platform joint to platform joint: this is zero for a t between 0 and 1 if A and B have
+    opposite directions.  Legs may share a joint.
+
+    Parameters
+    ----------
+    base, joints : sequence of sequence of sympy.Symbol
+        In the base frame, and in platform axes.
+    remedy : str
+        What to do about two that cross.
+    """
+    pairs = tuple(combinations(range(len(joints)), 2))
+    scale = Add(*(dot(joint, joint) for joint in joints)) / len(joints)
+    margins = []
+    for j, k in pairs:
+        A, B = ([x - y for x, y in zip(of[j], of[k], strict=True)] for of in (base, joints))
+        opposite = sqrt(dot(A, A) * dot(B, B)) * (1 - CROSSED**2 / 2)
+        margins.append(opposite + dot(A, B) + scale * SAME**2)
+    m.extras.append(
+        Extra(
+            "crossing_margin",
+            "Whether no two legs cross while the platform is not turned.",
+            "the differences of their joints at base and platform, which have opposite directions if they do",
+            (
+                Output(
+                    "margin", (len(pairs),), tuple(margins), "m^2", "positive for two legs that do not cross"
+                ),
+            ),
+            arguments=(),
+            definitions={},
+        )
+    )
+    m.requirements += (
+        Requirement(
+            "crossing_margin",
+            "above_zero",
+            tuple(f"axis.{j + 1} and axis.{k + 1}" for j, k in pairs),
+            "expected legs that do not cross, found two that meet wherever the platform is not turned",
             remedy,
             "m^2",
         ),

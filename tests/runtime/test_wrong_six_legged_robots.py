@@ -21,6 +21,14 @@ def _coincident(machine: Machine) -> None:
     machine["axis"][4] = deepcopy(machine["axis"][1])
 
 
+def _crossed(machine: Machine) -> None:
+    """Two legs whose joints on the platform are exchanged: they meet at two fifths of their lengths."""
+    first, second = machine["axis"][1], machine["axis"][4]
+    step = np.array([0.03, -0.02, 0.011])
+    second["base"] = (np.array(first["base"]) + 2.0 * step).tolist()
+    second["joint"] = (np.array(first["joint"]) - 3.0 * step).tolist()
+
+
 def _same_line(machine: Machine) -> None:
     """The same rail with another origin along it: the same rod."""
     first = machine["axis"][1]
@@ -62,6 +70,11 @@ MISTAKES: dict[str, tuple[str, Callable[[Machine], None], tuple[str, ...]]] = {
         _coincident,
         ("axis.2 and axis.5", "expected legs that differ, found two that coincide", "check base and joint"),
     ),
+    "crossed legs": (
+        "hexapod",
+        _crossed,
+        ("axis.2 and axis.5", "expected legs that do not cross, found two that meet", "may be exchanged"),
+    ),
     "two rods": (
         "hexaglide",
         _coincident,
@@ -95,6 +108,37 @@ def test_a_wrong_robot_is_refused_with_its_place(what: str, tmp_path: Any) -> No
         pkmodes.load(tmp_path / "robot.toml")
     for word in ("robot.toml", *words):
         assert word in str(caught.value)
+
+
+@pytest.mark.parametrize("apart", [0.0, 2e-3, -2e-3])
+def test_legs_that_meet_are_told_from_legs_that_pass_each_other(apart: float, tmp_path: Any) -> None:
+    """Two legs that meet at one position of the platform meet at all, found by the distance of the two lines."""
+    machine = deepcopy(DRAWN["hexapod"].machine)
+    _crossed(machine)
+    base = np.array([axis["base"] for axis in machine["axis"]])
+    aside = np.cross(base[4] - base[1], [0.0, 0.0, 1.0])
+    machine["axis"][4]["base"] = (base[4] + apart * aside).tolist()
+    for position in ([0.0, 0.0, 0.4], [0.05, -0.1, 0.3]):
+        feet, tops = (np.array([machine["axis"][j][key] for j in (1, 4)]) for key in ("base", "joint"))
+        first, second = tops + position - feet
+        normal = np.cross(first, second)
+        distance = (feet[1] - feet[0]) @ normal / np.linalg.norm(normal)
+        assert (abs(distance) > 1e-9) == (apart != 0.0)
+    (tmp_path / "robot.toml").write_text(toml_text(machine), encoding="utf-8")
+    if apart:
+        pkmodes.load(tmp_path / "robot.toml")
+        return
+    with pytest.raises(PkmodesError, match="found two that meet wherever the platform is not turned"):
+        pkmodes.load(tmp_path / "robot.toml")
+
+
+def test_legs_may_share_a_joint(tmp_path: Any) -> None:
+    """Stewart's platform and the octahedral hexapods have joints for two legs."""
+    machine = deepcopy(DRAWN["hexapod"].machine)
+    machine["axis"][4]["joint"] = machine["axis"][1]["joint"]
+    machine["axis"][3]["base"] = machine["axis"][2]["base"]
+    (tmp_path / "robot.toml").write_text(toml_text(machine), encoding="utf-8")
+    pkmodes.load(tmp_path / "robot.toml")
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -644,6 +644,191 @@ void hexapod_leg_margin(const hexapod_parameters *parameters, pkmodes_real margi
         - b_6_z)*(b_5_z - b_6_z));
 }
 
+void hexapod_crossing_margin(const hexapod_parameters *parameters, pkmodes_real margin[15])
+{
+    const pkmodes_real a_1_x = parameters->base[0][0];
+    const pkmodes_real a_1_y = parameters->base[0][1];
+    const pkmodes_real a_1_z = parameters->base[0][2];
+    const pkmodes_real a_2_x = parameters->base[1][0];
+    const pkmodes_real a_2_y = parameters->base[1][1];
+    const pkmodes_real a_2_z = parameters->base[1][2];
+    const pkmodes_real a_3_x = parameters->base[2][0];
+    const pkmodes_real a_3_y = parameters->base[2][1];
+    const pkmodes_real a_3_z = parameters->base[2][2];
+    const pkmodes_real a_4_x = parameters->base[3][0];
+    const pkmodes_real a_4_y = parameters->base[3][1];
+    const pkmodes_real a_4_z = parameters->base[3][2];
+    const pkmodes_real a_5_x = parameters->base[4][0];
+    const pkmodes_real a_5_y = parameters->base[4][1];
+    const pkmodes_real a_5_z = parameters->base[4][2];
+    const pkmodes_real a_6_x = parameters->base[5][0];
+    const pkmodes_real a_6_y = parameters->base[5][1];
+    const pkmodes_real a_6_z = parameters->base[5][2];
+    const pkmodes_real b_1_x = parameters->joint[0][0];
+    const pkmodes_real b_1_y = parameters->joint[0][1];
+    const pkmodes_real b_1_z = parameters->joint[0][2];
+    const pkmodes_real b_2_x = parameters->joint[1][0];
+    const pkmodes_real b_2_y = parameters->joint[1][1];
+    const pkmodes_real b_2_z = parameters->joint[1][2];
+    const pkmodes_real b_3_x = parameters->joint[2][0];
+    const pkmodes_real b_3_y = parameters->joint[2][1];
+    const pkmodes_real b_3_z = parameters->joint[2][2];
+    const pkmodes_real b_4_x = parameters->joint[3][0];
+    const pkmodes_real b_4_y = parameters->joint[3][1];
+    const pkmodes_real b_4_z = parameters->joint[3][2];
+    const pkmodes_real b_5_x = parameters->joint[4][0];
+    const pkmodes_real b_5_y = parameters->joint[4][1];
+    const pkmodes_real b_5_z = parameters->joint[4][2];
+    const pkmodes_real b_6_x = parameters->joint[5][0];
+    const pkmodes_real b_6_y = parameters->joint[5][1];
+    const pkmodes_real b_6_z = parameters->joint[5][2];
+    const pkmodes_real t1 = a_1_x - a_2_x;
+    const pkmodes_real t2 = b_1_x - b_2_x;
+    const pkmodes_real t3 = a_1_y - a_2_y;
+    const pkmodes_real t4 = b_1_y - b_2_y;
+    const pkmodes_real t5 = a_1_z - a_2_z;
+    const pkmodes_real t6 = b_1_z - b_2_z;
+    const pkmodes_real t7 =
+        R(1.6666666666666667e-11)*(b_1_x*b_1_x) + R(1.6666666666666667e-11)*(b_1_y*b_1_y)
+        + R(1.6666666666666667e-11)*(b_1_z*b_1_z) + R(1.6666666666666667e-11)*(b_2_x*b_2_x)
+        + R(1.6666666666666667e-11)*(b_2_y*b_2_y) + R(1.6666666666666667e-11)*(b_2_z*b_2_z)
+        + R(1.6666666666666667e-11)*(b_3_x*b_3_x) + R(1.6666666666666667e-11)*(b_3_y*b_3_y)
+        + R(1.6666666666666667e-11)*(b_3_z*b_3_z) + R(1.6666666666666667e-11)*(b_4_x*b_4_x)
+        + R(1.6666666666666667e-11)*(b_4_y*b_4_y) + R(1.6666666666666667e-11)*(b_4_z*b_4_z)
+        + R(1.6666666666666667e-11)*(b_5_x*b_5_x) + R(1.6666666666666667e-11)*(b_5_y*b_5_y)
+        + R(1.6666666666666667e-11)*(b_5_z*b_5_z) + R(1.6666666666666667e-11)*(b_6_x*b_6_x)
+        + R(1.6666666666666667e-11)*(b_6_y*b_6_y) + R(1.6666666666666667e-11)*(b_6_z*b_6_z);
+    const pkmodes_real t8 = b_1_x - b_3_x;
+    const pkmodes_real t9 = a_1_y - a_3_y;
+    const pkmodes_real t10 = b_1_y - b_3_y;
+    const pkmodes_real t11 = a_1_z - a_3_z;
+    const pkmodes_real t12 = b_1_z - b_3_z;
+    const pkmodes_real t13 = a_1_x - a_3_x;
+    const pkmodes_real t14 = a_1_x - a_4_x;
+    const pkmodes_real t15 = b_1_x - b_4_x;
+    const pkmodes_real t16 = a_1_y - a_4_y;
+    const pkmodes_real t17 = b_1_y - b_4_y;
+    const pkmodes_real t18 = a_1_z - a_4_z;
+    const pkmodes_real t19 = b_1_z - b_4_z;
+    const pkmodes_real t20 = a_1_x - a_5_x;
+    const pkmodes_real t21 = b_1_x - b_5_x;
+    const pkmodes_real t22 = a_1_y - a_5_y;
+    const pkmodes_real t23 = b_1_y - b_5_y;
+    const pkmodes_real t24 = a_1_z - a_5_z;
+    const pkmodes_real t25 = b_1_z - b_5_z;
+    const pkmodes_real t26 = a_1_x - a_6_x;
+    const pkmodes_real t27 = b_1_x - b_6_x;
+    const pkmodes_real t28 = a_1_y - a_6_y;
+    const pkmodes_real t29 = b_1_y - b_6_y;
+    const pkmodes_real t30 = a_1_z - a_6_z;
+    const pkmodes_real t31 = b_1_z - b_6_z;
+    const pkmodes_real t32 = a_2_x - a_3_x;
+    const pkmodes_real t33 = b_2_x - b_3_x;
+    const pkmodes_real t34 = a_2_y - a_3_y;
+    const pkmodes_real t35 = b_2_y - b_3_y;
+    const pkmodes_real t36 = a_2_z - a_3_z;
+    const pkmodes_real t37 = b_2_z - b_3_z;
+    const pkmodes_real t38 = a_2_x - a_4_x;
+    const pkmodes_real t39 = b_2_x - b_4_x;
+    const pkmodes_real t40 = a_2_y - a_4_y;
+    const pkmodes_real t41 = b_2_y - b_4_y;
+    const pkmodes_real t42 = a_2_z - a_4_z;
+    const pkmodes_real t43 = b_2_z - b_4_z;
+    const pkmodes_real t44 = a_2_x - a_5_x;
+    const pkmodes_real t45 = b_2_x - b_5_x;
+    const pkmodes_real t46 = a_2_y - a_5_y;
+    const pkmodes_real t47 = b_2_y - b_5_y;
+    const pkmodes_real t48 = a_2_z - a_5_z;
+    const pkmodes_real t49 = b_2_z - b_5_z;
+    const pkmodes_real t50 = a_2_x - a_6_x;
+    const pkmodes_real t51 = b_2_x - b_6_x;
+    const pkmodes_real t52 = a_2_y - a_6_y;
+    const pkmodes_real t53 = b_2_y - b_6_y;
+    const pkmodes_real t54 = a_2_z - a_6_z;
+    const pkmodes_real t55 = b_2_z - b_6_z;
+    const pkmodes_real t56 = a_3_x - a_4_x;
+    const pkmodes_real t57 = b_3_x - b_4_x;
+    const pkmodes_real t58 = a_3_y - a_4_y;
+    const pkmodes_real t59 = b_3_y - b_4_y;
+    const pkmodes_real t60 = a_3_z - a_4_z;
+    const pkmodes_real t61 = b_3_z - b_4_z;
+    const pkmodes_real t62 = a_3_x - a_5_x;
+    const pkmodes_real t63 = b_3_x - b_5_x;
+    const pkmodes_real t64 = a_3_y - a_5_y;
+    const pkmodes_real t65 = b_3_y - b_5_y;
+    const pkmodes_real t66 = a_3_z - a_5_z;
+    const pkmodes_real t67 = b_3_z - b_5_z;
+    const pkmodes_real t68 = a_3_x - a_6_x;
+    const pkmodes_real t69 = b_3_x - b_6_x;
+    const pkmodes_real t70 = a_3_y - a_6_y;
+    const pkmodes_real t71 = b_3_y - b_6_y;
+    const pkmodes_real t72 = a_3_z - a_6_z;
+    const pkmodes_real t73 = b_3_z - b_6_z;
+    const pkmodes_real t74 = b_4_y - b_5_y;
+    const pkmodes_real t75 = a_4_z - a_5_z;
+    const pkmodes_real t76 = b_4_z - b_5_z;
+    const pkmodes_real t77 = a_4_x - a_5_x;
+    const pkmodes_real t78 = b_4_x - b_5_x;
+    const pkmodes_real t79 = a_4_y - a_5_y;
+    const pkmodes_real t80 = a_4_x - a_6_x;
+    const pkmodes_real t81 = b_4_x - b_6_x;
+    const pkmodes_real t82 = a_4_y - a_6_y;
+    const pkmodes_real t83 = b_4_y - b_6_y;
+    const pkmodes_real t84 = a_4_z - a_6_z;
+    const pkmodes_real t85 = b_4_z - b_6_z;
+    const pkmodes_real t86 = a_5_x - a_6_x;
+    const pkmodes_real t87 = b_5_x - b_6_x;
+    const pkmodes_real t88 = a_5_y - a_6_y;
+    const pkmodes_real t89 = b_5_y - b_6_y;
+    const pkmodes_real t90 = a_5_z - a_6_z;
+    const pkmodes_real t91 = b_5_z - b_6_z;
+    margin[0] =
+        t1*t2 + t3*t4 + t5*t6 + t7 + R(0.9999995)*R(sqrt)((t1*t1) + (t3*t3) + (t5*t5))*R(sqrt)((t2*t2)
+        + (t4*t4) + (t6*t6));
+    margin[1] =
+        t10*t9 + t11*t12 + t13*t8 + t7 + R(0.9999995)*R(sqrt)((t10*t10) + (t12*t12)
+        + (t8*t8))*R(sqrt)((t11*t11) + (t13*t13) + (t9*t9));
+    margin[2] =
+        t14*t15 + t16*t17 + t18*t19 + t7 + R(0.9999995)*R(sqrt)((t14*t14) + (t16*t16)
+        + (t18*t18))*R(sqrt)((t15*t15) + (t17*t17) + (t19*t19));
+    margin[3] =
+        t20*t21 + t22*t23 + t24*t25 + t7 + R(0.9999995)*R(sqrt)((t20*t20) + (t22*t22)
+        + (t24*t24))*R(sqrt)((t21*t21) + (t23*t23) + (t25*t25));
+    margin[4] =
+        t26*t27 + t28*t29 + t30*t31 + t7 + R(0.9999995)*R(sqrt)((t26*t26) + (t28*t28)
+        + (t30*t30))*R(sqrt)((t27*t27) + (t29*t29) + (t31*t31));
+    margin[5] =
+        t32*t33 + t34*t35 + t36*t37 + t7 + R(0.9999995)*R(sqrt)((t32*t32) + (t34*t34)
+        + (t36*t36))*R(sqrt)((t33*t33) + (t35*t35) + (t37*t37));
+    margin[6] =
+        t38*t39 + t40*t41 + t42*t43 + t7 + R(0.9999995)*R(sqrt)((t38*t38) + (t40*t40)
+        + (t42*t42))*R(sqrt)((t39*t39) + (t41*t41) + (t43*t43));
+    margin[7] =
+        t44*t45 + t46*t47 + t48*t49 + t7 + R(0.9999995)*R(sqrt)((t44*t44) + (t46*t46)
+        + (t48*t48))*R(sqrt)((t45*t45) + (t47*t47) + (t49*t49));
+    margin[8] =
+        t50*t51 + t52*t53 + t54*t55 + t7 + R(0.9999995)*R(sqrt)((t50*t50) + (t52*t52)
+        + (t54*t54))*R(sqrt)((t51*t51) + (t53*t53) + (t55*t55));
+    margin[9] =
+        t56*t57 + t58*t59 + t60*t61 + t7 + R(0.9999995)*R(sqrt)((t56*t56) + (t58*t58)
+        + (t60*t60))*R(sqrt)((t57*t57) + (t59*t59) + (t61*t61));
+    margin[10] =
+        t62*t63 + t64*t65 + t66*t67 + t7 + R(0.9999995)*R(sqrt)((t62*t62) + (t64*t64)
+        + (t66*t66))*R(sqrt)((t63*t63) + (t65*t65) + (t67*t67));
+    margin[11] =
+        t68*t69 + t7 + t70*t71 + t72*t73 + R(0.9999995)*R(sqrt)((t68*t68) + (t70*t70)
+        + (t72*t72))*R(sqrt)((t69*t69) + (t71*t71) + (t73*t73));
+    margin[12] =
+        t7 + t74*t79 + t75*t76 + t77*t78 + R(0.9999995)*R(sqrt)((t74*t74) + (t76*t76)
+        + (t78*t78))*R(sqrt)((t75*t75) + (t77*t77) + (t79*t79));
+    margin[13] =
+        t7 + t80*t81 + t82*t83 + t84*t85 + R(0.9999995)*R(sqrt)((t80*t80) + (t82*t82)
+        + (t84*t84))*R(sqrt)((t81*t81) + (t83*t83) + (t85*t85));
+    margin[14] =
+        t7 + t86*t87 + t88*t89 + t90*t91 + R(0.9999995)*R(sqrt)((t86*t86) + (t88*t88)
+        + (t90*t90))*R(sqrt)((t87*t87) + (t89*t89) + (t91*t91));
+}
+
 void hexapod_platform_joints(const hexapod_parameters *parameters, pkmodes_real *length,
     pkmodes_real middle[3])
 {

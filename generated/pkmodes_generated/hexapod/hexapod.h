@@ -57,6 +57,7 @@ typedef double pkmodes_real;
 #define hexapod_joint_line_margin hexapod_joint_line_margin_f
 #define hexapod_base_line_margin hexapod_base_line_margin_f
 #define hexapod_leg_margin hexapod_leg_margin_f
+#define hexapod_crossing_margin hexapod_crossing_margin_f
 #define hexapod_platform_joints hexapod_platform_joints_f
 #define hexapod_constraint_jacobians hexapod_constraint_jacobians_f
 #define hexapod_jacobian_condition hexapod_jacobian_condition_f
@@ -89,7 +90,7 @@ extern "C" {
 /* version of the generator */
 #define HEXAPOD_VERSION "0.1.0"
 /* SHA-256 of the C source, first digits: other code has another */
-#define HEXAPOD_HASH "308ed44b36705ac5"
+#define HEXAPOD_HASH "8d8466db0867dcbe"
 /* components of a pose */
 #define HEXAPOD_POSE 6
 /* coordinates, and modes */
@@ -218,6 +219,15 @@ void hexapod_base_line_margin(const hexapod_parameters *parameters, pkmodes_real
  * 323 operations; 1065 with every named value expanded.
  */
 void hexapod_leg_margin(const hexapod_parameters *parameters, pkmodes_real margin[15]);
+
+/* Whether no two legs cross while the platform is not turned.
+ *
+ *   out margin [m^2]: positive for two legs that do not cross
+ *
+ * Source: the differences of their joints at base and platform, which have opposite directions if they do.
+ * 488 operations; 1320 with every named value expanded.
+ */
+void hexapod_crossing_margin(const hexapod_parameters *parameters, pkmodes_real margin[15]);
 
 /* How the joints lie on the platform: a characteristic length, and their middle.
  *

@@ -79,6 +79,7 @@ __all__ = [
     "RIGID_MODES",
     "base_line_margin",
     "constraint_jacobians",
+    "crossing_margin",
     "elastic_gradient",
     "elastic_hessian",
     "elastic_potential",
@@ -772,6 +773,194 @@ def leg_margin(parameters):
     margin_out[..., 14] = (
         -t1 + (a_5_x - a_6_x)**2 + (a_5_y - a_6_y)**2 + (a_5_z - a_6_z)**2 + (b_5_x - b_6_x)**2 + (b_5_y
         - b_6_y)**2 + (b_5_z - b_6_z)**2
+    )
+    return margin_out
+
+
+def crossing_margin(parameters):
+    """Whether no two legs cross while the platform is not turned.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        The robot's parameters.
+
+    Returns
+    -------
+    margin : array, shape (..., 15) [m^2]
+        Positive for two legs that do not cross.
+
+    Notes
+    -----
+    The differences of their joints at base and platform, which have opposite directions if they do.
+    488 operations; 1320 with every named value expanded.
+    """
+    (
+        a_1_x, a_1_y, a_1_z, a_2_x, a_2_y, a_2_z, a_3_x, a_3_y, a_3_z, a_4_x, a_4_y, a_4_z, a_5_x, a_5_y,
+        a_5_z, a_6_x, a_6_y, a_6_z,
+    ) = _entries(parameters.base, (6, 3))
+    (
+        b_1_x, b_1_y, b_1_z, b_2_x, b_2_y, b_2_z, b_3_x, b_3_y, b_3_z, b_4_x, b_4_y, b_4_z, b_5_x, b_5_y,
+        b_5_z, b_6_x, b_6_y, b_6_z,
+    ) = _entries(parameters.joint, (6, 3))
+    batch, dtype = _batch(a_1_x, b_1_x)
+    t1 = a_1_x - a_2_x
+    t2 = b_1_x - b_2_x
+    t3 = a_1_y - a_2_y
+    t4 = b_1_y - b_2_y
+    t5 = a_1_z - a_2_z
+    t6 = b_1_z - b_2_z
+    t7 = (
+        1.6666666666666667e-11*b_1_x**2 + 1.6666666666666667e-11*b_1_y**2 + 1.6666666666666667e-11*b_1_z**2
+        + 1.6666666666666667e-11*b_2_x**2 + 1.6666666666666667e-11*b_2_y**2 + 1.6666666666666667e-11*b_2_z**2
+        + 1.6666666666666667e-11*b_3_x**2 + 1.6666666666666667e-11*b_3_y**2 + 1.6666666666666667e-11*b_3_z**2
+        + 1.6666666666666667e-11*b_4_x**2 + 1.6666666666666667e-11*b_4_y**2 + 1.6666666666666667e-11*b_4_z**2
+        + 1.6666666666666667e-11*b_5_x**2 + 1.6666666666666667e-11*b_5_y**2 + 1.6666666666666667e-11*b_5_z**2
+        + 1.6666666666666667e-11*b_6_x**2 + 1.6666666666666667e-11*b_6_y**2 + 1.6666666666666667e-11*b_6_z**2
+    )
+    t8 = b_1_x - b_3_x
+    t9 = a_1_y - a_3_y
+    t10 = b_1_y - b_3_y
+    t11 = a_1_z - a_3_z
+    t12 = b_1_z - b_3_z
+    t13 = a_1_x - a_3_x
+    t14 = a_1_x - a_4_x
+    t15 = b_1_x - b_4_x
+    t16 = a_1_y - a_4_y
+    t17 = b_1_y - b_4_y
+    t18 = a_1_z - a_4_z
+    t19 = b_1_z - b_4_z
+    t20 = a_1_x - a_5_x
+    t21 = b_1_x - b_5_x
+    t22 = a_1_y - a_5_y
+    t23 = b_1_y - b_5_y
+    t24 = a_1_z - a_5_z
+    t25 = b_1_z - b_5_z
+    t26 = a_1_x - a_6_x
+    t27 = b_1_x - b_6_x
+    t28 = a_1_y - a_6_y
+    t29 = b_1_y - b_6_y
+    t30 = a_1_z - a_6_z
+    t31 = b_1_z - b_6_z
+    t32 = a_2_x - a_3_x
+    t33 = b_2_x - b_3_x
+    t34 = a_2_y - a_3_y
+    t35 = b_2_y - b_3_y
+    t36 = a_2_z - a_3_z
+    t37 = b_2_z - b_3_z
+    t38 = a_2_x - a_4_x
+    t39 = b_2_x - b_4_x
+    t40 = a_2_y - a_4_y
+    t41 = b_2_y - b_4_y
+    t42 = a_2_z - a_4_z
+    t43 = b_2_z - b_4_z
+    t44 = a_2_x - a_5_x
+    t45 = b_2_x - b_5_x
+    t46 = a_2_y - a_5_y
+    t47 = b_2_y - b_5_y
+    t48 = a_2_z - a_5_z
+    t49 = b_2_z - b_5_z
+    t50 = a_2_x - a_6_x
+    t51 = b_2_x - b_6_x
+    t52 = a_2_y - a_6_y
+    t53 = b_2_y - b_6_y
+    t54 = a_2_z - a_6_z
+    t55 = b_2_z - b_6_z
+    t56 = a_3_x - a_4_x
+    t57 = b_3_x - b_4_x
+    t58 = a_3_y - a_4_y
+    t59 = b_3_y - b_4_y
+    t60 = a_3_z - a_4_z
+    t61 = b_3_z - b_4_z
+    t62 = a_3_x - a_5_x
+    t63 = b_3_x - b_5_x
+    t64 = a_3_y - a_5_y
+    t65 = b_3_y - b_5_y
+    t66 = a_3_z - a_5_z
+    t67 = b_3_z - b_5_z
+    t68 = a_3_x - a_6_x
+    t69 = b_3_x - b_6_x
+    t70 = a_3_y - a_6_y
+    t71 = b_3_y - b_6_y
+    t72 = a_3_z - a_6_z
+    t73 = b_3_z - b_6_z
+    t74 = b_4_y - b_5_y
+    t75 = a_4_z - a_5_z
+    t76 = b_4_z - b_5_z
+    t77 = a_4_x - a_5_x
+    t78 = b_4_x - b_5_x
+    t79 = a_4_y - a_5_y
+    t80 = a_4_x - a_6_x
+    t81 = b_4_x - b_6_x
+    t82 = a_4_y - a_6_y
+    t83 = b_4_y - b_6_y
+    t84 = a_4_z - a_6_z
+    t85 = b_4_z - b_6_z
+    t86 = a_5_x - a_6_x
+    t87 = b_5_x - b_6_x
+    t88 = a_5_y - a_6_y
+    t89 = b_5_y - b_6_y
+    t90 = a_5_z - a_6_z
+    t91 = b_5_z - b_6_z
+    margin_out = np.empty((*batch, 15), dtype)
+    margin_out[..., 0] = (
+        t1*t2 + t3*t4 + t5*t6 + t7 + 0.9999995*np.sqrt(t1**2 + t3**2 + t5**2)*np.sqrt(t2**2 + t4**2 + t6**2)
+    )
+    margin_out[..., 1] = (
+        t10*t9 + t11*t12 + t13*t8 + t7 + 0.9999995*np.sqrt(t10**2 + t12**2 + t8**2)*np.sqrt(t11**2 + t13**2
+        + t9**2)
+    )
+    margin_out[..., 2] = (
+        t14*t15 + t16*t17 + t18*t19 + t7 + 0.9999995*np.sqrt(t14**2 + t16**2 + t18**2)*np.sqrt(t15**2 + t17**2
+        + t19**2)
+    )
+    margin_out[..., 3] = (
+        t20*t21 + t22*t23 + t24*t25 + t7 + 0.9999995*np.sqrt(t20**2 + t22**2 + t24**2)*np.sqrt(t21**2 + t23**2
+        + t25**2)
+    )
+    margin_out[..., 4] = (
+        t26*t27 + t28*t29 + t30*t31 + t7 + 0.9999995*np.sqrt(t26**2 + t28**2 + t30**2)*np.sqrt(t27**2 + t29**2
+        + t31**2)
+    )
+    margin_out[..., 5] = (
+        t32*t33 + t34*t35 + t36*t37 + t7 + 0.9999995*np.sqrt(t32**2 + t34**2 + t36**2)*np.sqrt(t33**2 + t35**2
+        + t37**2)
+    )
+    margin_out[..., 6] = (
+        t38*t39 + t40*t41 + t42*t43 + t7 + 0.9999995*np.sqrt(t38**2 + t40**2 + t42**2)*np.sqrt(t39**2 + t41**2
+        + t43**2)
+    )
+    margin_out[..., 7] = (
+        t44*t45 + t46*t47 + t48*t49 + t7 + 0.9999995*np.sqrt(t44**2 + t46**2 + t48**2)*np.sqrt(t45**2 + t47**2
+        + t49**2)
+    )
+    margin_out[..., 8] = (
+        t50*t51 + t52*t53 + t54*t55 + t7 + 0.9999995*np.sqrt(t50**2 + t52**2 + t54**2)*np.sqrt(t51**2 + t53**2
+        + t55**2)
+    )
+    margin_out[..., 9] = (
+        t56*t57 + t58*t59 + t60*t61 + t7 + 0.9999995*np.sqrt(t56**2 + t58**2 + t60**2)*np.sqrt(t57**2 + t59**2
+        + t61**2)
+    )
+    margin_out[..., 10] = (
+        t62*t63 + t64*t65 + t66*t67 + t7 + 0.9999995*np.sqrt(t62**2 + t64**2 + t66**2)*np.sqrt(t63**2 + t65**2
+        + t67**2)
+    )
+    margin_out[..., 11] = (
+        t68*t69 + t7 + t70*t71 + t72*t73 + 0.9999995*np.sqrt(t68**2 + t70**2 + t72**2)*np.sqrt(t69**2 + t71**2
+        + t73**2)
+    )
+    margin_out[..., 12] = (
+        t7 + t74*t79 + t75*t76 + t77*t78 + 0.9999995*np.sqrt(t74**2 + t76**2 + t78**2)*np.sqrt(t75**2 + t77**2
+        + t79**2)
+    )
+    margin_out[..., 13] = (
+        t7 + t80*t81 + t82*t83 + t84*t85 + 0.9999995*np.sqrt(t80**2 + t82**2 + t84**2)*np.sqrt(t81**2 + t83**2
+        + t85**2)
+    )
+    margin_out[..., 14] = (
+        t7 + t86*t87 + t88*t89 + t90*t91 + 0.9999995*np.sqrt(t86**2 + t88**2 + t90**2)*np.sqrt(t87**2 + t89**2
+        + t91**2)
     )
     return margin_out
 

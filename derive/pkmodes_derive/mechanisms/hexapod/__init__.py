@@ -9,7 +9,13 @@ from __future__ import annotations
 
 from sympy import Integer, Symbol, sqrt
 
-from pkmodes_derive.conditions import SINGULAR, require_a_plane, require_different_legs, rotation_margin
+from pkmodes_derive.conditions import (
+    SINGULAR,
+    require_a_plane,
+    require_different_legs,
+    require_legs_that_do_not_cross,
+    rotation_margin,
+)
 from pkmodes_derive.description import Margin
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
@@ -137,6 +143,7 @@ def declare(m: Machine) -> None:
         lambda j, k: ([v - w for of in (a, b) for v, w in zip(of[j], of[k], strict=True)], ()),
         "check base and joint of both",
     )
+    require_legs_that_do_not_cross(m, a, b, "check base and joint of both: joints may be exchanged")
     numbers = tuple(str(j + 1) for j in J)
     m.margins += (
         SINGULAR,
