@@ -151,8 +151,9 @@ class Pairer:
         if shapes is not None:
             alone = shapes.alone()
             likeness = self._grouped(alone, shapes, logs, close)
-            noise = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)
-            unlike = np.maximum(1.0 - likeness - noise[..., None], 0.0)
+            explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)[..., None]
+            explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
+            unlike = np.maximum(1.0 - likeness - explained, 0.0) / (1.0 - explained)
             cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, unlike)
         # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
         # constant: otherwise a mode that the model lacks would shift the others.
