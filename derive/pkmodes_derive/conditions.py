@@ -10,7 +10,7 @@ from sympy import Add, Expr, Float, Matrix, Symbol, pi, sqrt
 from pkmodes_derive.description import Margin, Requirement
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
-from pkmodes_derive.vectors import dot
+from pkmodes_derive.vectors import dot, mean_square
 
 #: Differences of two legs: lengths [m], and plain numbers, such as those of directions.
 Apart = tuple[Sequence[Expr], Sequence[Expr]]
@@ -94,39 +94,29 @@ def require_different_legs(
     remedy : str
         What to do about two that coincide.
     """
-    pairs = tuple(combinations(range(len(joints)), 2))
-    scale = Add(*(dot(joint, joint) for joint in joints)) / len(joints)
-    margins = []
-    for j, k in pairs:
+    scale = mean_square(joints)
+
+    def margin(j: int, k: int) -> Expr:
         lengths, numbers = apart(j, k)
-        square = dot(lengths, lengths) + scale * dot(numbers, numbers)
-        margins.append(square - scale * SAME**2)
-    m.extras.append(
-        Extra(
-            "leg_margin",
-            "Whether no two legs coincide.",
-            "sums of squared differences; numbers count times the rms distance of the platform joints",
-            (Output("margin", (len(pairs),), tuple(margins), "m^2", "positive for two legs that differ"),),
-            arguments=(),
-            definitions={},
-        )
-    )
-    m.requirements += (
-        Requirement(
-            "leg_margin",
-            "above_zero",
-            tuple(f"axis.{j + 1} and axis.{k + 1}" for j, k in pairs),
-            f"expected {what} that differ, found two that coincide",
-            remedy,
-            "m^2",
-        ),
+        return dot(lengths, lengths) + scale * dot(numbers, numbers) - scale * SAME**2
+
+    _require_of_pairs(
+        m,
+        len(joints),
+        margin,
+        name="leg_margin",
+        summary="Whether no two legs coincide.",
+        source="sums of squared differences; numbers count times the rms distance of the platform joints",
+        meaning="positive for two legs that differ",
+        expected=f"expected {what} that differ, found two that coincide",
+        remedy=remedy,
     )
 
 
 def require_legs_that_do_not_cross(
     m: Machine, base: Sequence[Sequence[Symbol]], joints: Sequence[Sequence[Symbol]], remedy: str
 ) -> None:
-    """Require that no two legs meet between their joints while the platform is not turned, wherever it is.
+    """Require that no two legs meet between their joints at any position of a platform that is not turned.
 
     The points of legs j and k at a fraction t of their lengths are apart by (1 - t) A + t B, A from base joint to
     base joint and B from platform joint to platform joint: this is zero for a t between 0 and 1 if A and B have
@@ -139,37 +129,44 @@ def require_legs_that_do_not_cross(
     remedy : str
         What to do about two that cross.
     """
-    pairs = tuple(combinations(range(len(joints)), 2))
-    scale = Add(*(dot(joint, joint) for joint in joints)) / len(joints)
-    margins = []
-    for j, k in pairs:
+    scale = mean_square(joints)
+
+    def margin(j: int, k: int) -> Expr:
         A, B = ([x - y for x, y in zip(of[j], of[k], strict=True)] for of in (base, joints))
-        opposite = sqrt(dot(A, A) * dot(B, B)) * (1 - CROSSED**2 / 2)
-        margins.append(opposite + dot(A, B) + scale * SAME**2)
-    m.extras.append(
-        Extra(
-            "crossing_margin",
-            "Whether no two legs cross while the platform is not turned.",
-            "the differences of their joints at base and platform, which have opposite directions if they do",
-            (
-                Output(
-                    "margin", (len(pairs),), tuple(margins), "m^2", "positive for two legs that do not cross"
-                ),
-            ),
-            arguments=(),
-            definitions={},
-        )
+        cosine = 1 - CROSSED**2 / 2
+        return sqrt(dot(A, A) * dot(B, B)) * cosine + dot(A, B) + scale * SAME**2
+
+    _require_of_pairs(
+        m,
+        len(joints),
+        margin,
+        name="crossing_margin",
+        summary="Whether no two legs cross while the platform is not turned.",
+        source="the differences of their joints at base and platform, which have opposite directions if they do",
+        meaning="positive for two legs that do not cross",
+        expected="expected legs that do not cross, found two that meet whenever the platform is not turned",
+        remedy=remedy,
     )
-    m.requirements += (
-        Requirement(
-            "crossing_margin",
-            "above_zero",
-            tuple(f"axis.{j + 1} and axis.{k + 1}" for j, k in pairs),
-            "expected legs that do not cross, found two that meet wherever the platform is not turned",
-            remedy,
-            "m^2",
-        ),
-    )
+
+
+def _require_of_pairs(
+    m: Machine,
+    count: int,
+    margin: Callable[[int, int], Expr],
+    *,
+    name: str,
+    summary: str,
+    source: str,
+    meaning: str,
+    expected: str,
+    remedy: str,
+) -> None:
+    """Require that a margin [m^2] of every two legs, by their indices, is positive."""
+    pairs = tuple(combinations(range(count), 2))
+    output = Output("margin", (len(pairs),), tuple(margin(j, k) for j, k in pairs), "m^2", meaning)
+    m.extras.append(Extra(name, summary, source, (output,), arguments=(), definitions={}))
+    places = tuple(f"axis.{j + 1} and axis.{k + 1}" for j, k in pairs)
+    m.requirements += (Requirement(name, "above_zero", places, expected, remedy, "m^2"),)
 
 
 def rotation_margin(m: Machine) -> None:

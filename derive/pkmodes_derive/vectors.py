@@ -12,6 +12,11 @@ def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
     return Add(*(u * w for u, w in zip(a, b, strict=True)))
 
 
+def mean_square(vectors: Sequence[Sequence[Expr]]) -> Expr:
+    """Return the mean of the squared lengths."""
+    return Add(*(dot(vector, vector) for vector in vectors)) / len(vectors)
+
+
 def cross(a: Sequence[Expr], b: Sequence[Expr]) -> tuple[Expr, Expr, Expr]:
     """Return the vector product."""
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])

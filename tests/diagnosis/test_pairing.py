@@ -99,7 +99,7 @@ def test_what_errors_explain_of_the_mac_is_what_many_noisy_shapes_have() -> None
     errors = np.array([0.02, 0.05, 0.04, 0.03, 0.0])
     noisy = shape + errors * rng.standard_normal((200_000, 5))
     loss = 1.0 - (noisy @ shape) ** 2 / (noisy**2).sum(axis=1) / (shape @ shape)
-    for sigmas in (0.0, 3.0):
+    for sigmas in (0.0, 3.0):  # the rest is of fourth order in the errors, and of the number of shapes
         expected = loss.mean() + sigmas * loss.std()
         assert explained_difference(shape, errors, sigmas) == pytest.approx(expected, rel=0.02)
 

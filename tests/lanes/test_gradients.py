@@ -12,7 +12,6 @@ from helpers.robots.lane_samples import (
     EFFECTS,
     EXTREMES,
     NAMES,
-    ROBOTS,
     SIX_LEGGED,
     Case,
     case,
@@ -21,6 +20,7 @@ from helpers.robots.lane_samples import (
     results,
     robot_of,
 )
+from helpers.robots.one_of_each import EVERY, POSES, ROBOTS
 from pkmodes import PkmodesError
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.sensitivity.compiled import terms_of
@@ -33,13 +33,6 @@ pytestmark = pytest.mark.compiler
 #: Of the largest derivative along the same path; and where a heavy motor hardly moves because the motions of its
 #: coordinates cancel, or a rigid mode has digits of the stiffest one only.
 EXACT, CANCELLED = 1e-11, 1e-8
-POSES = {
-    "linear_delta": [0.6, 0.03, -0.245],
-    "rotary_delta": [0.05, -0.02, -0.8],
-    "corexy": [0.15, 0.2],
-    "cartesian": [0.15, 0.2],
-    "bed_slinger": [0.15, 0.2],
-}
 
 
 def assert_agrees(given: Case, tolerance: float = EXACT) -> None:
@@ -122,7 +115,7 @@ def test_a_payload_counts_for_paths_of_the_robot() -> None:
 def test_derivatives_are_those_of_differences(name: str) -> None:
     """Central differences of frequencies that NumPy computes, with the accuracy of differences."""
     pose = POSES[name]
-    model = pkmodes.load(f"robots/{ROBOTS[name]}.toml")
+    model = pkmodes.load(ROBOTS / EVERY[name])
     kept = [path for path in model.sensitivities(pose).parameters if "effects" not in path]
     found = model.sensitivities(pose, kept, fields=["frequencies"], backend="compiled")
     rigid = model.modes(pose).rigid_modes
@@ -171,7 +164,7 @@ def test_derivatives_by_the_pose(name: str, effects: str) -> None:
 @pytest.mark.parametrize("fields", [["frequencies"], ["eigenvalues"], ["eigenvalues", "frequencies"]])
 @pytest.mark.parametrize("name", NAMES)
 def test_both_back_ends_say_the_same(name: str, fields: list[str]) -> None:
-    model = pkmodes.load(f"robots/{ROBOTS[name]}.toml")
+    model = pkmodes.load(ROBOTS / EVERY[name])
     poses = np.array([POSES[name], [9.0] * len(POSES[name]), POSES[name]])
     poses[2, 0] += 0.01
     numpy, compiled = (

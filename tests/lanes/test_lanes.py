@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import pkmodes
-from helpers.robots.lane_samples import NAMES, ROBOTS, SIX_LEGGED, case, evaluator, results
+from helpers.robots.lane_samples import NAMES, SIX_LEGGED, case, evaluator, results
+from helpers.robots.one_of_each import EVERY, ROBOTS
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.evaluator import SHARE
 from pkmodes.core.compiled.loader import load
@@ -74,7 +75,7 @@ def test_a_bad_pose_leaves_its_neighbours_alone(name: str, effects: str) -> None
 
 @pytest.mark.parametrize("name", NAMES)
 def test_codes_are_those_of_the_margins_all_over_space(name: str) -> None:
-    model = pkmodes.load(f"robots/{ROBOTS[name]}.toml")
+    model = pkmodes.load(ROBOTS / EVERY[name])
     rng = np.random.default_rng(5)
     poses = rng.uniform(-1.5, 1.5, (20_000, len(model.mechanism.pose)))
     expected = model.check(poses)
@@ -106,7 +107,7 @@ def test_threads_do_not_change_a_bit(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_frequencies_alone_have_the_bits_of_those_with_shapes(name: str) -> None:
-    model = pkmodes.load(f"robots/{ROBOTS[name]}.toml")
+    model = pkmodes.load(ROBOTS / EVERY[name])
     poses = case(name, 2).poses
     both = model.modes(poses, "nan", backend="compiled").frequencies
     assert same_bits(both, model.frequencies(poses, "nan", backend="compiled"))

@@ -66,10 +66,10 @@ def robots(name: str, effects: str, count: int) -> Robots:
 
 
 def assert_near(found: np.ndarray, expected: np.ndarray, *over: int, least: float | np.ndarray = 0.0) -> None:
-    """Compare with the largest of each path, or with what would be usual."""
+    """Compare relative to the largest of each path, or to `least` if that is larger."""
     largest = np.maximum(np.abs(expected).max(axis=over, keepdims=True), least)
     assert (np.abs(found - expected) <= EXACT * largest).all()
-    assert largest.any()
+    assert np.any(expected)
 
 
 def assert_derivatives(name: str, effects: str, count: int) -> None:
@@ -84,7 +84,7 @@ def assert_derivatives(name: str, effects: str, count: int) -> None:
         assert_near(one, other, 0, *range(2, one.ndim))
     turned, wanted = (shape_derivatives(one, eigenvalues, shapes) for one in (found, expected))
     if eigenvalues.shape[1] > rigid:  # single rigid modes are arbitrary
-        # a mode of a single belt keeps its shape, whatever the belt: its derivative is rounding
+        # where a mode stretches one belt only, its shape does not depend on the belt: the derivative is rounding
         usual = np.abs(rates).max(axis=(0, 1)) / np.abs(eigenvalues).max() * np.abs(shapes).max()
         assert_near(turned[:, :, rigid:], wanted[:, :, rigid:], 0, 2, 3, least=usual[:, None, None])
 

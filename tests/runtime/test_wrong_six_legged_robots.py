@@ -112,7 +112,10 @@ def test_a_wrong_robot_is_refused_with_its_place(what: str, tmp_path: Any) -> No
 
 @pytest.mark.parametrize("apart", [0.0, 2e-3, -2e-3])
 def test_legs_that_meet_are_told_from_legs_that_pass_each_other(apart: float, tmp_path: Any) -> None:
-    """Two legs that meet at one position of the platform meet at all, found by the distance of the two lines."""
+    """Two legs that meet at one position of the platform meet at any, by the distance of the two lines.
+
+    A base joint is moved aside by a part of the distance of the two base joints.
+    """
     machine = deepcopy(DRAWN["hexapod"].machine)
     _crossed(machine)
     base = np.array([axis["base"] for axis in machine["axis"]])
@@ -128,7 +131,7 @@ def test_legs_that_meet_are_told_from_legs_that_pass_each_other(apart: float, tm
     if apart:
         pkmodes.load(tmp_path / "robot.toml")
         return
-    with pytest.raises(PkmodesError, match="found two that meet wherever the platform is not turned"):
+    with pytest.raises(PkmodesError, match="found two that meet whenever the platform is not turned"):
         pkmodes.load(tmp_path / "robot.toml")
 
 

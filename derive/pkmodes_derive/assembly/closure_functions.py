@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from sympy import Add, Expr, Integer, sqrt
 
 from pkmodes_derive.assembly.condensed import COUNTS, Condensed
 from pkmodes_derive.functions import Function, Output
-from pkmodes_derive.vectors import dot
+from pkmodes_derive.vectors import mean_square
 
 
 def closures(c: Condensed) -> list[Function]:
@@ -82,7 +80,7 @@ def _characteristic_length(c: Condensed) -> list[Expr]:
     if m.turning is None:
         return [Integer(1)] * len(m.components)
     levers = [link.lever for link in m.links]
-    return [Integer(1)] * len(m.directions) + [_rms(levers)] * len(m.rotations)
+    return [Integer(1)] * len(m.directions) + [sqrt(mean_square(levers))] * len(m.rotations)
 
 
 def _joints_function(c: Condensed) -> Function:
@@ -99,13 +97,9 @@ def _joints_function(c: Condensed) -> Function:
         Output(
             "length",
             (),
-            (_rms(joints),),
+            (sqrt(mean_square(joints)),),
             "m",
             "root mean square distance of the platform joints from the platform's origin",
         ),
         Output("middle", (3,), middle, "m", "middle of the platform joints from that origin, platform axes"),
     )
-
-
-def _rms(vectors: Sequence[Sequence[Expr]]) -> Expr:
-    return sqrt(Add(*(dot(vector, vector) for vector in vectors)) / len(vectors))

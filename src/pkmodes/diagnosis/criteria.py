@@ -20,8 +20,8 @@ class PairingCriteria:
     reach: float = 0.6
     #: A MAC of 0 counts like this difference of the frequencies.
     shape_weight: float = 0.25
-    #: What the errors of a shape make of its MAC, up to this many standard deviations and above `good_mac`, does not
-    #: count: within them a shape does not tell which of two modes it is, and the frequencies decide.
+    #: The part of 1 - MAC that the errors of a shape explain, up to this many standard deviations and down to
+    #: `good_mac`, does not count: within its errors a shape does not tell which of two modes it is.
     shape_sigmas: float = 3.0
     #: Modes of the model closer than this are one group: the smallest error rotates their shapes into each other, so
     #: their measured partners are assigned by the order of the frequencies alone.
@@ -60,7 +60,7 @@ class ShapeCriteria:
     sharper: float = 0.8
     #: Below this MAC a shape is not that of its mode, whatever its stated error.
     strange_mac: float = 0.7
-    #: Above this MAC it is, even if all other shapes fit far better; in the pairing, errors explain no smaller one.
+    #: Above this MAC it is, even if all other shapes fit far better.  In the pairing, errors explain no lower one.
     good_mac: float = 0.9
     #: One shape in this many may disagree: a sensor at a node, a misidentified mode.
     strange_allowed: int = 20

@@ -60,10 +60,10 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
 
 
 def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
-    """Return one minus the MAC of each measured shape with its own mode that its errors explain, (...).
+    """Return what the errors of measured shapes explain of one minus their MAC with their own modes, (...).
 
-    Mean and standard deviation of a quadratic form of the errors perpendicular to the shape: those along it change
-    its scale only.
+    To second order this is the square of the errors perpendicular to the shape, a quadratic form with known mean and
+    standard deviation; errors along the shape change its scale only.
 
     Parameters
     ----------

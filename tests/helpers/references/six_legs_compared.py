@@ -38,7 +38,8 @@ ENGINE_TOLERANCES = {
     "weight": 1e-11,
     "stiffness of gravity": 1e-8,
 }
-#: Eigenvalues below this part of the largest are compared relative to that only.
+#: Eigenvalues below this part of the largest are compared relative to the largest only: its rounding, 1e-16, is a
+#: relative error of 1e-9 there, as much as is allowed for a frequency.
 NEARLY_AT_REST = 1e-7
 #: What the machines in MuJoCo have beside the base model.
 IN_THE_ENGINE = ("payload", "frame_compliance", "link_compliance")
@@ -101,7 +102,6 @@ def _of_modes(model: pkmodes.Model, case: Case, expected: Result, drives: str) -
     assert found.frequencies.shape == exact.frequencies.shape
     eigenvalues = np.sign(found.frequencies) * (2 * np.pi * found.frequencies) ** 2
     top = exact.eigenvalues[-1]
-    # rounding of the largest eigenvalue is what a frequency of nearly 0 Hz consists of
     known = np.abs(exact.eigenvalues) > NEARLY_AT_REST * top
     known[: found.rigid_modes] = False
     # each shape is a solution of the oracle's equations of motion, and has its norm: no need to sort close modes

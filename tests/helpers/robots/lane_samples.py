@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from helpers.robots import sample_mechanisms, sample_robots, six_legged
+from helpers.robots.one_of_each import EVERY, ROBOTS
 from pkmodes import read_robot
 from pkmodes.core.compiled.evaluator import Evaluator
 from pkmodes.core.compiled.lanes import FIELDS, RATES, Terms
@@ -25,15 +26,6 @@ from pkmodes.sensitivity.compiled import terms_of
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 
 ROOT = Path(__file__).parents[3]
-ROBOTS = {
-    "linear_delta": "linear-delta-2022",
-    "rotary_delta": "clavel-delta",
-    "corexy": "corexy-printer",
-    "cartesian": "cartesian-printer",
-    "bed_slinger": "bed-slinger",
-    "hexapod": "hexapod",
-    "hexaglide": "hexaglide",
-}
 NAMES = ("linear_delta", "rotary_delta", "corexy", "cartesian", "bed_slinger")
 #: Their platforms turn, with twelve and eighteen coordinates: large programs, of which few cases are tried.
 SIX_LEGGED = ("hexapod", "hexaglide")
@@ -136,7 +128,7 @@ def robot_of(given: Case) -> Robot:
 
 @cache
 def shipped(name: str) -> Robot:
-    return read_robot(ROOT / f"robots/{ROBOTS[name]}.toml")
+    return read_robot(ROBOTS / EVERY[name])
 
 
 def directions(given: Case, names: Sequence[str] = ()) -> tuple[list[ParameterPath], Terms]:

@@ -99,7 +99,7 @@ def _page(outcomes: Sequence[ClearOutcome], seconds: float, pool: Pool) -> list[
         "case has sensors on the platform, where rotations are measured by displacements over 100 mm, the others on",
         "the legs or carriages. Motors are held in every second round of the causes that they show then.",
         "",
-        f"Seed {outcomes[0].case.seed}.  Cases of other seeds were read while the pairing was made.",
+        f"Seed {outcomes[0].case.seed}.  The pairing of modes was developed on cases of other seeds.",
         *_left_out(outcomes),
         "",
         "## Requirements",

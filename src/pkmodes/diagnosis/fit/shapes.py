@@ -83,7 +83,7 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        each = shape_errors(data, criteria, scatter)
+        each = np.where(self.stated, shape_errors(data, criteria), scatter)
         self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
         self._crowd(neighbours(data, criteria))

@@ -2,8 +2,8 @@
 
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
-one minus the modal assurance criterion (`support.mac`), less what the errors of the shape make of it: within its
-errors a shape does not tell which of two modes it is.
+one minus the modal assurance criterion (`support.mac`), less the part that the errors of the shape explain: within
+its errors a shape does not tell which of two modes it is.
 """
 
 from __future__ import annotations
@@ -113,8 +113,7 @@ class Pairer:
         self._place = place
         padded = np.where((self._row >= 0)[..., None], data.shapes[self._row], np.nan)
         self._normalised, self._measured = normalised(padded), np.isfinite(padded)
-        self._errors = shape_errors(data, self._criteria, self._criteria.shapes.scatter)[self._row]
-        self._stated = np.isfinite(data.shape_sigma)[self._row]
+        self._errors = shape_errors(data, self._criteria)[self._row]
         self._mates = neighbours(data, self._criteria)
 
     def tiled(self, count: int) -> Pairer:
@@ -124,7 +123,7 @@ class Pairer:
         copies._normalised, copies._measured = (
             np.tile(whole, (count, 1, 1)) for whole in (self._normalised, self._measured)
         )
-        copies._errors, copies._stated = (np.tile(each, (count, 1)) for each in (self._errors, self._stated))
+        copies._errors = np.tile(self._errors, (count, 1))
         copies._place, copies.moves = np.tile(self._place, count), np.tile(self.moves, (count, 1))
         copies.pose, copies._row = tiled(self.pose, count, setups), tiled(self._row, count, rows)
         copies._mates = tiled(self._mates, count, rows)
@@ -192,12 +191,12 @@ class Pairer:
         model = prediction.shapes[..., self.columns]
         weights = channel_weights(model, self.moves)
         rows = self._normalised * weights
-        # A stated error is relative to the largest component; a scatter, in units of each channel's motion.
-        largest = np.abs(rows).max(axis=-1, keepdims=True)
-        units = np.where(self._stated[..., None], weights, largest) * self._measured
-        return _Shapes(
-            rows, model[:, prediction.rigid :] * weights, self._measured, self._errors[..., None] * units
-        )
+        # A stated error is relative to the largest component; the scatter, where there is none, to the largest in
+        # units of each channel's motion.
+        stated = self._errors[..., None] * weights
+        scatter = self._criteria.shapes.scatter * np.abs(rows).max(axis=-1, keepdims=True)
+        errors = np.where(np.isnan(stated), scatter, stated) * self._measured
+        return _Shapes(rows, model[:, prediction.rigid :] * weights, self._measured, errors)
 
     def _grouped(self, alone: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""

@@ -9,18 +9,15 @@ from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
 
 
-def shape_errors(data: Measurements, criteria: Criteria, scatter: float) -> Array:
+def shape_errors(data: Measurements, criteria: Criteria) -> Array:
     """Return the standard deviation of the components of each row's shape, relative to the largest, (R,).
+
+    NaN where none is stated.
 
     A stated one below that of any sensor is replaced by what sensors and machine leave open.  A change of the
     machine that moves two frequencies by their errors turns the shapes into each other by an angle of about the
     relative error over the relative distance of the frequencies (Fox and Kapoor, AIAA Journal 6(12), 1968).  Modes so
     close that they are compared as one subspace do not count.
-
-    Parameters
-    ----------
-    scatter : float
-        Standard deviation of the components of rows without a stated one.
     """
     logs, errors = np.log(data.frequency), data.sigma / data.frequency
     angles = np.zeros(len(logs))
@@ -29,5 +26,4 @@ def shape_errors(data: Measurements, criteria: Criteria, scatter: float) -> Arra
         others = (data.pose == data.pose[i]) & (apart > criteria.pairing.mixed)
         angles[i] = np.sqrt(((errors**2 + errors[i] ** 2) / np.where(others, apart, np.inf) ** 2).sum())
     least = np.clip(angles, criteria.shapes.least_sigma, criteria.shapes.most_scatter)
-    stated = np.where(data.shape_sigma < criteria.shapes.least_sigma, least, data.shape_sigma)
-    return np.where(np.isfinite(data.shape_sigma), stated, scatter)
+    return np.where(data.shape_sigma < criteria.shapes.least_sigma, least, data.shape_sigma)
