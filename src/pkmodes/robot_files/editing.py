@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from decimal import ROUND_CEILING, Context, Decimal
 from typing import Any
 
 import tomlkit
@@ -227,9 +228,14 @@ class Notation:
         return f"{self.before}{value / self.scale + 0.0:.{digits}g}{self.after}"  # + 0.0: no minus zero
 
     def sigma(self, value: float) -> str:
-        """Format an absolute standard deviation as TOML; a percentage would be read as relative."""
+        """Format an absolute standard deviation as TOML, rounded up; a percentage would be read as relative.
+
+        Rounded down, it would be smaller than that in a table of correlations, which has more digits.
+        """
         notation = Notation() if "%" in self.after else self
-        return notation.number(value, SIGMA_DIGITS)
+        digits = Decimal(repr(value / notation.scale))
+        written = Context(prec=SIGMA_DIGITS, rounding=ROUND_CEILING).plus(digits)
+        return f"{notation.before}{float(written):.{SIGMA_DIGITS}g}{notation.after}"
 
     def quantity(self, value: float, sigma: float | None, digits: int) -> str:
         """Format a value as TOML, with its standard deviation if it has one."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.robot.covariance import Covariance
+from pkmodes.core.robot.covariance import DIGITS, Covariance
 from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.robot import Robot
 
@@ -36,16 +37,34 @@ def covariance_of(robot: Robot, paths: Sequence[str]) -> Array:
     return found
 
 
-def correlations_of(robot: Robot) -> dict[str, tuple[tuple[str, float], ...]]:
-    """Return the correlations of each value with others by path, for standard deviations that are the values' own."""
-    sigmas, found = uncertain(robot), {}
-    for table in robot.covariance:
-        part = np.array(_sigmas(table, sigmas)) / [sigmas[path] for path in table.paths]
+class Prior(NamedTuple):
+    """Standard deviation of a value [SI], None where it has none, and its correlations with others by path."""
+
+    sigma: float | None = None
+    correlated: tuple[tuple[str, float], ...] = ()
+
+
+def priors_of(robot: Robot) -> dict[str, Prior]:
+    """Return the priors of the uncertain values of a robot by path.
+
+    A value and its table of correlations may state one standard deviation with different numbers of digits: it is that
+    of the table, because small differences of strongly correlated values depend on its digits.
+    """
+    own, correlated = uncertain(robot), {}
+    tables = [(table, _sigmas(table, own)) for table in robot.covariance]
+    sigmas = own | {
+        path: sigma
+        for table, stated in tables
+        for path, sigma in zip(table.paths, stated, strict=True)
+        if abs(own[path] - sigma) <= DIGITS * sigma
+    }
+    for table, stated in tables:
+        part = np.array(stated) / [sigmas[path] for path in table.paths]
         rates = np.array(table.correlation) * np.outer(part, part)
         for i, path in enumerate(table.paths):
             others = [(other, float(rates[i, k])) for k, other in enumerate(table.paths) if k != i]
-            found[path] = tuple((other, rate) for other, rate in others if rate)
-    return found
+            correlated[path] = tuple((other, rate) for other, rate in others if rate)
+    return {path: Prior(sigma, correlated.get(path, ())) for path, sigma in sigmas.items()}
 
 
 def root_of(covariance: Array) -> Array:

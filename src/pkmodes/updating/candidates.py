@@ -22,7 +22,7 @@ from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, weight
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
-from pkmodes.support.covariance import correlations_of
+from pkmodes.support.covariance import Prior, priors_of
 from pkmodes.support.words import in_words
 from pkmodes.updating import frame
 from pkmodes.updating.kinds import with_kinds
@@ -83,8 +83,8 @@ def suspects(
     ]
     candidates += _unlike(robot, candidates, joints)
     suspected = {name for candidate in candidates if candidate in frames for name in candidate.parameters}
-    rates = correlations_of(robot)
-    parameters = [_parameter(robot, move, rates.get(move.path, ())) for move in moves]
+    priors = priors_of(robot)
+    parameters = [_parameter(robot, move, priors.get(move.path, Prior())) for move in moves]
     parameters += [parameter for parameter in of_frame if parameter.name in suspected]
     return parameters, with_kinds(candidates), {move.path: move for move in moves}
 
@@ -341,9 +341,8 @@ def _unlike(
     return general
 
 
-def _parameter(robot: Robot, move: ParameterPath, correlated: tuple[tuple[str, float], ...]) -> Parameter:
-    quantity = robot.quantities.get(move.path)
-    sigma = quantity.sigma if quantity is not None and quantity.sigma else None
+def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
+    sigma = prior.sigma
     item = by_path(robot.mechanism).get(move.path)
     lower, upper = -np.inf, np.inf
     if move.path.startswith(EFFECTS):
@@ -361,7 +360,9 @@ def _parameter(robot: Robot, move: ParameterPath, correlated: tuple[tuple[str, f
     believed = None
     if sigma is None and not move.path.startswith(EFFECTS):
         believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
-    return Parameter(move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=correlated)
+    return Parameter(
+        move.path, move.value, unit, sigma, lower, upper, usual=believed, correlated=prior.correlated
+    )
 
 
 def _farthest(robot: Robot, item: Item) -> float:

@@ -20,7 +20,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.dissipation import Dissipation
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Loss, Parameter
-from pkmodes.support.covariance import correlations_of
+from pkmodes.support.covariance import Prior, priors_of
 from pkmodes.updating.candidates import PREFIX, refuse_declared
 from pkmodes.updating.predictions import Solved
 
@@ -70,16 +70,17 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
     if asked:
         refuse_declared(DAMPING_RATIO, [sigma])
     wanted = names is None or bool({RATIO, "parameters"} & names) or (quantity is None and "effects" in names)
+    prior = priors_of(robot).get(DAMPING_RATIO, Prior())
     declared = quantity is not None
     return Loss(
         Parameter(
             DAMPING_RATIO,
             robot.damping_ratio,
             "1",
-            sigma or None,
+            prior.sigma,
             0.0,
             1.0,
-            correlated=correlations_of(robot).get(DAMPING_RATIO, ()),
+            correlated=prior.correlated,
         ),
         RATIO if wanted and sigma is None else "",
         f"the declared value of {DAMPING_RATIO} is wrong"
@@ -93,7 +94,7 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
 
 def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
     """Return the dissipating effects of the catalogue."""
-    losses, rates = [], correlations_of(robot)
+    losses, priors = [], priors_of(robot)
     for effect in robot.mechanism.effects.values():
         if not effect.dissipates:
             continue
@@ -104,17 +105,17 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
         if names is not None and effect.name in names:
             refuse_declared(f"the effect {effect.name}", [sigma])
         wanted = names is None or bool({effect.name, "effects"} & names)
-        most = 1.0 if parameter.unit == "1" else np.inf
+        most, prior = 1.0 if parameter.unit == "1" else np.inf, priors.get(path, Prior())
         losses.append(
             Loss(
                 Parameter(
                     path,
                     0.0 if quantity is None else quantity.value,
                     parameter.unit.replace(" ", "*"),
-                    sigma or None,
+                    prior.sigma,
                     0.0,
                     most,
-                    correlated=rates.get(path, ()),
+                    correlated=prior.correlated,
                 ),
                 effect.name if wanted and sigma is None else "",
                 effect.sentence,

@@ -32,12 +32,11 @@ from pkmodes_rig import (
     held_at,
     hexaglide,
     hexapod,
-    read,
     rotary_delta,
     true_modes,
 )
 from pkmodes_rig import ROBOTS as DELTAS
-from pkmodes_rig.robots import declared
+from pkmodes_rig.robots import declared, with_effects
 from pkmodes_rig.suites.sizes import UNEQUAL
 
 T = TypeVar("T")
@@ -201,12 +200,17 @@ class Specimen:
 @cache
 def robot_of(machine: str) -> Robot:
     """Return the declared robot."""
+    if machine not in DELTAS and not MACHINES[machine].uncertain:
+        return read_robot(ROBOTS / MACHINES[machine].file)
+    return robot_from_document(tomllib.loads(text_of(machine)), machine)
+
+
+def text_of(machine: str) -> str:
+    """Return the text of the robot file."""
     if machine in DELTAS:
-        return read(machine)
+        return with_effects(machine, {})
     file, uncertain = ROBOTS / MACHINES[machine].file, MACHINES[machine].uncertain
-    if not uncertain:
-        return read_robot(file)
-    return robot_from_document(tomllib.loads(declared(file, uncertain)), machine)
+    return declared(file, uncertain)
 
 
 @cache
