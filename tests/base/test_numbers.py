@@ -68,6 +68,21 @@ def test_as_it_is_printed(value: float, sigma: float, text: str, print_: str) ->
     assert typeset(text) == print_
 
 
+@pytest.mark.parametrize(
+    ("value", "sigma", "fit", "text"),
+    [
+        (-0.0811, 29.2, 0.098, "-0.081 +- 29"),  # never 0 +- 29
+        (1.9234e-4, 8.3e-5, 1.31e-5, "(1.92 +- 0.83)e-4"),
+        (21.99434, 0.1008, 0.0508, "21.994 +- 0.10"),
+        (732.4, 214.0, 3.1, "732.4 +- 210"),
+        (1.07021e-8, 2.3e-9, 1.437e-11, "(1.0702 +- 0.23)e-8"),
+        (1.9234e-4, 1.31e-5, 8.3e-5, "(1.92 +- 0.13)e-4"),  # no larger one counts
+    ],
+)
+def test_a_value_keeps_the_digits_of_its_fit(value: float, sigma: float, fit: float, text: str) -> None:
+    assert str(rounded(value, sigma, fit)) == text
+
+
 def test_columns_of_a_table_share_the_power_of_ten() -> None:
     assert rounded(1.9234e-4, 1.31e-5).columns == ("1.92e-4", "0.13e-4")
     assert rounded(29.97661, 0.0601).columns == ("29.977", "0.060")

@@ -120,6 +120,22 @@ def test_plausible_values_change_no_verdict() -> None:
     assert all(free.effects[0].plausible.values())
 
 
+@pytest.mark.parametrize(("usual", "leads"), [(None, "b"), ((-0.01, 0.01), "a")])
+def test_an_implausible_member_does_not_lead_though_it_fits_a_little_better(
+    usual: tuple[float, float] | None, leads: str
+) -> None:
+    rng = np.random.default_rng(5)
+    along, aside, other = rng.standard_normal((3, 6, 4)) / SIGMA
+    roles = {name: {"sentence": f"{name} is wrong"} for name in ("a", "b", "other")}
+    signatures = {"a": along + 0.01 * aside, "b": -along, "other": other}
+    model = of_signatures(signatures, 6, 4, roles=roles, known={"b": {"usual": usual}})
+    found = diagnose(model, with_changes(model, 0.06 * along + rng.standard_normal((6, 4))), holdout=())
+    (effect,) = found.effects
+    assert effect.members == (leads, "b" if leads == "a" else "a")
+    assert found.corrected[-1].name == leads
+    assert ("narrowed to two: a is wrong, or implausibly, b is wrong" in found.reason) == (leads == "a")
+
+
 def fits(*values: float) -> tuple[Any, list[Any]]:
     """Fits whose last causes have these values each, and what knows their parameters."""
     parameters = [Parameter(f"p{i}", 0.0, "m") for i in range(len(values))]

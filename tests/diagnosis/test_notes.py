@@ -316,3 +316,29 @@ def test_log_linear_structures_with_a_stated_band_are_as_without_it() -> None:
     plain = diagnose(model, data, holdout=())
     banded = diagnose(model, replace(data, band=(1.0, 1000.0)), holdout=())
     assert plain.effects == banded.effects
+
+
+@pytest.mark.parametrize(("measured_at", "where"), [(5, "every pose"), (3, "3 of 5 poses"), (1, "")])
+def test_modes_below_all_of_the_model_say_that_something_stands_on_a_spring(
+    measured_at: int, where: str
+) -> None:
+    """The building stands on a base of 60 kg and a spring to ground, which the model lacks."""
+    pose, f = list[str](), list[float]()
+    for number, setup in enumerate(LOADS):
+        M, K = (np.pad(one, (0, 1)) for one in matrices({"k": 4e5, "brace": 0.0}, setup))
+        M[-1, -1] = 60.0
+        K[0, -1] = K[-1, 0] = -4e5
+        K[-1, -1] = 4e5 + 2e4
+        true = np.sqrt(eigh(K, M, eigvals_only=True)) / (2.0 * np.pi)
+        heard = true if number < measured_at else true[1:]
+        pose += [setup] * len(heard)
+        f += heard.tolist()
+    result = notes(Measurements.from_rows(pose, np.array(f), SIGMA * np.array(f)))
+    assert result.verdict == "unexplained"
+    low = [note for note in result.notes if "below the lowest mode of the declared model" in note]
+    if not where:  # a row that may be no mode at all
+        assert not low
+        return
+    (note,) = low
+    assert note.startswith(f"a measured mode lies below the lowest mode of the declared model at {where}, ")
+    assert note.endswith("something stands on a spring, such as the machine on its base")

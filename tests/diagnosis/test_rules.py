@@ -29,6 +29,7 @@ TABLES = {
 #: Tests of the rules that decide no case of the suites.
 SHOWN_BY = {
     "after.dead_channel": "tests/diagnosis/test_notes.py",
+    "claims.default": "tests/diagnosis/test_what_a_value_includes.py",
     "claims.more_general": "tests/diagnosis/test_nested.py",
     **dict.fromkeys(
         (

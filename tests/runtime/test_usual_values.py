@@ -9,8 +9,11 @@ import pytest
 
 from helpers.diagnoses.diagnose_command import PUBLISHED, edited
 from pkmodes import read_robot
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.core.robot.layout import Item
 from pkmodes.diagnosis import Measurements, Parameter
 from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.usual import usual
 
 #: A value of every kind without a sigma, as declared in the published robot.
 SUSPECTED = edited(
@@ -59,5 +62,21 @@ def test_where_the_file_states_errors_of_the_poses_a_common_shift_is_of_their_si
     stated, without = (parameters(tmp_path, PUBLISHED, sigma) for sigma in (3e-4, 0.0))
     assert stated["measurement.offset.z"].usual == pytest.approx((-9e-4, 9e-4))
     assert stated["measurement.yaw"].usual == pytest.approx(np.array([-1.0, 1.0]) * 9e-4 / np.hypot(0.7, 0.1))
-    assert without["measurement.offset.z"].usual is None
-    assert without["measurement.yaw"].usual is None
+    # Without a statement it is some millimetres, as of a part.
+    assert without["measurement.offset.z"].usual == pytest.approx((-0.005, 0.005))
+    assert without["measurement.yaw"].usual == pytest.approx(
+        np.array([-1.0, 1.0]) * 0.005 / np.hypot(0.7, 0.1)
+    )
+
+
+def test_teeth_and_threads_can_be_counted(tmp_path: Path) -> None:
+    ratio = parameters(tmp_path, SUSPECTED)["motor.gear_ratio"]
+    assert ratio.usual == pytest.approx((0.95 * ratio.value, 1.05 * ratio.value))
+    travel = next(key for table in mechanism("hexapod").tables for key in table.keys if key.name == "travel")
+    item = Item("motor.travel", travel, (), None, "", ("motor", "travel"))
+    assert usual(item, 0.8e-3, "m", 0.0) == pytest.approx((0.76e-3, 0.84e-3))
+
+
+def test_the_belts_of_one_axis_may_be_half_or_twice_as_stiff(tmp_path: Path) -> None:
+    found = parameters(tmp_path, SUSPECTED)
+    assert found["effects.axis_belt_stiffness.factor_2"].usual == pytest.approx((-0.5, 1.0))

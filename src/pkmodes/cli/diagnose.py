@@ -193,7 +193,7 @@ def _widened(result: Diagnosis) -> list[str]:
     values = sorted(widened(result), key=lambda value: -value.saved_sigma / max(value.sigma, 1e-300))
     shown = [
         f"{value.name.removeprefix('effects.')} {plain(value.saved_sigma, 2)} instead of "
-        f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate})"
+        f"{plain(value.sigma, 2)} {value.unit} ({value.unseen.candidate or value.unseen.default})"
         for value in values
         if value.unseen is not None
     ]

@@ -14,6 +14,7 @@ from pkmodes.diagnosis.verdict.findings import (
     Finding,
     Value,
     believed,
+    left_out,
     saved_as,
     why_larger,
 )
@@ -24,7 +25,7 @@ from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import p_in_words, plain, rounded
+from pkmodes.support.numbers import p_in_words, plain
 from pkmodes.support.ordering import sorted_labels
 
 #: Largest number of limits listed.
@@ -76,17 +77,21 @@ def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) 
         relative, why = effect.relative(member), effect.member(member).implausible
         values = ", ".join(f"{_short(v)} = {_with_sigma(v)}" for v in relative or effect.alternatives[member])
         mean, also = " relative to their mean" if relative else "", f" (implausible: {why})" if why else ""
-        terminal.line(f"{values}{mean}{also}", "    " if place else "  ")
-    saved = [
-        one for value in effect.parameters if (one := saved_as(value, corrected)) is not None and one.widened
-    ]
-    larger = [
-        f"{_short(one)} is saved with +- {plain(one.saved_sigma, 2)}, for what an unseen {one.unseen.candidate} "
-        "could have done"
-        for one in saved
-        if one.unseen is not None
-    ]
-    terminal.line("; ".join(["+- by the fit alone", *larger]), "  ")
+        assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
+        terminal.line(f"{values}{mean}{assumed}{also}", "    " if place else "  ")
+    remarks = ["+- by the fit alone"]
+    for value in effect.parameters:
+        saved = saved_as(value, corrected)
+        if saved is None or saved.unseen is None:
+            continue
+        if saved.widened:
+            remarks.append(
+                f"{_short(value)} is saved with +- {plain(saved.saved_sigma, 2)}, for what {saved.unseen.done} could "
+                "have done"
+            )
+        if saved.unseen.unbounded:
+            remarks.append(left_out(saved.unseen))
+    terminal.line("; ".join(dict.fromkeys(remarks)), "  ")
 
 
 def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
@@ -99,7 +104,7 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
         shown, why = (value, "") if relative else (believed(value, corrected), why_larger(value, corrected))
-        terminal.line(f"{_short(value)} = {_with_sigma(shown)}", "    " if relative else "  ")
+        terminal.line(f"{_short(value)} = {_with_sigma(shown)}{effect.assumed}", "    " if relative else "  ")
         if why:
             terminal.line(why, "    ")
     if why := effect.member(effect.name).implausible:
@@ -108,6 +113,9 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
         each = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
         terminal.line(each, "    ")
+        reasons = dict.fromkeys(why_larger(value, corrected) for value in effect.parameters)
+        for why in filter(None, reasons):
+            terminal.line(why, "    ")
 
 
 def _damping(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
@@ -176,4 +184,4 @@ def _short(value: Value) -> str:
 
 def _with_sigma(value: Value) -> str:
     unit = "" if value.unit == "1" else f" {value.unit}"
-    return f"{rounded(value.value, value.sigma)}{unit}"
+    return f"{value.rounded}{unit}"

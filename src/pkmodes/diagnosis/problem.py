@@ -59,6 +59,24 @@ class Parameter:
     correlated: tuple[tuple[str, float], ...] = ()
 
 
+class Assumption(NamedTuple):
+    """A parameter that a cause needs at a value that nobody declared.
+
+    Attributes
+    ----------
+    parameter : str
+        Its name.
+    key : str
+        Where it is declared: "frame.mass".
+    words : str
+        The value in words, with what it is: "a frame.mass of 50 kg".
+    """
+
+    parameter: str
+    key: str
+    words: str
+
+
 @dataclass(frozen=True)
 class Candidate:
     """A cause that may explain the residual: one parameter, or several that are tested together.
@@ -90,6 +108,8 @@ class Candidate:
     kind, part : str
         What it has in common with other candidates, a noun phrase such as "a compliance in series with the belt", and
         what it is among them, such as "clamps": the members of a class that share a kind are named by it.
+    assumes : tuple of Assumption
+        Defaults on which its values depend, such as the mass of a frame that yields.
     """
 
     name: str
@@ -102,6 +122,7 @@ class Candidate:
     part_of: str = ""
     kind: str = ""
     part: str = ""
+    assumes: tuple[Assumption, ...] = ()
 
     @property
     def claimable(self) -> bool:

@@ -154,7 +154,8 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
     for value in relative or effect.parameters:
         own = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*own, "sigma" if relative else "saved_sigma")
-        cell = uncertain(value.value, believed(value, result.corrected).sigma, pointer(*own, "value"), sigma)
+        saved = believed(value, result.corrected)
+        cell = uncertain(value.value, saved.sigma, pointer(*own, "value"), sigma, fit=saved.fit_sigma)
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))

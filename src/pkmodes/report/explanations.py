@@ -89,12 +89,18 @@ def _members(
         for value in effect.alternatives[member]:
             at = place + pointer("alternatives", member, key(value))
             fit, saved = at + pointer("sigma"), place + pointer("parameters", key(value), "saved_sigma")
-            sigma = believed(value, corrected).sigma if single else value.sigma
+            shown = believed(value, corrected) if single else value
             rows.append(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(value.value, sigma, at + pointer("value"), saved if single else fit),
+                    uncertain(
+                        value.value,
+                        shown.sigma,
+                        at + pointer("value"),
+                        saved if single else fit,
+                        fit=shown.fit_sigma,
+                    ),
                     *((figures(value.sigma, 2, fit),) if single else ()),
                     Cell(unit(value.unit)),
                     Cell(prose(f"no: {why}") if why else "yes"),

@@ -93,7 +93,15 @@ def _cell(value: float | None, write: Callable[[float], str], at: str, strong: b
     return Cell(typeset(text), float(value), at, strong, plain=unsigned(text))
 
 
-def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, scale: float = 1.0) -> Cell:
+def uncertain(
+    value: float,
+    sigma: float,
+    at: str = "",
+    at_sigma: str = "",
+    *,
+    scale: float = 1.0,
+    fit: float | None = None,
+) -> Cell:
     """Return a value with its standard deviation, both rounded by it.
 
     Parameters
@@ -102,8 +110,10 @@ def uncertain(value: float, sigma: float, at: str = "", at_sigma: str = "", *, s
         Their places in the JSON.
     scale : float
         The text shows this multiple of both.
+    fit : float, optional
+        A smaller standard deviation by the fit alone: the value keeps its digits.
     """
-    found = rounded(scale * value, scale * sigma)
+    found = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
     power = f"{TIMES}10{str(found.exponent).translate(RAISED)}" if found.exponent else ""
     digits, of_sigma = typeset(found.value), typeset(found.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)

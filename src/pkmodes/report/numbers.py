@@ -167,7 +167,7 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
         Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
         Cell(f"{role}, at a bound" if value.at_bound else role),
         figures(value.declared, 6, before),
-        uncertain(value.value, value.saved_sigma, after, saved),
+        uncertain(value.value, value.saved_sigma, after, saved, fit=value.sigma),
         figures(value.sigma, 2, sigma),
         unit_cell(value.unit),
         figures(prior, 2),

@@ -47,8 +47,8 @@ class Prior(NamedTuple):
 def priors_of(robot: Robot) -> dict[str, Prior]:
     """Return the priors of the uncertain values of a robot by path.
 
-    A value and its table of correlations may state one standard deviation with different numbers of digits: it is that
-    of the table, because small differences of strongly correlated values depend on its digits.
+    A value and its table of correlations may state one standard deviation with different numbers of digits: that of
+    the table counts, because small differences of strongly correlated values depend on its digits.
     """
     own, correlated = uncertain(robot), {}
     tables = [(table, _sigmas(table, own)) for table in robot.covariance]

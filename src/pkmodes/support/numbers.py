@@ -1,8 +1,9 @@
 """Numbers as people read them: values with their standard deviations, and p-values.
 
 A standard deviation has two significant digits, and its value is rounded to the same place: digits below that say
-nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  Both have the same power of ten, which is
-left out where all their digits can be read without it.  Programs read the exact numbers in the JSON.
+nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  A value that a fit knows better than its
+standard deviation says, which also has what was not seen, keeps the digits of the fit.  Both have the same power of
+ten, which is left out where all their digits can be read without it.  Programs read the exact numbers in the JSON.
 
 The text is ASCII, ``(1.92 +- 0.13)e-4``; `pkmodes.plots.labels.typeset` sets it as in print.
 """
@@ -69,25 +70,30 @@ def hertz(value: float) -> str:
     return f"{digits}e{int(power)}"
 
 
-def rounded(value: float, sigma: float) -> Rounded:
+def rounded(value: float, sigma: float, fit: float | None = None) -> Rounded:
     """Round a value by its standard deviation, which has two significant digits.
 
     Parameters
     ----------
     value, sigma : float
         A standard deviation that is 0, not finite, or below the digits of the value rounds nothing.
+    fit : float, optional
+        A smaller standard deviation, whose digits the value keeps.
     """
     if not (math.isfinite(value) and math.isfinite(sigma) and sigma > 0.0):
         return Rounded(plain(value), plain(sigma, 2))
-    place = _exponent(sigma, 2) - 1  # of the last digit
-    exponent = max(_exponent(value, _digits(value, place)), place + 1)
+    of_sigma = _exponent(sigma, 2) - 1  # the place of its last digit
+    place = min(of_sigma, _exponent(fit, 2) - 1) if fit is not None and 0.0 < fit < sigma else of_sigma
+    exponent = max(_exponent(value, _digits(value, place)), of_sigma + 1)
     shift = 0 if exponent in PLAIN and place <= MOST_ZEROS else exponent
-    decimals = shift - place
-    if decimals > MOST_DECIMALS:
+    if shift - place > MOST_DECIMALS:
         return Rounded(plain(value, MOST_DECIMALS), plain(sigma, 2))
-    texts = (f"{round(_scaled(one, shift), decimals):.{max(decimals, 0)}f}" for one in (value, sigma))
-    first, second = (unsigned(text) for text in texts)
-    return Rounded(first, second, shift)
+    texts = (
+        f"{round(_scaled(number, shift), shift - last):.{max(shift - last, 0)}f}"
+        for number, last in ((value, place), (sigma, of_sigma))
+    )
+    digits, spread = (unsigned(text) for text in texts)
+    return Rounded(digits, spread, shift)
 
 
 def plain(value: float, digits: int = 6) -> str:

@@ -20,14 +20,15 @@ from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.core.robot.units import with_unit
+from pkmodes.diagnosis.problem import Assumption, Candidate, Parameter
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
 from pkmodes.support.covariance import Prior, priors_of
 from pkmodes.support.words import in_words
 from pkmodes.updating import frame
 from pkmodes.updating.kinds import with_kinds
 from pkmodes.updating.load_cases import LoadCases
-from pkmodes.updating.usual import usual
+from pkmodes.updating.usual import usual, usual_factor
 from pkmodes_description import Effect, EffectParameter, ParameterGroup
 
 #: Prefix of suspected values as candidates.
@@ -64,6 +65,7 @@ def suspects(
     candidates = _chosen(robot, chosen, loads)
     if chosen is None:
         candidates += _of_one_entry(robot)
+    candidates = _with_assumptions(robot, candidates, loads)
     candidates += _with_another_constant(robot, candidates)
     of_frame, frames = frame.suspects(robot.mechanism)
     of_robot = [name for candidate in candidates if candidate not in frames for name in candidate.parameters]
@@ -125,6 +127,18 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
         else:
             candidates[name] = _asked_for(robot, name, [*every])
     return list(candidates.values())
+
+
+def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
+    """Return candidates, with the defaults that their effects take where neither file says another value."""
+    assumed: dict[str, list[Assumption]] = {}
+    for borrowed, own in lent(robot.mechanism).items():
+        default, move = by_path(robot.mechanism)[own].key.default, resolve(robot, borrowed)
+        if default and not {own, borrowed} & robot.quantities.keys() and not loads.always(move):
+            words = f"a {own} of {with_unit(default, move.unit)}"
+            for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
+                assumed.setdefault(name, []).append(Assumption(borrowed, own, words))
+    return [replace(one, assumes=tuple(assumed.get(one.name, ()))) for one in candidates]
 
 
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
@@ -345,10 +359,13 @@ def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
     sigma = prior.sigma
     item = by_path(robot.mechanism).get(move.path)
     lower, upper = -np.inf, np.inf
+    believed = None
     if move.path.startswith(EFFECTS):
         _, effect, name, *_ = move.path.split(".")
         least = next(p.greater_than for p in robot.mechanism.effects[effect].parameters if p.name == name)
         lower = -np.inf if least is None else least
+        if sigma is None and lower == -1.0 and move.unit == "1":
+            believed = usual_factor(move.value)
     elif item is None or not item.key.signed:
         lower = 0.0
         if sigma is None and move.value > 0.0:
@@ -357,7 +374,6 @@ def _parameter(robot: Robot, move: ParameterPath, prior: Prior) -> Parameter:
         farthest = _farthest(robot, item)
         lower, upper = move.value - farthest, move.value + farthest
     unit = move.unit.replace(" ", "*")
-    believed = None
     if sigma is None and not move.path.startswith(EFFECTS):
         believed = usual(item, move.value, move.unit, 0.0 if item is None else _largest(robot, item))
     return Parameter(

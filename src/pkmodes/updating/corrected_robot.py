@@ -27,16 +27,26 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
     that the damping shows are among the changes; they change no other value.
     """
     explained = {value.name for value in widened(diagnosis)}
-    causes = {v.name for finding in diagnosis.every_cause for v in finding.parameters}
+    causes = {
+        v.name: finding.member(finding.name).assumed
+        for finding in diagnosis.every_cause
+        for v in finding.parameters
+    }
     changes = {}
     for value in (*diagnosis.corrected, *diagnosis.damping.corrected):
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue  # it concerns the measurements, not the robot
         note = "found by pkmodes diagnose" if value.name in causes else "refitted by pkmodes diagnose"
+        if assumed := causes.get(value.name):
+            note += f", for {assumed}"
         unit = "" if value.unit == "1" else f" {value.unit}"
         if value.name in explained and value.unseen is not None:
-            cause = value.unseen.candidate
-            note += f"; sigma includes what an unseen {cause} could have done (fit alone: {value.sigma:.2g}{unit})"
+            done = value.unseen.done
+            note += f"; sigma includes what {done} could have done (fit alone: {value.sigma:.2g}{unit})"
+        if value.unseen is not None and value.unseen.unbounded:
+            note += (
+                f"; sigma leaves out what an unseen {value.unseen.unbounded} could have done: it has no bound"
+            )
         if value.name in robot.quantities or not value.name.startswith(("effects.", DAMPING_RATIO)):
             # No generated number depends on the damping ratio, so that it has no parameter path.
             loss = value.name == DAMPING_RATIO

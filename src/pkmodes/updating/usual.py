@@ -1,8 +1,8 @@
 """What a value of a robot can be: how far the declared one may be wrong, by the kind of quantity.
 
 A diagnosis searches for a wrong value between a third and three times the declared one, which is more than a person
-would believe of a length.  A claimed value outside of the range here is marked as implausible; nothing else depends
-on it.
+would believe of a length.  A claimed value outside of the range here is marked as implausible, and does not lead a
+class that has a plausible one; no verdict depends on it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,10 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.updating import frame
 
 #: A wrong length is that of another part, some millimetres away [m], or goes to another point: some per cent of it.
+#: One of less than some millimetres, such as the travel of a screw, is wrong by some per cent.
 LENGTH = (0.005, 0.05)
+#: Teeth and threads can be counted.
+RATIO = 0.05
 #: A mass is without its screws and cables, an inertia is that of another rotor, a stiffness is a catalogue's: each
 #: may be wrong by this factor.
 FACTOR = 2.0
@@ -45,14 +48,31 @@ def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[f
         return -ON_THE_GROUND * largest, ON_THE_GROUND * largest
     if item is not None and item.key.dimension in BY_FACTOR:
         return value / FACTOR, value * FACTOR
+    if item is not None and item.key.dimension == "number":
+        return value - RATIO * abs(value), value + RATIO * abs(value)
     if (item is None and unit == "m") or (item is not None and item.key.dimension == "length"):
-        away = max(LENGTH[0], LENGTH[1] * max(abs(value), largest))
+        size = max(abs(value), largest)
+        away = LENGTH[1] * size if 0.0 < size < LENGTH[0] else max(LENGTH[0], LENGTH[1] * size)
         return value - away, value + away
     return None
 
 
+def usual_factor(value: float) -> tuple[float, float]:
+    """Return what a relative change of a stiffness can be, such as that of the belts of one axis.
+
+    Parameters
+    ----------
+    value : float
+        As declared.
+    """
+    return (1.0 + value) / FACTOR - 1.0, (1.0 + value) * FACTOR - 1.0
+
+
 def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parameter]:
-    """Return parameters with what a displacement of all poses can be where the file states errors of the poses."""
+    """Return parameters with what a displacement of all poses can be: by the errors of the poses that a file states.
+
+    Where it states none, it is some millimetres, as of a part.
+    """
     sigma = data.point_sigma.max(axis=0, initial=0.0)
     stated = dict(zip(data.components, sigma.tolist(), strict=True))
     linear = [k for k, unit in enumerate(data.component_units) if unit == "m"]
@@ -61,11 +81,11 @@ def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parame
 
     def known(p: Parameter) -> Parameter:
         if p.name == frame.YAW:
-            most = SIGMAS * plane / arm if arm > 0.0 else 0.0
+            most = (SIGMAS * plane or LENGTH[0]) / arm if arm > 0.0 else np.inf
         elif p.name.startswith(frame.OF_MEASUREMENT):
-            most = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0)
+            most = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0) or LENGTH[0]
         else:
             return p
-        return replace(p, usual=(-most, most)) if most > 0.0 else p
+        return replace(p, usual=(-most, most))
 
     return [known(p) for p in parameters]

@@ -26,12 +26,18 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
 
 #: Largest number of evaluations of an end.
-ROUNDS = 8
+ROUNDS = 12
 #: An end is found if its sum of squares is wrong by less than this part of the rise, and the nuisances could lower it
 #: by no more than this: a tenth moves the end by a twentieth.
 PART = 0.1
 #: Largest step outwards, relative to the size reached.
 GROWTH = 8.0
+#: Part of the way that is kept in a step back from where the model cannot be evaluated, or is lost.
+RETREAT = 0.5
+FAR_RETREAT = 0.125
+#: A model is lost where more than this part of the rise of its sum of squares is that of measured modes without a
+#: partner: their residuals do not depend on any value, so that no refit leads back.
+LOST = 0.5
 #: Relative singular value below which a combination of nuisances changes nothing.
 NOTHING = 1e-9
 
@@ -55,6 +61,12 @@ class Point(NamedTuple):
     def squares(self) -> float:
         """Sum of squares."""
         return float(self.white @ self.white)
+
+    @property
+    def fixed(self) -> float:
+        """Sum of the squares that depend on no value."""
+        fixed = self.white[~self.jacobian.any(axis=1)]
+        return float(fixed @ fixed)
 
 
 @dataclass(frozen=True)
@@ -112,11 +124,15 @@ class End:
         Distance from the declared value.
     bounded : bool
         Whether the data bound the parameter within its plausible range.
+    reached : bool
+        Whether the values are those at the end.  Otherwise the size is the smallest known to be outside, and the
+        values are the farthest known to be inside.
     """
 
     values: Array
     size: float
     bounded: bool
+    reached: bool = True
 
 
 class Step(NamedTuple):
@@ -186,8 +202,8 @@ class Profiles:
         """Use the model at the proposed values, None if it cannot be evaluated there, and propose the next ones."""
         side, size = search.side, search.size
         if point is None:
-            search.outside = size
-            search.retreat()
+            search.outside, search.astray = size, False
+            search.retreat(RETREAT)
             return
         step = self._step(side, point)
         here = self._moved(side, point, step, size)
@@ -204,6 +220,11 @@ class Profiles:
             search.bracket(here, wrong < 0.0)
             farthest = size + GROWTH * max(abs(size), abs(search.first))
             there = min(_outward(side, point, step), side.most, farthest)
+            lost = point.fixed - side.least.fixed > LOST * (point.squares - side.least.squares)
+            if wrong > 0.0 and lost:
+                search.astray |= search.outside == size
+                search.retreat(FAR_RETREAT)
+                return
             if not search.inside < there < search.outside:
                 there = 0.5 * (search.inside + search.outside)
             search.next = self._moved(side, point, step, there)
@@ -258,6 +279,8 @@ class _Search:
         Values at the former.
     first : float
         Size in the linear model.
+    astray : bool
+        Whether the nuisances were not refitted at the smallest size outside: it may be inside after all.
     """
 
     side: Side
@@ -266,6 +289,7 @@ class _Search:
     within: Array
     first: float
     outside: float = np.inf
+    astray: bool = False
     end: End | None = None
 
     @classmethod
@@ -282,17 +306,17 @@ class _Search:
         """Narrow the bracket at the size that was evaluated."""
         if is_inside:
             self.inside, self.within = self.size, here
-        else:
-            self.outside = min(self.outside, self.size)
+        elif self.size < self.outside:
+            self.outside, self.astray = self.size, False
 
-    def retreat(self) -> None:
-        """Propose values half-way to those known to be in the interval."""
-        self.next = 0.5 * (self.within + self.next)
+    def retreat(self, part: float) -> None:
+        """Propose values nearer to those known to be in the interval, at a part of the way from these."""
+        self.next = self.within + part * (self.next - self.within)
 
     def given_up(self) -> End:
         """Return the end as far as it is known: rather too large than too small."""
-        known = np.isfinite(self.outside)
-        return End(self.next, self.outside if known else self.size, bool(known))
+        known = bool(np.isfinite(self.outside)) and not self.astray
+        return End(self.within, self.outside if known else self.side.most, known, reached=False)
 
 
 def without_priors(fitter: Fitter, white: Array, jacobian: Array, own: Sequence[int]) -> tuple[Array, Array]:

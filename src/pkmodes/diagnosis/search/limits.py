@@ -22,11 +22,13 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.profile import NOTHING, Asked, End, Point, Profiles, Side, without_priors
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.problem import Array, Candidate
+from pkmodes.diagnosis.problem import Array, Assumption, Candidate
 from pkmodes.diagnosis.search.ranges import largest_rates, plausible_size
 
 #: Standard deviations of a one-sided bound at 95 %.
 ONE_SIDED = float(stats.norm.ppf(0.95))
+#: A value that nobody declared may be another by this factor, such as the mass of the frame of a small printer.
+DEFAULT_FACTOR = 10.0
 #: If the linear model promises less than this sum of squares, the fit without the candidate is as good as with it.
 SMALL = 0.5
 #: The linear model suffices if its second order, the square of the largest relative change of a frequency, is below
@@ -50,7 +52,10 @@ class Bound:
     change : float
         Relative change of some frequency at the limit, in the linear model; 0 without a limit.
     moved : ndarray, shape (P,)
-        By how much all fitted values move when the candidate has this size, or the largest plausible one.
+        By how much all fitted values move when the candidate has this size; values with a prior also if it has the
+        largest plausible one, because their priors hold them.
+    farther : ndarray, shape (P,)
+        By how much values without a prior move, at least, if the data do not bound the candidate.
     """
 
     candidate: Candidate
@@ -59,6 +64,7 @@ class Bound:
     plausible: float
     change: float
     moved: Array
+    farther: Array
 
 
 @dataclass(frozen=True)
@@ -132,6 +138,35 @@ def bounds(
         for one in beside
         for i in fitter.indices(one.candidate)
     ]
+
+
+def moved_by_defaults(store: FitStore, fit: Fit) -> dict[Assumption, Array]:
+    """Return by how much the values of a fit move when a default that its causes assume is another, (P,) each.
+
+    The default moves to its own end at 95 %, but at most by a factor of `DEFAULT_FACTOR`, in both directions.
+    """
+    fitter = store.fitter
+    known = {p.name: i for i, p in enumerate(fitter.parameters)}
+    moved = {}
+    for assumption in dict.fromkeys(one for cause in fit.causes for one in cause.assumes):
+        index = known.get(assumption.parameter)
+        if index is None or index in fit.free:
+            continue
+        declared = fitter.parameters[index].value
+        constant = Candidate(assumption.parameter, (assumption.parameter,))
+        (one,) = _beside(fitter, fit, [constant])
+        sides = [
+            Side(index, declared, sign, one.free, (), most, one.at, one.at.squares + ONE_SIDED**2)
+            for sign, most in (
+                (1, (DEFAULT_FACTOR - 1.0) * declared),
+                (-1, (1.0 - 1.0 / DEFAULT_FACTOR) * declared),
+            )
+        ]
+        ends = Profiles(fitter, fit).ends(sides)
+        away = np.max([np.abs(end.values - fit.values) for end in ends], axis=0)
+        away[index] = 0.0
+        moved[assumption] = away
+    return moved
 
 
 def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_Beside]:
@@ -217,14 +252,18 @@ def _suffices(fitter: Fitter, side: Side, one: _Beside, end: End) -> bool:
 def _bound(fitter: Fitter, fit: Fit, one: _Beside, i: int, ends: Sequence[tuple[Side, End]]) -> Bound:
     bounded = bool(ends) and all(end.bounded for _, end in ends)
     size = max(end.size for _, end in ends) if bounded else None
-    moved = np.zeros_like(fit.values)
+    moved, farther = np.zeros((2, len(fit.values)))
+    others = [k for k in fit.free if k != i]
+    held = np.array([fitter.priors.of(k) is not None for k in others], dtype=bool)
     for _, end in ends:
         part = 1.0
         if one.own:  # the prior of the candidate narrows what it may do
             row = fitter.priors.of(i)
             width = np.inf if row is None else ONE_SIDED * fitter.priors.width(fit.values)[row]
             part = float(1.0 / np.hypot(1.0, end.size / width))
-        others = [k for k in fit.free if k != i]
-        moved[others] = np.maximum(moved[others], part * np.abs(end.values - fit.values)[others])
+        by = part * np.abs(end.values - fit.values)[others]
+        at_end = held | (end.bounded and end.reached)
+        moved[others] = np.maximum(moved[others], np.where(at_end, by, 0.0))
+        farther[others] = np.maximum(farther[others], np.where(at_end, 0.0, by))
     most = max((side.most for side, _ in ends), default=np.inf)
-    return Bound(one.candidate, i, size, most, one.rates[i] * (size or 0.0), moved)
+    return Bound(one.candidate, i, size, most, one.rates[i] * (size or 0.0), moved, farther)

@@ -33,7 +33,8 @@ from pkmodes.diagnosis.verdict.findings import (
 )
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
-from pkmodes.diagnosis.verdict.notes import notes
+from pkmodes.diagnosis.verdict.notes import low_modes, notes
+from pkmodes.diagnosis.verdict.possible import usual_size
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability import unchanged
@@ -173,7 +174,9 @@ class DiagnosisBuilder:
             probabilities=probable,
         )
         remarks, contradictions = self._remarks(evidence, decision), self._contradictions(models)
-        notes = (*remarks, *models.notes, *claim.left_out, *contradictions)
+        unexplained = verdict is UNEXPLAINED and not decision.says.of_reading
+        low = low_modes(models.declared[0]) if unexplained else []
+        notes = (*remarks, *low, *models.notes, *claim.left_out, *contradictions)
         return self._result(decision, models, bounded, unseen, notes, stability, searched)
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
@@ -324,6 +327,7 @@ class DiagnosisBuilder:
     def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and what was not seen."""
         width, corrected = self.fitter.priors.width(fit.values), []
+        plausible = plausible_sizes(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
             corrected.append(
@@ -336,6 +340,7 @@ class DiagnosisBuilder:
                     prior_sigma=None if row is None else float(width[row]),
                     at_bound=any(bound != p.value for bound in reached_bounds(p, v.value, p.sigma or 0.0)),
                     unseen=bounded.unseen.get(i),
+                    plausible=min(plausible.get(i, np.inf), usual_size(p)),
                 )
             )
         return tuple(corrected)

@@ -70,7 +70,7 @@ def _taken_up(value: Corrected) -> bool:
 def _instead(value: Corrected) -> str:
     if value.unseen is None or not _taken_up(value):
         return ""
-    return f", which an unseen {value.unseen.candidate} could have done"
+    return f", which {value.unseen.done} could have done"
 
 
 def _away(value: Corrected) -> float:

@@ -20,7 +20,7 @@ from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
 from pkmodes.diagnosis.verdict.findings import Finding, Value
-from pkmodes.diagnosis.verdict.possible import member, possible
+from pkmodes.diagnosis.verdict.possible import member, possible, unusual
 
 #: Largest number of times that a cause is replaced by a better survivor.
 PREFERENCES = 4
@@ -48,6 +48,8 @@ class Claim:
         Sentences about what left a class, because its value is impossible.
     plausible : mapping of int to float
         Largest plausible deviations of the values of all members from the declared ones, by parameter.
+    implausible : frozenset of str
+        Names of the causes, in the place of a claimed one, whose values are not those of such a part.
     """
 
     final: Fit
@@ -58,6 +60,7 @@ class Claim:
     kept: bool = True
     left_out: tuple[str, ...] = ()
     plausible: Mapping[int, float] = field(default_factory=dict)
+    implausible: frozenset[str] = frozenset()
 
     @property
     def own(self) -> list[list[Fit]]:
@@ -66,6 +69,8 @@ class Claim:
 
     def remains(self, instead: Fit | None = None) -> list[list[tuple[str, Fit]]]:
         """Return the remaining explanations with their names: classes of one cause, or else pairs of causes.
+
+        Classes with a plausible member are first.
 
         Parameters
         ----------
@@ -76,7 +81,8 @@ class Claim:
             return [[(_names(fit), fit)] for fit in (self.final, instead)]
         for groups in self.grouped:
             if len(groups) > 1 or len(self.final.causes) == 1:
-                return [[(name_of(fit), fit) for fit in fits] for fits in groups]
+                named = [[(name_of(fit), fit) for fit in fits] for fits in groups]
+                return sorted(named, key=lambda group: all(name in self.implausible for name, _ in group))
         return [[(_names(fit), fit)] for fit in (self.final, *self.others)]
 
     def findings(self, fitter: Fitter) -> tuple[Finding, ...]:
@@ -120,6 +126,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
             grouped = ([named, *grouped[0][1:]], *grouped[1:])
     plausible, alike = _plausible(search, outcome.nuisances, grouped), grouped
     final, grouped, left_out = _possible(search, final, grouped, plausible)
+    final, grouped = _plausible_first(search, final, grouped)
     return Claim(
         final,
         search.gate(final),
@@ -132,6 +139,13 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
         ),
         left_out,
         plausible,
+        frozenset(
+            name_of(fit)
+            for groups in grouped
+            for fits in groups
+            for fit in fits
+            if unusual(search.store.fitter, fit)
+        ),
     )
 
 
@@ -177,6 +191,22 @@ def _possible(
         classes.append([kept, *groups[1:]] if groups else groups)
         left_out += left
     return final, tuple(classes), tuple(left_out)
+
+
+def _plausible_first(search: Search, final: Fit, grouped: Grouped) -> tuple[Fit, Grouped]:
+    """Return the claim and its classes, in each of which the members with plausible values are first.
+
+    A single cause whose value is implausible leaves the lead to the best member with a plausible one, if that leaves
+    nothing but noise.
+    """
+    fitter = search.store.fitter
+    ordered = tuple(
+        [sorted(fits, key=lambda fit: bool(unusual(fitter, fit))) for fits in groups] for groups in grouped
+    )
+    if len(final.causes) == 1 and ordered[0] and unusual(fitter, final):
+        usual = (fit for fit in ordered[0][0] if not unusual(fitter, fit) and search.gate(fit).passed)
+        final = next(usual, final)
+    return final, ordered
 
 
 def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,11 +12,13 @@ import numpy as np
 
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.problem import Assumption, Candidate
+from pkmodes.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.claim import claim_of
+from pkmodes.diagnosis.verdict.findings import NOTICEABLE
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 from pkmodes.diagnosis.verdict.verdicts import Verdict
@@ -96,6 +99,20 @@ class Evidence:
     def held_out(self) -> HeldOut:
         """What the held-out setups say about the final fit."""
         return predicted(self.setups, self.search, self.final)
+
+    @cached_property
+    def by_default(self) -> list[Assumption]:
+        """The defaults on which values of the causes depend noticeably."""
+        moved = moved_by_defaults(self.store, self.final)
+        own = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
+        return [
+            assumption
+            for assumption, away in moved.items()
+            if any(
+                math.hypot(self.final.sigma_of(i), away[i] / ONE_SIDED) > NOTICEABLE * self.final.sigma_of(i)
+                for i in own
+            )
+        ]
 
     @cached_property
     def errors(self) -> str:

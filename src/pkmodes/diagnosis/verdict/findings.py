@@ -18,7 +18,7 @@ from pkmodes.core.base.drives import Drives
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.verdicts import Word
 from pkmodes.support.documents import Document
-from pkmodes.support.numbers import rounded
+from pkmodes.support.numbers import Rounded, rounded
 
 
 @dataclass(frozen=True)
@@ -44,18 +44,34 @@ class Limit:
 
 @dataclass(frozen=True)
 class Unseen:
-    """What a candidate that is not claimed could have done to a fitted value.
+    """What a candidate that is not claimed, or another value of a default, could have done to a fitted value.
 
     Attributes
     ----------
     sigma : float
-        As a standard deviation of the value.
+        As a standard deviation of the value, at the candidate's limit; of a value with a prior also without one.
     candidate : str
-        The one that could have done most.
+        The one that could have done most; empty if a default could.
+    default : str
+        The default that could have done most, such as "a frame.mass of 50 kg"; empty if a candidate could.
+    unbounded : str
+        Name of a candidate without a limit that could have moved a value without a prior farther than all that is
+        counted; empty if there is none.
     """
 
     sigma: float
     candidate: str
+    unbounded: str = ""
+    default: str = ""
+
+    @property
+    def done(self) -> str:
+        """What could have changed the value, to stand before "could have done"."""
+        return (
+            f"another value than {self.default}, not declared,"
+            if self.default
+            else f"an unseen {self.candidate}"
+        )
 
 
 @dataclass(frozen=True)
@@ -68,6 +84,8 @@ class Member:
         As of its candidate.
     implausible : str
         Why its value is not one that such a part can have; empty if it is.
+    assumed : str
+        The defaults on which its value depends, with that nobody declared them; empty for none.
     """
 
     name: str
@@ -75,6 +93,7 @@ class Member:
     kind: str = ""
     part: str = ""
     implausible: str = ""
+    assumed: str = ""
 
     @property
     def words(self) -> str:
@@ -89,12 +108,24 @@ class Member:
 
 @dataclass(frozen=True)
 class Value:
-    """A fitted parameter."""
+    """A fitted parameter.
+
+    Attributes
+    ----------
+    fit_sigma : float or None
+        Standard deviation by the fit alone, where `sigma` is larger: the value has its digits.
+    """
 
     name: str
     value: float
     sigma: float
     unit: str
+    fit_sigma: float | None = field(default=None, kw_only=True)
+
+    @property
+    def rounded(self) -> Rounded:
+        """The value and its standard deviation as people read them."""
+        return rounded(self.value, self.sigma, self.fit_sigma)
 
 
 #: A saved standard deviation that is larger than that of the fit by this factor is explained.
@@ -113,24 +144,28 @@ class Corrected(Value):
         Whether the value is at a physical bound other than the declared value.
     unseen : Unseen or None
         What a candidate that these data do not show could have done to the value; None where none could.
+    plausible : float
+        Largest plausible deviation from the declared value.
     """
 
     declared: float
     prior_sigma: float | None
     at_bound: bool
     unseen: Unseen | None = None
+    plausible: float = math.inf
 
     @property
     def saved_sigma(self) -> float:
         """Standard deviation including what an unseen candidate could have done.
 
         What was declared still holds: it is at most the root mean square distance from the value under its prior.
+        Without a prior it is at most the largest plausible deviation.
         """
         if self.unseen is None:
             return self.sigma
         sigma = math.hypot(self.sigma, self.unseen.sigma)
         if self.prior_sigma is None:
-            return sigma
+            return max(self.sigma, min(sigma, self.plausible))
         return max(self.sigma, min(sigma, math.hypot(self.prior_sigma, self.value - self.declared)))
 
     @property
@@ -147,16 +182,26 @@ def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
 def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
     """Return a value with the standard deviation that may be relied on: the saved one, where there is one."""
     saved = saved_as(value, corrected)
-    return value if saved is None else replace(value, sigma=saved.saved_sigma)
+    return value if saved is None else replace(value, sigma=saved.saved_sigma, fit_sigma=saved.sigma)
 
 
 def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
-    """Return why the standard deviation of a value is larger than that of the fit; empty if it is not."""
+    """Return what the standard deviation of a value includes beyond that of the fit, and what it leaves out."""
     saved = saved_as(value, corrected)
-    if saved is None or saved.unseen is None or not saved.widened:
+    if saved is None or saved.unseen is None:
         return ""
-    fit = rounded(value.value, value.sigma).columns[1]
-    return f"+- {fit} by the fit alone; the rest is what an unseen {saved.unseen.candidate} could have done"
+    unseen, parts = saved.unseen, []
+    if saved.widened:
+        fit = rounded(value.value, value.sigma).columns[1]
+        parts.append(f"+- {fit} by the fit alone; the rest is what {unseen.done} could have done")
+    if unseen.unbounded:
+        parts.append(left_out(unseen))
+    return "; ".join(parts)
+
+
+def left_out(unseen: Unseen) -> str:
+    """Return what a standard deviation leaves out: what a candidate without a limit could have done."""
+    return f"not included is what an unseen {unseen.unbounded} could have done, which these data do not bound"
 
 
 @dataclass(frozen=True)
@@ -210,6 +255,12 @@ class Finding:
     def member(self, name: str) -> Member:
         """Return how a member of the class is named, and whether its value is plausible."""
         return self.about.get(name, Member(name, self.sentence if name == self.name else ""))
+
+    @property
+    def assumed(self) -> str:
+        """The defaults on which the values of some members depend, as the end of a clause; empty for none."""
+        assumed = dict.fromkeys(self.member(name).assumed for name in self.members)
+        return "".join(f", for {text}" for text in assumed if text)
 
     @property
     def plausible(self) -> dict[str, bool]:

@@ -6,25 +6,31 @@ as what each candidate leaves.
 
 Saved values
 ------------
-A refitted value makes up for whatever is missing from the model.  When an unseen candidate moves to its limit, or to
-its largest plausible size, a value moves by D; a normal deviate beyond which 5 % lie on that side has the standard
-deviation D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  Of all
-candidates the one that moves the value most is counted, not their sum: like the diagnosis itself, this takes one
-cause to be missing, many candidates move the values in the same way, and a sum would count that several times (the
-envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation 10, 2015, P04015).
+A refitted value makes up for whatever is missing from the model.  When an unseen candidate moves to its limit, a
+value moves by D; a normal deviate beyond which 5 % lie on that side has the standard deviation D / 1.645, which is
+what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the data do not bound
+within its plausible range moves there; that counts for values whose priors hold them.  Others, such as the size of a
+cause, could go anywhere with it: their standard deviation leaves it out, and says so.  Of all candidates the one that
+moves the value most is counted, not their sum: like the diagnosis itself, this takes one cause to be missing, many
+candidates move the values in the same way, and a sum would count that several times (the envelope over alternative
+models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation 10, 2015, P04015).
+
+A default on which a claimed value rests, because nobody declared another, such as the mass of a frame that yields, is
+moved likewise.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.matrices import slowness
-from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.diagnosis.search.limits import ONE_SIDED, Bound, bounds
-from pkmodes.diagnosis.verdict.findings import Limit, Unseen
+from pkmodes.diagnosis.problem import Array, Assumption, Candidate, Parameter
+from pkmodes.diagnosis.search.limits import ONE_SIDED, Bound, bounds, moved_by_defaults
+from pkmodes.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
 
 #: Largest number of remaining explanations beside which limits are found.
 MOST = 4
@@ -90,7 +96,9 @@ def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate]
         p = fitter.parameters[bound.index]
         name, limit = name_of(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
         by_name[name] = max(by_name.get(name, limit), limit, key=_size)
-    unseen = _unseen(fits[0], found) if noise and len(fits) == 1 else {}
+    unseen = {}
+    if noise and len(fits) == 1:
+        unseen = _unseen(fits[0], found, moved_by_defaults(store, fits[0]))
     ordered = (name_of(fitter.parameters[i]) for c in every for i in fitter.indices(c))
     return Limits(
         {name: by_name[name] for name in ordered if name in by_name},
@@ -110,9 +118,18 @@ def _size(limit: Limit) -> float:
     return float("inf") if limit.value is None else limit.value
 
 
-def _unseen(fit: Fit, found: Collection[Bound]) -> dict[int, Unseen]:
-    """Return the largest movement of each fitted value as a standard deviation, and the candidate behind it."""
-    if not found:
-        return {}
-    worst = {i: max(found, key=lambda bound: bound.moved[i]) for i in fit.free}
-    return {i: Unseen(float(b.moved[i]) / ONE_SIDED, b.candidate.name) for i, b in worst.items()}
+def _unseen(fit: Fit, found: Collection[Bound], by_defaults: Mapping[Assumption, Array]) -> dict[int, Unseen]:
+    """Return the largest movement of each fitted value as a standard deviation, and what is behind it."""
+    unseen = {}
+    for i in fit.free if found else ():
+        worst = max(found, key=lambda bound: bound.moved[i])
+        open_end = max(found, key=lambda bound: bound.farther[i])
+        sigma, more = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
+        counted = math.hypot(fit.sigma_of(i), sigma)
+        farther = more > sigma and math.hypot(fit.sigma_of(i), more) > NOTICEABLE * counted
+        unseen[i] = Unseen(sigma, worst.candidate.name, open_end.candidate.name if farther else "")
+        for default, moved in by_defaults.items():
+            if moved[i] / ONE_SIDED > unseen[i].sigma:
+                sigma = float(moved[i]) / ONE_SIDED
+                unseen[i] = replace(unseen[i], sigma=sigma, candidate="", default=default.words)
+    return unseen

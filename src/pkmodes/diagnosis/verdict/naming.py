@@ -36,14 +36,14 @@ def found(effects: Sequence[Finding], longest: int | None = None) -> str:
     """
     if len(effects) == 1 and len(effects[0].members) > 1:
         (effect,) = effects
-        return f"narrowed to {count(len(effect.members))}: {of_class(effect, longest)}"
+        return f"narrowed to {count(len(effect.members))}: {of_class(effect, longest)}{effect.assumed}"
     return f"found: {', and '.join(_one(effect, longest) for effect in effects)}"
 
 
 def _one(effect: Finding, longest: int | None) -> str:
     if len(effect.members) > 1:
-        return f"one of {count(len(effect.members))}: {of_class(effect, longest)}"
-    return effect.member(effect.name).words
+        return f"one of {count(len(effect.members))}: {of_class(effect, longest)}{effect.assumed}"
+    return f"{effect.member(effect.name).words}{effect.assumed}"
 
 
 def explained(effects: Sequence[Finding]) -> str:
@@ -51,7 +51,9 @@ def explained(effects: Sequence[Finding]) -> str:
     if len(effects) == 1 and len(effects[0].members) > 1:
         return f"the cause is {found(effects)}"
     parts = [
-        _one(effect, None) if len(effect.members) > 1 else effect.member(effect.name).with_name
+        _one(effect, None)
+        if len(effect.members) > 1
+        else f"{effect.member(effect.name).with_name}{effect.assumed}"
         for effect in effects
     ]
     return f"explanation: {' and '.join(parts)}"

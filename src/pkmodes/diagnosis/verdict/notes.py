@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 
 import numpy as np
@@ -11,13 +12,18 @@ from pkmodes.core.base.drives import motors
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.match.stage import Stage
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.readings.copies import all_alike
 from pkmodes.diagnosis.search.unmeasured import never_measured
+from pkmodes.diagnosis.verdict.naming import count
 from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 from pkmodes.support.numbers import plain
 
+#: Measured modes below this part of the lowest frequency of the declared model are none of its modes; fewest setups
+#: at which they are reported.
+CLEARLY_BELOW, FEWEST_SETUPS = 0.7, 2
 #: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of so
 #: small a residual is below the second number.
 MISSTATED, SO_SMALL = 3.0, 1e-4
@@ -112,6 +118,33 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
         also = f": {pattern}" if pattern else ""
         share = f"the modes of a pose share an error of {100 * fit.scatter:.2g} %"
         yield f"{share} that the file does not state{also}"
+
+
+def low_modes(declared: Stage) -> list[str]:
+    """Return a note if measured modes lie clearly below all of the declared model at half of the setups or more.
+
+    Such modes have no partner, whatever its values: something stands on a spring that the model does not have.
+    """
+    data, spectrum = declared.data, declared.predicted.spectrum
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # of a setup without any mode
+        lowest = np.nanmin(spectrum, axis=1)
+    below = data.frequency < CLEARLY_BELOW * lowest[data.pose]
+    counts = np.bincount(data.pose[below], minlength=len(lowest))
+    measured = np.unique(data.pose)
+    setups = int((counts[measured] > 0).sum())
+    if setups < max(FEWEST_SETUPS, len(measured) / 2.0):
+        return []
+    most, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
+    where = f"at {low:.3g} Hz" if np.isclose(low, high, rtol=1e-2) else f"from {low:.3g} to {high:.3g} Hz"
+    which = "a measured mode lies" if most == 1 else f"up to {count(most)} measured modes lie"
+    at = "every" if setups == len(measured) else f"{setups} of {len(measured)}"
+    held = " or something holds motions that are free in the model, such as motors or a cable"
+    also = f",{held}" if declared.prediction.rigid else ""
+    return [
+        f"{which} below the lowest mode of the declared model at {at} pose{'' if at == 'every' else 's'}, {where}: "
+        f"something stands on a spring, such as the machine on its base{also}"
+    ]
 
 
 def drift(fitter: Fitter, fit: Fit) -> str:

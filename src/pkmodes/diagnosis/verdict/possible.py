@@ -30,8 +30,10 @@ def member(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Member:
         Largest plausible deviations from the declared values, by parameter.
     """
     cause = fit.causes[-1]
-    why = impossible(fitter, fit, plausible) or _unusual(fitter, fit)
-    return Member(cause.name, cause.sentence, cause.kind, cause.part, why)
+    why = impossible(fitter, fit, plausible) or unusual(fitter, fit)
+    assumed = " and ".join(assumption.words for assumption in cause.assumes)
+    of_default = f"{assumed}, not declared" if assumed else ""
+    return Member(cause.name, cause.sentence, cause.kind, cause.part, why, of_default)
 
 
 def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
@@ -43,7 +45,7 @@ def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
     return ""
 
 
-def _unusual(fitter: Fitter, fit: Fit) -> str:
+def unusual(fitter: Fitter, fit: Fit) -> str:
     """Return what is expected of a value of the last cause of a fit, if it is not one that such a part has."""
     for i in fitter.indices(fit.causes[-1]):
         p = fitter.parameters[i]
@@ -51,6 +53,11 @@ def _unusual(fitter: Fitter, fit: Fit) -> str:
             low, high = (plain(end, 3) for end in p.usual)
             return f"{low} to {_with_unit(high, p)} is plausible"
     return ""
+
+
+def usual_size(p: Parameter) -> float:
+    """Return the largest deviation from the declared value that such a part has; infinite if nobody said."""
+    return np.inf if p.usual is None else max(abs(end - p.value) for end in p.usual)
 
 
 def _with_unit(text: str, p: Parameter) -> str:

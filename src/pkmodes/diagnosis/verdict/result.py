@@ -35,7 +35,7 @@ from pkmodes.diagnosis.verdict.findings import (
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
 from pkmodes.support.documents import Document
-from pkmodes.support.numbers import p_in_words, rounded
+from pkmodes.support.numbers import p_in_words
 
 
 @dataclass(frozen=True)
@@ -296,9 +296,10 @@ def _values(effect: Finding, member: str, result: Diagnosis) -> str:
         if len(effect.members) == 1 and not relative
         else fitted
     )
-    values = [f"{v.name} = {rounded(v.value, v.sigma)} {v.unit}".removesuffix(" 1") for v in shown]
+    values = [f"{v.name} = {v.rounded} {v.unit}".removesuffix(" 1") for v in shown]
     also, why = " relative to their mean" if relative else "", effect.member(member).implausible
-    return ", ".join(values) + also + (f" (implausible: {why})" if why else "")
+    assumed = f", for {text}" if (text := effect.member(member).assumed) else ""
+    return ", ".join(values) + also + assumed + (f" (implausible: {why})" if why else "")
 
 
 def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:

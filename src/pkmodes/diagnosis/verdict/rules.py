@@ -287,11 +287,34 @@ def several_explanations(e: Evidence) -> Says | None:
     many = many or any(distinct(own) > most or parts_alone(own) for own in claim.own)
     if not claim.others and not many:
         return None
-    remaining = [[name for name, _ in group] for group in claim.remains()]
+    remaining = [
+        [f"{name} (implausible)" if name in claim.implausible else name for name, _ in group]
+        for group in claim.remains()
+    ]
     listed = "; ".join(" or ".join(group) for group in remaining)
     if len(remaining) == 1:
         return Says(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
     return Says(f"{len(remaining)} different explanations remain: {listed}")
+
+
+def by_a_default(e: Evidence) -> Says | None:
+    """A class has a part of a whole, such as one direction of a frame, whose value a default makes specific.
+
+    With the default open, such a cause is one mass on one spring: it explains one further mode whatever that is.
+    """
+    members = [fit.causes[-1] for own in e.claim.own for fit in own]
+    needed = [one for cause in members if cause.part_of for one in cause.assumes]
+    assumed = [one for one in e.by_default if one in needed]
+    if not assumed:
+        return None
+    words = " and ".join(one.words for one in assumed)
+    declare = " and ".join(one.key for one in assumed)
+    text = (
+        f"{e.explains} the residual for {words}, which the robot file does not declare; with another value there, "
+        "another size explains it as well, and so may anything else that moves on a spring of its own: declare "
+        f"{declare}, or look for what moves"
+    )
+    return Says.naming(text, e.final.causes)
 
 
 def another_with_other_errors(e: Evidence) -> Says | None:
@@ -385,6 +408,7 @@ CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.one_row", UNEXPLAINED, one_row),
     Rule("claims.not_settled", UNEXPLAINED, not_settled),
     Rule("claims.several", AMBIGUOUS, several_explanations),
+    Rule("claims.default", AMBIGUOUS, by_a_default),
     Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
     Rule("claims.held_out", UNEXPLAINED, not_predicted),
