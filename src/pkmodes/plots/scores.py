@@ -10,7 +10,7 @@ from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.plots import marks
 from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.labels import short
+from pkmodes.plots.labels import short, visible
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER
@@ -64,9 +64,13 @@ def candidates(result: Diagnosis) -> Drawing | None:
 
 
 def _label(words: str, name: str) -> str:
-    """Return the label of a row: in words, and the name after them."""
+    """Return the label of a row: in words, and the name after them; the name alone where the words do not fit.
+
+    Words are not cut; the table below the figure has them whole.
+    """
     named = short(name.removeprefix("effects."), LONGEST)
-    return f"{short(words, max(WHOLE - len(named), LONGEST))} ({named})" if words else named
+    text = visible(words)
+    return f"{text} ({named})" if text and len(text) <= max(WHOLE - len(named), LONGEST) else named
 
 
 def _rows(panel: Panel, labels: Sequence[str]) -> None:

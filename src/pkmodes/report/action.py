@@ -18,7 +18,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import same, stable
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Cell, Facts
-from pkmodes.report.formatting import SENTENCE, clean, label, named, number, plural, pointer, sentence, unit
+from pkmodes.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import CHANGES
 from pkmodes.support.numbers import plain, rounded
@@ -85,7 +85,7 @@ def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
         if len(places) > MOST:
             yield "or", [Cell(f"{plural(len(places) - MOST, 'further place')}: see the explanations below.")]
     if not causes:
-        also = f"; but {clean(result.headline, SENTENCE)}" if result.headline else ""
+        also = f"; but {clean(result.headline)}" if result.headline else ""
         yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}"))]
 
 

@@ -18,6 +18,7 @@ from pkmodes.report.formatting import (
     pointer,
     prose,
     sentence,
+    shortened,
     three_digits,
     uncertain,
     unit,
@@ -138,7 +139,7 @@ def _row(i: int, row: Row) -> list[Cell]:
     stated = three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0)
     ratios = [three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS]
     return [
-        Cell(clean(row.pose)),
+        Cell(shortened(row.pose)),
         Cell(str(row.line), row.line, at + pointer("line")),
         hertz(row.measured, at + pointer("frequency_hz")),
         measured,

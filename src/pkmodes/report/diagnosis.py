@@ -18,12 +18,12 @@ from pkmodes.report.action import action
 from pkmodes.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
 from pkmodes.report.damping import damping
 from pkmodes.report.formatting import (
-    SENTENCE,
     clean,
     number,
     pointer,
     prose,
     sentence,
+    shortened,
     three_digits,
     uncertain,
     unit,
@@ -74,7 +74,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
 def _stability(result: Diagnosis) -> list[Section]:
     """Return what other errors and priors make of the verdict."""
     tried = stability_sentence(result)
-    return [Section("stability", "Stability", [Paragraph(sentence(clean(tried, SENTENCE)))])] if tried else []
+    return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
 
 
 def _summary(result: Diagnosis, setting: Setting) -> Summary:
@@ -112,11 +112,11 @@ def _of_damping(result: Diagnosis) -> list[str]:
 
 def headline(result: Diagnosis) -> str:
     """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
-    causes = clean(naming.found(result.effects, naming.LONGEST), SENTENCE) if result.effects else ""
+    causes = clean(naming.found(result.effects, naming.LONGEST)) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
-    return f"{verdict}; {clean(result.headline, SENTENCE)}" if result.headline else verdict
+    return f"{verdict}; {clean(result.headline)}" if result.headline else verdict
 
 
 def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
@@ -190,14 +190,14 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
     try:
         after = corrected_robot(robot, result)
     except PkmodesError as error:
-        return [Paragraph(f"There is no corrected robot file: {clean(error.what, SENTENCE)}.")]
+        return [Paragraph(f"There is no corrected robot file: {clean(error.what)}.")]
     source = Path(robot.source)
     lines = _difference(source.read_bytes().decode("utf-8"), after, source.name)
     if not lines:
         return [Paragraph("The robot file needs no correction.")]
     losses = "the losses that the damping shows, " if result.damping.effects else ""
     several = [effect for effect in result.every_cause if len(effect.members) > 1]
-    chosen = "".join(f" {sentence(clean(naming.chosen(effect), SENTENCE))}" for effect in several)
+    chosen = "".join(f" {sentence(clean(naming.chosen(effect)))}" for effect in several)
     return [
         Paragraph(
             "What the corrected robot file has instead of the given one, as written by --save-robot: the cause where "
@@ -218,7 +218,7 @@ def _difference(before: str, after: str, name: str) -> list[str]:
     name : str
         Name of the file.
     """
-    lines = difflib.unified_diff(_lines(before), _lines(after), clean(name), clean(name), lineterm="")
+    lines = difflib.unified_diff(_lines(before), _lines(after), shortened(name), shortened(name), lineterm="")
     return [part for line in lines for part in line.split("\n")]
 
 
@@ -226,8 +226,7 @@ def _lines(text: str) -> list[str]:
     """Return the lines of a text without their ends; the last one says if it has none, as in `diff`."""
     *lines, rest = text.replace("\r\n", "\n").split("\n")
     visible = [
-        "\t".join(clean(part, None) for part in line.split("\t"))
-        for line in [*lines, *([rest] if rest else [])]
+        "\t".join(clean(part) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
     ]
     return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
 

@@ -11,7 +11,6 @@ from pkmodes.plots import scores
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Table
 from pkmodes.report.formatting import (
     NOTHING,
-    SENTENCE,
     clean,
     figures,
     named,
@@ -45,7 +44,7 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
         several = len(effect.members) > 1
-        what = clean(naming.of_class(effect), SENTENCE)
+        what = clean(naming.of_class(effect))
         entries: list[tuple[str, list[Cell]]] = [
             (f"One of {naming.count(len(effect.members))}" if several else "Cause", [Cell(what, strong=True)])
         ]

@@ -14,7 +14,7 @@ from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import limits_of
 from pkmodes.plots.style import styled
 from pkmodes.report.blocks import Explorer, Slider
-from pkmodes.report.formatting import clean
+from pkmodes.report.formatting import clean, shortened
 from pkmodes.report.map_values import DECIMALS, LARGEST, MapValues, values_of
 from pkmodes.view.page_data import embedded
 
@@ -84,7 +84,7 @@ def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: b
 
 def _axis(name: str, values: xarray.DataArray, shown: tuple[str, float], components: Sequence[str]) -> Any:
     if values.dtype.kind not in "fiu" or name == LIST:
-        labels = [clean(str(value)) for value in values.values]
+        labels = [shortened(str(value)) for value in values.values]
     elif name in components:
         digits = _digits(values.values * shown[1])
         labels = [typeset(f"{value:.{digits}f}") for value in values.values * shown[1] + 0.0]

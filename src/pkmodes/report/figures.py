@@ -9,7 +9,7 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.mac_matrices import mac_matrices, worst_setup
 from pkmodes.report.blocks import Block, Paragraph, Picture, Section
-from pkmodes.report.formatting import clean, plural
+from pkmodes.report.formatting import plural, shortened
 
 
 def sections(evidence: Evidence) -> list[Section]:
@@ -91,7 +91,7 @@ def shape_figures(evidence: Evidence) -> list[Block]:
     mac = evidence.last.predicted.mac
     lowest = f"{np.nanmin(mac):.3f}"
     worst = worst_setup(evidence)
-    label = "" if worst is None else clean(evidence.labels[worst])
+    label = "" if worst is None else shortened(evidence.labels[worst])
     return [
         Picture.of(
             figure,

@@ -11,30 +11,30 @@ from pkmodes.report.blocks import Cell, Spread
 from pkmodes.support import numbers
 from pkmodes.support.numbers import p_text, plain, rounded, unsigned
 
-#: Labels and names longer than this are shortened; the JSON has them whole.
+#: Labels and names of files longer than this are shortened; the JSON has them whole.
 LONGEST = 100
-#: The same for sentences, which may contain names.
-SENTENCE = 1500
 #: Shown where there is no number.
 NOTHING = "\u2013"
 #: A number with a power of ten within a sentence.
 POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
 
-def clean(text: object, longest: int | None = LONGEST) -> str:
+def clean(text: object) -> str:
     """Return text on one line, without characters that are not visible, such as those that turn the direction.
 
-    Parameters
-    ----------
-    longest : int or None
-        Longer text is shortened; None for any length.
+    It is whole, however long: what a user reads as a sentence, or may type, is never cut.
     """
-    return visible(text, longest)
+    return visible(text)
+
+
+def shortened(label: object, longest: int = LONGEST) -> str:
+    """Return a label or name that a file gives, on one line as by `clean`, and cut where it is longer than that."""
+    return visible(label, longest)
 
 
 def prose(text: object) -> str:
     """Return sentences on one line, with their powers of ten set as in print."""
-    return POWER.sub(lambda found: typeset(found[0]), clean(text, SENTENCE))
+    return POWER.sub(lambda found: typeset(found[0]), clean(text))
 
 
 def sentence(text: str) -> str:
@@ -122,7 +122,7 @@ def uncertain(
 
 def label(text: str) -> Cell:
     """Return a label of a file as a cell; a page shortens it."""
-    return Cell(clean(text), plain=text)
+    return Cell(shortened(text), plain=text)
 
 
 def minus(text: str) -> Cell:

@@ -13,7 +13,7 @@ from pkmodes.campaign.results import Identification, IdentifiedMode, RecordResul
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.plots import identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Picture, Section, Summary
-from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer
+from pkmodes.report.formatting import clean, hertz, number, plural, pointer, shortened
 from pkmodes.report.identified_record import SHOWN, auto_macs, record_section
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
@@ -71,7 +71,7 @@ def _summary(found: Identification, campaign: Campaign) -> Summary:
     )
     attention = _attention(found)
     said = [f"{what} {listed(places, PLACES)}." for what, places in attention]
-    notes = [clean(note, SENTENCE) for note in (*said, *found.messages)]
+    notes = [clean(note) for note in (*said, *found.messages)]
     # A sentence that lists several modes or poses is as many points.
     points = sum(len(places) for _, places in attention) + len(found.messages)
     relative = np.array([mode.sigma / mode.frequency for mode in modes])
@@ -93,7 +93,7 @@ def _summary(found: Identification, campaign: Campaign) -> Summary:
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
     messages = sum(len(result.messages) for result in found.records)
     return Summary(
-        subject=clean(subject),
+        subject=shortened(subject),
         kind="Identification",
         headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
         reason=_reason(found, modes, messages),
@@ -199,7 +199,7 @@ def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:
         last = len(result.modes) - 1
         rows.append(
             [
-                Cell(clean(result.record.pose)),
+                Cell(shortened(result.record.pose)),
                 Cell(SHOWN.get(result.record.kind, result.record.kind)),
                 number(len(result.modes), ".0f"),
                 _frequency(i, result, 0),

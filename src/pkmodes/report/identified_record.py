@@ -13,7 +13,7 @@ from pkmodes.campaign.inspection import Inspection
 from pkmodes.campaign.results import IdentifiedMode, RecordResult
 from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
-from pkmodes.report.formatting import SENTENCE, clean, hertz, number, plural, pointer, sentence, uncertain
+from pkmodes.report.formatting import clean, hertz, number, plural, pointer, sentence, shortened, uncertain
 from pkmodes.report.tables import table
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.ordering import listed
@@ -52,19 +52,19 @@ def record_section(
     nothing = Paragraph("No file of it could be used." if result.is_left_out else "No mode was found.")
     blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
     if result.messages:
-        said = [clean(message, SENTENCE) for message in result.messages[:MOST_MESSAGES]]
+        said = [clean(message) for message in result.messages[:MOST_MESSAGES]]
         more = len(result.messages) - len(said)
         blocks += [Paragraph("What was noticed:"), Listing(said)]
         blocks += [Paragraph(f"{plural(more, 'further message')} in the output of --json.")] if more else []
     if result.left_out:
-        faulty = [clean(f"{_name(one.file)}: {one.reason}", SENTENCE) for one in result.left_out]
+        faulty = [clean(f"{_name(one.file)}: {one.reason}") for one in result.left_out]
         blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
     for one in result.inspections:
         blocks += _fit(one, result, campaign)
     blocks += _shapes(result)
     blocks += _repeats(result)
     return Section(
-        f"record-{index + 1}", clean(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
+        f"record-{index + 1}", shortened(f"{record.pose}: {SHOWN.get(record.kind, record.kind)}", 60), blocks
     )
 
 
@@ -81,8 +81,8 @@ def _facts(index: int, result: RecordResult, campaign: Campaign) -> list[tuple[s
     low, high = record.band
     facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
     for name, paths in record.setups.items():
-        files = listed([clean(path.name) for path in paths], 12)
-        facts.append((f"files of setup {clean(name)}" if name else "files", [Cell(files)]))
+        files = listed([shortened(path.name) for path in paths], 12)
+        facts.append((f"files of setup {shortened(name)}" if name else "files", [Cell(files)]))
     if result.struck:
         cells = [hertz(f, pointer(*at, "struck", k)) for k, f in enumerate(result.struck)]
         facts.append(("struck out by the campaign [Hz]", cells))
@@ -151,8 +151,8 @@ def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
 def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
     """Return the figures of the fit of a file."""
     record = result.record
-    setup = f"setup {clean(one.setup)}, " if one.setup else ""
-    which = f"{setup}file {clean(one.file)}"
+    setup = f"setup {shortened(one.setup)}, " if one.setup else ""
+    which = f"{setup}file {shortened(one.file)}"
     begin = which[:1].upper() + which[1:]
     others = len(record.setups[one.setup]) - 1
     low, high = record.band
@@ -195,7 +195,7 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
             Picture.of(
                 fits.functions(one, marked, record.band, phase),
                 f"Measured and synthesised functions of {which}",
-                f"{', '.join(clean(curve.name, 40) for curve in one.curves)}: measured, and synthesised from the "
+                f"{', '.join(shortened(curve.name, 40) for curve in one.curves)}: measured, and synthesised from the "
                 "modes.",
                 f"{begin}: {_which(one)}, measured and synthesised from the modes of this file. Each is a "
                 f"{FUNCTIONS[record.kind]}{_panels(phase, one)}. Faint lines are the modes of the record.",

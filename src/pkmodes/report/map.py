@@ -22,7 +22,7 @@ from pkmodes.report.blocks import (
     Section,
 )
 from pkmodes.report.explorer import explorer_of
-from pkmodes.report.formatting import clean
+from pkmodes.report.formatting import clean, shortened
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
 from pkmodes.report.map_summary import axis_units, ranges, summary
 from pkmodes.report.page import need_report, page
@@ -214,5 +214,5 @@ def _figures(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
 def _about(content: dict[str, Any]) -> list[tuple[str, list[Cell]]]:
     facts = [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]
     if content["file"]:
-        facts.append(("map", [Cell(clean(content["file"].replace("\\", "/").rpartition("/")[2]))]))
+        facts.append(("map", [Cell(shortened(content["file"].replace("\\", "/").rpartition("/")[2]))]))
     return facts

@@ -12,7 +12,7 @@ from pkmodes.maps.left_out import sentences
 from pkmodes.maps.summary import FEW, SHARES, quantiles_in_words
 from pkmodes.plots.labels import MINUS, typeset
 from pkmodes.report.blocks import Cell, Column, Summary, Table
-from pkmodes.report.formatting import clean, hertz, label, number, plural, pointer, thousands, unit
+from pkmodes.report.formatting import hertz, label, number, plural, pointer, shortened, thousands, unit
 from pkmodes.support import numbers
 from pkmodes.support.motors import motors_in_words
 
@@ -40,7 +40,7 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]
     return Summary(
-        subject=clean(content["robot"]),
+        subject=shortened(content["robot"]),
         kind="Map",
         headline=headline,
         reason=_extent(model, content),

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.measured.compared import MeasurementsCompared
 from pkmodes.report.blocks import Cell, Column, Summary, Table
-from pkmodes.report.formatting import NOTHING, clean, number, p_value, plural, pointer, three_digits
+from pkmodes.report.formatting import NOTHING, number, p_value, plural, pointer, shortened, three_digits
 from pkmodes.report.numbers import percent
 from pkmodes.report.tables import table
 
@@ -30,7 +30,7 @@ def summary(result: MeasurementsCompared) -> Summary:
         ("only in the second", Cell(str(len(result.second_unpaired)), len(result.second_unpaired))),
     ]
     return Summary(
-        subject=f"{clean(result.first)} and {clean(result.second)}",
+        subject=f"{shortened(result.first)} and {shortened(result.second)}",
         kind="Comparison",
         headline=headline,
         reason=reason,
@@ -53,7 +53,7 @@ def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
             f"{plural(len(differing), 'mode')} of {len(result.pairs)} changed by more than the errors{others}"
         )
         reason = (
-            f"Most clearly that at {most.first:.5g} Hz, {clean(most.pose)}: {100.0 * most.relative:+.2f} %,"
+            f"Most clearly that at {most.first:.5g} Hz, {shortened(most.pose)}: {100.0 * most.relative:+.2f} %,"
             f" {abs(most.sigmas):.1f} standard deviations. The stated errors are taken as independent."
         )
         return headline, reason, "open"
@@ -78,7 +78,7 @@ def changes(result: MeasurementsCompared, most: int | None) -> list[Table]:
         label = pair.pose if pair.pose == pair.second_pose else f"{pair.pose}, {pair.second_pose}"
         rows.append(
             [
-                Cell(clean(label)),
+                Cell(shortened(label)),
                 number(pair.first_line, ".0f", at + pointer("first_line")),
                 number(pair.first, ".3f", at + pointer("first")),
                 three_digits(pair.first_sigma, at + pointer("first_sigma")),

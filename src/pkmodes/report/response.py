@@ -21,6 +21,7 @@ from pkmodes.report.formatting import (
     number,
     plural,
     pointer,
+    shortened,
     three_digits,
     uncertain,
     unit,
@@ -135,7 +136,7 @@ def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> 
     ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(
-        subject=clean(model.robot.name),
+        subject=shortened(model.robot.name),
         kind="Frequency responses",
         headline=headline,
         reason=reason,
@@ -151,9 +152,9 @@ def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
         yield UNDAMPED
     if drawn.prescribed:
         be = "is" if len(drawn.prescribed) == 1 else "are"
-        yield f"{clean(', '.join(drawn.prescribed), None)} {be} left out: the motion is prescribed."
+        yield f"{clean(', '.join(drawn.prescribed))} {be} left out: the motion is prescribed."
     if drawn.silent:
-        yield f"No response in {clean(', '.join(drawn.silent), None)}."
+        yield f"No response in {clean(', '.join(drawn.silent))}."
 
 
 def _meaning(port: str, mechanism: Mechanism) -> str:
@@ -217,7 +218,7 @@ def largest(drawn: DrawnChannels) -> Table:
     rows = []
     for name, values in drawn.model.items():
         peak = int(np.abs(values).argmax())
-        row = [Cell(clean(name, None)), unit_cell(drawn.units[name])]
+        row = [Cell(clean(name)), unit_cell(drawn.units[name])]
         cells = _cells(f, values, peak, pointer("frequencies_hz", peak))
         row += [_four_digits(abs(values[0])), *cells] if several else [cells[0], cells[-1]]
         if over is not None:

@@ -9,7 +9,7 @@ from pkmodes.core.robot.report_fields import common_head
 from pkmodes.maps.robots_compared import ModeChange, headline
 from pkmodes.plots.labels import MINUS
 from pkmodes.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
-from pkmodes.report.formatting import clean, number, pointer, thousands, unit_cell
+from pkmodes.report.formatting import clean, number, pointer, shortened, thousands, unit_cell
 from pkmodes.support.motors import motors_of_both
 from pkmodes.support.words import in_words
 
@@ -38,13 +38,13 @@ def summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
             for key, title in REACHED.items()
         ),
     ]
-    names = f"{clean(content['first'])} (first) and {clean(content['second'])} (second)"
+    names = f"{shortened(content['first'])} (first) and {shortened(content['second'])} (second)"
     return Summary(
         subject=f"{names}, {doing}",
         kind="Comparison of robots",
         headline=headline([ModeChange(**mode) for mode in content["modes"]]).replace("-", MINUS),
         reason="Differences are second minus first, relative to the first.",
-        notes=[clean(note, None) for note in content["notes"]],
+        notes=[clean(note) for note in content["notes"]],
         facts=facts,
         head=common_head(first.robot.report, second.robot.report),
     )

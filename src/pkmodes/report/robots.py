@@ -18,7 +18,7 @@ from pkmodes.report.blocks import (
     Picture,
     Section,
 )
-from pkmodes.report.formatting import clean, plural
+from pkmodes.report.formatting import plural, shortened
 from pkmodes.report.page import need_report, page
 from pkmodes.report.robot_values import frequencies, summary, values
 from pkmodes.report.sections import origin
@@ -71,7 +71,7 @@ def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> 
     points = points_of(first, plane)
     changes = compare_frequencies(first, second, points.reshape(-1, points.shape[-1]), drives)
     relative = changes.relative.reshape(*points.shape[:-1], -1)
-    name, plane_in_words = clean(first.robot.name), where(plane)
+    name, plane_in_words = shortened(first.robot.name), where(plane)
     of = "the plane of the grid" if places is not None else f"the working plane of {name}"
     if scale_of(relative) < 100.0 * NOTHING:
         text = f"In {of}, {plane_in_words}, no frequency changes by more than {100.0 * NOTHING:g} %."

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pkmodes.core.base.version import VERSION
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Section
-from pkmodes.report.formatting import clean
+from pkmodes.report.formatting import clean, shortened
 from pkmodes.report.sources import Source
 
 #: The words that a reader of a comparison and of a diagnosis needs, as in docs/diagnosis.md.
@@ -48,7 +48,7 @@ def origin(
     """
     facts: list[tuple[str, Sequence[Cell]]] = []
     for source in sources:
-        facts.append((source.role, [Cell(clean(source.name))]))
+        facts.append((source.role, [Cell(shortened(source.name))]))
         facts.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
     if mechanism is not None:
         facts.append(("mechanism", [Cell(clean(mechanism.title))]))

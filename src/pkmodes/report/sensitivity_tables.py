@@ -20,6 +20,7 @@ from pkmodes.report.formatting import (
     pointer,
     quantity,
     sentence,
+    shortened,
     uncertain,
     unit_cell,
 )
@@ -68,7 +69,7 @@ def summary(
         cell = uncertain(frequency, error, place) if error > 0.0 else hertz(frequency, place)
         facts.append((f"mode {mode + 1} [Hz]", cell))
     return Summary(
-        subject=clean(content["robot"]),
+        subject=shortened(content["robot"]),
         kind="Sensitivities",
         headline=headline,
         reason=f"{reason}At {at}, {doing}; the pose and all other quantities are held constant.",

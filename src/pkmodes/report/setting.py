@@ -11,7 +11,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report.blocks import Cell, Section
-from pkmodes.report.formatting import clean, plural, quantity
+from pkmodes.report.formatting import clean, plural, quantity, shortened
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_in_words
@@ -40,9 +40,9 @@ class Setting:
     def title(self, drives: Iterable[str | None]) -> str:
         """Return the subject, with what the motors of a robot did."""
         return (
-            clean(self.subject)
+            shortened(self.subject)
             if self.robot is None
-            else f"{clean(self.subject)}, {motors_in_words(self.robot, drives)}"
+            else f"{shortened(self.subject)}, {motors_in_words(self.robot, drives)}"
         )
 
     @property

@@ -14,7 +14,7 @@ from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
 from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
-from pkmodes.report.formatting import clean, minus, number, pointer, sentence, thousands
+from pkmodes.report.formatting import clean, minus, number, pointer, sentence, shortened, thousands
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.shaper_curves import CURVES, design_of, over_frequency_section, spectrum_facts
@@ -90,14 +90,14 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     at = pointer("shapers", choice.recommended, "left", "worst")
     share = float(best.left_at.max())
     return Summary(
-        subject=clean(content["robot"]),
+        subject=shortened(content["robot"]),
         kind="Shaper",
         headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
         reason=(
             f"The recommended fixed shaper, for {design_of(best)}; motors held. Where it leaves most, the vibration "
             f"is {100.0 * best.left.worst:.2g} % of the largest one without a shaper. {why_recommended(choice)}"
         ),
-        notes=[as_sentence(clean(note, None)) for note in content["notes"]],
+        notes=[as_sentence(clean(note)) for note in content["notes"]],
         facts=[
             ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
             (

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.report.blocks import Cell, Column, Section, Summary, Table
-from pkmodes.report.formatting import clean, label, number, plural, pointer, uncertain
+from pkmodes.report.formatting import clean, label, number, plural, pointer, shortened, uncertain
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.shaper import as_sentence, firmware_lines, why_recommended
@@ -81,11 +81,11 @@ def summary(choice: Choice, content: dict[str, Any]) -> Summary:
         ),
     ]
     return Summary(
-        subject=clean(Path(content["measured"]).name),
+        subject=shortened(Path(content["measured"]).name),
         kind="Shaper",
         headline=f"{best.kind} leaves at most {most} of each measured mode",
         reason=reason,
-        notes=[as_sentence(clean(note, None)) for note in content["notes"]],
+        notes=[as_sentence(clean(note)) for note in content["notes"]],
         facts=[*facts, *spectrum_facts(content)],
     )
 

@@ -93,9 +93,7 @@ def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     ]
     for name, lines in content["schedule"]["firmware"].items():
         if lines:
-            blocks.append(
-                Lines(f"{NAMES[name]}, schedule", [clean(line, None) for line in lines.splitlines()])
-            )
+            blocks.append(Lines(f"{NAMES[name]}, schedule", [clean(line) for line in lines.splitlines()]))
         else:
             blocks.append(Paragraph(f"{NAMES[name]} lacks a shaper of the schedule."))
     return blocks
