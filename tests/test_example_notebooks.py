@@ -1,4 +1,7 @@
-"""The notebooks of examples/ run and show the numbers of the documentation; they are kept without what they show."""
+"""The notebooks of examples/ run where `pkmodes examples` leaves them, and show the numbers of the documentation.
+
+They are kept without what they show.
+"""
 
 from __future__ import annotations
 
@@ -12,17 +15,22 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
+from helpers.commands.answers import printed
+
 ROOT = Path(__file__).parents[1]
 NOTEBOOKS = {path.stem: path for path in sorted((ROOT / "examples/notebooks").glob("*.ipynb"))}
 
 
 def shown(name: str, folder: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Execute a notebook in a folder with the files that it reads; return the text that each cell shows."""
-    for files in ("robots", "examples"):
-        (folder / files).symlink_to(ROOT / files)
-    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(sys.path))  # of the kernel
-    notebook = nbformat.read(NOTEBOOKS[name], as_version=4)
-    client = NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(folder)}})
+    """Execute a notebook as the command leaves it in an empty folder; return the text that each cell shows.
+
+    The kernel runs in the folder of the notebook, as that of Jupyter does.
+    """
+    printed("examples", "notebooks", "--out", folder)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join(path for path in sys.path if path))  # of the kernel
+    place = folder / "examples" / "notebooks"
+    notebook = nbformat.read(place / f"{name}.ipynb", as_version=4)
+    client = NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(place)}})
     client.execute()
     return [
         "".join(
@@ -64,7 +72,7 @@ def test_from_measurements_to_the_cause(tmp_path: Path, monkeypatch: pytest.Monk
     assert re.search(r"before: as declared\s+0\.71", found)  # README
     assert re.search(r"after: with the cause\s+0\.17", found)
     assert "The differences are within the measurement errors." in corrected
-    assert (tmp_path / "corrected.toml").is_file()
+    assert (tmp_path / "examples/notebooks/corrected.toml").is_file()
     assert "Several explanations remain." in early
     assert "gearbox_compliance" in early, "the true one is among them"
     assert re.match(r"With motors (held|free), at \S+ m, \S+ m, \S+ m\n", proposed)
@@ -79,6 +87,6 @@ def test_a_notebook_is_kept_without_what_it_shows(name: str) -> None:
         assert cell.get("execution_count") is None
         assert not cell["metadata"]
     assert notebook.metadata.keys() == {"kernelspec", "language_info"}
-    assert "pkmodes examples closed_loop" in notebook.cells[0]["source"]
+    assert "pkmodes examples notebooks" in notebook.cells[0]["source"]
     page = (ROOT / "docs/index.md").read_text(encoding="utf-8")
     assert f"examples/notebooks/{name}.ipynb" in page

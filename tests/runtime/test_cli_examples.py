@@ -42,11 +42,10 @@ def test_every_example_is_listed_with_a_page_that_names_it() -> None:
         assert one.name in said
         page = (ROOT / one.page).read_text(encoding="utf-8")
         assert one.places[-1] in page, one.page
-        assert all(
-            (ROOT / word).exists()
-            for word in one.command.split()
-            if word.startswith(("robots/", "examples/"))
-        )
+        for word in one.command.split():
+            if word.startswith(("robots/", "examples/")):
+                assert (ROOT / word).exists()
+                assert any(word == place or word.startswith(f"{place}/") for place in one.places), one.name
 
 
 def test_all_is_what_the_repository_has_and_one_is_a_part_of_it(tmp_path: Path) -> None:

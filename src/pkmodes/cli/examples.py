@@ -40,11 +40,10 @@ class ExamplesDocument(Document, frozen=True):
     unchanged: Annotated[list[str], Meta(description="Names of the files that were there already.")]
 
 
-def _example(name: str, text: str, page: str, command: str, place: str = "") -> Example:
+def _example(name: str, text: str, page: str, command: str, *places: str) -> Example:
     # Every example brings the robot files: pages and commands compare with them.
-    return Example(
-        name, text, f"docs/{page}.md", command, [*dict.fromkeys((ROBOTS, place or f"{EXAMPLES}/{name}"))]
-    )
+    own = places or (f"{EXAMPLES}/{name}",)
+    return Example(name, text, f"docs/{page}.md", command, [*dict.fromkeys((ROBOTS, *own))])
 
 
 #: The examples, in the order in which one meets them.
@@ -108,7 +107,9 @@ CATALOGUE = (
         "notebooks",
         "Two notebooks: from a robot file to modes and maps, and from measurements to the cause.",
         "python",
-        f"pkmodes examples closed_loop --out {EXAMPLES}/notebooks",
+        f"jupyter lab {EXAMPLES}/notebooks",
+        f"{EXAMPLES}/closed_loop",
+        f"{EXAMPLES}/notebooks",
     ),
     _example(
         "lumped_structure",
