@@ -168,6 +168,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     pairing, left, sigma, chi2 = fitter.unfitted(fitter.declared, paired)
     predicted, sigmas = data.frequency * np.exp(-left), -left / sigma
     residual = predicted / data.frequency - 1.0
+    drives = drives_of(structure, data)
     rows = tuple(
         ComparedRow(
             pose=data.labels[data.pose[i]],
@@ -175,7 +176,7 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             mode=data.mode[i],
             measured=float(data.frequency[i]),
             sigma=float(data.sigma[i]),
-            drives=drives_of(structure, data, i),
+            drives=drives[i],
             predicted=float(predicted[i]) if paired[i] else None,
             partner=int(pairing.partner[i]) + 1 if paired[i] else None,
             residual=float(residual[i]) if paired[i] else None,

@@ -29,7 +29,7 @@ class Stage:
     title: str
     predicted: Predicted
 
-    @property
+    @cached_property
     def paired(self) -> Mask:
         """Rows that have a partner, (R,)."""
         return self.predicted.mode > 0

@@ -18,6 +18,7 @@ from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.match.pairs import pairs_of_setups
 from pkmodes.diagnosis.match.shape_errors import shape_errors
 from pkmodes.diagnosis.problem import Array, Index, Prediction
 from pkmodes.measured.measurements import Measurements
@@ -254,24 +255,30 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
         The row itself first, then the others, padded with -1.
     """
     log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
-
-    def near(a: Index | int, b: Index) -> NDArray[np.bool_]:
-        errors = criteria.pairing.mixed_sigmas * np.hypot(sigma[a], sigma[b])
+    limits, pose = criteria.pairing, data.pose
+    order = np.lexsort((log, pose))
+    found: list[tuple[Index, Index]] = []
+    beside: Index = np.empty(0, dtype=np.intp)
+    for a, b in pairs_of_setups(pose, order):
         apart = np.abs(log[a] - log[b])
-        within = apart < np.clip(errors, criteria.pairing.mixed, criteria.pairing.most_mixed)
-        return np.asarray((data.pose[a] == data.pose[b]) & within)
-
-    order = np.lexsort((log, data.pose))
-    beside = near(order[:-1], order[1:])
-    everything = np.arange(len(log))
-    mates = {
-        i: np.flatnonzero(near(i, everything) & (everything != i))
-        for i in np.union1d(order[:-1][beside], order[1:][beside]).tolist()
-    }
-    padded = np.full((len(log), 1 + max(map(len, mates.values()), default=0)), -1, dtype=np.intp)
-    padded[:, 0] = everything
-    for i, others in mates.items():
-        padded[i, 1 : 1 + len(others)] = others
+        if not (
+            apart < limits.most_mixed
+        ).any():  # in the order of frequencies, later pairs are farther apart
+            break
+        errors = limits.mixed_sigmas * np.hypot(sigma[a], sigma[b])
+        near = apart < np.clip(errors, limits.mixed, limits.most_mixed)
+        if not found:
+            beside = np.union1d(a[near], b[near])
+        found += [(a[near], b[near]), (b[near], a[near])]
+    rows, others = (np.concatenate([pair[side] for pair in found] or [beside]) for side in (0, 1))
+    kept = np.isin(rows, beside)
+    rows, others = rows[kept], others[kept]
+    sequence = np.lexsort((others, rows))
+    rows, others = rows[sequence], others[sequence]
+    counts = np.bincount(rows, minlength=len(log))
+    padded = np.full((len(log), 1 + int(counts.max(initial=0))), -1, dtype=np.intp)
+    padded[:, 0] = np.arange(len(log))
+    padded[rows, 1 + np.arange(len(rows)) - (np.cumsum(counts) - counts)[rows]] = others
     return padded
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.match.pairs import pairs_of_setups
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
 
@@ -19,11 +20,16 @@ def shape_errors(data: Measurements, criteria: Criteria) -> Array:
     relative error over the relative distance of the frequencies (Fox and Kapoor, AIAA Journal 6(12), 1968).  Modes so
     close that they are compared as one subspace do not count.
     """
+    low = data.shape_sigma < criteria.shapes.least_sigma
+    if not low.any():
+        return data.shape_sigma
     logs, errors = np.log(data.frequency), data.sigma / data.frequency
-    angles = np.zeros(len(logs))
-    for i in range(len(logs)):
-        apart = np.abs(logs - logs[i])
-        others = (data.pose == data.pose[i]) & (apart > criteria.pairing.mixed)
-        angles[i] = np.sqrt(((errors**2 + errors[i] ** 2) / np.where(others, apart, np.inf) ** 2).sum())
-    least = np.clip(angles, criteria.shapes.least_sigma, criteria.shapes.most_scatter)
-    return np.where(data.shape_sigma < criteria.shapes.least_sigma, least, data.shape_sigma)
+    squares = np.zeros(len(logs))
+    for a, b in pairs_of_setups(data.pose, np.argsort(data.pose, kind="stable")):
+        apart = np.abs(logs[a] - logs[b])
+        others = apart > criteria.pairing.mixed
+        angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(others, apart, np.inf) ** 2
+        squares[a] += angles  # each row once in `a`, and once in `b`
+        squares[b] += angles
+    least = np.clip(np.sqrt(squares), criteria.shapes.least_sigma, criteria.shapes.most_scatter)
+    return np.where(low, least, data.shape_sigma)

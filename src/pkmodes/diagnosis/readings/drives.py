@@ -71,7 +71,10 @@ def _suspected(fitter: Fitter) -> dict[tuple[int, ...], Apart]:
     def apart(setups: Sequence[int]) -> Apart:
         return Apart(_mean(fitter, setups, here), _mean(fitter, setups, there))
 
-    some = tuple(k for k in every if apart([k]).far_better(PERHAPS))
+    means = (np.bincount(data.pose, np.abs(one)) / np.bincount(data.pose) for one in (here, there))
+    some = tuple(
+        k for k, pair in enumerate(zip(*means, strict=True)) if Apart(*map(float, pair)).far_better(PERHAPS)
+    )
     enough = np.isin(data.pose, some).sum() >= fitter.criteria.readings.drives_rows
     return {setups: apart(setups) for setups in ((every, some) if enough else (every,))}
 

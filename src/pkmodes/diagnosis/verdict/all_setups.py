@@ -56,7 +56,7 @@ class AllSetups:
         self, declared: Stage, refit: Stage | None, after: Stage | None, outlying: NDArray[np.bool_]
     ) -> tuple[Row, ...]:
         """Return every measured mode with its predictions."""
-        last = after or refit or declared
+        last, drives = after or refit or declared, drives_of(self.structure, self.data)
 
         def value(stage: Stage | None, i: int) -> float | None:
             return None if stage is None or np.isnan(stage.frequencies[i]) else float(stage.frequencies[i])
@@ -68,7 +68,7 @@ class AllSetups:
                 mode=self.data.mode[i],
                 measured=float(self.data.frequency[i]),
                 sigma=float(self.data.sigma[i]),
-                drives=drives_of(self.structure, self.data, i),
+                drives=drives[i],
                 before=value(declared, i),
                 refit=value(refit, i),
                 after=value(after, i),

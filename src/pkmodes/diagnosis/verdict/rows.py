@@ -99,6 +99,7 @@ class Row(Place, frozen=True, omit_defaults=True):
     ] = None
 
 
-def drives_of(structure: Structure, data: Measurements, row: int) -> Drives | None:
-    """Return what the motors did in a row; None for a structure without motors."""
-    return cast("Drives", data.drives[data.pose[row]]) if isinstance(structure, Driven) else None
+def drives_of(structure: Structure, data: Measurements) -> list[Drives | None]:
+    """Return what the motors did in each row; None for a structure without motors."""
+    driven = isinstance(structure, Driven)
+    return [cast("Drives", data.drives[setup]) if driven else None for setup in data.pose.tolist()]

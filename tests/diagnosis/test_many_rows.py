@@ -1,0 +1,85 @@
+"""Measurements of very many rows: the time grows with their number, and what is compared is the same as for few."""
+
+from __future__ import annotations
+
+import math
+import time
+
+import numpy as np
+import pytest
+
+from helpers.robots.robot_text import PUBLISHED
+from pkmodes import load, updating
+from pkmodes.diagnosis import Measurements
+from pkmodes.diagnosis.criteria import Criteria
+from pkmodes.diagnosis.match.pairing import neighbours
+from pkmodes.diagnosis.match.shape_errors import shape_errors
+
+#: Far below what any sensor can do, so that `shape_errors` replaces it.
+TOO_GOOD = 1e-9
+
+
+def modes_at(poses: int, *, seed: int = 0) -> Measurements:
+    """Return six modes at each of many poses, as the model of the published machine has them, rows in any order."""
+    rng = np.random.default_rng(seed)
+    model = load(PUBLISHED)
+    points = np.array([0.6, 0.0, -0.245]) + rng.uniform(-1.0, 1.0, (poses, 3)) * [0.1, 0.03, 0.02]
+    modes = model.modes(points, fields=("frequencies", "platform_shapes"))
+    f, shapes = modes.frequencies[:, 3:9].ravel(), modes.platform_shapes[:, 3:9].reshape(-1, 3)
+    order = rng.permutation(len(f))
+    return Measurements.from_rows(
+        [f"P{i // 6}" for i in order],
+        f[order] * (1.0 + 0.002 * rng.standard_normal(len(f))),
+        0.002 * f[order],
+        points=np.repeat(points, 6, axis=0)[order],
+        shapes={f"p_{c}": shapes[order, k] for k, c in enumerate("xyz")},
+        shape_sigma=np.full(len(f), TOO_GOOD),
+    )
+
+
+def seconds(poses: int) -> float:
+    """Return the processor time of a comparison."""
+    robot, data = load(PUBLISHED).robot, modes_at(poses)
+    start = time.process_time()
+    result = updating.compare(robot, data)
+    assert len(result.rows) == 6 * poses
+    return time.process_time() - start
+
+
+def test_the_time_of_a_comparison_grows_with_the_rows() -> None:
+    """Sixteen times the rows take some sixteen times the time; 256 times where every row is compared with all."""
+    few, many = min(seconds(500) for _ in range(2)), seconds(8000)
+    assert many < 40.0 * few
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_rows_are_compared_together_where_their_frequencies_are_that_close(seed: int) -> None:
+    rng, limits = np.random.default_rng(seed), Criteria().pairing
+    count, sigma = 40, float(rng.choice([1e-4, 3e-3, 0.05]))
+    f = 50.0 * np.exp(rng.uniform(0.0, 0.4, count))
+    labels = rng.choice(["A", "B", "C"], count).tolist()
+    data = Measurements.from_rows(labels, f, sigma * f, mode=range(count))
+    limit = min(max(limits.mixed_sigmas * math.sqrt(2.0) * sigma, limits.mixed), limits.most_mixed)
+    found = neighbours(data, Criteria())
+    for i, row in enumerate(found):
+        expected = [
+            j
+            for j in range(count)
+            if j != i and labels[j] == labels[i] and abs(math.log(f[j] / f[i])) < limit
+        ]
+        assert row[row >= 0].tolist() == [i, *expected]
+
+
+def test_shapes_that_are_stated_too_well_are_as_uncertain_as_the_frequencies_make_them() -> None:
+    """Two modes of one setup, by the angle of Fox and Kapoor; modes of other setups do not count."""
+    f, relative = np.array([50.0, 60.0, 51.0]), np.array([0.01, 0.02, 0.03])
+    data = Measurements.from_rows(
+        ["A", "A", "B"],
+        f,
+        relative * f,
+        shapes={"a": [1.0, 0.5, 1.0], "b": [0.2, 1.0, 0.3]},
+        shape_sigma=[TOO_GOOD, 0.05, TOO_GOOD],
+    )
+    angle = math.hypot(0.01, 0.02) / math.log(60.0 / 50.0)
+    expected = [angle, 0.05, Criteria().shapes.least_sigma]
+    np.testing.assert_allclose(shape_errors(data, Criteria()), expected, rtol=1e-12)
