@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from helpers.robots.robot_text import PUBLISHED
-from pkmodes import load, updating
+from pkmodes import PkmodesError, load, updating
 from pkmodes.diagnosis import Measurements
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.match.pairing import neighbours
@@ -68,6 +68,13 @@ def test_rows_are_compared_together_where_their_frequencies_are_that_close(seed:
             if j != i and labels[j] == labels[i] and abs(math.log(f[j] / f[i])) < limit
         ]
         assert row[row >= 0].tolist() == [i, *expected]
+
+
+def test_more_modes_than_can_be_diagnosed_are_refused_at_once() -> None:
+    robot, data = load(PUBLISHED).robot, modes_at(5000)
+    with pytest.raises(PkmodesError, match=r"at most 10,000 measured modes to diagnose, found 30,000") as error:
+        updating.diagnose(robot, data)
+    assert "keep one pose in 3" in error.value.remedy
 
 
 def test_shapes_that_are_stated_too_well_are_as_uncertain_as_the_frequencies_make_them() -> None:

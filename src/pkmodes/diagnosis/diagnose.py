@@ -35,6 +35,8 @@ from pkmodes.measured.measurements import Measurements
 
 #: By default, one in this many poses is held out.
 HELD_OUT = 6
+#: Measured modes that are diagnosed at most: some minutes, and a third of a megabyte for each.
+MOST = 10_000
 
 
 def diagnose(
@@ -68,9 +70,14 @@ def diagnose(
     Raises
     ------
     PkmodesError
-        If a label is unknown, no setup is left to fit, or the model cannot be evaluated as declared.
+        If a label is unknown, no setup is left to fit, the model cannot be evaluated as declared, or there are more
+        than 10,000 measured modes.
     """
     structure = checked(structure, data)
+    if (count := len(data.frequency)) > MOST:
+        what = f"expected at most {MOST:,} measured modes to diagnose, found {count:,}"
+        remedy = f"keep one pose in {-(-count // MOST)}: the others tell hardly more; compare takes them all"
+        raise PkmodesError(what, data.source, remedy)
     first = _of_frequencies(structure, data, holdout, progress, criteria)
     return with_damping(structure, data, first, criteria)
 
