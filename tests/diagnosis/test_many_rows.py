@@ -72,7 +72,9 @@ def test_rows_are_compared_together_where_their_frequencies_are_that_close(seed:
 
 def test_more_modes_than_can_be_diagnosed_are_refused_at_once() -> None:
     robot, data = load(PUBLISHED).robot, modes_at(5000)
-    with pytest.raises(PkmodesError, match=r"at most 10,000 measured modes to diagnose, found 30,000") as error:
+    with pytest.raises(
+        PkmodesError, match=r"at most 10,000 measured modes to diagnose, found 30,000"
+    ) as error:
         updating.diagnose(robot, data)
     assert "keep one pose in 3" in error.value.remedy
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import errno
 import json
 import os
 import pickle
@@ -168,8 +169,65 @@ def test_what_cannot_be_written_does_not_take_the_answer_along(
     assert "wrote" not in captured.out
     assert captured.err.startswith("error: cannot write")
     assert captured.err.count("\n") == 1
-    assert out.exists()
+    assert not out.exists()
     assert not target.exists()
+
+
+@pytest.mark.parametrize("filled", ["write", "replace"])
+@pytest.mark.parametrize("fits", [0, 1, 2])
+@pytest.mark.parametrize("older", [False, True])
+@pytest.mark.usefixtures("diagnosed", "no_drawing")
+def test_where_the_disk_fills_all_files_of_a_diagnosis_are_written_or_none(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    filled: str,
+    fits: int,
+    older: bool,
+) -> None:
+    """The disk is full after some of the three files; those that were there are as they were."""
+    names = {"--json": "result.json", "--save-robot": "saved.toml", "--report": "report.html"}
+    before = {tmp_path / name: f"an older {name}" for name in names.values()} if older else {}
+    for path, text in before.items():
+        path.write_text(text, encoding="utf-8")
+    given = [part for option, name in names.items() for part in (option, str(tmp_path / name))]
+    done = []
+
+    def full(kind: str) -> None:
+        if kind == filled and len(done) == fits:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        done.extend([kind] if kind == filled else [])
+
+    opened, replace = os.fdopen, Path.replace
+
+    def written(handle: int, *arguments: object, **settings: object) -> object:
+        if Path(f"/proc/self/fd/{handle}").resolve().parent == tmp_path:
+            try:
+                full("write")
+            except OSError:
+                os.close(handle)
+                raise
+        return opened(handle, *arguments, **settings)  # type: ignore[call-overload]
+
+    def replaced(path: Path, target: Path) -> Path:
+        if len(done) <= fits and not done.count("undone"):
+            try:
+                full("replace")
+            except OSError:
+                done.append("undone")
+                raise
+        return replace(path, target)
+
+    with monkeypatch.context() as patch:
+        patch.setattr("pkmodes.support.writing.os.fdopen", written)
+        patch.setattr(Path, "replace", replaced)
+        assert run([*DIAGNOSE, *given]) == 2
+    captured = capsys.readouterr()
+    assert "none of the 3 files is written" in captured.err
+    assert captured.err.endswith("choose another place or make room\n")
+    assert "wrote" not in captured.out
+    assert captured.out.startswith("workshop-delta: effect_found"), "the answer is printed all the same"
+    assert {path: path.read_text(encoding="utf-8") for path in tmp_path.iterdir()} == before
 
 
 def test_the_verdicts_are_those_of_the_engine() -> None:

@@ -16,7 +16,7 @@ import click
 from pkmodes.cli.printing import echo
 from pkmodes.cli.progress import end_progress
 from pkmodes.core.base.errors import OutputError, PkmodesError
-from pkmodes.support.writing import write_file
+from pkmodes.support.writing import write_all
 
 #: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
 #: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
@@ -31,14 +31,14 @@ class ResultFile:
     ----------
     file : Path or None
         None if it is not wanted.
-    write : callable
-        Writes it, completely or not at all.
+    content : callable
+        Returns what is written.
     lines : callable
         What to say when it was written; by default that it was.
     """
 
     file: Path | None
-    write: Callable[[Path], object]
+    content: Callable[[], str | bytes]
     lines: Callable[[Path], Sequence[str]] = lambda file: (f"wrote {file}",)
 
 
@@ -47,7 +47,7 @@ def deliver(
 ) -> None:
     """Write the files, then print the result, or its JSON if ``--json`` is ``-``.
 
-    A file that cannot be written is reported after printing; it does not prevent the others.  If the reader of
+    The files are written all or none: what prevents one of them is reported after printing.  If the reader of
     standard output, such as head, closes the pipe early, the files and the exit code do not change.
 
     Parameters
@@ -59,28 +59,25 @@ def deliver(
     show : callable
         Prints it for a person.
     *files : ResultFile
-        In the order of writing.  Their lines follow the result in reverse, on stderr if standard output is the JSON.
+        In the order of making.  Their lines follow the result in reverse, on stderr if standard output is the JSON.
 
     Raises
     ------
     PkmodesError
-        The first error of a file.
+        If a file cannot be made or written.
     """
     to_stdout = json_file == "-"
-    problems: list[PkmodesError] = []
+    problem: PkmodesError | None = None
     written: list[str] = []
     if json_file is not None and not to_stdout:
-        json_target = ResultFile(Path(json_file), lambda path: write_json(path, content), lambda _: ())
-        files = (json_target, *files)
-    for each in files:
-        if each.file is None:
-            continue
-        try:
-            each.write(each.file)
-        except PkmodesError as error:
-            problems.append(error)
-        else:
-            written = [*each.lines(each.file), *written]
+        files = (ResultFile(Path(json_file), lambda: as_file(content), lambda _: ()), *files)
+    wanted = [(each, each.file) for each in files if each.file is not None]
+    try:
+        write_all({file: each.content() for each, file in wanted})
+    except PkmodesError as error:
+        problem = error
+    else:
+        written = [line for each, file in reversed(wanted) for line in each.lines(file)]
     end_progress()
     try:
         if to_stdout:
@@ -94,8 +91,8 @@ def deliver(
     except (BrokenPipeError, SystemExit):  # click and rich turn the one into the other
         silence(sys.stdout)
     finally:
-        if problems:
-            raise problems[0]
+        if problem is not None:
+            raise problem
 
 
 def unlike(
@@ -127,10 +124,9 @@ def unlike(
     return {name: content for name, content in wanted.items() if found.get(name) != content}
 
 
-def write_json(file: Path, content: dict[str, Any]) -> None:
-    """Write a result as JSON."""
-    text = UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}", _text(content, ascii_only=False))
-    write_file(file, text)
+def as_file(content: dict[str, Any]) -> str:
+    """Return a result as the text of a JSON file."""
+    return UNSEEN.sub(lambda match: f"\\u{ord(match[0]):04x}", _text(content, ascii_only=False))
 
 
 def _text(content: dict[str, Any], ascii_only: bool) -> str:

@@ -134,6 +134,7 @@ def diagnose(
     from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show
     from pkmodes.measured.statements import parse_prior, parse_usable
+    from pkmodes.updating.corrected_robot import corrected_robot
 
     plausible = dict(parse_prior(one, "--prior", "write --prior measurement:offset.z=2mm") for one in priors)
     limits = dict(parse_usable(one, "--usable", "write --usable z=40mm,300mm") for one in usable)
@@ -151,7 +152,7 @@ def diagnose(
     unsaved = save_to is not None and not result.settled
     robot_file = ResultFile(
         None if unsaved else save_to,
-        lambda file: updating.save_robot(declared, result, file),
+        lambda: corrected_robot(declared, result),
         lambda file: _saved(file, mechanism, declared, result),
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))

@@ -52,7 +52,6 @@ def identify(
     from pkmodes.campaign.campaign import read_campaign
     from pkmodes.campaign.identify import identify as identified
     from pkmodes.measured.writing import as_csv
-    from pkmodes.support.writing import write_file
 
     declared = read_campaign(campaign)
     inputs = [file for record in declared.records for files in record.setups.values() for file in files]
@@ -67,7 +66,7 @@ def identify(
     rows = len(found.measurements.frequency)
     file = ResultFile(
         out,
-        lambda path: write_file(path, text),
+        lambda: text,
         lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
     )
     report = report_file(report_to, lambda: _page(found, declared, content, sources))

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from pkmodes.cli.delivery import ResultFile
 from pkmodes.support.progress import say
-from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -42,11 +41,11 @@ def report_file(report: Path | None, page: Callable[[], str]) -> ResultFile:
     def lines(file: Path) -> list[str]:
         return [f"\nwrote {file}"] if file.is_file() else []
 
-    def write(file: Path) -> None:
+    def drawn() -> str:
         say("drawing the report")
-        write_file(file, page())
+        return page()
 
-    return ResultFile(report, write, lines)
+    return ResultFile(report, drawn, lines)
 
 
 def page_of(

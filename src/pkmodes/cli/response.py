@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -196,12 +196,13 @@ def response(
         imaginary=found.values.imag.tolist(),
     )
     over = _measured(measured)
+    picture = b"" if figure is None else _picture(found, figure, over, first)
     files = [
-        ResultFile(out, found.to_csv),
-        ResultFile(figure, _picture(found, figure, over, first)),
+        ResultFile(out, found.as_csv),
+        ResultFile(figure, lambda: picture),
     ]
     if system is not None:
-        files.append(ResultFile(model_file, system.to_mat))
+        files.append(ResultFile(model_file, system.as_mat))
     if report_to is not None:
         from pkmodes.report.response import response_report
 
@@ -229,19 +230,15 @@ def _check_alike(model: Model, other: Model, file: Path) -> None:
 
 def _picture(
     found: FrequencyResponse,
-    figure: Path | None,
+    figure: Path,
     measured: MeasuredResponse | None,
     before: FrequencyResponse | None,
-) -> Callable[[Path], None]:
-    """Return what writes the picture; it is drawn before anything is written."""
-    if figure is None:
-        return lambda path: None
+) -> bytes:
+    """Return the picture as a file."""
     from pkmodes.figures.files import rendered
     from pkmodes.figures.response_picture import response_picture
-    from pkmodes.support.writing import write_file
 
-    content = rendered(response_picture(found, measured, before=before), figure.suffix[1:].lower())
-    return lambda path: write_file(path, content)
+    return rendered(response_picture(found, measured, before=before), figure.suffix[1:].lower())
 
 
 def _output(name: str) -> str | Mapping[str, Sequence[float]]:

@@ -29,7 +29,6 @@ from pkmodes.cli.settings import height_given, height_option, settings_given, se
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.support.extras import require
-from pkmodes.support.writing import write_file
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -228,9 +227,10 @@ def shaper(
             result = _of_robot(model, choice, seen, sources)
     from pkmodes.report.shaper_curves import curves_csv
 
+    picture = b"" if figure is None else _picture(choice, seen, figure)
     files = [
-        ResultFile(out, lambda path: write_file(path, curves_csv(choice, seen))),
-        ResultFile(figure, _picture(choice, seen, figure)),
+        ResultFile(out, lambda: curves_csv(choice, seen)),
+        ResultFile(figure, lambda: picture),
         report_file(report_to, result.page),
     ]
     deliver(json_file, result.content, lambda: _print(result), *files)
@@ -320,12 +320,8 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
     return _Result(content, page, blocks)
 
 
-def _picture(
-    choice: Choice, spectrum: MeasuredSpectrum | None, figure: Path | None
-) -> Callable[[Path], None]:
-    """Return what writes the picture; it is drawn before anything is written."""
-    if figure is None:
-        return lambda path: None
+def _picture(choice: Choice, spectrum: MeasuredSpectrum | None, figure: Path) -> bytes:
+    """Return the picture as a file."""
     require("pictures of shapers", "plot", "matplotlib")
     from pkmodes.figures.files import rendered
     from pkmodes.figures.pictures import Picture
@@ -333,8 +329,7 @@ def _picture(
 
     drawing, caption = over_frequency(choice, spectrum)
     picture = Picture("shapers", "Input shapers", caption, drawing)
-    content = rendered(picture, figure.suffix[1:].lower())
-    return lambda path: write_file(path, content)
+    return rendered(picture, figure.suffix[1:].lower())
 
 
 def _print(result: _Result) -> None:

@@ -118,7 +118,7 @@ class FrequencyResponse(Channels):
         )
 
     def to_csv(self, path: str | PathLike[str], index: tuple[int, ...] | int = ()) -> None:
-        """Write the response at one pose: ``frequency`` and ``re:OUTPUT/INPUT``, ``im:OUTPUT/INPUT``.
+        """Write the response at one pose, as `as_csv` returns it.
 
         Parameters
         ----------
@@ -131,6 +131,21 @@ class FrequencyResponse(Channels):
         ------
         OutputError
             If the file cannot be written.
+        """
+        write_file(Path(path), self.as_csv(index))
+
+    def as_csv(self, index: tuple[int, ...] | int = ()) -> str:
+        """Return the response at one pose as a table: ``frequency`` and ``re:OUTPUT/INPUT``, ``im:OUTPUT/INPUT``.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
+
+        Raises
+        ------
+        PkmodesError
+            If the pose is not one of several.
         """
         where = self.one(index)
         text = io.StringIO()
@@ -152,7 +167,7 @@ class FrequencyResponse(Channels):
         for f, row in zip(self.frequencies, self.values[where], strict=True):
             cells = [number for o, i, _ in channels for number in (row[o, i].real, row[o, i].imag)]
             writer.writerow([repr(float(f)), *(repr(float(cell)) for cell in cells)])
-        write_file(Path(path), text.getvalue())
+        return text.getvalue()
 
 
 def frequency_response(

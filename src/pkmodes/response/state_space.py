@@ -118,7 +118,7 @@ class StateSpace(Channels):
         return control_library().StateSpace(*self._matrices(index), time, **names)
 
     def to_mat(self, path: str | PathLike[str], index: Index = ()) -> None:
-        """Write the model at one pose for MATLAB: A, B, C, D, ``inputs``, ``outputs``, ``units``, ``pose``.
+        """Write the model at one pose for MATLAB, as `as_mat` returns it.
 
         Parameters
         ----------
@@ -131,6 +131,21 @@ class StateSpace(Channels):
         ------
         OutputError
             If the file cannot be written.
+        """
+        write_file(Path(path), self.as_mat(index))
+
+    def as_mat(self, index: Index = ()) -> bytes:
+        """Return the model at one pose as a MATLAB file: A, B, C, D, ``inputs``, ``outputs``, ``units``, ``pose``.
+
+        Parameters
+        ----------
+        index : int or tuple of int
+            Of the pose; not needed for a single one.
+
+        Raises
+        ------
+        PkmodesError
+            If the pose is not one of several.
         """
         from scipy.io import savemat
 
@@ -147,7 +162,7 @@ class StateSpace(Channels):
         savemat(cast("Any", written), content, oned_as="column")  # SciPy takes open files too
         written.seek(0)
         written.write(MAT_HEADER)
-        write_file(Path(path), written.getvalue())
+        return written.getvalue()
 
     def _matrices(self, index: Index) -> tuple[Array, Array, Array, Array]:
         where = self.one(index)

@@ -7,7 +7,7 @@ import os
 import secrets
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -18,42 +18,99 @@ from pkmodes.support.places import resolved
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
-def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool = False) -> list[Path]:
+def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
     """Write texts, or other contents, into a folder, all or none; existing files of those names are replaced.
 
     A name may have folders in it, which are created.
-
-    Every text is written to a temporary file next to its target, which then replaces it in one step: at any moment
-    a reader, or whoever comes after a kill, finds the old file or the new one, whole.  Where there are several, the
-    old ones are kept under other names until all texts are in place.  If anything fails, they are restored and the
-    folders created for the texts are removed.
-
-    Parameters
-    ----------
-    follow : bool
-        Whether a name in the folder may be a symbolic link that leads out of it: only where the user named the file.
 
     Raises
     ------
     OutputError
         If the folder or a file cannot be written, or a link leads out of the folder.
     """
+    files = {folder / name: text for name, text in texts.items()}
+    for name, path in zip(texts, files, strict=True):
+        if not resolved(path).is_relative_to(resolved(folder)):
+            link = "is" if path.is_symlink() else "is below"
+            what = f"{name} {link} a symbolic link that leads out of the folder"
+            raise OutputError(what, str(folder), "remove the link, or choose another folder")
+    _write(files, folder)
+    return list(files)
+
+
+def write_file(path: Path, text: str | bytes) -> None:
+    """Write one text, or another content, completely or not at all; a target such as a pipe is written to directly.
+
+    Raises
+    ------
+    OutputError
+        If it cannot be written.
+    """
+    write_all({path: text})
+
+
+def write_all(contents: Mapping[Path, str | bytes]) -> None:
+    """Write files that the user named, in any folders, all or none; existing ones are replaced.
+
+    What is no ordinary file, such as a pipe, is written to directly, when the others are ready.
+
+    Raises
+    ------
+    OutputError
+        If one of them cannot be written.
+    """
+    direct = {path for path in contents if path.exists() and not path.is_file() and not path.is_dir()}
+
+    def write_directly() -> None:
+        for path in contents:
+            if path in direct:
+                try:
+                    path.write_bytes(_encoded(contents[path]))
+                except OSError as error:
+                    raise refusal(error, path) from None
+
+    files = {path: content for path, content in contents.items() if path not in direct}
+    try:
+        _write(files, *(path.parent for path in files), ready=write_directly)
+    except OutputError as error:
+        if len(contents) == 1:
+            raise
+        what = f"{error.what}; none of the {len(contents)} files is written"
+        raise OutputError(what, error.where, error.remedy) from None
+
+
+def _write(
+    contents: Mapping[Path, str | bytes], *folders: Path, ready: Callable[[], object] = lambda: None
+) -> None:
+    """Write files, all or none.
+
+    Every content is written to a temporary file next to its target, which then replaces it in one step: at any moment
+    a reader, or whoever comes after a kill, finds the old file or the new one, whole.  Where there are several, the
+    old ones are kept under other names until all contents are in place.  If anything fails, they are restored and the
+    folders created for them are removed.
+
+    Parameters
+    ----------
+    folders : Path
+        Those that are made also if nothing is written there; an error names the first before any file.
+    ready : callable
+        Called when all temporary files are written, and none is in its place yet.
+    """
     staged: list[tuple[Path, Path]] = []
     kept: dict[Path, Path] = {}
-    writing = folder
-    places = {folder, *folder.parents, *(place for name in texts for place in (folder / name).parents)}
+    writing = folders[0] if folders else Path()
+    below = (*folders, *(path.parent for path in contents))
+    places = {place for folder in below for place in (folder, *folder.parents)}
     made = sorted((place for place in places if not place.exists()), key=lambda place: -len(place.parts))
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, text in texts.items():
-            writing = folder / name
-            if not follow and not resolved(writing).is_relative_to(resolved(folder)):
-                link = "is" if writing.is_symlink() else "is below"
-                what = f"{name} {link} a symbolic link that leads out of the folder"
-                raise OutputError(what, str(folder), "remove the link, or choose another folder")
-            writing.parent.mkdir(parents=True, exist_ok=True)
-            target = _real(writing)
-            staged.append((_stage(target, text), target))
+        for folder in folders:
+            folder.mkdir(parents=True, exist_ok=True)
+        for path, content in contents.items():
+            writing = path
+            path.parent.mkdir(parents=True, exist_ok=True)
+            target = _real(path)
+            staged.append((_stage(target, content), target))
+        ready()
         if len(staged) > 1:  # a single one is in place, or it is not
             for temporary, target in staged:
                 kept[temporary] = _beside(target)
@@ -71,24 +128,6 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes], *, follow: bool 
         raise refusal(error, writing) from None
     for backup in kept.values():
         backup.unlink(missing_ok=True)
-    return [folder / name for name in texts]
-
-
-def write_file(path: Path, text: str | bytes) -> None:
-    """Write one text, or another content, completely or not at all; a target such as a pipe is written to directly.
-
-    Raises
-    ------
-    OutputError
-        If it cannot be written.
-    """
-    if path.exists() and not path.is_file() and not path.is_dir():
-        try:
-            path.write_bytes(text.encode("utf-8") if isinstance(text, str) else text)
-        except OSError as error:
-            raise refusal(error, path) from None
-        return
-    write_files(path.parent, {path.name: text}, follow=True)
 
 
 def refusal(error: OSError, place: Path) -> OutputError:
@@ -117,12 +156,16 @@ def _stage(target: Path, text: str | bytes) -> Path:
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(text.encode("utf-8") if isinstance(text, str) else text)
+            file.write(_encoded(text))
         temporary.chmod(_mode(target))
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise
     return temporary
+
+
+def _encoded(content: str | bytes) -> bytes:
+    return content.encode("utf-8") if isinstance(content, str) else content
 
 
 def _keep(target: Path, backup: Path) -> None:
