@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 import pytest
 import xarray
+import zarr
 
 from helpers.commands.map_runs import model
 from pkmodes.core.base.errors import OutputError
@@ -70,6 +72,31 @@ def test_other_things_of_that_name_are_left_alone(tmp_path: Path) -> None:
     ):
         assert refused(tmp_path / name, overwrite=True).what == what
     assert (tmp_path / "mine.zarr" / "notes.txt").read_text() == "mine"
+
+
+@pytest.mark.parametrize("place", ["notes.txt", "frequency/notes.txt", "pictures/first.svg", "7"])
+def test_a_store_that_holds_something_else_is_not_replaced(tmp_path: Path, place: str) -> None:
+    out = tmp_path / "map.zarr"
+    model().map(POSE, out=out).close()
+    mine = out / place
+    mine.parent.mkdir(exist_ok=True)
+    mine.write_text("mine")
+    error = refused(out, overwrite=True)
+    held = place.partition("/")[0] if place.startswith("pictures") else place
+    assert error.what == f'the folder to replace holds "{held}", which is no part of the map'
+    assert error.remedy == "move that away, or choose another name"
+    assert mine.read_text() == "mine"
+
+
+@pytest.mark.parametrize("zarr_format", [2, 3])
+def test_a_store_of_either_format_is_replaced_whole(tmp_path: Path, zarr_format: Literal[2, 3]) -> None:
+    """With several pieces of an array, as zarr itself lays them out."""
+    group = zarr.create_group(tmp_path / "map.zarr", zarr_format=zarr_format)
+    array = group.create_array("values", shape=(4, 4), chunks=(2, 2), dtype="f8")
+    array[:] = 1.0
+    assert len([one for one in (tmp_path / "map.zarr").rglob("*") if one.is_file()]) > 4
+    model().map(POSE, out=tmp_path / "map.zarr", overwrite=True).close()
+    assert not (tmp_path / "map.zarr" / "values").exists()
 
 
 def test_something_in_the_place_of_the_folder_for_interrupted_maps(tmp_path: Path) -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,6 +32,11 @@ LIBRARIES = {
 }
 IN_PROGRESS = ("map", "zarr", "dask")
 FORMATS = tuple(LIBRARIES)
+#: Files of a Zarr store that describe it: one of the first of each group, and one of the second of each array.
+GROUP, ARRAY = (".zgroup", "zarr.json"), (".zarray", "zarr.json")
+DESCRIBING = {*GROUP, *ARRAY, ".zattrs", ".zmetadata"}
+#: Its values: pieces of an array, or folders of them.
+PIECE = re.compile(r"c|(c\.)?\d+(\.\d+)*")
 #: Names of the map that is being written, and of the one that it replaces, in the folder of the map in progress.
 UNDER_WAY = ("new", "replaced")
 
@@ -76,10 +83,13 @@ class MapFile:
                 where,
                 "choose another name",
             )
-        if folder and path.exists() and not any((path / name).exists() for name in (".zgroup", "zarr.json")):
+        if folder and path.exists() and not any((path / name).exists() for name in GROUP):
             raise OutputError(
                 "the folder to replace does not hold a Zarr store", where, "choose another name"
             )
+        if folder and path.exists() and (other := next(_foreign(path), None)) is not None:
+            what = f"the folder to replace holds {shown(str(other.relative_to(path)))}, which is no part of the map"
+            raise OutputError(what, where, "move that away, or choose another name")
         if not os.access(path.parent, os.W_OK):
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
@@ -174,6 +184,26 @@ def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
         return get_sync(cull(tasks, [wanted])[0], wanted)
 
     return evaluated(keys)
+
+
+def _foreign(folder: Path, *, pieces: bool = False) -> Iterator[Path]:
+    """Yield what a folder of a Zarr store holds besides it.
+
+    Parameters
+    ----------
+    pieces : bool
+        Whether the folder is one of an array, in which its values are.
+    """
+    pieces = pieces or any((folder / name).is_file() for name in ARRAY)
+    for entry in sorted(folder.iterdir()):
+        piece = pieces and PIECE.fullmatch(entry.name) is not None
+        if entry.is_symlink() or not entry.is_dir():
+            if entry.is_symlink() or not (piece or entry.name in DESCRIBING):
+                yield entry
+        elif piece or any((entry / name).is_file() for name in (*GROUP, *ARRAY)):
+            yield from _foreign(entry, pieces=piece)
+        else:
+            yield entry
 
 
 def _remove(path: Path) -> None:
