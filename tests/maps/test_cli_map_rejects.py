@@ -35,6 +35,8 @@ GRID = "x=0.3:0.8:5,y=0,z=-0.245"
         ("x=0.3,y=0,z=-0.245,w=1", 'expected x=..., y=..., z=..., found "w=1"'),
         ("x=0.3,x=0.4,y=0,z=-0.245", "x is given twice"),
         ("", "expected x=..."),
+        ("x=0,3:0,8:5,y=0,z=-0,245", "decimals with a point"),
+        ("x=300 MM:0.8:5,y=0,z=-0.245", 'write "300 mm"'),
         ("0.3,0,-0.245", "expected x=..."),
     ],
 )
@@ -55,6 +57,9 @@ def test_a_grid_wholly_outside_is_told_where_the_workspace_is() -> None:
         ("platform.mass", 'expected PATH=VALUES, found "platform.mass"'),
         ("platform.mass=", "expected PATH=VALUES"),
         ("=1:2:3", "expected PATH=VALUES"),
+        ("platform.mass=1,5kg", "write 1 kg,5 kg for two values, 1.5 kg for one"),
+        ("platform.mass=0:1,5 kg:3", "write 1 kg,5 kg for two values, 1.5 kg for one"),
+        ("platform.mass=300gr", 'write "300 g"'),
         ("platform.mass=2:1:3", "the range is reversed"),
         ("platform.mass=1 m:2 m:3", "--set platform.mass"),
         ("platform.mass=-1:1:3", "platform.mass"),

@@ -71,6 +71,8 @@ def test_values_are_read_in_their_units_and_by_pose(tmp_path: Path, robot: Robot
             "gearbox_compliance.compliance",
         ),
         ("effects.payload.mass", "unknown column", f'mean "{PAYLOAD}"'),
+        (f"{PAYLOAD} [gr]", "the gram or the grain", "write [g]"),
+        (f"{PAYLOAD} [Kg]", "is unknown", "write [kg]"),
         (f"{PAYLOAD} [N]", "another kind of unit", "write a unit of that kind, or none for kg"),
         (f"{TENSION} [kgs]", "is unknown", "or none for N"),
         (f"{PAYLOAD},{PAYLOAD} [g]", "is repeated, first as column 6", "remove one"),

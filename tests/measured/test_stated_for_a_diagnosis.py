@@ -99,6 +99,8 @@ WRONG = [
     ([], {"usable": 3}, "usable", "expected a mapping of names to values, found 3"),
     (["# prior: measurement:ofset.z = 1 mm"], {}, "line 1", "no candidate"),
     ([f"# prior: {OFFSET} = 1 kg"], {}, "line 1", "wrong dimension"),
+    ([f"# prior: {OFFSET} = 2 MM"], {}, "line 1", 'write "2 mm"'),
+    ([], {"priors": {OFFSET: "2,5 mm"}}, OFFSET, 'write "2.5 mm"'),
     (["# prior: platform.mass = 1 g"], {}, "line 1", "the robot file gives a sigma"),
     (["# usable: w = 1, 2"], {}, "line 1", 'found "w"'),
     (["# usable: z = 2, 1"], {}, "line 1", "exchange them"),

@@ -153,6 +153,10 @@ MISTAKES = [
     ("branch = 1\n", "branch = 0\n", "axis.1.branch", "1 or -1", "0"),
     ("format = 1", "format = 2", "format", "1", "2"),
     ('mechanism = "linear_delta"', 'mechanism = "tripod"', "mechanism", "linear_delta", '"tripod"'),
+    ('mass = "1.5 kg"', 'mass = "300 gr"', "platform.mass", "the gram or the grain", 'write "300 g"'),
+    ('mass = "1.5 kg"', 'mass = "1,5 kg"', "platform.mass", "decimal comma", 'write "1.5 kg"'),
+    ('mass = "1.5 kg"', 'mass = { value = 1, sigma = "5 gr" }', "platform.mass", "sigma", 'write "5 g"'),
+    ('mass = "1.5 kg"', 'mass = { value = 1, sigma = "2,5 %" }', "platform.mass", "sigma", 'write "2.5 %"'),
     ('name = "linear-delta-2022"', "name = 7", "name", "plain text", "found 7"),
     ("gear_ratio = 10", "gear_ratio = 0", "motor.gear_ratio", "greater than 0", "0"),
     (

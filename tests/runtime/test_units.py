@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from decimal import Decimal
 
 import pytest
 from hypothesis import given
@@ -52,13 +54,15 @@ WRONG = [
     ("nan m", "length", "does not begin with a number"),
     ("1e999 m", "length", "magnitude is not between"),
     ("1e99 km", "mass", "which is a length"),
-    ("10 N*m", "specific stiffness", "which is a quantity of dimension"),
+    ("10 N*m", "specific stiffness", "which is a torque"),
+    ("10 Nm", "specific stiffness", 'unit "Nm" is N*m, a torque'),
     ("10 mm", "number", "does not belong there"),
     ("1 m + 1 m", "length", "is not a unit"),
     ("2 m^99999999", "length", "is not a unit"),
     ("1 mm*10**10**10", "length", "is not a unit"),
     ("1 __import__('os')", "length", "is not a unit"),
-    ("4,5 mm", "length", "is not a unit"),
+    ("4,5 mm", "length", "which has a decimal comma"),
+    ("4.5,6,7 mm", "length", "is not a unit"),
     ("20 degC", "length", "which is a quantity of dimension"),
     ("1 " + "m" * 1000, "length", "longer than 60 characters"),
     ("35 mm*deg", "length", "does not belong there"),
@@ -86,6 +90,105 @@ def test_wrong_quantities_are_refused(subtests: pytest.Subtests) -> None:
             )
             assert found in str(error.value)
             assert len(str(error.value)) < 250
+
+
+#: What people write, with what it is to be written as: the SI brochure and the catalogues of motors and gears are the
+#: source of the values in the tests below, not pint.
+WRITTEN_OTHERWISE = [
+    ("300 gr", "mass", 'write "300 g"'),
+    ("300 grains", "mass", 'write "300 g"'),
+    ("0.3 kgr", "mass", 'write "0.3 kg"'),
+    ("300 Gr", "mass", 'write "300 g"'),
+    ("300 gm", "mass", 'write "300 g"'),
+    ("1.5 Kg", "mass", 'write "1.5 kg"'),
+    ("1.5 KG", "mass", 'write "1.5 kg"'),
+    ("2 tons", "mass", 'write "2 t"'),
+    ("2 mt", "mass", 'write "2 t"'),
+    ("9 gr/m", "linear density", 'write "9 g/m"'),
+    ("0.4 mt", "length", 'write "0.4 m"'),
+    ("400 MM", "length", 'write "400 mm"'),
+    ("400 Mm", "length", 'write "400 mm"'),
+    ("400 mm.", "length", 'write "400 mm"'),
+    ("12 mil", "length", 'write "12 thou"'),
+    ("30 grad", "angle", 'write "30 deg"'),
+    ("30 Deg", "angle", 'write "30 deg"'),
+    ("500 Nm", "torsional stiffness", 'write "500 N*m"'),
+    ("500 Nm/rad", "torsional stiffness", 'write "500 N*m/rad"'),
+    ("500 N.m/rad", "torsional stiffness", 'write "500 N*m/rad"'),
+    ("5 kNm/rad", "torsional stiffness", 'write "5 kN*m/rad"'),
+    ("5 Nmm/arcmin", "torsional stiffness", 'write "5 N*mm/arcmin"'),
+    ("1e-4 rad/Nm", "torsional compliance", 'write "1e-4 rad/(N*m)"'),
+    ("1e-4 rad/N*m", "torsional compliance", 'write "1e-4 rad/(N*m)"'),
+    ("20 Ns/m", "viscous friction", 'write "20 N*s/m"'),
+    ("20 N/m/s", "viscous friction", 'write "20 N/(m/s)"'),
+    ("1e-3 Nms/rad", "torsional viscous friction", 'write "1e-3 N*m*s/rad"'),
+    ("54 gcm2", "moment of inertia", 'write "54 g*cm^2"'),
+    ("1e-5 kgm^2", "moment of inertia", 'write "1e-5 kg*m^2"'),
+    ("1e-5 kg-m²", "moment of inertia", 'write "1e-5 kg*m^2"'),
+    ("1 N/M", "stiffness", 'write "1 N/m"'),
+    ("1 N/Mm", "stiffness", 'write "1 N/mm"'),
+    ("1 kg/mm", "stiffness", 'write "1 kgf/mm"'),
+    ("1 N·mm⁻¹", "stiffness", 'write "1 N*mm^-1"'),
+    ("5 kg", "force", 'write "5 kgf"'),
+    ("9.81 m/s2", "acceleration", 'write "9.81 m/s^2"'),
+    ("-1 g", "acceleration", 'write "-1 gravity"'),
+    ("2 percent", "number", 'write "2 %"'),
+    ("10:1", "number", 'write "10"'),
+    ("60 S", "time", 'write "60 s"'),
+    ("1,5 kg", "mass", 'write "1.5 kg"'),
+    ("-0,5e-3 m", "length", 'write "-0.5e-3 m"'),
+    ("0,25 kg", "mass", 'write "0.25 kg"'),
+    ("0,125 kg", "mass", 'write "0.125 kg"'),
+    ("2,5 %", "number", 'write "2.5 %"'),
+    ("1.234,5 mm", "length", 'write "1234.5 mm"'),
+    ("1,234.5 mm", "length", 'write "1234.5 mm"'),
+    ("1,234 mm", "length", 'write "1.234 mm" or "1234 mm"'),
+    ("1.234.567 um", "length", 'write "1234567 um"'),
+    ("1 234,5 mm", "length", 'write "1234.5 mm"'),
+    ("1'234.5 mm", "length", 'write "1234.5 mm"'),
+    ("1\u00a0234 mm", "length", 'write "1234 mm"'),
+    ("\u22129.81 m/s^2", "acceleration", 'write "-9.81 m/s^2"'),
+    ("1,5 Kg", "mass", 'write "1.5 kg"'),
+    ("1,5", "mass", "write the number as 1.5, with a unit of a mass"),
+]
+
+
+def test_what_people_write_otherwise_is_answered_with_what_to_write(subtests: pytest.Subtests) -> None:
+    for text, dimension, remedy in WRITTEN_OTHERWISE:
+        with subtests.test(text=text):
+            with pytest.raises(QuantityError) as error:
+                parse(text, dimension)
+            assert error.value.remedy == remedy
+            for answer in re.findall(r'"(.*?)"', remedy):
+                assert math.isfinite(parse(answer, dimension))
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("300 g", "mass", 0.3),
+        ("2 t", "mass", 2000.0),
+        ("500 N*m/rad", "torsional stiffness", 500.0),
+        ("5 N*mm/arcmin", "torsional stiffness", 5e-3 * 10800 / math.pi),
+        ("1e-4 rad/(N*m)", "torsional compliance", 1e-4),
+        ("20 N/(m/s)", "viscous friction", 20.0),
+        ("54 g*cm^2", "moment of inertia", 54e-7),
+        ("1 kgf/mm", "stiffness", 9806.65),
+        ("-1 gravity", "acceleration", -9.80665),
+        ("12 thou", "length", 12 * 25.4e-6),
+    ],
+)
+def test_the_answers_have_the_values_that_were_meant(text: str, dimension: str, value: float) -> None:
+    assert parse(text, dimension) == pytest.approx(value, rel=1e-15)
+
+
+@given(st.decimals(min_value=-1000, max_value=1000, places=4), st.sampled_from(["'", " ", ".", "\u202f"]))
+def test_a_number_in_another_notation_is_answered_with_itself(number: Decimal, groups: str) -> None:
+    there = f"{number:,}".replace(",", "@").replace(".", ",").replace("@", groups)
+    with pytest.raises(QuantityError) as error:
+        parse(f"{there} mm", "length")
+    (answer,) = re.findall(r'"(.*?)"', error.value.remedy)
+    assert parse(answer, "length") == float(number.scaleb(-3))
 
 
 @given(st.floats(min_value=1e-9, max_value=1e9), st.sampled_from(["length", "mass", "specific stiffness"]))

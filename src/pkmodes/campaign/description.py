@@ -12,7 +12,14 @@ from msgspec import Struct, field
 
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.columns import frequency_factor
-from pkmodes.core.robot.units import NUMBER, QuantityError, dimension_of, parse
+from pkmodes.core.robot.units import (
+    NUMBER,
+    QuantityError,
+    check_plain_number,
+    dimension_of,
+    meant_as,
+    parse,
+)
 from pkmodes.measured.cells import number_in
 from pkmodes.measured.csv_format import read_text
 
@@ -184,11 +191,14 @@ def frequency(text: str, where: str, example: str = "50 Hz") -> float:
     """
     remedy = f'for example: "{example}"'
     match = NUMBER.fullmatch(text)
-    if match is None or not match[2]:
-        raise MeasurementError(f"expected a frequency with its unit, found {shown(text)}", where, remedy)
     try:
+        check_plain_number(text, "a frequency")
+        if match is None or not match[2]:
+            raise QuantityError(f"expected a frequency with its unit, found {shown(text)}")
         value = number_in(match[1], frequency_factor(match[2]))
     except QuantityError as error:
+        meant = meant_as(match[2], "Hz") if match is not None and not error.remedy else None
+        remedy = error.remedy or (remedy if meant is None or match is None else f'write "{match[1]} {meant}"')
         raise MeasurementError(str(error), where, remedy) from None
     if value is None or value <= 0.0:
         raise MeasurementError(f"expected a frequency above 0, found {shown(text)}", where, remedy)
@@ -240,7 +250,8 @@ def quantity(given: Given, unit: str, where: str) -> float:
     try:
         return parse(given if isinstance(given, str) else repr(given), dimension_of(unit))
     except QuantityError as error:
-        raise MeasurementError(str(error), where, "write the number with its unit, as text") from None
+        remedy = error.remedy or "write the number with its unit, as text"
+        raise MeasurementError(str(error), where, remedy) from None
 
 
 def uncertain(given: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, replace
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.units import QuantityError, base_units
+from pkmodes.core.robot.units import QuantityError, base_units, check_plain_number, meant_as
 from pkmodes.signals.units import unit_text
 
 #: Standard gravity as pint knows it.  "g" alone is that of accelerometers' data sheets: no sensor measures grams.
@@ -47,8 +47,13 @@ def motion(unit: str, where: str) -> Motion:
     MeasurementError
         If it is not one of a displacement, a velocity or an acceleration.
     """
-    factor, powers = base(unit, where)
-    return _of(factor, powers, unit, where)
+    try:
+        factor, powers = base(unit, where)
+        return _of(factor, powers, unit, where)
+    except MeasurementError as error:
+        if (meant := meant_as(unit, "m/s^2")) is None:
+            raise
+        raise MeasurementError(error.what, where, f'write "{meant}"') from None
 
 
 def motion_or_none(unit: str) -> Motion | None:
@@ -67,6 +72,10 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
     MeasurementError
         If it is not a voltage per displacement, velocity or acceleration.
     """
+    try:
+        check_plain_number(sensitivity, "a sensitivity")
+    except QuantityError as error:
+        raise MeasurementError(str(error), where, error.remedy) from None
     match = NUMBER.fullmatch(sensitivity)
     value = float(match[1]) if match else 0.0
     if match is None or value == 0.0:

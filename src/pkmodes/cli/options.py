@@ -134,7 +134,8 @@ def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Call
         try:
             return parse_number_or_quantity(text, unit)
         except QuantityError as error:
-            raise PkmodesError(str(error), name, f'for example: {name} "{example}"') from None
+            remedy = error.remedy or f'for example: {name} "{example}"'
+            raise PkmodesError(str(error), name, remedy) from None
 
     return click.option(name, callback=read, **settings)
 

@@ -53,13 +53,14 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
     parts, names = text.split(","), ",".join(component.name for component in mechanism.pose).upper()
     if len(parts) != len(mechanism.pose):
         what = f"expected {len(mechanism.pose)} components {names}, found {len(parts)}"
-        raise PoseError(what, "--pose", f"write --pose {names}: {mechanism.pose_is}")
+        remedy = f"write --pose {names}, decimals with a point: {mechanism.pose_is}"
+        raise PoseError(what, "--pose", remedy)
     point = []
     for part, component in zip(parts, mechanism.pose, strict=True):
         try:
             point.append(parse_number_or_quantity(part, component.unit))
         except QuantityError as error:
-            remedy = f"write a number in {component.unit}, or a number with its unit"
+            remedy = error.remedy or f"write a number in {component.unit}, or a number with its unit"
             raise PoseError(str(error), "--pose", remedy) from None
     return point
 

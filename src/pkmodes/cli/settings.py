@@ -85,10 +85,16 @@ def height_given(
 
 def _mass_per_height(text: str) -> float:
     """Read a density times an area [kg/m]."""
-    from pkmodes.core.robot.units import NUMBER, QuantityError, parse
+    from pkmodes.core.robot.units import NUMBER, QuantityError, check_plain_number, parse
 
     product = DENSITY_AND_AREA.fullmatch(text.strip())
-    parts = [] if product is None else [NUMBER.fullmatch(part) for part in product.groups()]
+    factors = () if product is None else product.groups()
+    for factor in factors:
+        try:
+            check_plain_number(factor, "a density times an area")
+        except QuantityError as error:
+            raise PkmodesError(str(error), "--height", error.remedy) from None
+    parts = [NUMBER.fullmatch(factor) for factor in factors]
     what = f"expected two heights, or a density times an area, found {shown(text)}"
     if len(parts) != 2 or not all(part is not None and part[2] for part in parts):
         raise PkmodesError(what, "--height", HEIGHT_EXAMPLE)

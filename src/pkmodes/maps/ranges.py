@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -15,6 +16,8 @@ from pkmodes.core.robot.units import NUMBER, QuantityError, parse_number_or_quan
 Array = NDArray[np.float64]
 #: More values along one axis are a mistake.
 LARGEST = 1_000_000
+#: A comma between two integers, of which the second alone has a unit: two values or a decimal comma.
+AMBIGUOUS = re.compile(r"(?<![^\s,:])(-?\d+),(\d+)\s*(?![eE][+-]?\d)([A-Za-zµ%°][^,:]*)")
 
 
 def parse_range(text: str, unit: str, where: str) -> Array:
@@ -88,7 +91,7 @@ def parse_value(text: str, unit: str, where: str) -> float:
         value = parse_number_or_quantity(text, unit)
     except QuantityError as error:
         remedy = f"write a number{'' if unit == '1' else f' in {unit}, or a number with its unit'}"
-        raise PkmodesError(str(error), where, remedy) from None
+        raise PkmodesError(str(error), where, error.remedy or remedy) from None
     if not np.isfinite(value):
         raise PkmodesError(f"expected a finite number, found {shown(text)}", where, "give a finite number")
     return value
@@ -122,7 +125,7 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
         name, equals, values = (piece.strip() for piece in part.partition("="))
         if not equals or name not in units:
             what = f"expected {', '.join(f'{known}=...' for known in units)}, found {shown(part.strip())}"
-            raise PkmodesError(what, where, example)
+            raise PkmodesError(what, where, f"{example}{'' if equals else '; decimals with a point'}")
         if name in axes:
             raise PkmodesError(f"{name} is given twice", where, "give each component once")
         axes[name] = parse_range(values, units[name], f"{where} {name}={values}")
@@ -170,6 +173,13 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
         if not unit:
             settings[path] = np.zeros(1)  # the robot says what is wrong with the path
             continue
+        if (comma := AMBIGUOUS.search(values)) is not None:
+            what = (
+                f"expected values separated by commas, found {shown(comma[0])}, in which one alone has a unit"
+            )
+            low, high, symbol = comma.groups()
+            remedy = f"write {low} {symbol},{high} {symbol} for two values, {low}.{high} {symbol} for one"
+            raise PkmodesError(what, place, remedy)
         ranges = [parse_range(part, unit, place) for part in values.split(",")]
         settings[path] = np.concatenate(ranges)
     return settings

@@ -16,7 +16,7 @@ from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.units import NUMBER, QuantityError, base_units
+from pkmodes.core.robot.units import NUMBER, QuantityError, base_units, check_plain_number, meant_as
 from pkmodes.core.robot.usable import USABLE, read_usable
 from pkmodes.diagnosis.arguments import check_measurements
 from pkmodes.diagnosis.problem import Candidate, Loss, Parameter
@@ -214,6 +214,7 @@ def _deviation(given: float | str, parameter: Parameter, where: str) -> float:
         if number is not None:
             value, unit = float(number[1]), number[2]
         try:
+            check_plain_number(given, f"a standard deviation in {parameter.unit}")
             if number is None or not unit:
                 raise QuantityError(f"{shown(given)} is not a number with a unit")
             if unit == "%":
@@ -225,8 +226,11 @@ def _deviation(given: float | str, parameter: Parameter, where: str) -> float:
                     raise QuantityError(f"{shown(given)} has the wrong dimension")
                 value = float(Decimal(number[1]) * factor / own)
         except QuantityError as error:
-            what = f"expected a standard deviation in {parameter.unit}: {error}"
-            raise PkmodesError(what, where, remedy) from None
+            what, expected = str(error), f"expected a standard deviation in {parameter.unit}"
+            what = what if what.startswith(expected) else f"{expected}: {what}"
+            if number is not None and (meant := meant_as(unit, parameter.unit)) is not None:
+                remedy = f'write "{number[1]} {meant}"'
+            raise PkmodesError(what, where, error.remedy or remedy) from None
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
         raise PkmodesError(f"expected a standard deviation, found {shown(given)}", where, remedy)
     if not 0.0 < value < np.inf:

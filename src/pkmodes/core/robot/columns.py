@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.units import QuantityError, base_units
+from pkmodes.core.robot.units import QuantityError, base_units, meant_as
 
 #: Radians per cycle, to convert an angular frequency to a frequency.
 CYCLE = Decimal("6.28318530717958647692528676656")
@@ -111,4 +111,6 @@ def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: 
         problem = f"{shown(unit)} is another kind of unit"
     except QuantityError as error:
         problem = str(error)
+    meant = next((found for si in allowed if (found := meant_as(unit, si)) is not None), None)
+    remedy = remedy if meant is None else f"write [{meant}]"
     raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)

@@ -147,7 +147,7 @@ def _number(raw: Any, dimension: str) -> float:
     try:
         value = parse(raw, dimension) if isinstance(raw, str) else float(raw)
     except QuantityError as error:
-        raise RefusedError(str(error)) from error
+        raise RefusedError(str(error), error.remedy or SI_REMEDY) from error
     except OverflowError:
         value = math.inf
     if not math.isfinite(value):
@@ -169,7 +169,7 @@ def standard_deviation(raw: Any, value: float, dimension: str) -> float:
             relative = parse(raw, "number")
         except QuantityError as error:
             what = f'sigma: expected a percentage such as "2 %", found {shown(raw)}'
-            raise RefusedError(what, remedy) from error
+            raise RefusedError(what, error.remedy or remedy) from error
         if value == 0.0:
             raise RefusedError(f"sigma: {shown(raw)} of a value of 0 is undefined", remedy)
         sigma = relative * abs(value)
@@ -177,7 +177,8 @@ def standard_deviation(raw: Any, value: float, dimension: str) -> float:
         try:
             sigma = _number(raw, dimension)
         except RefusedError as error:
-            raise RefusedError(f"sigma: {error.what}", remedy) from error
+            told = error.remedy if error.remedy != SI_REMEDY else remedy
+            raise RefusedError(f"sigma: {error.what}", told) from error
     if sigma < 0:
         raise RefusedError(f"sigma: expected a standard deviation of at least 0, found {shown(raw)}", remedy)
     return sigma

@@ -14,6 +14,7 @@ from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
 from pkmodes.core.base.errors import shown
+from pkmodes.core.robot.spellings import confused, plain_numbers, spellings
 from pkmodes_description import UNITS
 
 if TYPE_CHECKING:
@@ -51,6 +52,15 @@ EXAMPLES = {
 DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()} | {"time": ("s", "60 ms")}
 
 
+#: Dimensions that have a name for messages, with their SI unit.
+KINDS = {
+    **{
+        name: UNITS[name]
+        for name in ("length", "mass", "moment of inertia", "acceleration", "stiffness", "force")
+    },
+    **{"torque": "N*m", "time": "s"},
+}
+
 #: Units of lengths and angles of a pose as people read them, with the factor from SI.
 SHOWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
 
@@ -75,7 +85,17 @@ class Quantity:
 
 
 class QuantityError(ValueError):
-    """Text that is not the expected quantity; the message says what was expected and found."""
+    """Text that is not the expected quantity; the message says what was expected and found.
+
+    Attributes
+    ----------
+    remedy : str
+        How to write what is probably meant; empty if that is not known.
+    """
+
+    def __init__(self, what: str, remedy: str = "") -> None:
+        super().__init__(what)
+        self.remedy = remedy
 
 
 @cache
@@ -88,15 +108,17 @@ def _registry() -> UnitRegistry[Decimal]:
 
 # A robot is often read again with one value changed.
 @lru_cache(maxsize=4096)
-def parse(text: str, dimension: str) -> float:
+def parse(text: str, dimension: str, bare: bool = False) -> float:
     """Convert a number with its unit to SI.
 
     Parameters
     ----------
     text : str
-        For example ``"400 mm"``; a number without a unit is accepted only for the dimension "number".
+        For example ``"400 mm"``.
     dimension : str
         A key of `DIMENSIONS`.
+    bare : bool
+        Whether a number without a unit is accepted, in SI units; for the dimension "number" it always is.
 
     Raises
     ------
@@ -107,19 +129,46 @@ def parse(text: str, dimension: str) -> float:
     expected = f'expected {article(dimension)} such as "{example}"'
     if len(text) > LONGEST:
         raise QuantityError(f"{expected}, found {shown(text)}, which is longer than {LONGEST} characters")
+    readings, flaw = plain_numbers(text)
+    if readings:
+        remedy = _in_plain_numbers(readings, dimension, bare)
+        raise QuantityError(f"{expected}, found {shown(text)}, {flaw}", remedy)
     match = NUMBER.fullmatch(text)
     if match is None:
         raise QuantityError(f"{expected}, found {shown(text)}, which does not begin with a number")
     number, unit = Decimal(match[1]), match[2]
     if not unit:
-        if dimension != "number":
+        if dimension != "number" and not bare:
             raise QuantityError(f"{expected}, found {shown(text)}, which has no unit")
         return _in_range(float(number), expected, text)
     if unit == "%" and dimension == "number":
         return _in_range(float(number / 100), expected, text)
-    if UNIT.fullmatch(unit) is None:
-        raise QuantityError(f"{expected}, found {shown(text)}, whose unit {shown(unit)} is not a unit")
-    return _in_range(_convert(number, unit, si_unit, expected, text), expected, text)
+    try:
+        return _in_range(_convert(number, unit, si_unit), expected, text)
+    except _UnitError as error:
+        reason, remedy = str(error), ""
+        if (meant := meant_as(unit, si_unit)) is not None:
+            reason = f"whose unit {shown(unit)} is not understood" if error.vague else reason
+            remedy = f'write "{match[1]} {meant}"'
+        elif error.vague and (other := _of_another_kind(unit)) is not None:
+            reason = f"whose unit {shown(unit)} is {other}"
+        elif dimension == "number" and re.fullmatch(r":\s*1", unit):
+            remedy = f'write "{match[1]}"'
+        raise QuantityError(f"{expected}, found {shown(text)}, {reason}", remedy) from error
+
+
+def _in_plain_numbers(readings: list[tuple[str, str]], dimension: str, bare: bool) -> str:
+    """Return the remedy for a number with other separators than a decimal point."""
+    written, remedy = [], ""
+    for number, unit in readings:
+        plain = f"{number} {unit}".rstrip()
+        try:
+            parse(plain, dimension, bare)
+        except QuantityError as error:
+            remedy = error.remedy or f"write the number as {number}, with a unit of {article(dimension)}"
+        else:
+            written.append(f'"{plain}"')
+    return f"write {' or '.join(written)}" if written else remedy
 
 
 def parse_number_or_quantity(text: str, unit: str) -> float:
@@ -140,7 +189,26 @@ def parse_number_or_quantity(text: str, unit: str) -> float:
             raise ValueError
         return float(text)
     except ValueError:
-        return parse(text, dimension_of(unit))
+        return parse(text, dimension_of(unit), bare=True)
+
+
+def check_plain_number(text: str, expected: str) -> None:
+    """Reject a number, perhaps with a unit, whose digits are separated otherwise than by one decimal point.
+
+    Parameters
+    ----------
+    expected : str
+        What was expected, with its article, for the message.
+
+    Raises
+    ------
+    QuantityError
+        With the number as it is to be written.
+    """
+    readings, flaw = plain_numbers(text)
+    if readings:
+        written = " or ".join(f'"{f"{number} {unit}".rstrip()}"' for number, unit in readings)
+        raise QuantityError(f"expected {expected}, found {shown(text)}, {flaw}", f"write {written}")
 
 
 def dimension_of(unit: str) -> str:
@@ -148,16 +216,33 @@ def dimension_of(unit: str) -> str:
     return next(name for name, (si_unit, _) in DIMENSIONS.items() if si_unit == unit)
 
 
-def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str) -> float:
+class _UnitError(ValueError):
+    """A unit that is not one of the expected kind; `vague` if the reason says nothing to who reads it."""
+
+    def __init__(self, reason: str, vague: bool = False) -> None:
+        super().__init__(reason)
+        self.vague = vague
+
+
+def _convert(number: Decimal, unit: str, si_unit: str) -> float:
+    """Convert a number to an SI unit.
+
+    Raises
+    ------
+    _UnitError
+        With the reason as a relative clause.
+    """
     import pint
 
+    if (other := confused(unit)) is not None:
+        raise _UnitError(f"whose unit {shown(other[0])} may be {other[1]}")
+    if UNIT.fullmatch(unit) is None:
+        raise _UnitError(f"whose unit {shown(unit)} is not a unit")
     registry = _registry()
     try:
         given = registry.Unit(unit)
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
-        raise QuantityError(
-            f"{expected}, found {shown(text)}, whose unit {shown(unit)} is unknown"
-        ) from error
+        raise _UnitError(f"whose unit {shown(unit)} is unknown") from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
     # Degrees and percent have no dimension, so a dimensional check alone would accept them as scale factors.
     scaling = [name for name in given._units if registry.Unit(name).dimensionless and name != "radian"]
@@ -165,16 +250,38 @@ def _convert(number: Decimal, unit: str, si_unit: str, expected: str, text: str)
     if angles and _radians(given) == _radians(target):
         scaling = []
     if scaling or (si_unit == "1" and str(given) != "dimensionless"):
-        raise QuantityError(
-            f"{expected}, found {shown(text)}, whose unit {shown(unit)} does not belong there"
-        )
+        raise _UnitError(f"whose unit {shown(unit)} does not belong there", vague=True)
     try:
         return float(registry.Quantity(number, given).to(target).magnitude)
     except pint.DimensionalityError as error:
         kind = _dimension_name(given)
-        raise QuantityError(f"{expected}, found {shown(text)}, which is {article(kind)}") from error
+        raise _UnitError(
+            f"which is {article(kind)}", vague=kind not in (*KINDS, "angle", "number")
+        ) from error
     except (TypeError, ArithmeticError) as error:  # logarithmic units, offsets
-        raise QuantityError(f"{expected}, found {shown(text)}, whose unit is not proportional") from error
+        raise _UnitError(f"whose unit {shown(unit)} is not proportional") from error
+
+
+@lru_cache(maxsize=256)
+def meant_as(unit: str, si_unit: str) -> str | None:
+    """Return how a unit is written that is probably meant, such as ``N*m`` for ``Nm``; None if that is not known.
+
+    Parameters
+    ----------
+    si_unit : str
+        The SI unit of the expected dimension.
+    """
+    for spelling in spellings(unit) if len(unit) <= LONGEST else ():
+        if spelling == "%" and si_unit == "1":
+            return spelling
+        if spelling == unit:
+            continue
+        try:
+            _convert(Decimal(1), spelling, si_unit)
+        except _UnitError:
+            continue
+        return spelling
+    return None
 
 
 def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
@@ -185,10 +292,12 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
     Raises
     ------
     QuantityError
-        If it is not a unit, unknown, or not proportional to a base unit.
+        If it is not a unit, unknown, one that is often confused, or not proportional to a base unit.
     """
     if unit == "1":
         return Decimal(1), {}
+    if (other := confused(unit)) is not None:
+        raise QuantityError(f"{shown(other[0])} may be {other[1]}", f'write "{next(spellings(unit))}"')
     if len(unit) > LONGEST or UNIT.fullmatch(unit) is None:
         raise QuantityError(f"{shown(unit)} is not a unit")
     registry = _registry()
@@ -203,6 +312,19 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
     return once.magnitude, dict(once._units)
 
 
+def _of_another_kind(unit: str) -> str | None:
+    """Return what a unit is in another spelling, such as ``N*m, a torque`` for ``Nm``; None if that says nothing."""
+    for spelling in spellings(unit) if "/" not in unit else ():  # a quotient may be regrouped
+        if spelling != unit and UNIT.fullmatch(spelling) is not None:
+            try:
+                kind = _dimension_name(_registry().Unit(spelling))
+            except Exception:  # as in `_convert`
+                continue
+            if kind in KINDS:
+                return f"{spelling}, {article(kind)}"
+    return None
+
+
 def _radians(unit: Unit) -> object:
     """Return the power of the angle in a unit, which is not part of its dimension."""
     return _registry().get_root_units(unit)[1]._units.get("radian", 0)
@@ -212,8 +334,8 @@ def _dimension_name(unit: Unit) -> str:
     registry = _registry()
     if unit.dimensionless:
         return "angle" if _radians(unit) == 1 else "number"
-    for name in ("length", "mass", "moment of inertia", "acceleration", "stiffness", "force"):
-        if registry.Unit(DIMENSIONS[name][0]).dimensionality == unit.dimensionality:
+    for name, si_unit in KINDS.items():
+        if registry.Unit(si_unit).dimensionality == unit.dimensionality:
             return name
     return f"quantity of dimension {unit.dimensionality}"
 

@@ -1,0 +1,170 @@
+"""Numbers and units as people write them, in the spelling that is read: text only, for the remedies of errors."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from itertools import product
+
+#: The minus sign of typesetters, and what separates groups of digits: also their apostrophe and spaces.
+MINUS_SIGN = "\u2212"
+SEPARATORS = ".,'\u2019 \u00a0\u2009\u202f"
+#: A number whose digits may be separated: groups of thousands, and perhaps decimals.
+SEPARATED = re.compile(
+    rf"\s*(?P<sign>[+\-{MINUS_SIGN}]?)(?P<digits>\d+(?:[{SEPARATORS}]\d+)*)(?P<power>[eE][+-]?\d{{1,3}})?"
+    rf"\s*(?P<unit>(?![\d{SEPARATORS}]).*?)?\s*",
+    re.DOTALL,
+)
+
+#: Names that may be meant as another unit than they are: by pattern, how to write what is meant, and both in words.
+CONFUSED: tuple[tuple[re.Pattern[str], tuple[str, ...], str], ...] = (
+    (re.compile(r"(k|m|kilo|milli)?(gr|grain)s?"), (r"\1g",), "the gram or the grain (64.8 mg)"),
+    (re.compile(r"gra(d|de)s?"), ("deg",), "the degree or the gon (0.9 deg)"),
+    (re.compile(r"tons?"), ("t",), "the tonne or the short ton (907 kg)"),
+    (re.compile(r"mt"), ("m", "t"), "the metre, the metric ton or a thousandth of one"),
+    (re.compile(r"Mm|megamet(er|re)s?"), ("mm",), "the millimetre or the megametre (1000 km)"),
+)
+#: Other names of units, in lower case.
+NAMES = {
+    "g": ("gm", "gms", "grm", "gramm", "gramme", "grammes"),
+    "kg": ("kgs", "kilo", "kilos"),
+    "t": ("te", "tn"),
+    "m": ("mts", "mtr", "mtrs"),
+    "thou": ("mil", "mils"),
+    "inch": ('"', "''"),
+    "s": ("secs",),
+    "N": ("newton", "newtons"),
+    "kgf": ("kg", "kp"),  # the weight of a mass, where a force is expected
+    "gf": ("g",),
+    "lbf": ("lb", "lbs", "pound", "pounds"),
+    "ozf": ("oz",),
+    "gravity": ("g", "gn"),
+    "rad": ("rads",),
+    "deg": ("º",),
+    "Hz": ("hz", "herz"),
+    "kHz": ("khz",),
+    "%": ("percent", "pct"),
+}
+#: Symbols that are written together, as in Nm, and of which people exchange capitals and small letters.
+SYMBOLS = (
+    *("mm", "cm", "um", "µm", "m", "s", "rad", "deg", "arcmin", "in"),
+    *("N", "kN", "MN", "mN", "cN", "daN", "kgf", "kg", "gf", "g", "lbf", "lb", "ozf", "oz"),
+)
+WORD = re.compile(r"([A-Za-zµμ°º%\"']+)((?:\^-?\d)?)")
+#: No unit of a robot has more factors.
+MOST_FACTORS = 5
+SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴", "-01234")
+
+
+def plain_numbers(text: str) -> tuple[list[tuple[str, str]], str]:
+    """Return what a number may be if its digits are separated otherwise than by one decimal point.
+
+    Returns
+    -------
+    list of tuple of str
+        The number with a decimal point and the unit, for each thing that it may mean; empty if it is no such number.
+    str
+        What is unusual about it, as a relative clause.
+    """
+    match = SEPARATED.fullmatch(text)
+    if match is None:
+        return [], ""
+    digits = match["digits"]
+    kinds = list(dict.fromkeys(c for c in digits if c in SEPARATORS))
+    point = next((c for c in kinds[-1:] if c in ".," and digits.count(c) == 1), "")
+    whole, _, decimals = digits.rpartition(point) if point else (digits, "", "")
+    readings = []
+    if _in_groups(whole):
+        readings.append(f"{_joined(whole)}.{decimals}" if point else _joined(whole))
+    if kinds == [","] and point:
+        flaw = "which has a decimal comma"
+        if whole != "0" and _in_groups(digits):  # also "1,234"
+            readings.append(_joined(digits))
+            flaw = "whose comma may separate decimals or thousands"
+    elif kinds in ([], ["."]) and (point or not kinds):
+        flaw = "whose minus sign is that of typesetters"
+        readings = readings if match["sign"] == MINUS_SIGN else []
+    else:
+        flaw = "whose digits are in groups"
+    sign = match["sign"].replace(MINUS_SIGN, "-")
+    return [(f"{sign}{number}{match['power'] or ''}", match["unit"] or "") for number in readings], flaw
+
+
+def _in_groups(digits: str) -> bool:
+    """Return whether digits are together, or in groups of three after the first, separated alike."""
+    first, *groups = re.split(r"\D", digits)
+    alike = len(set(re.findall(r"\D", digits))) <= 1
+    return alike and all(len(group) == 3 for group in groups) and (not groups or len(first) <= 3)
+
+
+def _joined(digits: str) -> str:
+    return re.sub(r"\D", "", digits)
+
+
+def confused(unit: str) -> tuple[str, str] | None:
+    """Return the first name in a unit that is read as another one than most people mean, and what it may be."""
+    for name, _ in WORD.findall(unit):
+        for pattern, _, meanings in CONFUSED:
+            if pattern.fullmatch(name) is not None:
+                return name, meanings
+    return None
+
+
+def spellings(unit: str) -> Iterator[str]:
+    """Yield what a unit may be meant as, the most likely first: ``N*m/rad`` for ``Nm/rad``.
+
+    Which of them is one of the expected kind is for the caller to find out.
+    """
+    text = re.sub(r"[⁻⁰¹²³⁴]+", lambda found: "^" + found[0].translate(SUPERSCRIPTS), unit.rstrip(". "))
+    text = re.sub(r"[·⋅\u00d7•∙]", "*", text.replace("**", "^"))
+    text = re.sub(r"(?<=[A-Za-zµμ])\s*[.\-]\s*(?=[A-Za-zµμ])", "*", text)
+    text = re.sub(r"(?<=[A-Za-zµμ])(-?\d)(?!\d)", r"^\1", text)
+    text = re.sub(r"\bg_?\^?0\b", "gravity", re.sub(r"\A\s*/", "1/", text))
+    words = list(WORD.finditer(text))
+    if len(words) > MOST_FACTORS:
+        return
+    for form in dict.fromkeys((text, _one_quotient(text), _quotient_of_quotients(text))):
+        for chosen in product(*(_meanings(word[1]) for word in words)):
+            names = iter(chosen)
+
+            def written(word: re.Match[str], names: Iterator[str] = names) -> str:
+                name = next(names) + word[2]
+                divides = "*" in name and word.string[: word.start()].rstrip().endswith("/")
+                return f"({name})" if divides else name
+
+            yield WORD.sub(written, form)
+
+
+def _one_quotient(text: str) -> str:
+    """Return ``rad/(N*m)`` for ``rad/N*m``."""
+    above, slash, below = text.partition("/")
+    return f"{above}/({below})" if slash and "*" in below and "/" not in below else text
+
+
+def _quotient_of_quotients(text: str) -> str:
+    """Return ``N/(m/s)`` for ``N/m/s``."""
+    above, slash, below = text.partition("/")
+    return f"{above}/({below})" if slash and "/" in below and "(" not in below else text
+
+
+def _meanings(name: str) -> list[str]:
+    """Return the names of units that a name may stand for, itself first unless it is a confused one."""
+    for pattern, units, _ in CONFUSED:
+        if (match := pattern.fullmatch(name)) is not None:
+            return [match.expand(unit) for unit in units]
+    lower = name.lower()
+    others = [unit for unit, names in NAMES.items() if lower in names]
+    same = [symbol for symbol in SYMBOLS if symbol.lower() == lower]
+    meant = [pattern.sub(units[0], lower) for pattern, units, _ in CONFUSED if pattern.fullmatch(lower)]
+    spelt = () if name in SYMBOLS else (name, name.upper().replace("M", "m"))
+    together = ["*".join(parts) for text in spelt for parts in _parts(text) if len(parts) > 1]
+    return list(dict.fromkeys([name, *together, *same, *others, *meant]))
+
+
+def _parts(name: str) -> Iterator[list[str]]:
+    """Yield the ways in which a name consists of symbols."""
+    if not name:
+        yield []
+    for symbol in SYMBOLS:
+        if name.startswith(symbol):
+            yield from ([symbol, *rest] for rest in _parts(name[len(symbol) :]))
