@@ -24,7 +24,13 @@ LINEAR_DELTA = mechanism("linear_delta")
 
 def solver(coordinates: int, first: int, rigid: int, held: int = 0) -> CompiledSolver:
     names = tuple(f"q_{i}" for i in range(coordinates))
-    system: Any = SimpleNamespace(coordinates=names, first=first, rigid_modes=rigid, held_motions=held)
+    system: Any = SimpleNamespace(
+        coordinates=names,
+        first=first,
+        rigid_modes=rigid,
+        held_motions=held,
+        loose_motions=rigid + held if held else 0,
+    )
     return CompiledSolver(SimpleNamespace(modes=coordinates), system)
 
 
@@ -39,6 +45,8 @@ MARKS = (
     ((3, 3, 1, 0), (1e-9, 1e-5, 1.0), False),  # a rigid-body mode
     ((3, 3, 0, 2), (-1.0, 1e-5, 1.0), False),
     ((3, 3, 0, 2), (-1.0, 1e-6, 1.0), True),  # of two held motions, the one that is not the lowest
+    ((3, 3, 1, 1), (-1.0, 1e-6, 1.0), True),  # of two motions, of which gravity or the spring holds either
+    ((3, 3, 1, 1), (-1.0, 1e-5, 1.0), False),
 )
 
 

@@ -72,7 +72,11 @@ _AFTER: tuple[tuple[str, Any, str], ...] = (
         "Real and imaginary part of every pole [1/s], by ascending magnitude; of a pair, the one with positive "
         "imaginary part first.",
     ),
-    ("rigid_modes", Count, "Number of modes that strain no elastic element; they come first."),
+    (
+        "rigid_modes",
+        Count,
+        "Number of motions that strain no elastic element; the first modes count as these.",
+    ),
     ("drives", _literal[DRIVES], "What the motors do: turn freely, or are held."),
     ("backend", _literal[tuple(SOLVERS)], "What evaluated the modes."),
     ("notes", list[str], "What to know of these numbers."),
@@ -192,7 +196,8 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     terminal.line(_of_platform(model))
     if sigmas is not None:
         terminal.line("+-: one standard deviation, from those that the robot file states")
-    for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest):
+    held = model.solved(result.drives).held_motions
+    for sentence in _rigid(result.frequencies[:rigid], ZERO_FREQUENCY * largest, held):
         terminal.line(sentence)
     units = {q.name: q.unit for q in model.mechanism.coordinates}
     drive = model.mechanism.drives[0].unit
@@ -215,10 +220,18 @@ def _of_platform(model: Model) -> str:
     )
 
 
-def _rigid(frequencies: Array, zero: float) -> Iterator[str]:
+def _rigid(frequencies: Array, zero: float, held: int) -> Iterator[str]:
     """Say why rigid modes have frequencies; nothing where there are none, or all are zero."""
-    if (np.abs(frequencies) >= zero).any():
-        yield "rigid: only gravity acts; f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
+    if (np.abs(frequencies) < zero).all():
+        return
+    sign = "f = sqrt(|lambda|)/(2 pi) with the sign of lambda"
+    if not held:
+        yield f"rigid: only gravity acts; {sign}"
+        return
+    yield (
+        f"rigid: the {len(frequencies)} lowest modes, as many as there are motions that no spring holds; gravity "
+        f"acts on these, and mixes them with the {held} that springs to ground hold; {sign}"
+    )
 
 
 def _per_cent(ratio: float) -> str:

@@ -154,7 +154,7 @@ def rates_job(
 
 def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
     """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
-    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.held_motions)
+    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
     together = ~separate(eigenvalues, close, sizes)
     if not of_zero:
         moving = np.abs(eigenvalues) > ROUNDING * sizes

@@ -297,7 +297,7 @@ def _at(
             at[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
         )
         first = system.first
-        sizes = magnitude(eigenvalues, first, system.rigid_modes, system.held_motions)
+        sizes = magnitude(eigenvalues, first, system.rigid_modes, system.loose_motions)
         group = fields["groups"] = groups(eigenvalues, close, sizes)
         if "shapes" in asked:
             both = _changes(

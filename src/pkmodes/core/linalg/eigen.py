@@ -167,7 +167,8 @@ def held_softly(eigenvalues: Array, motions: int) -> NDArray[np.bool_]:
     eigenvalues : ndarray, shape (N, m) or (m,)
         Ascending, accurate to rounding of the largest or better.
     motions : int
-        Number of motions that nothing else holds; 0 for a system that is not held.
+        Number of motions that nothing else holds, whether or not the springs hold all of them; 0 for a system that
+        is not held.
 
     Returns
     -------

@@ -148,7 +148,7 @@ class CompiledSolver(Solver):
             return np.asarray(abs(of_mode[rigid]) < APART**0.5 * last)
         unresolved = abs(of_mode[rigid]) < (SOFT if self._released else APART) * last
         if system.held_motions:
-            unresolved = unresolved | held_softly(values, system.held_motions)
+            unresolved = unresolved | held_softly(values, system.loose_motions)
         if self._released:
             unresolved = unresolved | has_stiff_joint(values, first, rigid) | (of_mode[-1] > STIFF * last)
         return np.asarray(unresolved)

@@ -58,7 +58,7 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
         If the springs are too soft for any number.
     """
     system = at.system
-    softly = held_softly(eigenvalues, system.held_motions)
+    softly = held_softly(eigenvalues, system.loose_motions)
     if not softly.any():
         return
     parts, M = at.stiffness_parts, at.mass_matrix
@@ -67,7 +67,7 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     if not len(where):
         return
     eigenvalues[where], shapes[where] = _held_eigh(
-        M[where], parts.machine[where], soft[where], system.first, system.held_motions
+        M[where], parts.machine[where], soft[where], system.first, system.loose_motions
     )
 
 
@@ -125,7 +125,8 @@ def _held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) ->
 def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     """Refuse robots with held motions whose frequencies of vibration are lost in rounding.
 
-    A motion that springs hold and gravity destabilises is not refused, however near to balance they are.
+    A motion that springs hold and gravity destabilises is not refused, however near to balance they are; nor is one
+    that no spring holds, which is a rigid mode: at 0 Hz where gravity leaves it alone, too.
 
     Parameters
     ----------
@@ -137,14 +138,15 @@ def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> No
     PoseError
         With the smallest stiffness of a spring to ground that is resolved, if it is to blame.
     """
-    system, motions = at.system, at.system.held_motions
+    system, motions = at.system, at.system.loose_motions
     where = np.flatnonzero(held_softly(eigenvalues, motions))
     if not len(where):
         return
     parts, M = StiffnessParts(*(part[where] for part in at.stiffness_parts)), at.mass_matrix[where]
     stiffer = _stiffer(system, parts, M)
     levels, _ = condensed_eigh(M, parts.machine, system.first, motions)
-    lowest = np.where(stiffer, np.abs(eigenvalues[where, :motions]).min(axis=1), levels[:, motions])
+    lowest_held = np.sort(np.abs(eigenvalues[where, :motions]))[:, system.rigid_modes]
+    lowest = np.where(stiffer, lowest_held, levels[:, motions])
     highest = base_level(M, at.stiffness_matrix[where], system.first)
     lost = np.abs(lowest) < RESOLVED * highest
     if lost.any():
@@ -154,6 +156,7 @@ def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> No
     springs, pull = (np.einsum("Nia,Nab,Nib->Ni", slow, part, slow) for part in (parts.ground, parts.gravity))
     least = np.maximum(BESIDE_GRAVITY * np.abs(pull).max(axis=1, keepdims=True), SMALLEST)
     small = (size < least) & (springs < least)
+    np.put_along_axis(small, np.argsort(springs)[:, : system.rigid_modes], values=False, axis=1)
     if small.any():
         pose, mode = np.unravel_index(int(np.argmax(small)), small.shape)
         raise _too_soft(at, size[pose, mode], springs[pose, mode] / least[pose, 0])

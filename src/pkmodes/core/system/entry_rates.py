@@ -68,6 +68,27 @@ def value_rates(
     return rates_by_steps(mechanism, parameters, effects, p, listed, moved)
 
 
+def spring_rates(
+    mechanism: Mechanism, parameters: Any, effects: Any, p: Array, springs: Collection[str]
+) -> dict[str, Array]:
+    """Evaluate K per unit of each spring to ground at N poses, in all coordinates, (N, e, e) by generated field.
+
+    The energy of an effect that ties the robot to ground is proportional to its parameters, so these are parts of K
+    without a difference.
+    """
+    _, rates = value_rates(mechanism, parameters, effects, p, springs)
+    size = len(mechanism.extended.COORDINATES)
+    found, start = {}, 0
+    for field, _, _, entries in mechanism.extended.VALUE_SENSITIVITIES:
+        if field in springs:
+            part = np.zeros((len(p), size, size))
+            for k, (i, j) in enumerate(entries, start):
+                part[:, i, j] = part[:, j, i] = rates[:, k]
+            found[field] = part
+        start += len(entries)
+    return found
+
+
 def rates_by_steps(
     mechanism: Mechanism,
     parameters: Any,

@@ -42,7 +42,7 @@ class Evaluation:
     rigid_modes : int
         Number of modes that strain nothing elastic.
     held_motions : int
-        Number of motions that strain only springs to ground.
+        Number of motions that strain only springs to ground: the rank of these springs.
     springs_to_ground : mapping of str to float
         The springs that do so, by path without ``effects.``.
     """
@@ -58,6 +58,11 @@ class Evaluation:
         self.coordinates = tuple(q.name for q in mechanism.coordinates)
         self.first, self.rigid_modes = len(self.coordinates), mechanism.rigid_modes
         self.held_motions, self.springs_to_ground = 0, {}
+
+    @property
+    def loose_motions(self) -> int:
+        """Number of motions that strain nothing of the machine, if springs to ground hold some of them; else 0."""
+        return self.rigid_modes + self.held_motions if self.held_motions else 0
 
     @property
     def generated(self) -> Generated:
@@ -135,8 +140,8 @@ class ExtendedSystem(Evaluation):
         found = released(mechanism, tuple(effects.items()))
         self.effects, self.free, self.coordinates = found.effects, found.free, found.coordinates
         self.joints, self.joint_rates = found.joints, found.joint_rates
-        self.rigid_modes, self.springs_to_ground = found.rigid_modes, found.springs_to_ground
-        self.held_motions = mechanism.rigid_modes - self.rigid_modes
+        self.springs_to_ground = found.springs_to_ground
+        self.rigid_modes, self.held_motions = found.rigid
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:

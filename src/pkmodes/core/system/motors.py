@@ -19,10 +19,10 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared, sample, sample_pose
 from pkmodes.core.system.entry_rates import value_rates
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
+from pkmodes.core.system.released import spring_fields
+from pkmodes.core.system.rigid_motions import rigid_motions
 
 Array = NDArray[np.float64]
-#: An eigenvalue below this fraction of the largest is that of a motion that strains nothing.
-RIGID = 1e-9
 #: Derivatives below this fraction of the largest are zero.
 ZERO = 1e-12
 
@@ -65,8 +65,8 @@ class MotorsHeld(ExtendedSystem):
         self._listed, self.free, self.basis = self.free, remaining.free, remaining.basis
         self.coordinates, self.rotors = remaining.coordinates, remaining.rotors
         self.first -= len(motion)
-        self.rigid_modes = 0 if self.springs_to_ground else remaining.loose
-        self.held_motions = remaining.loose - self.rigid_modes
+        springs = spring_fields(self.springs_to_ground)
+        self.rigid_modes, self.held_motions = rigid_motions(mechanism, springs, tuple(self.rotors))
 
     @cached_property
     def massless(self) -> NDArray[np.bool_]:
@@ -98,13 +98,12 @@ class MotorsHeld(ExtendedSystem):
 
 
 class _Remaining(NamedTuple):
-    """What remains of some coordinates: see `MotorsHeld`; and how many motions strain nothing elastic."""
+    """What remains of some coordinates: see `MotorsHeld`."""
 
     free: NDArray[np.intp]
     rotors: list[int]
     coordinates: tuple[str, ...]
     basis: Array
-    loose: int
 
 
 @lru_cache(256)  # a diagnosis asks for the same few again and again
@@ -122,8 +121,7 @@ def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining
     of_all = np.frombuffer(motion).reshape(-1, len(names))
     rotors, basis = _following(of_all, first)
     free = np.setdiff1d(np.frombuffer(listed, dtype=np.intp), rotors)
-    loose = _loose(mechanism, of_all[:, :first].tobytes())
-    return _Remaining(free, rotors, tuple(names[i] for i in free), basis, loose)
+    return _Remaining(free, rotors, tuple(names[i] for i in free), basis)
 
 
 class _Inert(NamedTuple):
@@ -149,26 +147,6 @@ def _following(motion: Array, first: int) -> tuple[list[int], Array]:
         T[rotor] = -row / row[rotor] + 0.0
         T[rotor, rotor] = 1.0 / row[rotor]
     return rotors, T
-
-
-@cache
-def _loose(mechanism: Mechanism, motion: bytes) -> int:
-    """Return how many motions strain nothing elastic although the motors are held.
-
-    Parameters
-    ----------
-    motion : bytes
-        The angles of the motors per unit of each coordinate without effects.
-    """
-    plain, base = sample(mechanism), len(mechanism.coordinates)
-    of_sample = Generated(mechanism.extended, plain, mechanism.extended.Effects())
-    M, K, _ = of_sample.extended_matrices(sample_pose(mechanism))
-    rotors, _ = _following(np.frombuffer(motion).reshape(-1, base), base)
-    kept = np.setdiff1d(np.arange(base), rotors)
-    M, K = (matrix[np.ix_(kept, kept)] for matrix in (M, K))
-    scale = 1.0 / np.sqrt(np.diag(M))
-    levels = np.linalg.eigvalsh(K * np.outer(scale, scale))
-    return int(np.count_nonzero(levels < RIGID * levels.max(initial=0.0)))
 
 
 @cache

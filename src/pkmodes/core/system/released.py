@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.registry import Mechanism
+from pkmodes.core.system.rigid_motions import RigidMotions, rigid_motions
 
 Array = NDArray[np.float64]
 
@@ -22,7 +23,7 @@ class Released(NamedTuple):
     joints: Array
     joint_rates: Array
     coordinates: tuple[str, ...]
-    rigid_modes: int
+    rigid: RigidMotions
     springs_to_ground: Mapping[str, float]
 
 
@@ -34,9 +35,16 @@ def released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> Re
     grounding = [name for name in active_effects(mechanism, dict(effects)) if mechanism.effects[name].grounds]
     springs = {path: value for path, value in effects if path.split(".")[0] in grounding and value != 0.0}
     free, joints, rates, coordinates = _joints(mechanism, releasing)
-    rigid = 0 if grounding else mechanism.rigid_modes
+    rigid = RigidMotions(mechanism.rigid_modes, 0)
+    if springs:
+        rigid = rigid_motions(mechanism, spring_fields(springs))
     values = mechanism.extended.Effects(**shared)
     return Released(values, free, joints, rates, coordinates, rigid, springs)
+
+
+def spring_fields(springs: Mapping[str, float]) -> tuple[str, ...]:
+    """Return the generated fields of springs to ground by path."""
+    return tuple(path.replace(".", "_") for path in springs)
 
 
 @lru_cache(maxsize=256)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.registry import Mechanism
-from pkmodes.core.system.entry_rates import value_rates
+from pkmodes.core.system.entry_rates import spring_rates
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
 
 Array = NDArray[np.float64]
@@ -34,26 +34,16 @@ class StiffnessParts(NamedTuple):
 
 
 def stiffness_parts(system: Evaluation, p: Array) -> StiffnessParts:
-    """Evaluate the parts of K of an extended system at N poses, (N, d).
-
-    The energy of an effect that ties the robot to ground must be proportional to its parameters, so the generated
-    derivatives with respect to them give its part without a difference.
-    """
+    """Evaluate the parts of K of an extended system at N poses, (N, d)."""
     assert isinstance(system, ExtendedSystem)
     springs, extended = _springs_to_ground(system.mechanism), system.mechanism.extended
     without = system.effects._replace(**dict.fromkeys(springs, 0.0))
     _, machine, gravity = Generated(extended, system.parameters, without).extended_matrices(p)
     diagonal = np.arange(machine.shape[-1])
     machine[..., diagonal, diagonal] += system.joints
-    _, rates = value_rates(system.mechanism, system.parameters, system.effects, p, springs)
-    ground, start = np.zeros_like(machine), 0
-    for field, _, _, entries in extended.VALUE_SENSITIVITIES:
-        if field in springs:
-            stiffness = np.asarray(getattr(system.effects, field))
-            for k, (i, j) in enumerate(entries, start):
-                ground[:, i, j] += stiffness * rates[:, k]
-        start += len(entries)
-    ground += np.swapaxes(np.triu(ground, 1), -1, -2)
+    ground = np.zeros_like(machine)
+    for field, part in spring_rates(system.mechanism, system.parameters, system.effects, p, springs).items():
+        ground += np.asarray(getattr(system.effects, field))[..., None, None] * part
     parts = (machine, ground, gravity)
     return StiffnessParts(*(system.free_part(system.in_basis(part)) for part in parts))
 
