@@ -63,6 +63,8 @@ WRONG = [
     ("1 __import__('os')", "length", "is not a unit"),
     ("4,5 mm", "length", "which has a decimal comma"),
     ("4.5,6,7 mm", "length", "is not a unit"),
+    ("1 " + "m" * 55, "length", "is unknown"),
+    ("1 kgm/Nmm/kgm/Nmm/ozin", "length", "whose unit"),
     ("20 degC", "length", "which is a quantity of dimension"),
     ("1 " + "m" * 1000, "length", "longer than 60 characters"),
     ("35 mm*deg", "length", "does not belong there"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from itertools import product
+from itertools import islice, product
 
 #: The minus sign of typesetters, and what separates groups of digits: also their apostrophe and spaces.
 MINUS_SIGN = "\u2212"
@@ -51,8 +51,8 @@ SYMBOLS = (
     *("N", "kN", "MN", "mN", "cN", "daN", "kgf", "kg", "gf", "g", "lbf", "lb", "ozf", "oz"),
 )
 WORD = re.compile(r"([A-Za-zµμ°º%\"']+)((?:\^-?\d)?)")
-#: No unit of a robot has more factors.
-MOST_FACTORS = 5
+#: No unit of a robot has more factors, no name stands for a product of more, and no more spellings are tried.
+MOST_FACTORS, MOST_SYMBOLS, MOST_SPELLINGS = 5, 3, 200
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴", "-01234")
 
 
@@ -82,7 +82,7 @@ def plain_numbers(text: str) -> tuple[list[tuple[str, str]], str]:
             readings.append(_joined(digits))
             flaw = "whose comma may separate decimals or thousands"
     elif kinds in ([], ["."]) and (point or not kinds):
-        flaw = "whose minus sign is that of typesetters"
+        flaw = "which has a typographic minus sign"
         readings = readings if match["sign"] == MINUS_SIGN else []
     else:
         flaw = "whose digits are in groups"
@@ -124,7 +124,7 @@ def spellings(unit: str) -> Iterator[str]:
     if len(words) > MOST_FACTORS:
         return
     for form in dict.fromkeys((text, _one_quotient(text), _quotient_of_quotients(text))):
-        for chosen in product(*(_meanings(word[1]) for word in words)):
+        for chosen in islice(product(*(_meanings(word[1]) for word in words)), MOST_SPELLINGS):
             names = iter(chosen)
 
             def written(word: re.Match[str], names: Iterator[str] = names) -> str:
@@ -161,10 +161,10 @@ def _meanings(name: str) -> list[str]:
     return list(dict.fromkeys([name, *together, *same, *others, *meant]))
 
 
-def _parts(name: str) -> Iterator[list[str]]:
-    """Yield the ways in which a name consists of symbols."""
+def _parts(name: str, most: int = MOST_SYMBOLS) -> Iterator[list[str]]:
+    """Yield the ways in which a name consists of a few symbols."""
     if not name:
         yield []
-    for symbol in SYMBOLS:
+    for symbol in SYMBOLS if most else ():
         if name.startswith(symbol):
-            yield from ([symbol, *rest] for rest in _parts(name[len(symbol) :]))
+            yield from ([symbol, *rest] for rest in _parts(name[len(symbol) :], most - 1))
