@@ -14,6 +14,7 @@ from sympy import Expr, Symbol, default_sort_key, expand
 from pkmodes_derive.definition import DefinitionError
 from pkmodes_derive.functions import Function, Model
 from pkmodes_derive.machine import Machine
+from pkmodes_derive.sample_robot import check_directions
 from pkmodes_derive.vectors import axis, cross, placed
 from pkmodes_derive.vocabulary import AXES, Field
 from pkmodes_description import Margin, Requirement
@@ -50,7 +51,9 @@ def check_declared(machine: Machine) -> None:
     _check_coordinates(machine)
     _check_closures(machine)
     _check_levers(machine)
+    _check_positions(machine)
     _check_sample(machine)
+    check_directions(machine)
 
 
 def _check_coordinates(machine: Machine) -> None:
@@ -135,6 +138,24 @@ def _check_levers(machine: Machine) -> None:
                         where,
                         "define it as position of the platform + lever - joint on the other side",
                     )
+
+
+def _check_positions(machine: Machine) -> None:
+    """Check that bodies are in space, also those of a machine in a plane, and that legs change their length."""
+    positions = [("m.points", point.position) for point in machine.points]
+    positions += [("m.rods", end) for rod in machine.rods for end in rod.ends]
+    positions += [("m.arms", arm.centre) for arm in machine.arms]
+    positions += [("m.leg", end) for leg in machine.legs for end in leg.ends]
+    for where, position in positions:
+        if len(position) != 3:
+            what = f"a position has {len(position)} components, expected 3"
+            raise DefinitionError(what, where, "write 0 for each missing one, for example (*p, 0)")
+    for leg in machine.legs:
+        if leg.link.rigid:
+            what = f"the link of the leg along {leg.link.vector[0]}, ... is rigid"
+            raise DefinitionError(
+                what, "m.leg", "write m.link(vector, l, l, ...), with the leg's length l twice"
+            )
 
 
 def _check_sample(machine: Machine) -> None:

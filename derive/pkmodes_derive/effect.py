@@ -173,7 +173,7 @@ class Effect:
     released : Released or None
         None for a term.
     grounds : bool
-        Whether it ties the platform to ground, so no rigid-body mode is left.
+        Whether it ties the machine to ground; how many rigid-body modes are left follows from its energy.
     needs : Positive or None
         Condition on its parameters.
     dissipates : bool

@@ -399,6 +399,7 @@ class Machine:
         lifted = "mass that is lifted with the vector of leg {j}"
         leg = Leg(
             link,
+            placed(self.directions, link.vector),
             (ends[0], ends[1]),
             tuple(parts),
             v.declare("m_perp_{j}", "kg", felt, r"m_{{\perp,{j}}}", **index),

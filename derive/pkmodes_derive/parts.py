@@ -145,6 +145,8 @@ class Leg:
     ----------
     link : Link
         Closes the loop: its vector goes from the joint on the frame to that on the platform.
+    vector : Position
+        That vector with three components [m].
     ends : tuple of Position
         Positions of both joints [m].
     parts : tuple of LegPart
@@ -154,15 +156,11 @@ class Leg:
     """
 
     link: Link
+    vector: Position
     ends: tuple[Position, Position]
     parts: tuple[LegPart, ...]
     inertia: Symbol
     weight: Symbol
-
-    @property
-    def vector(self) -> tuple[Symbol, ...]:
-        """Vector of its link [m]."""
-        return self.link.vector
 
     @property
     def length(self) -> Symbol:

@@ -246,7 +246,7 @@ class Effect(Part, frozen=True):
     ----------
     name, sentence : str
     grounds : bool
-        Whether it ties the platform to ground, so that there are no rigid-body modes.
+        Whether it ties the machine to ground; how many rigid-body modes are left follows from its energy.
     coordinates : tuple of Named
         The coordinates that it releases.
     parameters : tuple of EffectParameter

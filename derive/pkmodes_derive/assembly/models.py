@@ -21,6 +21,7 @@ from pkmodes_derive.assembly.dissipation import dissipation, loss_of_joints
 from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
 from pkmodes_derive.machine import Machine
+from pkmodes_derive.sample_robot import normalised_sample
 from pkmodes_description import Description, Drawing, Named
 
 Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
@@ -77,7 +78,7 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
         effects_in_order=tuple(effect.data() for effect in machine.effects),
         scales=machine.scales,
         difference_pairs=tuple(machine.differences.items()),
-        sample=dict(machine.sample),
+        sample=normalised_sample(machine),
         drawing=drawing,
         rotations=machine.rotations,
     )

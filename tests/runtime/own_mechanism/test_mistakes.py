@@ -84,6 +84,12 @@ MISTAKES = {
         r"there is no value for tool_mass \(five_bar.py: m.sample\); add one number, in kg",
     ),
     "shape of sample": ("[900, 1100]", "900", r"the value of reducer_stiffness has the wrong shape"),
+    "in a plane": (
+        "PointMass(m_p, m.platform)",
+        "PointMass(m_p, m.platform[:2])",
+        r"a position has 2 components, expected 3 .*m.points\); write 0 for each missing one",
+    ),
+    "rods in a plane": ("(base, elbow)", "(base[:2], elbow[:2])", r"a position has 2 components, .*m.rods"),
     "no inertia": (
         "m.rotor(phi[j], 0), 1)], I_m[j]",
         "m.rotor(phi[j], 0), 1)], 0 * I_m[j]",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import json
+import re
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from helpers.commands.adding_a_mechanism import (
     DECLARED,
     DEFINITION,
     IN_PYTHON,
+    PAGE,
     POSE,
     POSES,
     SHOWN,
@@ -26,6 +28,7 @@ from helpers.generated.compiled import COMPILER, FLAGS
 from helpers.pages.documentation import same
 from pkmodes import updating
 from pkmodes.cli import run
+from pkmodes_description import UNITS
 
 
 def test_the_definition_is_short() -> None:
@@ -126,3 +129,9 @@ def test_a_wrong_value_is_found(place: Path, tmp_path: Path) -> None:
     assert cause["name"] == "parameter:arm.length"
     assert cause["parameters"]["arm.length"]["value"] == pytest.approx(0.23, abs=1e-3)
     assert run(["compare", *arguments]) == 0
+
+
+def test_the_page_lists_every_dimension_that_a_quantity_may_have() -> None:
+    listed = re.search(r"Its dimension is one of (.*?)\.", " ".join(PAGE.split()))
+    assert listed is not None
+    assert re.findall(r"`(.*?)`", listed[1]) == list(UNITS)
