@@ -327,7 +327,6 @@ def test_spectra_that_are_none_are_refused_with_what_to_do(tmp_path: Path) -> No
         (["--measured", "MODES", "--grid", "x=0:1:3"], "--grid is for a robot file"),
         (["modes.csv"], 'expected ROBOT.toml, found "modes.csv": measured modes are given by --measured'),
         (["robot.toml", "--damping", "5 %"], "--damping is for measured modes"),
-        (["robot.toml", "--drives", "held"], "--drives is for measured modes"),
         (
             ["--measured", "MODES", "--damping", "1.5"],
             "expected a damping ratio from 0 to below 1, found 1.5 (--damping)",

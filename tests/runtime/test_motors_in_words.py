@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 import pkmodes
-from helpers.robots.one_of_each import FILES, ROBOTS
-from pkmodes.support.motors import motors_in_words, motors_of_both
+from helpers.robots.one_of_each import EVERY, ROBOTS
+from pkmodes.support.motors import drives_in_use, motors_in_words, motors_of_both
 
 
-@pytest.mark.parametrize("name", list(FILES.values()))
+@pytest.mark.parametrize("name", list(EVERY.values()))
 def test_motors_with_a_position_loop_are_not_called_free(name: str) -> None:
     """Not even in the title of measurements, of which some were made with motors held."""
     off = pkmodes.read_robot(ROBOTS / name)
@@ -22,3 +22,13 @@ def test_motors_with_a_position_loop_are_not_called_free(name: str) -> None:
     assert motors_of_both(off, zero, "free") == "motors free"
     assert motors_of_both(off, on, "free") == "motors free (first) and on their servo stiffness (second)"
     assert motors_of_both(off, on, "held") == "motors held"
+    assert [drives_in_use(robot) for robot in (off, zero, on)] == ["held", "held", "free"]
+    assert [drives_in_use(on, drives) for drives in ("free", "held")] == ["free", "held"]
+
+
+@pytest.mark.parametrize("name", list(EVERY.values()))
+def test_a_cable_holds_no_motor(name: str) -> None:
+    """It ties the platform to ground like the position loops, but beside the drives."""
+    tied = pkmodes.read_robot(ROBOTS / name).with_values({"effects.cable_stiffness.stiffness": 200.0})
+    assert motors_in_words(tied, "free") == "motors free"
+    assert drives_in_use(tied) == "held"

@@ -28,7 +28,7 @@ from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.poles import notes_on_damping, poles
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.support.documents import Count, Document
-from pkmodes.support.motors import motors_in_words
+from pkmodes.support.motors import motors_give_way, motors_in_words
 
 Array = NDArray[np.float64]
 #: Components smaller than this are rounding; of frequencies, whose squares are computed, this part of the largest.
@@ -154,7 +154,7 @@ def as_json(model: Model, result: Modes, statics: Statics) -> dict[str, Any]:
 
 def _in_json(field: Field, result: Modes, model: Model) -> Any:
     """Return the value of a field: by name along the independent coordinates, except under another name of these."""
-    if field.only == HELD and result.drives != HELD:
+    if field.only == HELD and result.drives != HELD and not motors_give_way(result.robot):
         return None
     value = getattr(result, field.name).tolist()
     if field.dims == (INDEPENDENT,) and not field.same_as:

@@ -1,4 +1,4 @@
-"""``pkmodes shaper``: input shapers for a machine with held motors, at poses and payloads or for measured modes."""
+"""``pkmodes shaper``: input shapers for a machine in use, at poses and payloads or for measured modes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,6 @@ from pkmodes.cli.options import (
     FILE,
     comma_list,
     json_option,
-    measured_drives_option,
     mechanism_option,
     named_as_options,
     quantity_option,
@@ -27,6 +26,7 @@ from pkmodes.cli.poses import grid_option, places_given, poses_option
 from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.settings import height_given, height_option, settings_given, settings_option
 from pkmodes.cli.targets import Target, check_targets, report_target
+from pkmodes.core.base.drives import DRIVES
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.support.extras import require
 
@@ -45,7 +45,7 @@ MOST = 10
 #: Poses that are compared at most: all of them are held at once.
 POSES = 1_000_000
 #: Arguments of `pkmodes.Model.shapers` that have the names of their options.
-ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping", "height")
+ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping", "height", "drives")
 
 
 @dataclass(frozen=True)
@@ -134,7 +134,13 @@ class _Result:
     metavar="NAME",
     help="klipper, marlin or reprapfirmware: recommend only a shaper that it has.",
 )
-@measured_drives_option
+@click.option(
+    "--drives",
+    type=click.Choice(DRIVES),
+    help="What the motors do: turn against the springs that [effects.servo_stiffness] gives them, or be held by "
+    "position loops far stiffer than the machine; by default as the robot file has them.  With --measured, what they "
+    "did in the test, if the file does not say it; default free.",
+)
 @mechanism_option
 @click.option(
     "--out",
@@ -173,7 +179,8 @@ def shaper(
 ) -> None:
     """Choose an input shaper: the best fixed one of each kind, beside those that follow the pose.
 
-    Motors are held.  Prints what each leaves of the vibration, and lines for the firmware of printers.
+    Motors give way on their springs where the robot file has [effects.servo_stiffness], and are held where it has
+    none.  Prints what each leaves of the vibration, and lines for the firmware of printers.
 
     With --set, as of a payload that grows, also a schedule: the best fixed shaper for each value.
 
@@ -187,7 +194,7 @@ def shaper(
     )
     check_targets(json_file, [robot, measured, spectrum, poses], *targets)
     of_robot = {"--grid": grid, "--poses": poses, "--set": settings or None, "--height": height}
-    foreign = of_robot if measured else {"--damping": damping, "--drives": drives}
+    foreign = of_robot if measured else {"--damping": damping}
     _check_source(robot, measured, foreign)
     sources = sources_of(
         report_to, {"robot file": robot, "measurement file": measured, "measured spectrum": spectrum}
@@ -223,7 +230,7 @@ def shaper(
             swept = settings_given(model, settings)
             layers = height_given(model, height, swept)
             points = _points(model, grid, poses, swept)
-            choice = model.shapers(points, names, settings=swept, height=layers, **asked)
+            choice = model.shapers(points, names, settings=swept, height=layers, drives=drives, **asked)
             result = _of_robot(model, choice, seen, sources)
     from pkmodes.report.shaper_curves import curves_csv
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Self, cast
 
 import msgspec
 import numpy as np
@@ -177,7 +177,7 @@ class SpectrumDocument(Document, frozen=True):
 
 
 class ShaperDocument(Document, frozen=True):
-    """Shapers for the modes of held motors, compared over poses."""
+    """Shapers for the modes of a machine in use, compared over poses."""
 
     robot: Annotated[str, Meta(description="Name of the robot.")]
     drives: Drives
@@ -264,7 +264,7 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
     seen, said = SpectrumDocument.seen(spectrum, choice)
     return ShaperDocument(
         robot=model.robot.name,
-        drives="held",
+        drives=cast("Drives", choice.ringing.drives),
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
         unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
@@ -363,7 +363,7 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
         )
     return MeasuredShaperDocument(
         measured=data.source,
-        drives=data.drives[data.pose[at.rows[0]]],
+        drives=cast("Drives", at.drives),
         poses=len(np.unique(data.pose[at.rows])),
         modes=len(at.rows),
         shapers=shapers,

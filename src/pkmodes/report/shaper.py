@@ -90,11 +90,11 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     at = pointer("shapers", choice.recommended, "left", "worst")
     share = float(best.left_at.max())
     return Summary(
-        subject=shortened(content["robot"]),
+        subject=f"{shortened(content['robot'])}, {choice.ringing.motors}",
         kind="Shaper",
         headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
         reason=(
-            f"The recommended fixed shaper, for {design_of(best)}; motors held. Where it leaves most, the vibration "
+            f"The recommended fixed shaper, for {design_of(best)}. Where it leaves most, the vibration "
             f"is {100.0 * best.left.worst:.2g} % of the largest one without a shaper. {why_recommended(choice)}"
         ),
         notes=[as_sentence(clean(note)) for note in content["notes"]],

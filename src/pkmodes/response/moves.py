@@ -1,4 +1,4 @@
-"""A move of a robot whose motors follow the command: how far the platform is from where it should be."""
+"""A move of a robot whose motors are told a command: how far the platform is from where it should be."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.response.path_vibration import deviation_along
 from pkmodes.shaping.arguments import checked_impulses
 from pkmodes.shaping.shapers import Shaper
+from pkmodes.support.motors import drives_in_use
 
 Array = NDArray[np.float64]
 #: Longest step between two poses whose matrices are evaluated [m], rotations times the characteristic length: errors
@@ -30,25 +31,28 @@ RATIO = Constraint(
 
 @dataclass(frozen=True, eq=False)
 class Move:
-    """A move of a robot with held motors, at T times.
+    """A move of a robot whose motors follow a command, at T times.
 
     Attributes
     ----------
     time : ndarray, shape (T,)
         In s.
     poses : ndarray, shape (T, d)
-        What the motors follow: the command, after the shaper.  The platform is at ``poses + deviation``.
+        What the motors are told: the command, after the shaper.  The platform is at ``poses + deviation``.
     deviation : ndarray, shape (T, d)
         Of the platform from `poses` [m]; where it turns, by small rotations about base axes [rad].  Static sag under
         gravity is not part of it.
     robot : Robot
         The robot that moves.
+    drives : {"free", "held"}
+        What the motors do: held to the command, or free against springs that are.
     """
 
     time: Array
     poses: Array
     deviation: Array
     robot: Robot = field(repr=False)
+    drives: str = HELD
 
     _repr_html_ = Attached("pkmodes.report.notebook:of_move")
 
@@ -67,8 +71,9 @@ def simulate(
     *,
     shaper: Shaper | None = None,
     damping: float | None = None,
+    drives: str | None = None,
 ) -> Move:
-    """Simulate how the platform rings while held motors follow a command (docs/shapers.md).
+    """Simulate how the platform rings while the motors follow a command (docs/shapers.md).
 
     Modes, inertia and motion are those of the commanded pose of each moment; vibrations are small, and forces
     that grow with the square of the speed are left out.
@@ -87,17 +92,21 @@ def simulate(
         splits what the command moves up to this time: `shaper` designs them for the commanded poses.
     damping : float, optional
         Damping ratio of every mode, instead of that of the robot file.
+    drives : {"free", "held"}, optional
+        What the motors do: "held", exactly what they are told; "free", with the springs that the robot file has for
+        them (``[effects.servo_stiffness]``), whose other ends do what they are told.  By default the latter where
+        the file has such springs.
 
     Returns
     -------
     Move
-        ``poses``, which the motors follow: the command after the shaper; and ``deviation``, how far the platform
+        ``poses``, what the motors are told: the command after the shaper; and ``deviation``, how far the platform
         is from them [m, rad], both (T, d).
 
     Raises
     ------
     PkmodesError
-        If the times do not ascend, or shapes do not go together.
+        If the times do not ascend, or shapes do not go together; or if motors that nothing holds are to be free.
     PoseError
         If the path leaves the workspace; the message says when and where.
 
@@ -111,6 +120,7 @@ def simulate(
     >>> bool(move.largest(after=0.05) > 1e-4)
     True
     """
+    does = drives_in_use(model.robot, drives)
     t = _times(time)
     command = _command(model, poses, t)
     shaped = command if shaper is None else shaped_command(t, command, shaper)
@@ -121,7 +131,7 @@ def simulate(
     if rigid := model.solved(HELD).rigid_modes:
         what = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
         raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
-    return Move(t, shaped, deviation_along(model, fine, path)[given], model.robot)
+    return Move(t, shaped, deviation_along(model, fine, path, does)[given], model.robot, does)
 
 
 def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:

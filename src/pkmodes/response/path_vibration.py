@@ -1,16 +1,18 @@
-r"""Vibrations along a path: integration of the modes of held motors while the pose changes.
+r"""Vibrations along a path: integration of the modes while the pose changes.
 
-The motors are held to the command.  The platform then follows its commanded pose p but for a deviation delta, which
-the modes make: with the motion r of all coordinates that moves or turns the platform by 1 and strains nothing,
+The motors are held to the command, or hang on springs whose other ends are.  The platform then follows its commanded
+pose p but for a deviation delta, which the modes make: with the motion r of all coordinates that moves or turns the
+platform by 1 and strains nothing,
 
 .. math:: \ddot\eta + D \dot\eta + \Lambda \eta = -\Phi^T M r \, \ddot p - \Phi^T C_v r \, \dot p , \qquad
     \delta = J_p \Phi \eta ,
 
-where :math:`\Lambda`, :math:`\Phi`, M, r and D are those of the commanded pose of the moment.  D has the viscous
-friction, the damping ratio, and the loss factors as in `pkmodes.core.linalg.damping`.  Ratio and loss factors damp
-the vibration alone, friction resists the move too.  Forces that grow with the square of the speed are left out.
-Where the platform turns, the velocity has the angular velocity about base axes, and the deviation small rotations
-about them.
+where :math:`\Lambda`, :math:`\Phi`, M, r and D are those of the commanded pose of the moment, and the modes those of
+held motors, or of motors on springs: the ends of these move with r, so that :math:`\Phi \eta` alone strains them.  D
+has the viscous friction, the damping ratio, and the loss factors as in `pkmodes.core.linalg.damping`.  Ratio and loss
+factors damp the vibration alone, friction resists the move too.  Forces that grow with the square of the speed are
+left out.  Where the platform turns, the velocity has the angular velocity about base axes, and the deviation small
+rotations about them.
 
 Between samples the command is a straight line, so that its acceleration is a jump of the velocity at each sample.
 Every sample's matrices hold for half an interval before and after it; in between, displacements
@@ -26,7 +28,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import expm
 
-from pkmodes.core.base.drives import HELD
 from pkmodes.core.linalg.rotations import AXES, about, matrix_of, vector_of
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
@@ -44,17 +45,19 @@ FAST, FASTER = 1e3, 1e4
 EQUAL = 1e-9
 
 
-def deviation_along(model: Model, time: Array, poses: Array) -> Array:
+def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Array:
     """Return how far the platform is from its commanded pose, at rest at first, (T, d).
 
     Parameters
     ----------
     model : Model
-        Of a robot without rigid modes while its motors are held.
+        Of a robot without rigid modes.
     time : ndarray, shape (T,)
         Ascending [s].
     poses : ndarray, shape (T, d)
         The command, in the workspace; only components of the platform's motion change.
+    drives : {"free", "held"}
+        What the motors do; free ones hang on springs.
     """
     mechanism = model.robot.mechanism
     names = [component.name for component in mechanism.pose]
@@ -67,7 +70,7 @@ def deviation_along(model: Model, time: Array, poses: Array) -> Array:
     deviation, state = np.zeros_like(poses), None
     for start in range(0, len(time), PART):
         first, stop = max(start - 1, 0), min(start + PART, len(time))
-        at = _Vibration(model, poses[first:stop], float(steps.min()))
+        at = _Vibration(model, poses[first:stop], float(steps.min()), drives)
         onward = at.steps(steps[first : stop - 1], velocity[first + 1 : stop])
         kicks = np.einsum("smj,sj->sm", at.kick, jumps[first:stop])
         if state is None:
@@ -131,9 +134,9 @@ class _Vibration:
         Motion of the platform per displacement of the modes.
     """
 
-    def __init__(self, model: Model, poses: Array, step: float) -> None:
+    def __init__(self, model: Model, poses: Array, step: float, drives: str) -> None:
         points, self._of = _distinct(poses)
-        at = LinearisedRobot(model, points, HELD, AUTO)
+        at = LinearisedRobot(model, points, drives, AUTO)
         shapes, M, viscous = at.own_shapes, at.matrices[0], at.dissipation[0]
         names = model.system.coordinates
         moved = strain_free_motions(model.system, points)

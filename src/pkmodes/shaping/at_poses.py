@@ -1,4 +1,4 @@
-"""Shapers that follow the pose: designed for the modes of held motors at each pose."""
+"""Shapers that follow the pose: designed for the modes of the machine in use at each pose."""
 
 from __future__ import annotations
 
@@ -23,9 +23,15 @@ GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
 def shaper_at(
-    model: Model, kind: str, poses: ArrayLike, *, modes: int | None = None, continuous: bool = True
+    model: Model,
+    kind: str,
+    poses: ArrayLike,
+    *,
+    modes: int | None = None,
+    continuous: bool = True,
+    drives: str | None = None,
 ) -> Shaper:
-    """Design shapers for the modes of held motors at poses (docs/shapers.md).
+    """Design shapers for the modes of the machine in use at poses (docs/shapers.md).
 
     Parameters
     ----------
@@ -41,6 +47,8 @@ def shaper_at(
         For a single kind: the mean frequency of these modes, weighted by the squared ``vibration_amplitudes``,
         which has no jump along a path, as a move needs; or, if False, the frequency that leaves least at each
         pose, as in the comparison of `shapers`.
+    drives : {"free", "held"}, optional
+        As for `shapers`: by default as the robot file has the motors.
 
     Returns
     -------
@@ -50,7 +58,8 @@ def shaper_at(
     Raises
     ------
     PkmodesError
-        If the kind is unknown, or has more factors than the machine has modes; or a mode does not oscillate.
+        If the kind is unknown, or has more factors than the machine has modes; or a mode does not oscillate; or if
+        motors that nothing holds are to be free.
 
     Examples
     --------
@@ -61,10 +70,12 @@ def shaper_at(
     """
     count = len(factors(kind))
     checked = model.checked(poses, "raise")
-    at = ringing(model, checked.points, count if modes is None and count > 1 else modes)
+    at = ringing(model, checked.points, count if modes is None and count > 1 else modes, drives=drives)
     if at.left_out:
         what = f"at {at.left_out} of the poses a mode does not oscillate"
-        raise PkmodesError(what, "poses", "pkmodes modes --drives held shows its frequency and damping ratio")
+        raise PkmodesError(
+            what, "poses", f"pkmodes modes --drives {at.drives} shows its frequency and damping ratio"
+        )
     found = own_shapers(kind, at, continuous=continuous)
     return Shaper(*(part.reshape(*checked.batch, -1) for part in found))
 

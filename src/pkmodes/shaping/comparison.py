@@ -27,6 +27,7 @@ def shapers_over(
     firmware: str | None = None,
     settings: Mapping[str, Any] | None = None,
     height: Sequence[float] | None = None,
+    drives: str | None = None,
 ) -> Choice:
     """Compare shapers over poses: the best fixed one of each kind, and those that follow the pose.
 
@@ -58,6 +59,9 @@ def shapers_over(
     height : sequence of two float, optional
         Layer heights of the lowest and of the highest value [m], between which the one parameter with several values
         grows evenly.
+    drives : {"free", "held"}, optional
+        What the motors do: by default they give way on the springs that the robot file has for them
+        (``[effects.servo_stiffness]``), "free", and are held without any.
 
     Returns
     -------
@@ -69,13 +73,14 @@ def shapers_over(
     Raises
     ------
     PkmodesError
-        If an argument is invalid, no fixed shaper is long or short enough, or the firmware has none of them.
+        If an argument is invalid, no fixed shaper is long or short enough, or the firmware has none of them; or if
+        motors that nothing holds are to be free.
     RobotFileError
         If a robot file with a setting would be rejected.
     PoseError
         If no pose can be evaluated.
     """
-    at = ringing(model, poses, modes, settings)
+    at = ringing(model, poses, modes, settings, drives)
     if height is not None:
         check_heights(height, varying(at.settings))
     if kinds is not None and not isinstance(kinds, str):

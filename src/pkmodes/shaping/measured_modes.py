@@ -16,7 +16,7 @@ from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, Constraint, check_argument, is_number
-from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.drives import HELD, motors
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.measurements import Measurements
 from pkmodes.shaping.choice import TICK, choose, default_kinds
@@ -103,7 +103,7 @@ class MeasuredRinging(Ringing):
             notes.append(
                 f"{self.left_out} {are} left out: motors turned freely there, and a machine stops with held ones"
             )
-        if data.drives[data.pose[self.rows[0]]] != HELD:
+        if self.drives != HELD:
             notes.append(
                 "the table does not say that motors were held: a machine whose motors turned freely in the test "
                 "rings in other modes at work; a printer's steppers hold in both"
@@ -175,6 +175,8 @@ def measured_ringing(
         np.ones((size, 1)),
         None,
         int(np.count_nonzero(~used)),
+        drives=data.drives[data.pose[rows[0]]],
+        motors=motors([data.drives[data.pose[rows[0]]]]),
         data=data,
         rows=rows,
         assumed=damping,

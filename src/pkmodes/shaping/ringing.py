@@ -1,7 +1,7 @@
-"""How a machine with held motors rings: the lowest modes, and how much each moves the platform.
+"""How a machine in use rings: the lowest modes, and how much each moves the platform.
 
-It is evaluated at operating points: at poses or, if parameters such as a payload take several values in use, at the
-poses of each setting of them.
+Its motors are held, or give way on the springs that the robot file has for them.  It is evaluated at operating
+points: at poses or, if parameters such as a payload take several values in use, at the poses of each setting of them.
 """
 
 from __future__ import annotations
@@ -15,13 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.arguments import POSITIVE_INTEGER, check_argument
-from pkmodes.core.base.drives import HELD
+from pkmodes.core.base.drives import HELD, motors
 from pkmodes.core.base.errors import PkmodesError, PoseError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.system.evaluation import number_of_modes
 from pkmodes.sensitivity.spread import spread_of
 from pkmodes.shaping.settings import Setting, settings_of
+from pkmodes.support.motors import drives_in_use, motors_give_way, motors_in_words
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
@@ -38,7 +39,7 @@ SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegau
 
 @dataclass(frozen=True, eq=False)
 class Ringing:
-    """The lowest m modes of a machine with held motors at N poses, or at N operating points: poses of settings.
+    """The lowest m modes of a machine in use at N poses, or at N operating points: poses of settings.
 
     Attributes
     ----------
@@ -57,6 +58,10 @@ class Ringing:
         Empty where the robot is as its file says.
     setting : ndarray of int, shape (N,), or None
         Index of the setting of each operating point; None without settings.
+    drives : {"free", "held"}
+        What the motors do: held, or free against springs.
+    motors : str
+        The same in words.
     """
 
     poses: Array
@@ -67,6 +72,8 @@ class Ringing:
     left_out: int
     settings: tuple[Setting, ...] = ()
     setting: NDArray[np.intp] | None = None
+    drives: str = HELD
+    motors: str = motors([HELD])
 
     @cached_property
     def unshaped(self) -> Array:
@@ -174,9 +181,13 @@ class Ringing:
 
 
 def ringing(
-    model: Model, poses: ArrayLike, modes: int | None = None, settings: Mapping[str, Any] | None = None
+    model: Model,
+    poses: ArrayLike,
+    modes: int | None = None,
+    settings: Mapping[str, Any] | None = None,
+    drives: str | None = None,
 ) -> Ringing:
-    """Evaluate the modes of a machine with held motors.
+    """Evaluate the modes of a machine in use.
 
     Parameters
     ----------
@@ -186,30 +197,37 @@ def ringing(
         How many modes count, the lowest; by default three, or all if there are fewer.
     settings : mapping of str to array_like, optional
         Values of parameters in SI units, by path: the poses of every combination count.
+    drives : {"free", "held"}, optional
+        As for `pkmodes.Model.shapers`.
 
     Raises
     ------
     PkmodesError
-        If the machine has fewer modes, or rigid ones although its motors are held; or if settings are invalid.
+        If the machine has fewer modes, or rigid ones although its motors are held; if motors that nothing holds are
+        to be free, or some settings have springs on the motors and others none; or if settings are invalid.
     RobotFileError
         If a robot file with a setting would be rejected.
     PoseError
         If no pose is left.
     """
-    say("computing the modes of the held machine")
+    say("computing the modes of the machine in use")
     if settings is None or (isinstance(settings, Mapping) and not settings):
-        return _at_poses(model, poses, _count(model, modes))
-    return at_settings(model, poses, modes, settings_of(model, settings))
+        does = drives_in_use(model.robot, drives)
+        return _at_poses(model, poses, _count(model, modes, does), does)
+    return at_settings(model, poses, modes, settings_of(model, settings), drives)
 
 
-def at_settings(model: Model, poses: ArrayLike, modes: int | None, settings: Sequence[Setting]) -> Ringing:
+def at_settings(
+    model: Model, poses: ArrayLike, modes: int | None, settings: Sequence[Setting], drives: str | None
+) -> Ringing:
     """Evaluate the modes at the poses of each setting: see `ringing`."""
     models = [model.with_values(one.values) for one in settings]
-    count = min(_count(one, modes) for one in models)
+    does = _common_drives(models, settings, drives)
+    count = min(_count(one, modes, does) for one in models)
     parts = []
     for one, setting in zip(models, settings, strict=True):
         try:
-            parts.append(_at_poses(one, poses, count, known=setting.values))
+            parts.append(_at_poses(one, poses, count, does, known=setting.values))
         except PoseError as error:
             raise PoseError(f"{error.what}, at {setting}", error.where, error.remedy, error.index) from None
     spread = [part.spread for part in parts if part.spread is not None]
@@ -222,13 +240,33 @@ def at_settings(model: Model, poses: ArrayLike, modes: int | None, settings: Seq
         sum(part.left_out for part in parts),
         tuple(settings),
         np.repeat(np.arange(len(parts)), [len(part.poses) for part in parts]),
+        does,
+        parts[0].motors,
     )
 
 
-def _at_poses(model: Model, poses: ArrayLike, count: int, known: Collection[str] = ()) -> Ringing:
+def _common_drives(models: Sequence[Model], settings: Sequence[Setting], drives: str | None) -> str:
+    """Return what the motors do at all settings.
+
+    Raises
+    ------
+    PkmodesError
+        If some settings have springs on the motors and others none.
+    """
+    give_way = [motors_give_way(one.robot) for one in models]
+    if drives != HELD and len(set(give_way)) > 1:
+        soft, none = (settings[give_way.index(gives)] for gives in (True, False))
+        what = f"at {soft} springs hold the motors, and at {none} none do"
+        raise PkmodesError(what, "settings", 'give values above 0 only, or take drives="held"')
+    return drives_in_use(models[0].robot, drives)
+
+
+def _at_poses(
+    model: Model, poses: ArrayLike, count: int, drives: str, known: Collection[str] = ()
+) -> Ringing:
     """Evaluate the lowest modes at poses; frequencies are not spread by values that are known."""
     fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
-    checked, found = model.fields_at(poses, "nan", fields, AUTO, drives=HELD)
+    checked, found = model.fields_at(poses, "nan", fields, AUTO, drives=drives)
     f, zeta, w = (
         found[name].reshape(len(checked.points), *found[name].shape[len(checked.batch) :])[:, :count]
         for name in fields
@@ -243,29 +281,32 @@ def _at_poses(model: Model, poses: ArrayLike, count: int, known: Collection[str]
         f[good],
         zeta[good],
         np.linalg.norm(w[good], axis=-1),
-        _spread(model, points, f[good], known),
+        _spread(model, points, f[good], drives, known),
         int(np.count_nonzero(~good)),
+        drives=drives,
+        motors=motors_in_words(model.robot, drives),
     )
 
 
-def _count(model: Model, modes: int | None) -> int:
+def _count(model: Model, modes: int | None, drives: str) -> int:
     held = model.solved(HELD)
     if held.rigid_modes:
         what = (
             f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
         )
         raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
-    available = number_of_modes(held)
+    available = number_of_modes(model.solved(drives))
     if modes is None:
         return min(MODES, available)
     check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
     if modes > available:
-        what = f"expected at most the {available} modes that the machine has with motors held, found {modes}"
+        doing = motors_in_words(model.robot, drives)
+        what = f"expected at most the {available} modes that the machine has with {doing}, found {modes}"
         raise PkmodesError(what, "modes", f"give 1 to {available}")
     return modes
 
 
-def _spread(model: Model, points: Array, f: Array, known: Collection[str]) -> Array | None:
+def _spread(model: Model, points: Array, f: Array, drives: str, known: Collection[str]) -> Array | None:
     """Return the relative standard deviations of frequencies: declared values err little."""
-    sigmas = spread_of(model, points, HELD, known=known)
+    sigmas = spread_of(model, points, drives, known=known)
     return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -144,6 +144,7 @@ def _between(
         poses,
         at.modes,
         [Setting({**first.values, parameter: value}, first.units) for value in halfway],
+        at.drives,
     )
     ends = [0.0] * len(values)
     for k in range(len(halfway)):

@@ -1,15 +1,13 @@
-"""What the motors of a robot do, in words: the title of everything that depends on it."""
+"""What the motors of a robot do: by default in use, and in words, the title of everything that depends on it."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
-from pkmodes.core.base.drives import FREE, motors
-from pkmodes.core.mechanism.described import Mechanism
+from pkmodes.core.base.drives import FREE, HELD, checked_drives, motors
+from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.declaration import Declaration
-
-#: What the unit of a torsional stiffness ends with.
-PER_ANGLE = "/rad"
+from pkmodes.core.system.motors import springs_on_motors
 
 
 def motors_in_words(robot: Declaration, drives: str | Iterable[str | None]) -> str:
@@ -22,20 +20,36 @@ def motors_in_words(robot: Declaration, drives: str | Iterable[str | None]) -> s
         loop; they turn against it.
     """
     words = motors([drives] if isinstance(drives, str) else drives)
-    active = {path.partition(".")[0] for path, value in robot.effects.items() if value}
-    for name in _holding(robot.mechanism):
-        if name in active:
-            return words.replace(FREE, f"on their {name.replace('_', ' ')}")
+    for name in springs_on_motors(robot.mechanism, robot.effects):
+        return words.replace(FREE, f"on their {name.replace('_', ' ')}")
     return words
 
 
-def _holding(mechanism: Mechanism) -> list[str]:
-    """Return the effects that hold the motors like springs: torsional ones to ground."""
-    return [
-        name
-        for name, effect in mechanism.effects.items()
-        if effect.grounds and all(parameter.unit.endswith(PER_ANGLE) for parameter in effect.parameters)
-    ]
+def motors_give_way(robot: Declaration) -> bool:
+    """Return whether a robot file has its motors on springs, such as a servo stiffness."""
+    return bool(springs_on_motors(robot.mechanism, robot.effects))
+
+
+def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
+    """Return what the motors do in a machine that follows commands: as asked for, else as the robot file has them.
+
+    Parameters
+    ----------
+    drives : {"free", "held"}, optional
+        By default motors that give way turn against their springs, "free", and others are held.
+
+    Raises
+    ------
+    PkmodesError
+        If it is neither word, or motors that nothing holds are to be free: they follow no command.
+    """
+    if drives is None:
+        return FREE if motors_give_way(robot) else HELD
+    if checked_drives(drives) == FREE and not motors_give_way(robot):
+        what = "motors that turn freely follow no command, and the robot file has no spring that holds them"
+        remedy = 'take drives="held", or give the stiffness of the motors as [effects.servo_stiffness]'
+        raise PkmodesError(what, "drives", remedy)
+    return drives
 
 
 def motors_of_both(first: Declaration, second: Declaration, drives: str) -> str:

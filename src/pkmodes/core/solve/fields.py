@@ -62,7 +62,7 @@ class Field:
         Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
     only : {"", "shapes", "dissipation", "held"}
         Under which condition maps have it (`conditions_of`), if not always.  With ``"held"`` it is null in JSON where
-        motors are free.
+        motors are free and no spring holds them.
     signed : bool
         Whether it changes its sign with the sign of the mode shape.
     nullable : bool
@@ -242,8 +242,9 @@ FIELDS: dict[str, Field] = {
             of=_vibration_amplitudes,
             variable="vibration_amplitude",
             key="vibration_amplitudes",
-            key_text="With held motors: for each mode the amplitude with which the platform rings after a step of "
-            "its acceleration along each linear component of the pose, per acceleration [s^2].",
+            key_text="With held motors, or motors on springs (servo_stiffness): for each mode the amplitude with "
+            "which the platform rings after a step of its acceleration along each linear component of the pose, per "
+            "acceleration [s^2].",
             nullable=True,
             units="s^2",
             text="vibration of the platform in each mode after a step of its acceleration, per acceleration",

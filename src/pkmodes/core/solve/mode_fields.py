@@ -25,7 +25,7 @@ from pkmodes.core.solve.fields import tail as tail_of
 from pkmodes.core.solve.numpy_solver import NumpySolver
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, may_be_refused, number_of_modes
-from pkmodes.core.system.motors import MotorsHeld
+from pkmodes.core.system.motors import MotorsHeld, springs_on_motors
 from pkmodes.core.system.strain_free import strain_free_motions
 
 Array = NDArray[np.float64]
@@ -98,7 +98,7 @@ class ModeFields:
             return True
         if field.only == DISSIPATION:
             return bool(self._given["dissipation"])
-        return field.only != HELD or isinstance(self._solved, MotorsHeld)
+        return field.only != HELD or self._given["strain_free_motions"] is not None
 
     def tail(self, name: str) -> tuple[int, ...]:
         """Return the shape of a field at one pose."""
@@ -264,12 +264,15 @@ def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
     -------
     dict of str to object
         ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from N poses the motions of all
-        coordinates, None with free motors; ``kept``, all coordinates per unit of those that remain with held motors,
-        (n, r), None with free motors or if a motion remains that nothing elastic resists.
+        coordinates, None where motors follow no command: they are free, without springs that hold them; ``kept``,
+        all coordinates per unit of those that remain with held motors, (n, r), None with free motors or if a motion
+        remains that nothing elastic resists.
     """
     given: dict[str, Any] = {"rigid_modes": solved.rigid_modes, "strain_free_motions": None, "kept": None}
-    if isinstance(solved, MotorsHeld):
+    held = isinstance(solved, MotorsHeld)
+    if held or springs_on_motors(system.mechanism, system.springs_to_ground):
         given["strain_free_motions"] = partial(strain_free_motions, system)
+    if isinstance(solved, MotorsHeld):
         given["kept"] = None if solved.rigid_modes else solved.motions()[0]
     return given
 

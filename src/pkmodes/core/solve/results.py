@@ -161,11 +161,12 @@ class Modes(ChosenFields):
         times the independent coordinates' components, plus the motion of released joints and the frame.  Where the
         platform turns, its small rotations about base axes follow.
     vibration_amplitudes : ndarray, shape (..., m, directions)
-        With held motors, how the platform rings after a step of its acceleration of 1 m/s^2 along each linear pose
-        component d [s^2]: ``|J_p phi_i| |phi_i^T M r_d| / omega_i^2``, with the motion r_d of all coordinates, motors
-        included, that moves the platform by 1 along d without turning it and strains nothing; the norm is over all
-        directions, not over rotations.  NaN for rigid-body modes, and with free motors.  In a group of equal
-        frequencies it depends on the shapes that stand for the group.
+        With motors that are held, or on springs (servo_stiffness), how the platform rings after a step of its
+        acceleration of 1 m/s^2 along each linear pose component d [s^2]: ``|J_p phi_i| |phi_i^T M r_d| / omega_i^2``,
+        with the motion r_d of all coordinates, motors included, that moves the platform by 1 along d without turning
+        it and strains nothing; the norm is over all directions, not over rotations.  NaN for rigid-body modes, and
+        with free motors that no spring holds.  In a group of equal frequencies it depends on the shapes that stand
+        for the group.
     joint_positions : ndarray, shape (..., k)
         The independent coordinates, which follow from the pose.
     carriage_positions : ndarray, shape (..., k)

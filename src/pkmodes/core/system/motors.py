@@ -7,6 +7,7 @@ follows the wind-up, theta = -psi.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple, overload
 
@@ -19,7 +20,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared, sample, sample_pose
 from pkmodes.core.system.entry_rates import value_rates
 from pkmodes.core.system.evaluation import INERTIAS, Evaluation, ExtendedSystem
-from pkmodes.core.system.released import spring_fields
+from pkmodes.core.system.released import active_effects, spring_fields
 from pkmodes.core.system.rigid_motions import rigid_motions
 
 Array = NDArray[np.float64]
@@ -178,6 +179,20 @@ def _inert(mechanism: Mechanism) -> _Inert:
 def _all_of(name: str, effect: Any, without: set[str]) -> bool:
     fields = [f"{name}_{parameter.name}" for parameter in effect.parameters]
     return not effect.coordinates and all(field in without for field in fields)
+
+
+def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tuple[str, ...]:
+    """Return the effects of a robot through which its motors hang on springs: motors that give way.
+
+    They tie the robot to ground, and have no influence once the motors are held.
+
+    Parameters
+    ----------
+    effects : mapping of str to float
+        By ``<effect>.<parameter>``.
+    """
+    grounding = [name for name in active_effects(mechanism, effects) if mechanism.effects[name].grounds]
+    return tuple(name for name in grounding if f"{name}." in _inert(mechanism).effects)
 
 
 def motor_motion(system: Evaluation) -> Array:
