@@ -140,7 +140,7 @@ class FieldGroup:
 
 @dataclass(frozen=True)
 class HeldMotors:
-    """What remains of a robot whose motors are held.
+    """What remains of a robot in use, whose motors are held, or hang on springs whose other ends are.
 
     Attributes
     ----------
@@ -152,6 +152,8 @@ class HeldMotors:
         Whether the matrices include damping.
     ratio : float
         Damping ratio of every mode, in addition to it.
+    springs : str
+        The effect that is these springs; empty where the motors are held.
     reason : str
         Why its modes cannot be computed, as a sentence without its end; empty if they can.
     """
@@ -160,7 +162,13 @@ class HeldMotors:
     functions: tuple[Function, ...] = field(repr=False, default=())
     dissipates: bool = False
     ratio: float = 0.0
+    springs: str = ""
     reason: str = ""
+
+    @property
+    def motors(self) -> str:
+        """What the motors do, in words that follow them."""
+        return f"on their {self.springs.replace('_', ' ')}" if self.springs else "held"
 
 
 @dataclass(frozen=True)

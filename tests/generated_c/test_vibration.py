@@ -1,9 +1,13 @@
-"""The C for held motors: frequencies, damping ratios and amplitudes are those of `Model.modes` with held motors."""
+"""The C for a robot in use: frequencies, damping ratios and amplitudes are those of `Model.modes`.
+
+Motors are held or, where the robot file says so, on their servo stiffness.
+"""
 
 from __future__ import annotations
 
 import re
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -40,8 +44,9 @@ def robot(request: pytest.FixtureRequest, shared: Shared) -> HeldRobot:
 def test_vibrations_are_those_of_the_runtime(robot: HeldRobot) -> None:
     poses = robot.valid(60)
     assert len(poses) == 60
-    expected = robot.model.modes(poses, drives="held", backend="numpy")
+    expected = robot.model.modes(poses, drives=robot.drives, backend="numpy")
     assert expected.rigid_modes == 0
+    assert robot.count == len(expected.frequencies[0])
     amplitudes = np.linalg.norm(expected.vibration_amplitudes, axis=-1)
     for i, p in enumerate(poses):
         found = robot.vibration(p)
@@ -59,7 +64,8 @@ def test_vibrations_are_those_of_the_runtime(robot: HeldRobot) -> None:
 def test_frequencies_in_single_precision_have_four_digits(robot: HeldRobot) -> None:
     """Where the highest frequency is not many times the lowest: the error is rounding of the largest eigenvalue."""
     poses = robot.valid(300).astype(np.float32).astype(float)
-    expected = robot.model.modes(poses, drives="held", fields=["frequencies"], backend="numpy").frequencies
+    doing = robot.drives
+    expected = robot.model.modes(poses, drives=doing, fields=["frequencies"], backend="numpy").frequencies
     spread = expected[:, -1] / expected[:, 0]
     regular = robot.condition_numbers(poses) < REGULAR
     errors, bounds = [], []
@@ -202,3 +208,29 @@ def test_springs_on_held_motors_and_their_inertia_are_gone() -> None:
         reached = {t for s in reached for t in function.definitions.get(s, s).free_symbols} - used
     assert not [s.name for s in used if s.name.startswith(inert)]
     assert [s.name for s in used if s.name.startswith(("I_p", "k_sp"))]
+
+
+def test_the_header_says_what_the_motors_do(shared: Shared) -> None:
+    for case, words, count in (
+        ("printer", "the motors held", 2),
+        ("slinger_on_springs", "the motors on their servo stiffness", 4),
+    ):
+        robot = HeldRobot(shared.folder(f"held_{case}", partial(HeldRobot.write, case=case)), case)
+        upper = robot.name.upper()
+        assert f"/* modes with {words} */\n#define {upper}_HELD_MODES {count}\n" in robot.header
+        assert f"/* The vibrations with {words}, as in use, lowest first:" in robot.header
+        assert (
+            f"Matrices of the vibrations with {words.removeprefix('the ')}, evaluated together."
+            in robot.header
+        )
+
+
+def test_a_stiffness_of_nothing_leaves_the_motors_held(tmp_path: Path) -> None:
+    """As everywhere: an effect whose values are 0 is none."""
+    text = (ROBOTS / "bed-slinger.toml").read_text(encoding="utf-8")
+    heads = []
+    for more in ("", '\n[effects.servo_stiffness]\nstiffness = "0 N*m/rad"\n'):
+        (tmp_path / "robot.toml").write_text(text + more, encoding="utf-8")
+        generate(tmp_path / "robot.toml", tmp_path / "out")
+        heads.append((tmp_path / "out" / "bed_slinger.h").read_text(encoding="utf-8"))
+    assert all("_HELD_MODES 2\n" in head for head in heads)

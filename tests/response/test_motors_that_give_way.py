@@ -163,6 +163,8 @@ def test_a_held_design_leaves_more_of_the_machine_than_it_says(slinger: Path) ->
     left = residual(best.shaper, at.frequencies, at.damping_ratios)
     assert left[:, :2].max() == pytest.approx(0.119, abs=0.0006)
     given = model.shapers(over_the_bed(), firmware="klipper")
+    assert "Motors on their servo stiffness." in str(given._repr_html_())
+    assert "Motors held." in str(held._repr_html_())
     assert given.candidates[given.recommended].frequencies[0] < 0.95 * best.frequencies[0]
 
 
@@ -274,6 +276,7 @@ def test_a_move_is_that_of_the_springs(machine: OnSprings, shaped: bool) -> None
     travel = np.interp(time, [0.0, ramp], [0.0, distance])  # straight between samples
     move = machine.model.simulate(time, machine.pose + np.outer(travel, along), shaper=shaper)
     assert move.drives == "free"
+    assert "a move, motors on their servo stiffness" in str(move._repr_html_())
     parts = [(1.0, 0.0)] if shaper is None else list(zip(shaper.amplitudes, shaper.delays, strict=True))
 
     def command(t: float) -> np.ndarray:

@@ -1,14 +1,18 @@
-r"""The matrices of one robot whose motors are held.
+r"""The matrices of one robot in use, whose motors are held, or hang on springs whose other ends are.
 
 A motor turns by a linear form in the coordinates: its rotor, and the wind-up of its gearbox.  With the motor at rest
 the rotor follows the wind-up, so all coordinates are :math:`q = T r` with those that remain, r, and a matrix A of
 free motors becomes :math:`T^T A T`.  The inertia of the motors has no influence; it is left out before anything is
 derived, so that nothing large cancels.
+
+Motors on springs are coordinates like the others, so that T is the identity, and a command moves the other ends of
+the springs.  Relative to the motion that it prescribes without strain, the matrices are those of free motors.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence, Set
+from dataclasses import replace
 
 from sympy import Add, Expr, Integer, Matrix, Symbol
 
@@ -31,8 +35,8 @@ Rows = list[list[Expr]]
 NAME = "held_matrices"
 
 
-def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotors:
-    """Derive what remains of a machine with its motors held, or say why it has no modes of vibration.
+def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset(), springs: str = "") -> HeldMotors:
+    """Derive what remains of a machine in use, or say why it has no modes of vibration.
 
     Parameters
     ----------
@@ -41,9 +45,12 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
     zeros : set of sympy.Symbol
         Parameters that are zero for the robot: they select the driven rotors, and coordinates without inertia are
         condensed.
+    springs : str
+        The effect through which the motors hang on springs; without one they are held.
     """
-    for drive in machine.drives:
-        drive.motor = Integer(0)
+    if not springs:
+        for drive in machine.drives:
+            drive.motor = Integer(0)
     d = derive(machine)
     null = _all_zeros(d, zeros)
     driven = {
@@ -52,18 +59,18 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
         for _, selected in drive.rotors
         if isinstance(selected, Symbol)
     }
-    remaining, T = _following(machine, driven)
+    remaining, T = _all_free(machine) if springs else _following(machine, driven)
 
-    def held(matrix: Sequence[Sequence[Expr]]) -> Rows:
+    def in_use(matrix: Sequence[Sequence[Expr]]) -> Rows:
         return condensation.projected([[entry.xreplace(driven) for entry in row] for row in matrix], T)
 
     K_el = [list(row) for row in d.K_el]
     K_loss = [list(row) for row in d.K_loss]
-    springs = zip(machine.compliances, joint_losses(machine), strict=True)
-    for i, (compliance, loss) in enumerate(springs, start=machine.base):
+    joints = zip(machine.compliances, joint_losses(machine), strict=True)
+    for i, (compliance, loss) in enumerate(joints, start=machine.base):
         K_el[i][i] += 1 / compliance
         K_loss[i][i] += loss / compliance
-    M, K_el, K_g, C_v, K_loss = map(held, (d.M, K_el, d.K_g, d.C_v, K_loss))
+    M, K_el, K_g, C_v, K_loss = map(in_use, (d.M, K_el, d.K_g, d.C_v, K_loss))
     massless = [
         a for a, i in enumerate(remaining) if i >= machine.base and not any(e.xreplace(null) for e in M[a])
     ]
@@ -76,7 +83,7 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
     if rates is None:
         reason = reason or "the pose does not determine how the coordinates move"
     if rates is None or reason:
-        return HeldMotors(names, reason=reason)
+        return HeldMotors(names, springs=springs, reason=reason)
     moved = [
         [entry.xreplace(driven) for entry in row] for row in _product(d.M, _rigid_motion(machine, rates))
     ]
@@ -87,12 +94,13 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
     if any(effect.dissipates for effect in machine.effects):
         damping = tuple(flat(condensation.projected(matrix, follow)) for matrix in (C_v, K_loss))
     K = added(K_el, [[K_g[a][b] for b in kept] for a in kept])
-    return HeldMotors(
-        names,
-        (
+    of_these = HeldMotors(names, dissipates=bool(damping), springs=springs)
+    return replace(
+        of_these,
+        functions=(
             _function(
                 d,
-                names,
+                of_these,
                 flat([[M[a][b] for b in kept] for a in kept]),
                 flat(K),
                 flat(platform),
@@ -100,20 +108,19 @@ def held_motors(machine: Machine, zeros: Set[Symbol] = frozenset()) -> HeldMotor
                 damping,
             ),
         ),
-        dissipates=bool(damping),
     )
 
 
 def _function(
     d: Derived,
-    names: Sequence[str],
+    motors: HeldMotors,
     M: tuple[Expr, ...],
     K: tuple[Expr, ...],
     platform: tuple[Expr, ...],
     momenta: tuple[Expr, ...],
     damping: tuple[tuple[Expr, ...], ...],
 ) -> Function:
-    m, n = d.machine, len(names)
+    m, n = d.machine, len(motors.coordinates)
     across = (len(m.directions), n)
     outputs = [
         Output("M", (n, n), M, units_of_mass(m), "mass matrix"),
@@ -137,12 +144,14 @@ def _function(
         ]
     return Function(
         NAME,
-        "Matrices of the vibrations with motors held, evaluated together.",
-        "T^T A T with q = T r for motors at rest; momenta T^T M q_dot for rigid transmissions",
+        f"Matrices of the vibrations with motors {motors.motors}, evaluated together.",
+        "M and K of free motors, relative to the commanded motion; momenta M q_dot for rigid transmissions"
+        if motors.springs
+        else "T^T A T with q = T r for motors at rest; momenta T^T M q_dot for rigid transmissions",
         (d.pose,),
         tuple(outputs),
         d.kin.definitions,
-        f"The coordinates r are {', '.join(names)}.",
+        f"The coordinates r are {', '.join(motors.coordinates)}.",
     )
 
 
@@ -153,6 +162,12 @@ def _all_zeros(d: Derived, zeros: Set[Symbol]) -> dict[Symbol, Expr]:
         if value.free_symbols & null.keys() and value.xreplace(null) == 0:
             null[symbol] = Integer(0)
     return null
+
+
+def _all_free(machine: Machine) -> tuple[list[int], Rows]:
+    """Return the same as `_following` where every coordinate remains."""
+    every = range(len(machine.all_coordinates))
+    return list(every), [[Integer(i == r) for r in every] for i in every]
 
 
 def _following(machine: Machine, driven: dict[Symbol, Expr]) -> tuple[list[int], Rows]:

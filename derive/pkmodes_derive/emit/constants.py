@@ -47,7 +47,9 @@ def constants(model: Model, provenance: Provenance) -> list[Constant]:
     if model.rigid_modes is not None:
         listed.append(Constant("RIGID_MODES", model.rigid_modes, "rigid-body modes, the first ones"))
     if model.held is not None and model.held.functions:
-        listed.append(Constant("HELD_MODES", len(model.held.coordinates), "modes with the motors held"))
+        listed.append(
+            Constant("HELD_MODES", len(model.held.coordinates), f"modes with the motors {model.held.motors}")
+        )
     if any(margin.rule == "at_most_limit" for margin in model.conditions):
         largest = "largest condition number of a regular pose"
         listed.append(Constant("MAX_CONDITION", MAX_CONDITION, largest, MAX_CONDITION_SINGLE))

@@ -104,7 +104,7 @@ def of_robot(specification: Specification) -> Model:
     name, zeros = specification.mechanism, _zeros(specification)
     plain = not specification.effects
     model: Model = mechanisms.base(name) if plain else mechanisms.single(name, specification.effects, zeros)
-    held = mechanisms.held(name, specification.effects, zeros)
+    held = mechanisms.held(name, specification.effects, zeros, specification.springs)
     held = replace(held, ratio=specification.damping_ratio)
     return replace(model, functions=(*model.functions, *held.functions), held=held)
 

@@ -34,6 +34,8 @@ class Specification:
     definition : str
         Path of a user-defined mechanism, its file or the folder of its code, relative to the product; empty for a
         mechanism of pkmodes.
+    springs : str
+        The active effect through which the motors hang on springs in use; empty where they are held.
     """
 
     name: str
@@ -44,6 +46,7 @@ class Specification:
     effects: tuple[str, ...] = ()
     damping_ratio: float = 0.0
     definition: str = ""
+    springs: str = ""
 
     @property
     def identifier(self) -> str:

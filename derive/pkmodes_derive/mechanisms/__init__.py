@@ -163,11 +163,14 @@ def single(name: str, chosen: tuple[str, ...], zeros: Zeros) -> Model:
 
 
 @_once
-def held(name: str, chosen: tuple[str, ...], zeros: Zeros) -> HeldMotors:
-    """Return a robot with some effects whose motors are held, for one robot; derived once per process."""
+def held(name: str, chosen: tuple[str, ...], zeros: Zeros, springs: str = "") -> HeldMotors:
+    """Return a robot with some effects as it is in use, for one robot; derived once per process.
+
+    `springs` is the effect through which its motors hang on springs; without one they are held.
+    """
     declared = machine(name, _some(name, chosen), zeros)
     with _reported(name, ", during the derivation with held motors"):
-        return held_motors(declared, models.absent(declared, zeros))
+        return held_motors(declared, models.absent(declared, zeros), springs)
 
 
 def _some(name: str, chosen: tuple[str, ...]) -> tuple[Effect, ...]:

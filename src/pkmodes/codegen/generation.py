@@ -33,6 +33,7 @@ from pkmodes.core.mechanism.packages import folder_of
 from pkmodes.core.mechanism.registry import add_folder
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.system.motors import springs_on_motors
 from pkmodes.core.system.released import active_effects
 from pkmodes.support.writing import write_files
 
@@ -58,6 +59,7 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
         effects=active_effects(robot.mechanism, robot.effects),
         damping_ratio=robot.damping_ratio,
         definition=definition,
+        springs=next(iter(springs_on_motors(robot.mechanism, robot.effects)), ""),
     )
 
 

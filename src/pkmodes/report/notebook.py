@@ -93,7 +93,7 @@ def of_robot(robot: Robot) -> str:
 
 
 def of_move(move: Move) -> str:
-    """Return how far the platform is from what the motors follow, along each component."""
+    """Return how far the platform is from what the motors are told, along each component."""
     rows = []
     for i, component in enumerate(move.robot.mechanism.pose):
         at = int(np.argmax(np.abs(move.deviation[:, i])))
@@ -104,14 +104,16 @@ def of_move(move: Move) -> str:
     columns = [Column(title) for title in ("", "from", "to", f"largest deviation [{small}]", "at [s]")]
     lasts = move.time[-1] - move.time[0]
     note = f"Largest distance {1e6 * move.largest():.4g} \u00b5m; {len(move.time):,} times in {lasts:.6g} s."
-    return _html(Table(f"{move.robot.name}: a move with held motors", columns, rows, note=note))
+    doing = motors_in_words(move.robot, move.drives)
+    return _html(Table(f"{move.robot.name}: a move, {doing}", columns, rows, note=note))
 
 
 def of_shapers(choice: Choice) -> str:
     """Return the shapers that were compared, and what each leaves."""
     if isinstance(choice.ringing, MeasuredRinging):
         return _html(shaper_measured.shapers_table(choice))
-    return "".join(map(_html, [shapers_table(choice), *schedule_blocks(choice)]))
+    doing = f"<p>{escape(sentence(choice.ringing.motors))}</p>"
+    return doing + "".join(map(_html, [shapers_table(choice), *schedule_blocks(choice)]))
 
 
 def of_comparison(result: Comparison) -> str:

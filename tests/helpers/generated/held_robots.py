@@ -1,4 +1,4 @@
-"""Robots whose generated C is called with their motors held: files, products, and the functions of their C."""
+"""Robots whose generated C is called as in use, motors held or on springs: files, products, and the functions."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from helpers.generated.compiled import COMPILER, FLAGS
 from helpers.generated.generated_robots import COREXY_BOX, LINEAR_BOX, ROBOTS, STRICT, imported
 from pkmodes.codegen.generation import generate
 
+BED_BOX = ([-0.05, -0.05], [0.3, 0.25])
 ROTARY_BOX = ([-0.5, -0.5, -0.9], [0.5, 0.5, -0.3])
 RATIO = '\n[damping]\nratio = "1.5 %"\n'
 #: Everything that changes a linear delta, and everything that it dissipates with.
@@ -56,7 +57,7 @@ CASES: dict[str, tuple[str, str, dict[str, str], tuple]] = {
         {},
         ROTARY_BOX,
     ),
-    # A spring on the motors, which has no influence, and heavy belts, which give the clamps an inertia.
+    # Motors that give way, and heavy belts, which give the clamps an inertia.
     "printer_with_belts": (
         "corexy-printer.toml",
         RATIO + '\n[effects.servo_stiffness]\nstiffness = "20 N*m/rad"\n'
@@ -66,6 +67,20 @@ CASES: dict[str, tuple[str, str, dict[str, str], tuple]] = {
         '[effects.rail_friction]\nviscous = "5 N*s/m"\n',
         {},
         COREXY_BOX,
+    ),
+    "slinger_on_springs": (
+        "bed-slinger.toml",
+        RATIO + '\n[effects.servo_stiffness]\nstiffness = "18 N*m/rad"\n'
+        '[effects.drive_friction]\nviscous = "1e-4 N*m*s/rad"\n',
+        {},
+        BED_BOX,
+    ),
+    "delta_on_springs": (
+        "linear-delta-2022.toml",
+        RATIO + '\n[effects.servo_stiffness]\nstiffness = "300 N*m/rad"\n'
+        '[effects.drive_friction]\nviscous = "1e-3 N*m*s/rad"\n',
+        {},
+        LINEAR_BOX,
     ),
     # Without motor inertia the wind-up is condensed with free motors, and with held ones it moves the pulley: as
     # many modes either way.
@@ -114,8 +129,13 @@ class HeldRobot:
         self.source = self.out / f"{self.name}.c"
 
     @property
+    def drives(self) -> str:
+        """What the motors do in use."""
+        return "free" if "[effects.servo_stiffness]" in self.file.read_text(encoding="utf-8") else "held"
+
+    @property
     def count(self) -> int:
-        """Number of modes with the motors held."""
+        """Number of modes in use."""
         return int(re.findall(rf"#define {self.name.upper()}_HELD_MODES (\d+)\n", self.header)[0])
 
     @cached_property

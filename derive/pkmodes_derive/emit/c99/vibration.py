@@ -1,4 +1,4 @@
-"""The modes of held motors, for controllers: frequencies, damping ratios and what they move, on top of a function."""
+"""The modes of a robot in use, for controllers: frequencies, damping ratios and what they move, on a function."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ FUNCTIONS = ("vibration",)
 
 
 def source(held: HeldMotors, name: str, arguments: str, taken: list[str]) -> str:
-    """Return the function of a robot that has modes of held motors.
+    """Return the function of a robot that has modes of vibration in use.
 
     Parameters
     ----------
