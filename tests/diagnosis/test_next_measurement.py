@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 import pytest
 
+import pkmodes
 from helpers.diagnoses.frame_diagnoses import checked
+from helpers.robots.one_of_each import EVERY, POSES, ROBOTS
 from helpers.robots.small_structures import SIGMA, LogLinear, errors, of_signatures, with_changes
 from pkmodes.diagnosis import Diagnosis, Measurements
+from pkmodes.updating.load_cases import LoadCase, LoadCases
+from pkmodes.updating.robot_structure import RobotStructure
 
 #: Modes of each of three setups; causes a and b differ by two standard deviations there, and n moves nothing.
 MODES = 4
@@ -21,6 +25,7 @@ class Elsewhere(LogLinear):
 
     drives = "held"
     places: np.ndarray | None = PLACES
+    gives_way: bool = False
     held: float = 1.0
     free: float = 1.0
     absorbed: tuple[float, float] = (0.0, 0.0)
@@ -34,12 +39,15 @@ class Elsewhere(LogLinear):
     def with_other_drives(self, setups: Sequence[int]) -> LogLinear:
         return self.there(self.free, self.absorbed[1])
 
+    def may_be_held(self, causes: Collection[str]) -> bool:
+        return not self.gives_way
+
     def there(self, times: float, absorbed: float) -> Elsewhere:
         """Only the third mode of the second setup moves much: three times as much with a as with b, and with n."""
         G = 0.1 * self.G
         G[1, 2] = SIGMA * np.array([3.0 * times, times, absorbed])
         other = Elsewhere(self.base, G, self.parameters, self.candidates)
-        other.free, other.absorbed = self.free, self.absorbed
+        other.drives, other.free, other.absorbed = self.drives, self.free, self.absorbed
         return other
 
 
@@ -89,6 +97,39 @@ def test_other_motors_are_proposed_where_they_tell_far_more(held: float, free: f
     assert content["next_measurement_reason"] is None
 
 
+@pytest.mark.parametrize(("drives", "other"), [("free", "held"), ("held", "free")])
+def test_motors_that_give_way_are_not_to_be_held(drives: str, other: str) -> None:
+    """But motors that were held in the measurements may be free, however they are held."""
+    both = {"drives": drives, "held": 0.09, "free": 0.35}
+    assert (proposed := diagnosed(**both).next_measurement) is not None
+    assert proposed.drives == other
+    assert proposed.motors == ("motor shafts clamped" if other == "held" else "motors free")
+    assert (proposed := diagnosed(**both, gives_way=True).next_measurement) is not None
+    assert proposed.drives == "free"
+    reason = diagnosed(drives=drives, held=0.03, free=0.03, gives_way=True).next_measurement_reason
+    assert ("clamped" in reason) == (drives == "held")
+
+
+@pytest.mark.parametrize("name", EVERY.values())
+def test_motors_give_way_as_declared_or_claimed_and_are_held_where_some_were(name: str) -> None:
+    off = pkmodes.read_robot(ROBOTS / name)
+    on = off.with_values({"effects.servo_stiffness.stiffness": 15.0})
+    pose = POSES[off.mechanism_name]
+
+    def asked(robot: pkmodes.Robot, causes: set[str], *drives: str) -> bool:
+        cases = tuple(LoadCase(robot, drives=one) for one in drives)
+        loads = LoadCases((), cases, np.arange(len(drives)))
+        points = np.tile(pose, (len(drives), 1))
+        return RobotStructure(robot, points, (), (), {}, loads, ()).may_be_held(causes)
+
+    assert asked(off, set(), "free")
+    assert asked(off, {"payload", "cable_stiffness", "spring:platform"}, "free")
+    assert not asked(off, {"servo_stiffness"}, "free")
+    assert not asked(on, set(), "free")
+    assert asked(on, set(), "free", "held")
+    assert asked(off, {"servo_stiffness"}, "held")
+
+
 def test_a_difference_that_an_uncertain_value_hides_is_not_measured_but_another_one() -> None:
     # With free motors the difference is far larger, and n hides it.
     found = diagnosed(held=0.09, free=0.35, absorbed=(0.0, 500.0)).next_measurement
@@ -117,7 +158,7 @@ def test_it_is_said_why_nothing_is_proposed() -> None:
     assert alike.next_measurement is None
     assert reason.startswith(
         "none of 3 other setups separates the remaining explanations by 2 standard deviations or more, with motors "
-        "free or held: a and b differ by "
+        "free or their shafts clamped: a and b differ by "
     )
     there = structure()[0].there(0.03, 0.0)
     most = max(apart(alike, there, setup) for setup in range(3))

@@ -6,7 +6,7 @@ test structure); each setup has its own modes, and all setups have the same para
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, Protocol, runtime_checkable
@@ -297,6 +297,12 @@ class Driven(Protocol):
 
     def with_other_drives(self, setups: Sequence[int]) -> Structure:
         """Return the structure with the motors free instead of held, or held instead of free, in some setups."""
+
+    def may_be_held(self, causes: Collection[str]) -> bool:
+        """Return whether a measurement with held motors may be proposed, where some causes are certain.
+
+        Motors that give way are held in a measurement only by clamps on their shafts.
+        """
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,10 @@ from itertools import permutations
 
 import numpy as np
 
-from pkmodes.core.base.drives import motors
+from pkmodes.core.base.drives import FREE
 from pkmodes.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.verdict.findings import saved_as
+from pkmodes.diagnosis.verdict.findings import NextMeasurement, saved_as
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import same, stable
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
@@ -21,6 +21,7 @@ from pkmodes.report.blocks import Cell, Facts
 from pkmodes.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import CHANGES
+from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain, rounded
 from pkmodes.support.ordering import joined
 
@@ -280,10 +281,18 @@ def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
         cells += [Cell(f"{text} {name} ="), number(value, ".4f", pointer(at, "pose", k))]
         text = f"{unit(symbol)},"
     if proposed.drives:
-        text += f" {motors([proposed.drives])},"
+        text += f" {_motors(result, setting, proposed)},"
     one, other = (_explanation(name, result) for name in proposed.separates)
     told = f"which is expected to tell most about what is true: {one}, or {other}; they differ there by"
     caveat = f" {sentence(proposed.caveat)}" if proposed.caveat else ""
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
     return [*cells, Cell(f"{text} {told}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
+
+
+def _motors(result: Diagnosis, setting: Setting, proposed: NextMeasurement) -> str:
+    """Return what is to be done to the motors; free ones that give way, as declared or claimed, are not called so."""
+    if setting.robot is None or proposed.drives != FREE:
+        return proposed.motors
+    claimed = [effect.members[0] for effect in result.effects if len(effect.members) == 1]
+    return motors_in_words(setting.robot, proposed.drives, claimed)

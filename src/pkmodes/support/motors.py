@@ -7,10 +7,12 @@ from collections.abc import Iterable
 from pkmodes.core.base.drives import FREE, HELD, checked_drives, motors
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.declaration import Declaration
-from pkmodes.core.system.motors import springs_on_motors
+from pkmodes.core.system.motors import springs_among, springs_on_motors
 
 
-def motors_in_words(robot: Declaration, drives: str | Iterable[str | None]) -> str:
+def motors_in_words(
+    robot: Declaration, drives: str | Iterable[str | None], causes: Iterable[str] = ()
+) -> str:
     """Return what the motors of a robot do, as words: motors free, held, or on their servo stiffness.
 
     Parameters
@@ -18,9 +20,12 @@ def motors_in_words(robot: Declaration, drives: str | Iterable[str | None]) -> s
     drives : {"free", "held"}, or several
         As for `pkmodes.Model.modes`.  A machine that is switched on has free motors with the effect of its position
         loop; they turn against it.
+    causes : iterable of str
+        Effects that the robot has beside those of its file.
     """
     words = motors([drives] if isinstance(drives, str) else drives)
-    for name in springs_on_motors(robot.mechanism, robot.effects):
+    mechanism = robot.mechanism
+    for name in (*springs_on_motors(mechanism, robot.effects), *springs_among(mechanism, causes)):
         return words.replace(FREE, f"on their {name.replace('_', ' ')}")
     return words
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.drives import HELD
 from pkmodes.core.mechanism.poses import MAX_CONDITION, check_poses
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.regular import declared
@@ -16,10 +17,12 @@ from pkmodes.core.mechanism.rods import rods_of, singular_angles
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import SingularAngle, not_singular
 from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.core.system.motors import springs_among
 from pkmodes.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.maps.workspace import inside, limits_of
 from pkmodes.sensitivity.matrices import POSE, locked_joints
 from pkmodes.sensitivity.paths import ParameterPath, moved
+from pkmodes.support.motors import motors_give_way
 from pkmodes.updating import frame
 from pkmodes.updating.candidates import EFFECTS
 from pkmodes.updating.channels import channels, sensors
@@ -128,6 +131,12 @@ class RobotStructure:
     def with_other_drives(self, setups: Sequence[int]) -> RobotStructure:
         """Return the robot at the same poses, with motors free instead of held, or held instead of free, in some."""
         return self.at(self.points, self._loads.with_other_drives(setups))
+
+    def may_be_held(self, causes: Collection[str]) -> bool:
+        """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
+        if any(self._loads.cases[c].drives == HELD for c in set(self._loads.of.tolist())):
+            return True
+        return not (motors_give_way(self.robot) or springs_among(self._mechanism, causes))
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""

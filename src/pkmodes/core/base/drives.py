@@ -27,6 +27,16 @@ def motors(drives: Iterable[str | None]) -> str:
     return f"motors {' or '.join(word for word in DRIVES if word in did)}"
 
 
+def motors_to_be(drives: Iterable[str | None]) -> str:
+    """Return what to do to the motors for measurements still to be made, as words.
+
+    Shafts are clamped: position loops hold the motors of many machines only as springs do.
+    """
+    return (
+        motors(drives).replace(f"motors {HELD}", "motor shafts clamped").replace(HELD, "their shafts clamped")
+    )
+
+
 def checked_drives(drives: str) -> str:
     """Check what the caller says of the motors.
 

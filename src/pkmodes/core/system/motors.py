@@ -7,7 +7,7 @@ follows the wind-up, theta = -psi.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple, overload
 
@@ -191,7 +191,12 @@ def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tup
     effects : mapping of str to float
         By ``<effect>.<parameter>``.
     """
-    grounding = [name for name in active_effects(mechanism, effects) if mechanism.effects[name].grounds]
+    return springs_among(mechanism, active_effects(mechanism, effects))
+
+
+def springs_among(mechanism: Mechanism, names: Iterable[str]) -> tuple[str, ...]:
+    """Return which of some names are effects through which motors hang on springs."""
+    grounding = [name for name in names if name in mechanism.effects and mechanism.effects[name].grounds]
     return tuple(name for name in grounding if f"{name}." in _inert(mechanism).effects)
 
 

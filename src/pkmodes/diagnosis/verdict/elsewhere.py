@@ -11,7 +11,7 @@ from typing import NamedTuple, cast
 
 import numpy as np
 
-from pkmodes.core.base.drives import Drives, other_drives
+from pkmodes.core.base.drives import HELD, Drives, other_drives
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.posterior.marginal import marginal_log_likelihood, prior_of_scale
@@ -64,11 +64,17 @@ class Elsewhere(NamedTuple):
         return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
 
 
-def ways(structure: Structure, points: Array) -> Iterator[Way]:
-    """Yield the ways to measure at these poses, the simplest first."""
+def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[Way]:
+    """Yield the ways to measure at these poses, the simplest first.
+
+    Parameters
+    ----------
+    held : bool
+        Whether motors that are free may be held.
+    """
     drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
     yield Way(structure, drives, {})
-    if isinstance(structure, Driven):
+    if isinstance(structure, Driven) and (held or drives == HELD):
         others = structure.with_other_drives(range(len(points)))
         yield Way(others, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():

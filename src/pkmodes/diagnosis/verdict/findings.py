@@ -14,7 +14,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from pkmodes.core.base.drives import Drives
+from pkmodes.core.base.drives import Drives, motors_to_be
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.verdicts import Word
 from pkmodes.support.documents import Document
@@ -342,7 +342,11 @@ class NextMeasurement(Document, frozen=True, omit_defaults=True):
         float, Meta(description="By how many standard deviations of a measured frequency they differ there.")
     ]
     drives: Annotated[
-        Drives | None, Meta(description="What the motors are to do; null for a structure without motors.")
+        Drives | None,
+        Meta(
+            description="What the motors are to do: turn freely, or be held by clamps on their shafts; null for a "
+            "structure without motors."
+        ),
     ]
     hidden_by: Annotated[
         str,
@@ -357,6 +361,11 @@ class NextMeasurement(Document, frozen=True, omit_defaults=True):
             description="Values to be set for it, by path, in SI units; present only where a payload is proposed."
         ),
     ] = msgspec.field(name="set", default_factory=dict)
+
+    @property
+    def motors(self) -> str:
+        """What is to be done to the motors, as words; empty for a structure without motors."""
+        return "" if self.drives is None else motors_to_be([self.drives])
 
     @property
     def caveat(self) -> str:

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pkmodes.core.base.drives import DRIVES, motors
+from pkmodes.core.base.drives import DRIVES, motors_to_be
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.posterior.document import Probabilities
-from pkmodes.diagnosis.problem import Array, Driven, Loadable, Structure, Surrounded
+from pkmodes.diagnosis.problem import Array, Driven, Structure, Surrounded
 from pkmodes.diagnosis.verdict.elsewhere import Elsewhere, Way, apart, elsewhere, ways
 from pkmodes.diagnosis.verdict.explanations import Explanation, Named, explanations
 from pkmodes.diagnosis.verdict.findings import NextMeasurement
@@ -44,6 +44,8 @@ def next_measurement(
 ) -> tuple[NextMeasurement | None, str]:
     """Propose a pose, with other motors or a load if that tells far more than any pose alone.
 
+    Motors that give way, in all that the tests leave, are not to be held, unless they were in a measurement.
+
     Parameters
     ----------
     said, left
@@ -66,7 +68,8 @@ def next_measurement(
     if not len(points):
         return None, f"there are no {where}"
     best, claim = None, fitter.criteria.claim
-    found = [_proposed(fitter, some, points, way) for way in ways(structure, points)]
+    tried = list(ways(structure, points, held=_may_be_held(fitter.structure, left)))
+    found = [_proposed(fitter, some, points, way) for way in tried]
     for one in found:
         if one.sigmas >= claim.worth_measuring and (
             best is None
@@ -76,7 +79,14 @@ def next_measurement(
             best = one
     if best is not None:
         return best.measurement, ""
-    return None, _nowhere(f"{len(points)} {where}", structure, found, claim.worth_measuring)
+    return None, _nowhere(f"{len(points)} {where}", tried, found, claim.worth_measuring)
+
+
+def _may_be_held(structure: Structure, left: Sequence[Named]) -> bool:
+    """Return whether held motors may be proposed; a cause is certain that is in all that the tests leave."""
+    causes = [{cause.name for cause in fit.causes} for group in left for _, fit in group]
+    certain = set.intersection(*causes) if causes else set[str]()
+    return not isinstance(structure, Driven) or structure.may_be_held(certain)
 
 
 def _proposed(fitter: Fitter, some: Sequence[Explanation], points: Array, way: Way) -> _Proposal:
@@ -122,13 +132,13 @@ def _hiding(fitter: Fitter, two: Sequence[Elsewhere], pose: int) -> str:
     return fitter.parameters[most].name
 
 
-def _nowhere(where: str, structure: Structure, found: Sequence[_Proposal], least: float) -> str:
+def _nowhere(where: str, tried: Sequence[Way], found: Sequence[_Proposal], least: float) -> str:
     """Return why nothing is proposed although explanations are left."""
     best = max(found, key=lambda one: one.sigmas)
     if not best.sigmas:
         return f"at none of {where} can the remaining explanations be compared"
-    ways = f", with {motors(DRIVES)}" if isinstance(structure, Driven) else ""
-    ways += ", or with a load" if isinstance(structure, Loadable) and structure.loaded() else ""
+    ways = f", with {motors_to_be(DRIVES)}" if any(way.unlike for way in tried) else ""
+    ways += ", or with a load" if any(way.load for way in tried) else ""
     return (
         f"none of {where} separates the remaining explanations by {least:g} standard deviations or more{ways}: "
         f"{' and '.join(best.measurement.separates)} differ by {best.sigmas:.2g} at most"
