@@ -9,9 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 
 import pkmodes
 from helpers.commands.answers import refused
+from helpers.robots.one_of_each import ROBOTS
 from helpers.robots.robot_text import PUBLISHED, edited
 from helpers.runs.processes import ROOT, environment
 from pkmodes.cli import run
@@ -20,6 +22,7 @@ pytestmark = pytest.mark.usefixtures("backend")
 
 ROBOT = str(PUBLISHED)
 POSE = "0.6,0.03,-0.245"
+SPRINGS = '\n[effects.servo_stiffness]\nstiffness = "{} N*m/rad"\n'
 
 
 @pytest.mark.parametrize("drives", ["free", "held"])
@@ -171,3 +174,64 @@ def test_a_closed_pipe_is_no_error() -> None:
         assert process.stderr is not None
         process.stdout.close()
         assert process.stderr.read() == b""
+
+
+def test_under_the_table_stands_which_motors_it_is_of(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By hand: the bed of 1 kg at y = 0.1 m on its two runs, and its rotor; x is stiffer."""
+    k = 6e-3 * 2.6e6 * (1.0 / 0.18 + 1.0 / 0.56)
+    radius, inertia, servo = 5.09e-3, 5.5e-6, 12.0
+    M = np.diag([1.0, inertia])
+    K = k * np.array([[1.0, radius], [radius, radius**2]])
+    held = np.sqrt(k) / (2.0 * np.pi)
+    free, springs = (
+        np.sqrt(eigh(K + np.diag([0.0, stiffness]), M, eigvals_only=True)[i]) / (2.0 * np.pi)
+        for stiffness, i in ((0.0, 1), (servo, 0))
+    )
+    text, first = (
+        (ROBOTS / "bed-slinger.toml").read_text(encoding="utf-8"),
+        "the first mode of vibration is at",
+    )
+    for more, drives, said in (
+        ("", "free", f"motors free; with their shafts held {first} {held:.4g} Hz"),
+        ("", "held", f"motors held; turning freely {first} {free:.4g} Hz"),
+        (
+            SPRINGS.format(servo),
+            "free",
+            f"motors on their servo stiffness; with their shafts held {first} {held:.4g} Hz",
+        ),
+        (
+            SPRINGS.format(servo),
+            "held",
+            f"motors held; on their servo stiffness {first} {springs:.4g} Hz",
+        ),
+    ):
+        (tmp_path / "robot.toml").write_text(text + more, encoding="utf-8")
+        assert run(["modes", str(tmp_path / "robot.toml"), "--pose", "0.1,0.1", "--drives", drives]) == 0
+        _, _, under = capsys.readouterr().out.partition("\n\n")[2].partition("\n\n")
+        assert " ".join(under.split()).startswith(f"{said} p: direction")
+
+
+def test_motions_at_rest_are_not_the_first_mode_of_vibration(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Of a hexapod without weight a cable holds three motions of free motors; three are at 0 Hz, to rounding."""
+    text = (ROBOTS / "hexapod.toml").read_text(encoding="utf-8")
+    assert text.count('"-9.81 m/s^2"') == 1
+    cable = '\n[effects.cable_stiffness]\nstiffness = "20000 N/m"\n'
+    (tmp_path / "robot.toml").write_text(text.replace('"-9.81 m/s^2"', "0") + cable, encoding="utf-8")
+    pose = "0.01,0,0.24,0.05,-0.01,0.05"
+    assert run(["modes", str(tmp_path / "robot.toml"), f"--pose={pose}", "--drives", "held"]) == 0
+    said = capsys.readouterr().out.partition("turning freely the first mode of vibration is at ")[2]
+    assert 0.3 < float(said.split()[0]) < 2.0
+
+
+def test_nothing_stands_there_where_the_motors_make_no_difference(
+    capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """Springs so stiff that they hold the motors."""
+    text = (ROBOTS / "bed-slinger.toml").read_text(encoding="utf-8")
+    (tmp_path / "robot.toml").write_text(text + SPRINGS.format(1e5), encoding="utf-8")
+    assert run(["modes", str(tmp_path / "robot.toml"), "--pose", "0.1,0.1"]) == 0
+    assert "shafts" not in capsys.readouterr().out

@@ -42,7 +42,7 @@ compliance = "1e-7 m/N"
 def cells(out: str) -> dict[str, list[str]]:
     """Return the cells of each row of the table, its parts side by side."""
     found: dict[str, list[str]] = {}
-    body = out.split("\n\np: ")[0].split("\n\n", 1)[1]
+    body = re.split("\n\n(?:motors |p: )", out)[0].split("\n\n", 1)[1]
     for line in body.splitlines():
         if line:
             name, *rest = line.replace("[Hz]", "").replace("[%]", "").split()

@@ -17,7 +17,7 @@ from pkmodes.cli.delivery import deliver
 from pkmodes.cli.options import drives_option, json_option, mechanism_option, robot_argument
 from pkmodes.cli.poses import pose_of, pose_option
 from pkmodes.cli.targets import check_targets
-from pkmodes.core.base.drives import DRIVES, HELD
+from pkmodes.core.base.drives import DRIVES, FREE, HELD, other_drives
 from pkmodes.core.mechanism.length import headings, lengths_of, unit_vectors
 from pkmodes.core.mechanism.poses import placed
 from pkmodes.core.model import Model
@@ -35,6 +35,8 @@ Array = NDArray[np.float64]
 ZERO, ZERO_FREQUENCY = 1e-9, 1e-6
 #: Standard deviations below this would be rounded to zero [Hz].
 SMALLEST_SIGMA = 0.0005
+#: First frequencies that differ by less, relative to them, are the same.
+SAME = 1e-3
 #: Numbers from here on are written with an exponent.
 LARGE = 99_999.9995
 
@@ -193,6 +195,8 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
     columns = [Column("mode", numbers=False), *map(Column, numbers)]
     terminal.block(Table("", columns, [list(map(Cell, row)) for row in rows]))
     terminal.line()
+    for sentence in _of_motors(model, result):
+        terminal.line(sentence)
     terminal.line(_of_platform(model))
     if sigmas is not None:
         terminal.line("+-: one standard deviation, from those that the robot file states")
@@ -208,6 +212,25 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
         terminal.line(f"{label} [{unit}]: {', '.join(f'{round(v, 4) + 0.0:.4f}' for v in values)}")
     for note in notes:
         terminal.line(note)
+
+
+def _of_motors(model: Model, result: Modes) -> Iterator[str]:
+    """Say what the motors of these numbers do, and the first frequency otherwise; nothing if it is the same."""
+    drives = other_drives(result.drives)
+    others = model.frequencies(result.poses, "nan", drives=drives)[model.solved(drives).rigid_modes :]
+    first, other = (_lowest(f) for f in (result.frequencies[result.rigid_modes :], others))
+    if first is None or other is None or abs(other - first) <= SAME * abs(first):
+        return
+    doing = motors_in_words(model.robot, drives).removeprefix("motors ")
+    doing = {FREE: "turning freely", HELD: "with their shafts held"}.get(doing, doing)
+    yield f"{motors_in_words(model.robot, result.drives)}; {doing} the first mode of vibration is at {other:.4g} Hz"
+
+
+def _lowest(frequencies: Array) -> float | None:
+    """Return the lowest frequency of vibration that is more than rounding; None where there is none."""
+    size = np.abs(frequencies)
+    moving = frequencies[size > ZERO_FREQUENCY * size.max(initial=0.0)]
+    return float(moving[0]) if len(moving) else None
 
 
 def _of_platform(model: Model) -> str:
