@@ -244,7 +244,12 @@ def test_the_steps_of_a_schedule_are_of_the_motors_as_the_file_has_them(slinger:
         assert alone.ringing.drives == step.choice.ringing.drives == "free"
         assert step.best.frequencies == alone.candidates[0].frequencies
     held = model.shapers(poses, ["mzv"], settings={payload: masses}, drives="held")
+    slinger.write_text(SLINGER, encoding="utf-8")
+    stiff = pkmodes.load(slinger).shapers(poses, ["mzv"], settings={payload: masses})
     assert held.schedule is not None
+    assert stiff.schedule is not None
+    for one, other in zip(held.schedule.steps, stiff.schedule.steps, strict=True):
+        assert one.at_ends == pytest.approx(other.at_ends, rel=1e-9)  # halfway between the settings, too
     assert held.schedule.steps[0].best.frequencies[0] > 1.04 * growing.schedule.steps[0].best.frequencies[0]
 
 

@@ -27,8 +27,12 @@ def test_motors_with_a_position_loop_are_not_called_free(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", list(EVERY.values()))
-def test_a_cable_holds_no_motor(name: str) -> None:
-    """It ties the platform to ground like the position loops, but beside the drives."""
-    tied = pkmodes.read_robot(ROBOTS / name).with_values({"effects.cable_stiffness.stiffness": 200.0})
-    assert motors_in_words(tied, "free") == "motors free"
-    assert drives_in_use(tied) == "held"
+def test_neither_a_cable_nor_an_inertia_holds_a_motor(name: str) -> None:
+    """A cable ties the platform to ground beside the drives, and an inertia is no spring."""
+    off = pkmodes.read_robot(ROBOTS / name)
+    values = {"effects.cable_stiffness.stiffness": 200.0, "effects.gearbox_inertia.inertia": 1e-5}
+    for path, value in values.items():
+        if path.split(".")[1] in off.mechanism.effects:
+            more = off.with_values({path: value})
+            assert motors_in_words(more, "free") == "motors free"
+            assert drives_in_use(more) == "held"
