@@ -86,6 +86,14 @@ def test_parameters_of_candidates_have_the_candidates_prior() -> None:
     assert [p.after for p in a.parameters] == pytest.approx([p.after for p in b.parameters])
 
 
+def test_the_word_all_stands_for_every_parameter() -> None:
+    structure = model()
+    data = measured(structure, TRUE)
+    every, said = (update(structure, data, names, holdout=()) for names in (None, "all"))
+    assert [one.name for one in said.parameters] == [p.name for p in structure.parameters]
+    assert said.parameters == every.parameters
+
+
 @pytest.mark.parametrize(
     ("names", "what"),
     [("k0", "expected a list of names"), (["k99"], 'no parameter "k99"'), (["free"], "has no prior")],

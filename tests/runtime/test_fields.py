@@ -111,6 +111,8 @@ def test_results_are_copied_and_pickled_with_the_fields_that_they_have(model: pk
         (3, "expected a list of fields, found 3", "for example: "),
         (["frequency"], 'unknown field "frequency"', 'did you mean "frequencies"'),
         (["zzz"], 'unknown field "zzz"', "known: "),
+        ("zzz", 'unknown field "zzz"', "known: "),
+        ("frequencies", "expected a list of fields", r'write \["frequencies"\]'),
         ([None], "unknown field None", "known: "),
         ([], "expected at least one field", "known: "),
     ],
@@ -122,6 +124,13 @@ def test_fields_that_are_not_there_are_refused(
         with pytest.raises(pkmodes.PkmodesError, match=what) as error:
             method(POSE, fields=fields)
         assert error.match(remedy)
+
+
+def test_the_word_all_stands_for_every_name(model: pkmodes.Model) -> None:
+    assert model.modes(POSE, fields="all").frequencies.shape == model.modes(POSE).frequencies.shape
+    every, said = model.sensitivities(POSE), model.sensitivities(POSE, "all", fields="all")
+    assert said.parameters == every.parameters
+    np.testing.assert_array_equal(said.frequencies, every.frequencies)
 
 
 def places(shape: tuple[int, ...]) -> list[np.ndarray]:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import stats
 
+from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
@@ -169,6 +170,8 @@ def update(
 
 def _chosen(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
     names = [p.name for p in fitter.parameters]
+    if is_all(parameters):
+        parameters = None
     if isinstance(parameters, str):
         what = f"expected a list of names, found {shown(parameters)}"
         raise PkmodesError(what, "parameters", f"write [{shown(parameters)}]")

@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError, listed, shown
 from pkmodes.core.compiled.lanes import Terms
@@ -255,7 +256,7 @@ def _in_parts(at: Callable[[Array], Mapping[str, Array]], p: Array) -> dict[str,
 
 
 def _chosen(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> list[ParameterPath]:
-    if parameters is None:
+    if parameters is None or is_all(parameters):
         mechanism = robot.mechanism
         # A zero vector has no direction along which its radius could change; it was not requested by name.
         still = {

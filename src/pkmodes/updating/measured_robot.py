@@ -11,6 +11,7 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError, nearest, shown
 from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
@@ -113,6 +114,7 @@ class MeasuredRobot:
         PkmodesError
             If a candidate or the name of a prior is unknown, or a loss is suspected whose damping was not measured.
         """
+        candidates = None if is_all(candidates) else candidates
         losses = self._losses(candidates)
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = of_frame(parameters, self.data)

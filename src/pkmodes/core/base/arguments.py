@@ -12,6 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import PkmodesError, shown
 
+#: What stands for every name where names are listed.
+ALL = "all"
+
 
 @dataclass(frozen=True)
 class Constraint:
@@ -106,3 +109,8 @@ FILE_NAME = Constraint(
     "the name of a file",
     lambda value: isinstance(value, str | os.PathLike) and isinstance(os.fspath(value), str),
 )
+
+
+def is_all(names: object) -> bool:
+    """Return whether an argument that takes a list of names is the word "all", which stands for every one of them."""
+    return isinstance(names, str) and names == ALL

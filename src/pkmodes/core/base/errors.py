@@ -158,7 +158,8 @@ def listed(
     except TypeError:
         elements = None
     if elements is None:
-        remedy = f"write [{shown(given)}]" if isinstance(given, str) else f"for example: [{example}]"
+        accepted = isinstance(given, str) and isinstance(given, kind)
+        remedy = f"write [{shown(given)}]" if accepted else f"for example: [{example}]"
         raise error(f"expected a list of {what}, found {shown(given)}", where, remedy)
     for one in elements:
         if not isinstance(one, kind):

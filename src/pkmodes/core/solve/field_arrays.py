@@ -14,11 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import PkmodesError, listed, nearest, shown
 from pkmodes.core.mechanism.poses import Where
 from pkmodes.core.solve.fields import missing
 
 Array = NDArray[Any]
+#: Names of fields, or the word "all".
 Fields = Iterable[str] | None
 Out = Mapping[str, Array] | None
 
@@ -29,7 +31,7 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
     Parameters
     ----------
     fields : iterable of str, optional
-        By default the fields in `out`, or all without `out`.
+        By default the fields in `out`, or all without `out`; the word "all" for all.
     out : mapping of str to ndarray, optional
         Arrays to fill, by field.
     known : tuple of str
@@ -49,8 +51,12 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
         raise PkmodesError(
             f"expected arrays by field, found {shown(out)}", "out", f'for example: {{"{known[0]}": array}}'
         )
-    if fields is None:
+    if is_all(fields):
+        fields = known
+    elif fields is None:
         fields = known if out is None else tuple(out)
+    elif isinstance(fields, str) and fields not in known:
+        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest(fields, known))
     asked = listed(fields, "fields", "fields", f'"{known[0]}"')
     for where, names in (("fields", asked), ("out", list(out or ()))):
         for name in names:
