@@ -159,6 +159,12 @@ def test_uncertain_values_of_a_robot_are_updated_together(robot: Robot, data: Me
     assert not any("something else is missing" in note for note in better.notes)
 
 
+def test_the_word_all_stands_for_every_candidate(robot: Robot, data: Measurements) -> None:
+    every, said = (MeasuredRobot.of(robot, data).structure(names) for names in (None, "all"))
+    assert [one.name for one in said.candidates] == [one.name for one in every.candidates]
+    assert {"payload", "belt_mass"} <= {one.name for one in said.candidates}
+
+
 def test_a_text_where_something_else_is_meant_is_refused(
     subtests: pytest.Subtests, robot: Robot, data: Measurements
 ) -> None:
