@@ -54,6 +54,7 @@ def test_the_section_says_what_the_result_says(damped: tuple[Diagnosis, dict[str
     text = page.by_id("damping").text
     assert "Verdict on the damping: effect_found." in text
     assert result.damping.reason[1:] in text
+    assert "The model as declared has no damping: it predicts no ratios to compare these with." in text
     assert f"{result.damping.fitted} ratios fitted" in text
     assert result.damping.fitted == sum(row["damping_used"] for row in content["rows"])
     assert f"{result.damping.after:.3g} as diagnosed" in text

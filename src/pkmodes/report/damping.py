@@ -102,16 +102,16 @@ def factors(result: Diagnosis) -> list[Paragraph]:
         "at the held-out poses": found.held_out,
     }
     parts = [f"{factor:.3g} {name}" for name, factor in named.items() if factor is not None]
-    if found.before is None:
-        parts.insert(0, "nothing dissipates as declared")
     errors = [
         row.sigma_damping_used / row.damping
         for row in result.rows
         if row.damping_used and row.damping and row.sigma_damping_used is not None
     ]
     each = f" with a \u03c3 of {100.0 * median(errors):.0f} % (median)" if errors else ""
-    text = f"{plural(found.fitted, 'ratio')} fitted{each}; rms factor between model and measurement"
-    return [Paragraph(f"{text}: {', '.join(parts)}.")]
+    compared = f"; rms factor between model and measurement: {', '.join(parts)}" if parts else ""
+    undamped = " The model as declared has no damping: it predicts no ratios to compare these with."
+    text = f"{plural(found.fitted, 'ratio')} fitted{each}{compared}."
+    return [Paragraph(text + (undamped if found.before is None else ""))]
 
 
 def _ratios(rows: list[tuple[int, Row]]) -> Table:
