@@ -15,9 +15,9 @@ from pkmodes.cli import run
 from pkmodes_derive import sources
 
 
-def check(folder: Path, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
+def check(folder: Path, capsys: pytest.CaptureFixture[str], *options: str) -> tuple[int, str]:
     capsys.readouterr()
-    code = run(["check", str(folder / "model")])
+    code = run(["check", str(folder / "model"), *options])
     return code, capsys.readouterr().out
 
 
@@ -64,8 +64,13 @@ def test_an_edit_is_found_and_named_with_what_mends_it(
         with subtests.test(name=name, new=new):
             folder = Path(shutil.copytree(pristine, tmp_path / str(number)))
             edit(folder / name, old, new)
-            code, out = check(folder, capsys)
+            code, reasons = check(folder, capsys)
+            _, out = check(folder, capsys, "--diff")
             assert code == 1
+            assert "@@" not in reasons, "the difference is shown on demand"
+            assert ("what differs, line by line: --diff\n" in reasons) == ("@@" in out)
+            assert out.startswith(reasons.replace("what differs, line by line: --diff\n", ""))
+            assert reasons.splitlines()[-1].startswith("fix with: ")
             by_hand = f"{Path(name).name} was edited by hand"
             assert (f"the robot file changed: {said}" if said else by_hand) in out
             assert [part for part in shown if part not in out] == [], out

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -101,14 +102,17 @@ class CheckDocument(Document, frozen=True):
 @click.argument("targets", metavar="[DIR or ROBOT.toml ...]", nargs=-1, type=FILE)
 @checked_mechanism_option
 @click.option("--brief", is_flag=True, help="Print one line for each folder or robot file, for logs of CI.")
+@click.option("--diff", is_flag=True, help="Show the lines of the files that differ, after the reasons.")
 @json_option
-def check(targets: tuple[Path, ...], mechanism: Path | None, brief: bool, json_file: str | None) -> int:
+def check(
+    targets: tuple[Path, ...], mechanism: Path | None, brief: bool, diff: bool, json_file: str | None
+) -> int:
     """Check that generated code is up to date and agrees with finite differences.
 
     A folder written by `pkmodes generate` is compared with a fresh derivation from its robot file.  The model of a
     robot file is derived and checked in memory.  Without a target, the models that come with pkmodes are checked.
-    The exit code is 1 if a check fails: the output names the file or field that changed, and shows the difference
-    and the command that fixes it.  Other files in the folder are ignored.
+    The exit code is 1 if a check fails: the output names the file or field that changed, and the command that fixes
+    it; with --diff, it shows the lines that differ.  Other files in the folder are ignored.
 
     A folder that was copied without its robot file is checked against the values recorded in its manifest.  The
     output says that the robot file was not checked, and the exit code is 0 if everything else is correct.
@@ -137,8 +141,9 @@ def check(targets: tuple[Path, ...], mechanism: Path | None, brief: bool, json_f
                 "no such file or folder", str(target), "give a generated folder or a robot file"
             )
     holds = all(report.holds for report in reports)
+    lines_of = _brief if brief else partial(_lines, diff=diff)
     document = CheckDocument(holds=holds, targets=list(map(_document, reports)))
-    deliver(json_file, document.as_json(), lambda: _print(reports, _brief if brief else _lines))
+    deliver(json_file, document.as_json(), lambda: _print(reports, lines_of))
     return 0 if holds else 1
 
 
@@ -181,11 +186,11 @@ def _verdict(report: Report) -> str:
     return "as generated, and current except for what was not checked" if report.unchecked else "current"
 
 
-def _lines(report: Report) -> Iterator[str]:
+def _lines(report: Report, diff: bool = False) -> Iterator[str]:
+    """Yield the reasons, what was not checked and what to do, and after them the differences of the files."""
+    diffs = [finding.diff for finding in report.findings if finding.diff]
     for finding in report.findings:
         yield f"{report.target}: {finding.message}"
-        if finding.diff:
-            yield from finding.diff.split("\n")
     failed = _failed(report)
     for sentence in failed:
         yield f"{report.target}: {sentence}"
@@ -197,7 +202,11 @@ def _lines(report: Report) -> Iterator[str]:
         )
     for sentence in report.unchecked:
         yield f"{report.target}: not checked: {sentence}"
+    if diffs and not diff:
+        yield "what differs, line by line: --diff"
     if report.mend:
         yield f"fix with: {report.mend}"
     elif report.holds:
         yield f"{report.target}: {_verdict(report)}"
+    for text in diffs if diff else ():
+        yield from text.split("\n")
