@@ -27,6 +27,37 @@ def test_the_readme_is_short() -> None:
     assert len((ROOT / "README.md").read_text(encoding="utf-8").split()) <= 900
 
 
+#: The mechanisms of the tables of measured rates, as the README calls them.
+MEASURED = {
+    "linear_delta": "linear delta",
+    "hexapod": "hexapod",
+    "rotary_delta": "rotary delta",
+    "hexaglide": "hexaglide",
+    "corexy": "CoreXY",
+}
+
+
+def test_the_rates_of_the_readme_are_those_measured_of_each_mechanism() -> None:
+    tables = "".join(
+        (ROOT / f"docs/{page}-measured.md").read_text(encoding="utf-8")
+        for page in ("clear-causes", "six-legs")
+    )
+    readme = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    kept, missed = re.split("these do not:", readme)
+    for name, words in MEASURED.items():
+        rows = [
+            re.search(rf"\| {name}, {of} \|.*?\| (\d+ of \d+): .*", tables) for of in ("one effect", "all")
+        ]
+        named, wrong = (row[1] for row in rows if row)
+        met = all("NOT MET" not in row[0] for row in rows if row)
+        said = (
+            rf"{words} meets both \({named} named, wrong in {wrong}\)"
+            if met
+            else rf"{words} \({named}, {wrong}\)"
+        )
+        assert re.search(said, kept if met else missed), words
+
+
 def test_two_effects_move_the_first_mode_as_it_says() -> None:
     text = block("docs/robot-file.md", "[effects.payload]")
     effects = {
