@@ -15,7 +15,8 @@ import click
 
 from pkmodes.cli.printing import echo
 from pkmodes.cli.progress import end_progress
-from pkmodes.core.base.errors import OutputError, PkmodesError
+from pkmodes.core.base.errors import PkmodesError
+from pkmodes.support.replacing import check_replaced
 from pkmodes.support.writing import write_all
 
 #: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
@@ -116,11 +117,8 @@ def unlike(
     """
     wanted = {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
     found = {name: (folder / name).read_bytes() for name in wanted if (folder / name).is_file()}
-    other = [name for name, content in found.items() if content != wanted[name]]
-    if other and not overwrite:
-        more = f" and {len(other) - 1} more" if other[1:] else ""
-        what = f"{folder / other[0]}{more}: the file exists with another content"
-        raise OutputError(what, option, "choose another place, or replace what is there with --overwrite")
+    other = [folder / name for name, content in found.items() if content != wanted[name]]
+    check_replaced(other, option, overwrite, what="the file exists with another content")
     return {name: content for name, content in wanted.items() if found.get(name) != content}
 
 

@@ -10,7 +10,14 @@ from msgspec import Meta
 
 from pkmodes.api import load
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, robot_argument
+from pkmodes.cli.options import (
+    drives_option,
+    json_option,
+    mechanism_option,
+    named_as_options,
+    overwrite_option,
+    robot_argument,
+)
 from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import check_targets
 from pkmodes.cli.terminal import Terminal
@@ -52,11 +59,18 @@ class FiguresDocument(Document, frozen=True):
     show_default=True,
     help="Repeat it for several.",
 )
+@overwrite_option
 @drives_option
 @mechanism_option
 @json_option
 def figures(
-    robot: Path, out: str, grid: str | None, formats: tuple[str, ...], drives: str, json_file: str | None
+    robot: Path,
+    out: str,
+    grid: str | None,
+    formats: tuple[str, ...],
+    overwrite: bool,
+    drives: str,
+    json_file: str | None,
 ) -> None:
     """Draw the working plane, frequencies, directions of motion, and the influence of parameters."""
     check_targets(json_file, [robot])
@@ -69,8 +83,10 @@ def figures(
     from pkmodes.maps.ranges import parse_grid
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
-    with named_as_options("grid"):
-        written, said = written_pictures(model, folder, places, tuple(dict.fromkeys(formats)), drives=drives)
+    with named_as_options("grid", folder="--out"):
+        written, said = written_pictures(
+            model, folder, places, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
+        )
     document = FiguresDocument(
         robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=said
     )

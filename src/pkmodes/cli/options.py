@@ -26,7 +26,9 @@ json_option = click.option(
     help="Write the machine-readable result to FILE; - for standard output.",
 )
 
-overwrite_option = click.option("--overwrite", is_flag=True, help="Replace what exists and is different.")
+overwrite_option = click.option(
+    "--overwrite", is_flag=True, help="Replace what exists and is something else, such as a file of yours."
+)
 
 report_option = click.option(
     "--report",

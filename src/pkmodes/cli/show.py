@@ -14,15 +14,21 @@ from msgspec import Meta
 from numpy.typing import NDArray
 
 from pkmodes.api import load
-from pkmodes.cli.delivery import deliver
-from pkmodes.cli.options import drives_option, json_option, mechanism_option, named_as_options, robot_argument
+from pkmodes.cli.delivery import ResultFile, deliver
+from pkmodes.cli.options import (
+    drives_option,
+    json_option,
+    mechanism_option,
+    named_as_options,
+    overwrite_option,
+    robot_argument,
+)
 from pkmodes.cli.poses import pose_of
-from pkmodes.cli.printing import echo
 from pkmodes.cli.targets import Target, check_targets
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.support.documents import Document
 from pkmodes.support.progress import say
-from pkmodes.support.writing import write_file
+from pkmodes.support.replacing import check_replaced, holds
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -52,8 +58,10 @@ class ShowDocument(Document, frozen=True):
 @click.option(
     "--out",
     metavar="FILE.html",
-    help="The page, by default the robot file's name with .html; or FILE.gif, a moving picture of one mode.",
+    help="The page; or FILE.gif, a moving picture of one mode.  An existing one is replaced.  By default the robot "
+    "file's name with .html, which replaces only a page of this command.",
 )
+@overwrite_option
 @click.option(
     "--mode",
     metavar="N",
@@ -74,6 +82,7 @@ def show(
     robot: Path,
     pose: str | None,
     out: str | None,
+    overwrite: bool,
     mode: int | None,
     vary: str | None,
     drives: str,
@@ -87,9 +96,14 @@ def show(
     """
     from pkmodes.view import page, poses_around, typical_pose, varied
     from pkmodes.view import scene as scene_of
+    from pkmodes.view.page import PAGE_MARK
 
     target = f"{robot.stem}.html" if out is None else out
     check_targets(json_file, [robot], Target("--out", target, "the page", (".html", ".gif")))
+    if out is None:
+        what = "the file exists, and is no page of pkmodes show"
+        remedy = "name the page with --out FILE.html, or replace what is there with --overwrite"
+        check_replaced([Path(target)], "--out", overwrite, holds(PAGE_MARK), what=what, remedy=remedy)
     moving = Path(target).suffix.lower() == ".gif"
     if mode is not None and not moving:
         remedy = "choose the mode on the page, or name FILE.gif"
@@ -109,14 +123,20 @@ def show(
             raise PkmodesError(
                 f"expected a vibration mode up to {known}, found {mode}", "--mode", "choose another"
             )
-        write_file(Path(target), animation(one, one.rigid_modes + mode - 1))
+        content: str | bytes = animation(one, one.rigid_modes + mode - 1)
     elif ranges is not None:
         with named_as_options(values=VARY):
-            write_file(Path(target), page(varied(model, point, ranges, drives=drives)))
+            content = page(varied(model, point, ranges, drives=drives))
     else:
-        write_file(Path(target), page(poses_around(model, point, drives=drives)))
+        content = page(poses_around(model, point, drives=drives))
     document = ShowDocument(robot=str(robot), out=target, pose=point)
-    deliver(json_file, document.as_json(), lambda: echo(target))
+    lines = () if json_file == "-" else (target,)
+    deliver(
+        json_file,
+        document.as_json(),
+        lambda: None,
+        ResultFile(Path(target), lambda: content, lambda _: lines),
+    )
 
 
 def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.core.base.arguments import check_argument, one_of
 from pkmodes.core.base.drives import FREE
 from pkmodes.core.base.errors import OutputError
-from pkmodes.figures.pictures import Picture, pictures
+from pkmodes.figures.pictures import PICTURES, Picture, pictures
 from pkmodes.plots.style import GREY, styled
+from pkmodes.support.replacing import check_replaced, holds
 from pkmodes.support.writing import write_files
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ def write_pictures(
     formats: Sequence[str] = ("svg",),
     *,
     drives: str = FREE,
+    overwrite: bool = False,
 ) -> list[Path]:
     """Draw the figures of a robot and write them, all or none; one that would show the same everywhere is a sentence.
 
@@ -47,6 +49,8 @@ def write_pictures(
         Each figure is written in all of them.
     drives : {"free", "held"}
         As for `pkmodes.Model.modes`.
+    overwrite : bool
+        Whether a file with the name of a figure is replaced also where it is no such figure.
 
     Returns
     -------
@@ -58,17 +62,22 @@ def write_pictures(
     PkmodesError, MissingExtraError
         As for `pictures`.
     OutputError
-        If a format is unknown, or the folder cannot be written.
+        If a format is unknown, a file is there that is something else, or the folder cannot be written.
     """
-    return written_pictures(model, folder, grid, formats, drives=drives)[0]
+    return written_pictures(model, folder, grid, formats, drives=drives, overwrite=overwrite)[0]
 
 
 def written_pictures(
-    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str
+    model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
     """Do as `write_pictures`; return the files, and the sentences instead of figures by name."""
     for one in formats:
         check_argument(one, one_of(FORMATS), "formats", "choose one of the three", OutputError)
+    for kind in PICTURES:
+        what = "the file exists, and is no such figure"
+        places = [folder / f"{kind.name}.{one}" for one in formats]
+        remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
+        check_replaced(places, "folder", overwrite, holds(kind.title.encode()), what=what, remedy=remedy)
     files: dict[str, bytes] = {}
     said: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):

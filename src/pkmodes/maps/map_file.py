@@ -18,6 +18,7 @@ from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.table import table_of, write_table
 from pkmodes.support.extras import require
 from pkmodes.support.places import resolved
+from pkmodes.support.replacing import check_replaced
 
 if TYPE_CHECKING:
     import xarray
@@ -73,9 +74,8 @@ class MapFile:
                 f"the folder {path.parent} does not exist", where, "create it, or choose another place"
             )
         folder = path.suffix.lower() == ZARR
-        if path.exists() and not overwrite:
-            remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
-            raise OutputError("the output exists", where, remedy)
+        remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
+        check_replaced([path], where, overwrite, what="the output exists", remedy=remedy)
         if path.exists() and path.is_dir() != folder:
             existing = "a folder" if path.is_dir() else "a file"
             raise OutputError(

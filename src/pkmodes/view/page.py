@@ -24,6 +24,8 @@ from pkmodes_description import Named
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
 #: Shares of the strain energy that differ by less are equal, as in panel.js.
 TIED = 0.0005
+#: How the title of every page ends; `pkmodes show` knows by it what it wrote.
+PAGE_MARK = b": vibration modes</title>"
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 
 
@@ -55,7 +57,7 @@ def page(scene: Scene) -> str:
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{name}: vibration modes</title>
+<title>{name}{PAGE_MARK.decode()}
 <link rel="icon" href="{ICON}">
 <style>
 {style}</style>

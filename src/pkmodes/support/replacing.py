@@ -1,0 +1,63 @@
+"""The one rule for what exists where a result is written (docs/command-line.md, "What is replaced").
+
+A file that the caller names is replaced.  Where the program chooses the name, or what is there may have taken hours
+or an editor, only what is known to be replaceable is; the rest is refused, unless the caller says to overwrite it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+from pkmodes.core.base.errors import OutputError
+
+ELSEWHERE = "choose another place, or replace what is there with --overwrite"
+
+
+def check_replaced(
+    files: Iterable[Path],
+    where: str,
+    overwrite: bool,
+    replaceable: Callable[[Path], bool] = lambda _: False,
+    *,
+    what: str = "the file exists",
+    remedy: str = ELSEWHERE,
+) -> None:
+    """Refuse to replace files.
+
+    Parameters
+    ----------
+    files : iterable of Path
+        What will be written.
+    where : str
+        The option or argument that names the place.
+    overwrite : bool
+        Whether the caller asked for it.
+    replaceable : callable
+        Returns whether a file that exists may be replaced without that.
+    what, remedy : str
+        What is wrong with the others, and what to do.
+
+    Raises
+    ------
+    OutputError
+        If one of them exists and may not be replaced.
+    """
+    if overwrite:
+        return
+    other = [path for path in files if path.exists() and not (path.is_file() and replaceable(path))]
+    if other:
+        more = f" and {len(other) - 1} more" if other[1:] else ""
+        raise OutputError(f"{other[0]}{more}: {what}", where, remedy)
+
+
+def holds(mark: bytes) -> Callable[[Path], bool]:
+    """Return what says whether a file holds a mark, by which a command knows what it wrote itself."""
+
+    def held(path: Path) -> bool:
+        try:
+            return mark in path.read_bytes()
+        except OSError:
+            return False
+
+    return held
