@@ -45,7 +45,7 @@ def test_an_existing_output_is_replaced_only_if_asked(tmp_path: Path, name: str)
     out = tmp_path / name
     first = model().map(POSE, out=out).load()
     error = refused(out)
-    assert error.what == "the output exists"
+    assert error.what == f"{out}: the output exists"
     assert "--overwrite" in error.remedy
     with model().map(OTHER, out=out, overwrite=True) as found:
         assert float(found["x"][0]) == 0.5

@@ -75,7 +75,7 @@ class MapFile:
             )
         folder = path.suffix.lower() == ZARR
         remedy = "choose another name, or replace it with overwrite=True (--overwrite)"
-        check_replaced([path], where, overwrite, what="the output exists", remedy=remedy)
+        check_replaced([path], "out", overwrite, what="the output exists", remedy=remedy)
         if path.exists() and path.is_dir() != folder:
             existing = "a folder" if path.is_dir() else "a file"
             raise OutputError(

@@ -142,6 +142,11 @@ class FrequencyResponse(Channels):
         index : int or tuple of int
             Of the pose; not needed for a single one.
 
+        Returns
+        -------
+        str
+            CSV, with the units as comments.
+
         Raises
         ------
         PkmodesError

@@ -142,6 +142,11 @@ class StateSpace(Channels):
         index : int or tuple of int
             Of the pose; not needed for a single one.
 
+        Returns
+        -------
+        bytes
+            Version 5 of the format, with vectors as columns.
+
         Raises
         ------
         PkmodesError
