@@ -223,7 +223,8 @@ def test_a_page_prints_on_paper_without_cutting_figures_and_rows(seen: Opened) -
            .map(one => getComputedStyle(one).breakInside)"""
     )
     assert pdf.startswith(b"%PDF")
-    assert 2 <= pdf.count(b"/Type /Page\n") + pdf.count(b"/Type /Page ") <= 60
+    # The long names of the hostile file stand whole in every sentence that has one.
+    assert 2 <= pdf.count(b"/Type /Page\n") + pdf.count(b"/Type /Page ") <= 80
     assert b"[0 0 594.95996 841.91998]" in pdf or b"[0 0 595" in pdf  # A4
     assert paper == "rgb(255, 255, 255)"
     assert hidden == "none"

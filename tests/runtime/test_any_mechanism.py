@@ -247,7 +247,7 @@ def test_the_command_line_reads_and_reports_its_poses(model: pkmodes.Model) -> N
     assert parse_pose("100 mm, 0.05", KIND) == [0.1, 0.05]
     with pytest.raises(PoseError, match="expected 2 components X,Y, found 3") as error:
         parse_pose("0,0,0", KIND)
-    assert error.match("write --pose X,Y: tool in the plane")
+    assert error.match("write --pose X,Y, decimals with a point: tool in the plane")
     content = as_json(model, model.modes(POSES[0]), model.statics(POSES[0]))
     assert content["pose"] == [0.1, 0.05]
     assert content["joint_positions"] == {"x": 0.1, "y": 0.05}

@@ -16,7 +16,7 @@ from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.dataset.robot_text import text_of
 from pkmodes.robot_files.differences import differences
-from pkmodes.support.covariance import correlations_of, covariance_of
+from pkmodes.support.covariance import covariance_of, priors_of
 
 MASS, WIDTH, RADIUS = '"1.5 kg"', '"15 mm"', '"35 mm"'
 TWO = """
@@ -52,9 +52,24 @@ def test_a_table_may_have_smaller_sigmas_of_its_own(tmp_path: Path) -> None:
     found = covariance_of(robot, ["platform.mass", "belt.width"])
     s, t = 0.05, 0.02 * 0.015
     np.testing.assert_allclose(found, [[s**2, -0.8 * s * t], [-0.8 * s * t, t**2]], rtol=1e-12)
-    ((other, rate),) = correlations_of(robot)["platform.mass"]
+    prior = priors_of(robot)["platform.mass"]
+    assert prior.sigma == 0.1
+    ((other, rate),) = prior.correlated
     assert other == "belt.width"
     assert rate == pytest.approx(-0.8 * s * t / (0.1 * 1e-3))
+
+
+def test_a_sigma_that_is_that_of_the_table_but_for_its_digits_has_those_of_the_table(tmp_path: Path) -> None:
+    """With a correlation near 1 a rounded sigma would make one beyond it: 1.001."""
+    table = (
+        '[[covariance]]\npaths = ["platform.mass", "belt.width"]\n'
+        'sigma = ["100.44439 g", "0.99706845 mm"]\ncorrelation = [[1, -0.9999], [-0.9999, 1]]\n'
+    )
+    for mass in ("0.1 kg", "0.101 kg"):  # rounded to the nearest, and up
+        priors = priors_of(read(tmp_path, table, mass))
+        assert priors["platform.mass"].sigma == pytest.approx(0.10044439, rel=1e-12)
+        ((_, rate),) = priors["platform.mass"].correlated
+        assert rate == pytest.approx(-0.9999, rel=1e-12)
 
 
 REFUSED = [

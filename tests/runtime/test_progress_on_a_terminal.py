@@ -98,7 +98,7 @@ def test_nothing_of_it_reaches_a_pipe(
         ),
         (
             ["shaper", PRINTER, "--grid", PLANE, "--shapers", "zv,mzv"],
-            ["computing the modes of the held machine", "shaper 1 of 4: zv", "shaper 4 of 4: mzv"],
+            ["computing the modes of the machine in use", "shaper 1 of 4: zv", "shaper 4 of 4: mzv"],
         ),
         (["sensitivities", PRINTER, "--pose", "0.15,0.15"], ["differentiating the modes"]),
         (

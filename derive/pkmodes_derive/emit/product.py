@@ -177,6 +177,7 @@ def _without_effects(
         fields={name: value for name, value in specification.fields.items() if name in fields},
         values={},
         effects=(),
+        springs="",
     )
 
     def write() -> tuple[dict[str, str], dict[str, Program]]:

@@ -68,7 +68,7 @@ class Unseen:
     def done(self) -> str:
         """What could have changed the value, to stand before "could have done"."""
         return (
-            f"another value than {self.default}, not declared,"
+            f"another than {self.default}, which is not declared,"
             if self.default
             else f"an unseen {self.candidate}"
         )

@@ -17,6 +17,7 @@ import numpy as np
 from pkmodes.diagnosis.readings import table
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.classes import distinct, more_general, parts_alone
+from pkmodes.diagnosis.verdict.defaults import by_a_default
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
@@ -295,26 +296,6 @@ def several_explanations(e: Evidence) -> Says | None:
     if len(remaining) == 1:
         return Says(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
     return Says(f"{len(remaining)} different explanations remain: {listed}")
-
-
-def by_a_default(e: Evidence) -> Says | None:
-    """A class has a part of a whole, such as one direction of a frame, whose value a default makes specific.
-
-    With the default open, such a cause is one mass on one spring: it explains one further mode whatever that is.
-    """
-    members = [fit.causes[-1] for own in e.claim.own for fit in own]
-    needed = [one for cause in members if cause.part_of for one in cause.assumes]
-    assumed = [one for one in e.by_default if one in needed]
-    if not assumed:
-        return None
-    words = " and ".join(one.words for one in assumed)
-    declare = " and ".join(one.key for one in assumed)
-    text = (
-        f"{e.explains} the residual for {words}, which the robot file does not declare; with another value there, "
-        "another size explains it as well, and so may anything else that moves on a spring of its own: declare "
-        f"{declare}, or look for what moves"
-    )
-    return Says.naming(text, e.final.causes)
 
 
 def another_with_other_errors(e: Evidence) -> Says | None:

@@ -1,0 +1,25 @@
+"""The rule of causes that only a default makes specific, because nobody declared the value on which they rest."""
+
+from __future__ import annotations
+
+from pkmodes.diagnosis.verdict.evidence import Evidence, Says
+
+
+def by_a_default(e: Evidence) -> Says | None:
+    """A class has a part of a whole, such as one direction of a frame, whose value a default makes specific.
+
+    With the default open, such a cause is one mass on one spring: it explains one further mode whatever that is.
+    """
+    members = [fit.causes[-1] for own in e.claim.own for fit in own]
+    needed = [one for cause in members if cause.part_of for one in cause.assumes]
+    assumed = [one for one in e.by_default if one in needed]
+    if not assumed:
+        return None
+    words = " and ".join(one.words for one in assumed)
+    declare = " and ".join(one.key for one in assumed)
+    text = (
+        f"{e.explains} the residual for {words}, which the robot file does not declare; with another value there, "
+        "another size explains it as well, and so may anything else that moves on a spring of its own: declare "
+        f"{declare}, or look for what moves"
+    )
+    return Says.naming(text, e.final.causes)
