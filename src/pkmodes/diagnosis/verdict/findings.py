@@ -67,11 +67,9 @@ class Unseen:
     @property
     def done(self) -> str:
         """What could have changed the value, to stand before "could have done"."""
-        return (
-            f"another than {self.default}, which is not declared,"
-            if self.default
-            else f"an unseen {self.candidate}"
-        )
+        if not self.default:
+            return f"an unseen {self.candidate}"
+        return self.default.replace(" of ", " other than ", 1) + ", which is not declared,"
 
 
 @dataclass(frozen=True)
