@@ -415,7 +415,7 @@ def test_differences_of_a_received_folder_cannot_control_the_terminal(
     file = folder / "linear_delta_2022.py"
     file.write_text(f"{file.read_text(encoding='utf-8')}\n# {HOSTILE}\n", encoding="utf-8")
     capsys.readouterr()
-    assert run(["check", str(folder)]) == 1
+    assert run(["check", str(folder), "--diff"]) == 1
     printed = capsys.readouterr().out
     assert "\\x1b[2J" in printed
     assert harmless(printed)
