@@ -24,6 +24,7 @@ def machine_with(scale: float) -> Machine:
     return machine
 
 
+@pytest.mark.slow
 def test_a_rounded_direction_is_normalised() -> None:
     expected = np.array(mechanisms.machine("rotary_delta").sample["axis"])
     for scale in (0.6, 1.0 + 1e-6, 1.9):
