@@ -55,6 +55,13 @@ class Chain:
         self._definitions[symbol] = expression
         return symbol
 
+    def redefine(self, symbol: Symbol, expression: Expr) -> None:
+        """Replace the definition of a symbol, before anything is derived from it."""
+        self._definitions[symbol] = expression
+        self._cache.clear()
+        self._partials.clear()
+        self._names.clear()
+
     def rule(self, symbol: Symbol, variable: Symbol, derivative: Expr) -> None:
         """Set d(symbol)/d(variable), which takes precedence over the symbol's definition."""
         if (symbol, variable) in self._rules:

@@ -137,6 +137,8 @@ class Released:
         With ``{j}`` for the number of a part, or ``{i}`` for a direction; without either there is only one.
     order : int
         Position among the coordinates of other effects.
+    sprung : bool
+        Whether each has a spring of its own, with the ``compliance`` of the effect; else `apply` adds its energies.
     """
 
     name: str
@@ -144,6 +146,7 @@ class Released:
     description: str
     latex: str
     order: int
+    sprung: bool = True
 
     @property
     def letter(self) -> str:
@@ -164,9 +167,9 @@ class Effect:
         is the body that carries payloads, ``{on_carrier}`` where they are on it.
     parts : callable
         ``parts(machine)`` returns the parts it acts on; if there are none, it does not apply.
-    parameters : tuple of EffectParameter
+    parameters : tuple of EffectParameter, or callable
         An effect that releases coordinates has a ``compliance``, used by their springs; each coordinate may have
-        one of its own ``in_place_of`` it.
+        one of its own ``in_place_of`` it.  ``parameters(machine)`` returns those that depend on the machine.
     apply : callable
         ``apply(machine, parameters, released)`` adds the effect to a machine, with parameters by name and the
         released coordinates in order.
@@ -185,7 +188,7 @@ class Effect:
     name: str
     sentence: str
     parts: Callable[[Any], Sequence[object]]
-    parameters: tuple[EffectParameter, ...]
+    parameters: tuple[EffectParameter, ...] | Callable[[Any], tuple[EffectParameter, ...]]
     apply: Callable[[Any, Mapping[str, Symbol], tuple[Coordinate, ...]], None]
     released: Released | None = None
     grounds: bool = False
@@ -203,7 +206,8 @@ class Effect:
         parts = self.parts(machine)
         numbers = [str(number) for number in range(1, len(parts) + 1)]
         places = {"": ("",), "i": tuple(map(str, parts)), "j": tuple(numbers)}
-        own = [p.on(machine) for p in self.parameters if machine.turning is not None or not p.turning]
+        declared = self.parameters(machine) if callable(self.parameters) else self.parameters
+        own = [p.on(machine) for p in declared if machine.turning is not None or not p.turning]
         parameters = [p.at(place) for p in own for place in places[_letter(p.name)]]
         released = places[_letter(self.released.name)] if self.released else ()
         sentence = _worded(self.sentence, machine)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence, Set
 from dataclasses import replace
 
-from sympy import Add, Symbol
+from sympy import Add, Symbol, oo
 
 from pkmodes_derive.effect import Coordinate, Effect, EffectParameter
 from pkmodes_derive.machine import Machine
@@ -37,7 +37,8 @@ def apply_effects(
     for effect, parameters, released in prepared:
         for coordinate in released:
             softening = (parameters[p.name] for p in effect.softening(coordinate.place))
-            machine.compliances += (Add(*softening),)
+            sprung = effect.released is not None and effect.released.sprung
+            machine.compliances += (Add(*softening) if sprung else oo,)
     for effect, parameters, released in sorted(prepared, key=lambda item: not item[2]):
         effect.apply(machine, parameters, released)
         machine.elastic_of += [effect.name] * (len(machine.elastic) - len(machine.elastic_of))
@@ -49,11 +50,10 @@ def _field(effect: Effect, parameter: EffectParameter) -> str:
 
 def _free(effect: Effect, zeros: Set[tuple[str, int]]) -> Effect:
     """Return an effect with only those coordinates that some compliance frees."""
-    locked = [
-        place
-        for place in effect.places
-        if all((_field(effect, p), 0) in zeros for p in effect.softening(place))
-    ]
+    def frees(place: str) -> tuple[EffectParameter, ...]:
+        return effect.softening(place) or effect.parameters[:1]  # without a spring of its own: the first makes it
+
+    locked = [place for place in effect.places if all((_field(effect, p), 0) in zeros for p in frees(place))]
     return replace(effect, places=tuple(place for place in effect.places if place not in locked))
 
 

@@ -27,11 +27,13 @@ from pkmodes_derive.parts import (
     Leg,
     LegPart,
     Link,
+    PlacedSpring,
     PointMass,
     Reducer,
     Rod,
     Rotor,
     Run,
+    Seat,
 )
 from pkmodes_derive.tables import Declared, Tables
 from pkmodes_derive.turning import Turning
@@ -120,6 +122,12 @@ class Machine:
         The beam of a gantry, which may turn.
     rails : list of sympy.Symbol
         Coordinates of the bodies that slide along rails.
+    seats : list of Seat
+        What holds bodies of closed loops.
+    yielding, swinging : list of Coordinate
+        Released coordinates on which positions depend: of seats, which move the closures, and of what hangs on a body.
+    springs : list of PlacedSpring
+        Springs that effects add between bodies, or from one to ground.
     kinetic, elastic : lists of sympy.Expr
         Energies [J] that effects add: quadratic forms in rates and in small displacements.
     dissipation : list of sympy.Expr
@@ -175,6 +183,10 @@ class Machine:
         self.delta_p: tuple[Symbol, ...] = ()
         self.beam: Beam | None = None
         self.rails: list[Symbol] = []
+        self.seats: list[Seat] = []
+        self.yielding: list[Coordinate] = []
+        self.swinging: list[Coordinate] = []
+        self.springs: list[PlacedSpring] = []
         self.kinetic: list[Expr] = []
         self.dissipation: list[Expr] = []
         self.elastic: list[Expr] = []
@@ -415,9 +427,28 @@ class Machine:
         self.chain.rule(symbol, coordinate, derivative)
         self.turned[symbol] = coordinate, derivative
 
-    def rotor(self, coordinate: Symbol, inertia: Expr, name: Symbol | None = None) -> Rotor:
-        """Add a body that turns on a bearing of the frame; in metres, what it moves along a leg."""
-        self.rotors.append(Rotor(coordinate, inertia, name))
+    def rotor(
+        self,
+        coordinate: Symbol,
+        inertia: Expr,
+        name: Symbol | None = None,
+        place: str = "",
+        words: str = "",
+        along: Sequence[Expr] = (),
+    ) -> Rotor:
+        """Add a body that turns on a bearing of the frame; in metres, what it moves along a leg.
+
+        Parameters
+        ----------
+        name : sympy.Symbol, optional
+            Of its moment of inertia including the drive.
+        place, words : str, optional
+            Its name as a place of terms, such as "pulley_2_1", and in words.
+        along : sequence of sympy.Expr, optional
+            Unit vector of the belt that leaves it, along which its bearing may yield, base frame.
+        """
+        bearing = Clamp()
+        self.rotors.append(Rotor(coordinate, inertia, name, place, words, bearing, tuple(along)))
         return self.rotors[-1]
 
     def drive(
@@ -509,7 +540,7 @@ class Machine:
         beam = self.beam
         if beam is not None and beam.along in form:  # the end of a belt on what slides along the beam
             moved += [form.get(beam.across, 0) * beam.lever * of_released(c) for c in beam.released]
-        return Add(*moved, *(of_released(c) for c in (clamp.released if clamp else ())))
+        return Add(*moved, *(clamp.sign * of_released(c) for c in (clamp.released if clamp else ())))
 
     def rotation(self, rotor: Rotor) -> Symbol:
         """Return the small rotation of a rotor from the reference configuration [rad]."""
@@ -540,9 +571,9 @@ class Machine:
 
     @property
     def moving(self) -> tuple[Coordinate, ...]:
-        """Released coordinates on which positions depend: elongations of links, and the rotation of a beam."""
+        """Released coordinates that move the platform: elongations of links, rotation of a beam, yielding seats."""
         of_links = (c for link in self.links for c in link.elongation)
-        return (*of_links, *(self.beam.released if self.beam else ()))
+        return (*of_links, *(self.beam.released if self.beam else ()), *self.yielding)
 
     def add_kinetic(self, energy: Expr) -> None:
         """Add kinetic energy, a quadratic form in rates."""

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 from sympy import Add, Expr, S, Symbol
 
@@ -20,10 +21,12 @@ Position = Sequence[Expr]
 
 @dataclass
 class PointMass:
-    """A body that translates: mass [kg] and position [m] of its centre."""
+    """A body that translates: mass [kg] and position [m] of its centre; as a place of terms, its name and words."""
 
     mass: Expr
     position: Position
+    place: str = ""
+    words: str = ""
 
 
 @dataclass(frozen=True)
@@ -37,10 +40,12 @@ class Carrier:
 
 @dataclass
 class Rod:
-    """A uniform slender rod: mass [kg] and the positions [m] of both ends."""
+    """A uniform slender rod: mass [kg] and the positions [m] of both ends; as a place of terms, its name and words."""
 
     mass: Expr
     ends: tuple[Position, Position]
+    place: str = ""
+    words: str = ""
 
 
 @dataclass
@@ -55,12 +60,19 @@ class Arm:
         Its coordinate.
     centre : sequence of sympy.Expr
         Position of its centre of mass [m].
+    place, words : str
+        Its name and words as a place of terms.
+    shift : sequence of sympy.Expr
+        Velocity of its axis relative to the frame [m/s], if its seat yields.
     """
 
     mass: Expr
     inertia: Expr
     angle: Symbol
     centre: Position
+    place: str = ""
+    words: str = ""
+    shift: Position = (S.Zero, S.Zero, S.Zero)
 
 
 @dataclass(eq=False)
@@ -129,12 +141,16 @@ class LegPart:
         The joint from which it keeps its distance: 0 at the frame, 1 at the platform.
     along : sympy.Expr
         Coordinate of its centre of mass from that joint [m], in the direction from the frame to the platform.
+    place, words : str
+        Its name and words as a place of terms.
     """
 
     mass: Expr
     inertia: Expr
     end: int
     along: Expr
+    place: str = ""
+    words: str = ""
 
 
 @dataclass
@@ -225,6 +241,28 @@ class Link:
         return bool(self.length != self.coordinate)
 
 
+@dataclass(eq=False)
+class Seat:
+    """What holds a body of a closed loop: a rail, or a base joint, which a term may let yield.
+
+    Attributes
+    ----------
+    place : str
+        The body, as a place of terms.
+    link : Link
+        Its vector starts at the body.
+    points, ends, arms, legs : lists
+        Bodies that move with the seat: point masses, ends of rods (0 or 1), arms, and legs with their base joint.
+    """
+
+    place: str
+    link: Link
+    points: list[PointMass] = field(default_factory=list)
+    ends: list[tuple[Rod, int]] = field(default_factory=list)
+    arms: list[Arm] = field(default_factory=list)
+    legs: list[Leg] = field(default_factory=list)
+
+
 @dataclass
 class Rotor:
     """A body that turns on a bearing of the frame.
@@ -237,11 +275,21 @@ class Rotor:
         Moment of inertia without its drive [kg m^2].
     name : sympy.Symbol or None
         Name of the moment of inertia including the drive; None for no name.
+    place, words : str
+        Its name and words as a place of terms.
+    bearing : Clamp or None
+        Holds the ends of belt spans that it carries; released coordinates displace it.
+    along : sequence of sympy.Expr
+        Unit vector of that displacement, base frame; empty if the mechanism does not say.
     """
 
     coordinate: Symbol
     inertia: Expr
     name: Symbol | None = None
+    place: str = ""
+    words: str = ""
+    bearing: Clamp | None = None
+    along: Position = ()
 
 
 @dataclass
@@ -287,9 +335,15 @@ class Drive:
 
 @dataclass(eq=False)
 class Clamp:
-    """The attachment of a belt to the body it moves; released coordinates move it relative to that body."""
+    """What holds the end of a belt span: released coordinates move it, along the span or, with sign -1, against it."""
 
     released: list[Coordinate] = field(default_factory=list)
+    sign: int = 1
+
+    @property
+    def reversed(self) -> Clamp:
+        """The same for an end that moves the other way."""
+        return Clamp(self.released, -self.sign)
 
 
 @dataclass
@@ -343,6 +397,25 @@ class Belt:
     def effective_modulus(self) -> Expr:
         """Stiffness of a span times its length, with what effects change [N]."""
         return self.modulus * (1 + self.change) * self.factor
+
+
+@dataclass(frozen=True)
+class PlacedSpring:
+    """A spring that an effect adds, relaxed at the pose: from a place to ground, or between two places.
+
+    Attributes
+    ----------
+    stiffness : sympy.Expr
+        [N/m] or [N m/rad].
+    places : tuple of Place
+        One, or two whose relative displacement strains it.
+    directions : tuple of str
+        Those in which it acts, each alike.
+    """
+
+    stiffness: Expr
+    places: tuple[Any, ...]
+    directions: tuple[str, ...]
 
 
 @dataclass

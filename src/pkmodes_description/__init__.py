@@ -26,6 +26,7 @@ from pkmodes_description.structure import (
     Requirement,
     Scale,
     Table,
+    Term,
 )
 
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "Requirement",
     "Scale",
     "Table",
+    "Term",
     "decode",
     "encode",
 ]

@@ -328,6 +328,45 @@ class Drawing(Part, frozen=True):
     uprights: Count
 
 
+class Term(Part, frozen=True, omit_defaults=True):
+    """A form at a place, which no effect of the catalogue has: what a diagnosis tries beyond it.
+
+    The displacements that it uses are rows of the generated ``place_motion``.
+
+    Attributes
+    ----------
+    name : str
+        "spring:pulley_2_1/pulley_2_2".
+    form : str
+        ``mass``, ``spring``, ``mount`` or ``resonator``.
+    sentence : str
+        A noun phrase.
+    parameters : tuple of Named
+        The first one determines its size: at 0 the term is absent.
+    rows : tuple of int
+        Of a mass or resonator: its inertia is the sum of the squares of these displacements.
+    strains : tuple of tuple of int
+        Of a spring: in each direction the displacement that strains it, or the two whose difference does.
+    swings : int
+        Of a resonator: the displacement along which it swings; -1 for none.
+    declared : tuple of str and int, or None
+        The field and index of the declared inertia that a mass adds to, or whose weight it has; None where the place
+        moves along a straight line, so that a weight does not matter.
+    mount : int
+        Of a mount: its row of the generated ``mount_matrices``; -1 for none.
+    """
+
+    name: Name
+    form: Literal["mass", "spring", "mount", "resonator"]
+    sentence: Name
+    parameters: Annotated[tuple[Named, ...], Meta(min_length=1)]
+    rows: Index = ()
+    strains: tuple[Index, ...] = ()
+    swings: Annotated[int, Meta(ge=-1)] = -1
+    declared: tuple[str, int] | None = None
+    mount: Annotated[int, Meta(ge=-1)] = -1
+
+
 class Description(Part, frozen=True, omit_defaults=True):
     """A mechanism.
 
@@ -365,6 +404,8 @@ class Description(Part, frozen=True, omit_defaults=True):
     drawing : Drawing
     rotations : tuple of str
         Axes about which the platform turns, if any: see `components`.
+    terms : tuple of Term
+        What a diagnosis tries beyond the effects.
     """
 
     name: Name = field(name="mechanism")
@@ -387,6 +428,7 @@ class Description(Part, frozen=True, omit_defaults=True):
     difference_pairs: tuple[tuple[str, str], ...] = field(name="differences")
     drawing: Drawing
     rotations: tuple[Axis, ...] = ()
+    terms: tuple[Term, ...] = ()
 
     @property
     def components(self) -> tuple[Name, ...]:

@@ -11,6 +11,7 @@ from sympy import Add, Expr, Integer, Matrix, Symbol
 from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.assembly import energy, kinematics, statics
 from pkmodes_derive.assembly.blocks import named_block
+from pkmodes_derive.assembly.placed import with_springs
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.differentiation import partial_derivative
 from pkmodes_derive.functions import Argument
@@ -77,7 +78,7 @@ def derive(machine: Machine) -> Derived:
         energies,
         equilibrium,
         _mass_matrix(machine, kin, energies),
-        kin.chain.hessian(energies.V_el, machine.small, hold=hold),
+        with_springs(machine, kin, kin.chain.hessian(energies.V_el, machine.small, hold=hold)),
         _placed(machine, kin, equilibrium.gravity_hessian),
         lagrangian.damping_matrix(energies.R, machine.rates, kin.chain),
         kin.chain.hessian(energies.V_loss, machine.small, hold=hold),

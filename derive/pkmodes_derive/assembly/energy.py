@@ -132,7 +132,7 @@ def _define_platform_motion(machine: Machine, kinematics: Kinematics) -> None:
             machine.define(w, Add(*(d * rate for d, rate in zip(kinematics.D[i, :], rates, strict=True))))
 
 
-def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
+def velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
     """Return the absolute velocity of a body-fixed point."""
     lever = tuple(a - b for a, b in zip(position, machine.platform, strict=True))
     turning = machine.turning
@@ -146,10 +146,10 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
             moved += [(w, cross(axis(name), lever)) for w, name in turned]
         return moved
     moved = []
-    racking = machine.beam.released if machine.beam else []
-    at_pose = dict.fromkeys((c.position for c in racking), Integer(0))
+    released = (*machine.moving, *machine.swinging)
+    at_pose = dict.fromkeys((c.position for c in released), Integer(0))
     rates = {q: machine.velocities[machine.coordinates.index(q)] for q in machine.independent}
-    for q, rate in {**rates, **{c.position: c.rate for c in racking}}.items():
+    for q, rate in {**rates, **{c.position: c.rate for c in released}}.items():
         along = tuple(machine.chain.derivative(component, q).xreplace(at_pose) for component in position)
         if any(along):
             moved.append((rate, along))
@@ -159,7 +159,7 @@ def _velocity(machine: Machine, position: Sequence[Expr]) -> Velocity:
 
 def _body(machine: Machine, body: Body, w: Sequence[Symbol]) -> Expr:
     """Return the kinetic energy of a body with the angular velocity w of the platform."""
-    v, places = _velocity(machine, body.centre), range(len(w))
+    v, places = velocity(machine, body.centre), range(len(w))
     turned = Add(*(w[i] * body.inertia[i][k] * w[k] for i in places for k in places))
     return HALF * body.mass * _product(machine, v, v) + HALF * turned
 
@@ -170,12 +170,12 @@ def _leg(machine: Machine, leg: Leg) -> Expr:
     Its direction u = s/l turns with u_dot = (s_dot - u l_dot)/l, and u . s_dot = l_dot, so the square of u_dot is
     (s_dot . s_dot - l_dot^2) / l^2.
     """
-    start, end = (_velocity(machine, position) for position in leg.ends)
+    start, end = (velocity(machine, position) for position in leg.ends)
     moved = [*end, *((-rate, vector) for rate, vector in start)]
     l_dot = machine.velocities[machine.coordinates.index(leg.length)]
     T = HALF * leg.inertia * _product(machine, moved, moved)
     T += HALF * (leg.moving_mass - leg.inertia) * l_dot**2
-    if any(machine.frame_rate):
+    if start:
         direction = tuple(component / leg.length for component in leg.vector)
         turned = [(rate * leg.moment / leg.length, vector) for rate, vector in moved]
         turned.append((-l_dot * leg.moment / leg.length, direction))
@@ -191,10 +191,11 @@ def _constants(machine: Machine) -> set[Symbol]:
 
 def _product(machine: Machine, a: Velocity, b: Velocity) -> Expr:
     """Return the scalar product of two velocities; the square of a unit vector is 1."""
-    return Add(*(p * q * _scalar(machine, u, w) for p, u in a for q, w in b))
+    return Add(*(p * q * scalar(machine, u, w) for p, u in a for q, w in b))
 
 
-def _scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
+def scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
+    """Return the scalar product of two vectors; that of a unit vector with itself is 1."""
     if u == w and (u in machine.units or u in BASIS):
         return Integer(1)
     for unit in machine.units if u == w else ():  # a unit vector times a length
@@ -207,16 +208,17 @@ def _scalar(machine: Machine, u: tuple[Expr, ...], w: tuple[Expr, ...]) -> Expr:
 def _structure(machine: Machine) -> Expr:
     T = Add(*machine.kinetic)
     for body in (*machine.points, *machine.loads):
-        v = _velocity(machine, body.position)
+        v = velocity(machine, body.position)
         T += HALF * body.mass * _product(machine, v, v)
     for rod in machine.rods:
-        v_e, v_c = (_velocity(machine, end) for end in rod.ends)
+        v_e, v_c = (velocity(machine, end) for end in rod.ends)
         pairs = ((v_e, v_e), (v_e, v_c), (v_c, v_c))
         T += SIXTH * rod.mass * Add(*(_product(machine, a, b) for a, b in pairs))
     for arm in machine.arms:
         rate = machine.velocities[machine.coordinates.index(arm.angle)]
         along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
         u = machine.frame_rate
+        u = tuple(a + b for a, b in zip(u, arm.shift, strict=True))
         T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
     T += Add(*(_leg(machine, leg) for leg in machine.legs))
     if machine.turning is not None:

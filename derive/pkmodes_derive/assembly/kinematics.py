@@ -88,7 +88,8 @@ class Kinematics:
                     first[symbol] = chain[symbol]
 
         take({s for expression in self.inverse.values() for s in expression.free_symbols})
-        return {**first, **self.inverse, **chain}
+        # What holds a body may yield: its released displacement is zero in the reference configuration.
+        return {s: value.xreplace(self.reference) for s, value in {**first, **self.inverse, **chain}.items()}
 
 
 def derive(machine: Machine) -> Kinematics:

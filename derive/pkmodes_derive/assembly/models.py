@@ -22,7 +22,7 @@ from pkmodes_derive.assembly.kinematics import Kinematics
 from pkmodes_derive.functions import FieldGroup, Function, Model, Output, Relation
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.sample_robot import normalised_sample
-from pkmodes_description import Description, Drawing, Named
+from pkmodes_description import Description, Drawing, Named, Term
 
 Relations = Callable[[Machine, Kinematics], tuple[Relation, ...]]
 
@@ -49,7 +49,9 @@ def base(machine: Machine, relations: Relations | None = None) -> Model:
     )
 
 
-def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Description:
+def describe(
+    machine: Machine, rigid_modes: int | None, drawing: Drawing, terms: tuple[Term, ...] = ()
+) -> Description:
     """Return what the runtime needs to know about a mechanism; `machine` has every effect that applies."""
     v = machine.vocabulary
     named = tuple(Named(q.name, v[q].unit, v[q].description) for q in machine.coordinates)
@@ -81,6 +83,7 @@ def describe(machine: Machine, rigid_modes: int | None, drawing: Drawing) -> Des
         sample=normalised_sample(machine),
         drawing=drawing,
         rotations=machine.rotations,
+        terms=terms,
     )
 
 
@@ -192,8 +195,8 @@ def _joints(d: Derived) -> Function:
     positions = [c.position for c in d.machine.released]
     stiffness = [diff(energy, q, q) for energy, q in zip(d.energies.V_r, positions, strict=True)]
     # Compliances in series add up, so the derivatives with respect to all of them are equal.
-    first = [min(c.free_symbols, key=default_sort_key) for c in d.machine.compliances]
-    rates = [diff(k, c) for k, c in zip(stiffness, first, strict=True)]
+    first = [min(c.free_symbols, key=default_sort_key, default=None) for c in d.machine.compliances]
+    rates = [Integer(0) if c is None else diff(k, c) for k, c in zip(stiffness, first, strict=True)]
     n = len(positions)
     return Function(
         "joint_stiffness",

@@ -58,7 +58,7 @@ def _parametric(mechanism: str, definition: str) -> dict[str, str]:
         identity=Identity(mechanism, pkmodes_derive.__version__),
     )
     beyond = f"the derivation of {mechanism} and the catalogue of effects"
-    drawing, _ = mechanisms.drawing(mechanism)
+    (drawing, _), (terms, _) = mechanisms.drawing(mechanism), mechanisms.beyond(mechanism)
     texts, programs = written(
         (model, provenance),
         (
@@ -77,6 +77,15 @@ def _parametric(mechanism: str, definition: str) -> dict[str, str]:
                 provenance,
                 module="drawing",
                 title=f"Points and springs of the mechanism {mechanism}, with effects, for pictures of it.",
+                origin=beyond,
+            ),
+        ),
+        (
+            terms,
+            replace(
+                provenance,
+                module="terms",
+                title=f"Terms of the mechanism {mechanism}: motion of its bodies, and what holds them yielding.",
                 origin=beyond,
             ),
         ),

@@ -111,10 +111,12 @@ def fasten(m: Machine, belts: Belts, turns: Sequence[Symbol], pulls: Sequence[Fo
     ]
     for i in BELTS:
         moment = "moment of inertia of motor pulley {j}, including the motor"
-        rotor = m.rotor(turns[i], belts.I_p[i], v.declare("I_{j}", "kg m^2", moment, "I_{j}", j=i + 1))
+        named = v.declare("I_{j}", "kg m^2", moment, "I_{j}", j=i + 1)
+        words = f"the motor pulley of belt {i + 1}"
+        rotor = m.rotor(turns[i], belts.I_p[i], named, f"pulley_{i + 1}", words)
         m.drive([(rotor, Integer(1))], belts.i_g[i] ** 2 * belts.I_m[i], torque[i])
         clamp = Clamp()
-        ends = (pulls[i], clamp), ({turns[i]: -belts.R_p[i]}, None)
+        rim = {turns[i]: -belts.R_p[i]}
         grown = Add(*(factor * q for q, factor in pulls[i].items()))
         runs = []
         for k, sign in enumerate((1, -1)):
@@ -125,6 +127,9 @@ def fasten(m: Machine, belts: Belts, turns: Sequence[Symbol], pulls: Sequence[Fo
             stiffness = v.declare(
                 "k_{j}_{s}", "N/m", "stiffness of run {s} of belt {j}", "k_{{{j},{s}}}", **place
             )
+            # Both runs leave the motor pulley to the same side: its bearing moves both their ends away from it.
+            bearing = rotor.bearing if sign < 0 else rotor.bearing.reversed
+            ends = (pulls[i], clamp), (rim, bearing)
             runs.append(Run(l_f, stiffness, belts.lengths[i][k] + sign * grown, ends))
         m.belt(belts.w_b[i] * belts.k_sp[i], runs, clamp)
         m.follows[turns[i]] = -grown / belts.R_p[i]

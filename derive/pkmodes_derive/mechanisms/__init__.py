@@ -18,6 +18,7 @@ from pkmodes_derive import definition
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.drawing import drawing as model_and_drawing
 from pkmodes_derive.assembly.held import held_motors
+from pkmodes_derive.assembly.terms import terms_model
 from pkmodes_derive.declaration_checks import check_declared, check_model, check_names
 from pkmodes_derive.definition import DefinitionError, as_definition_errors
 from pkmodes_derive.effect import Effect
@@ -27,6 +28,7 @@ from pkmodes_derive.functions import HeldMotors, Model
 from pkmodes_derive.kept import kept
 from pkmodes_derive.machine import Machine
 from pkmodes_description import Description, Drawing
+from pkmodes_description import Term as DescribedTerm
 
 T = TypeVar("T")
 #: The field and the index of every parameter that is zero for a robot.
@@ -65,7 +67,7 @@ def add(name: str, text: str, place: str) -> None:
         return
     module = definition.read(name, text, place)
     _added[name] = text, module
-    for known in (base, extended, drawing, single, held):
+    for known in (base, extended, drawing, beyond, single, held):
         known.cache_clear()
     machine(name)
 
@@ -154,6 +156,17 @@ def drawing(name: str) -> tuple[Model, Drawing]:
 
 
 @_once
+def beyond(name: str) -> tuple[Model, tuple[DescribedTerm, ...]]:
+    """Return the functions of a mechanism's terms beyond the catalogue, and the terms; derived once per process."""
+
+    def with_effects(more: Sequence[Effect]) -> Machine:
+        return machine(name, (*effects(name), *more))
+
+    with _reported(name, ", during the derivation of its terms"):
+        return terms_model(machine(name), with_effects)
+
+
+@_once
 def single(name: str, chosen: tuple[str, ...], zeros: Zeros) -> Model:
     """Return the model of a mechanism with some effects, by name, for one robot; derived once per process.
 
@@ -179,5 +192,5 @@ def _some(name: str, chosen: tuple[str, ...]) -> tuple[Effect, ...]:
 
 def description(name: str) -> Description:
     """Return what the runtime needs to know about a mechanism."""
-    _, drawn = drawing(name)
-    return models.describe(machine(name, effects(name)), base(name).rigid_modes, drawn)
+    (_, drawn), (_, terms) = drawing(name), beyond(name)
+    return models.describe(machine(name, effects(name)), base(name).rigid_modes, drawn, terms)

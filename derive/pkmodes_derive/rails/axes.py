@@ -16,7 +16,7 @@ from pkmodes_derive.conditions import SINGULAR
 from pkmodes_derive.description import Margin, ParameterGroup, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
-from pkmodes_derive.parts import Clamp, PointMass, Rod, Run
+from pkmodes_derive.parts import Seat, Clamp, PointMass, Rod, Run
 from pkmodes_derive.rails.picture import Axis
 from pkmodes_derive.transmission_tables import geared_motor, pulley, timing_belt
 from pkmodes_derive.vectors import dot
@@ -175,8 +175,9 @@ def bodies(
     for j in axes.places:
         e = tuple(axes.o[j][i] + x[j] * axes.n[j][i] for i in range(3))
         c = tuple(p[i] + lever[j][i] for i in range(3))
-        m.points.append(PointMass(axes.m_t[j], e))
-        m.rods.append(Rod(axes.m_d[j], (e, c)))
+        m.points.append(PointMass(axes.m_t[j], e, f"carriage_{j + 1}"))
+        m.rods.append(Rod(axes.m_d[j], (e, c), f"link_{j + 1}"))
+        m.seats.append(Seat(f"carriage_{j + 1}", m.links[j], points=[m.points[-1]], ends=[(m.rods[-1], 0)]))
 
 
 def belts(
@@ -197,6 +198,9 @@ def belts(
                 theta[k][j],
                 axes.I_p[j],
                 v.declare("I_{j}_{k}", "kg m^2", moment, "I_{{p,{j},{k}}}", j=j + 1, k=k + 1),
+                f"pulley_{j + 1}_{k + 1}",
+                f"pulley {k + 1} of axis {j + 1}",
+                axes.n[j],
             )
             for k in (0, 1)
         ]
@@ -204,10 +208,12 @@ def belts(
         m.drive(list(zip(rotors, axes.driven[j], strict=True)), axes.i_g[j] ** 2 * axes.I_m[j], torque[j])
         clamp = Clamp()
         carriage_end = ({x[j]: 1}, clamp)
-        rim_1, rim_2 = (({theta[k][j]: axes.R_p[j]}, None) for k in (0, 1))
+        rim_1, rim_2 = (({theta[k][j]: axes.R_p[j]}, rotors[k].bearing) for k in (0, 1))
+        # Between the pulleys the belt goes back: a bearing that moves along the rail moves that end the other way.
+        back_1, back_2 = ((form, bearing.reversed) for form, bearing in (rim_1, rim_2))
         room = HALF * axes.l_t[j]
         free = (axes.x_max[j] - axes.x_min[j], x[j] - axes.x_min[j] - room, axes.x_max[j] - x[j] - room)
-        ends = ((rim_2, rim_1), (carriage_end, rim_2), (rim_1, carriage_end))
+        ends = ((back_2, back_1), (carriage_end, rim_2), (rim_1, carriage_end))
         runs = [
             Run(*_span(m, j + 1, k), length, pair)
             for k, (length, pair) in enumerate(zip(free, ends, strict=True), 1)

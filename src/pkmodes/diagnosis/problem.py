@@ -110,6 +110,12 @@ class Candidate:
         what it is among them, such as "clamps": the members of a class that share a kind are named by it.
     assumes : tuple of Assumption
         Defaults on which its values depend, such as the mass of a frame that yields.
+    form : str
+        Of a term, one thing at one place that no catalogue lists: "mass", "spring", "compliance", "mount",
+        "resonator" or "parameter".
+    starts : tuple of tuple of float
+        Values of its parameters from which it is fitted beside the linear estimate, as of a resonator, whose mode may
+        be anywhere.
     """
 
     name: str
@@ -123,6 +129,8 @@ class Candidate:
     kind: str = ""
     part: str = ""
     assumes: tuple[Assumption, ...] = ()
+    form: str = ""
+    starts: tuple[tuple[float, ...], ...] = ()
 
     @property
     def claimable(self) -> bool:

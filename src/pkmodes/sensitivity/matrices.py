@@ -136,6 +136,8 @@ class MatrixDerivatives:
         Indices of the coordinates that are not locked.
     locked : tuple of int
         Indices of the paths that are compliances of locked joints; empty for several robots.
+    locked_joints : dict
+        The coordinates of these joints and weights by index of the path.
     """
 
     def __init__(
@@ -148,8 +150,8 @@ class MatrixDerivatives:
         self.system, self._p = system, p
         self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
         self._matrices = matrices
-        self._locked = locked_joints(system, paths[0])
-        self.locked = tuple(self._locked)
+        self.locked_joints = locked_joints(system, paths[0])
+        self.locked = tuple(self.locked_joints)
         if self.locked and len(paths) > 1:
             raise ValueError(
                 "robots with derivatives with respect to locked joints must be evaluated one by one"
@@ -302,7 +304,7 @@ class MatrixDerivatives:
     def _add_locked(self, rates: Array, eigenvalues: Array, shapes: Array) -> None:
         """Add the derivatives of eigenvalues with respect to the compliances of locked joints, (N, m, T)."""
         for t in self.locked:
-            for joints, weight in self._locked[t]:
+            for joints, weight in self.locked_joints[t]:
                 force = self.joint_forces(eigenvalues, shapes, joints)
                 rates[..., t] -= weight * np.sum(force**2, axis=-1)
 
@@ -332,7 +334,7 @@ class MatrixDerivatives:
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
         motion = np.zeros((*shapes.shape[:-1], self.size))
-        for joints, weight in self._locked[t]:
+        for joints, weight in self.locked_joints[t]:
             motion[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
         return motion
 
@@ -347,7 +349,7 @@ class MatrixDerivatives:
             Change of the modal mass due to the motion of the joint.
         """
         change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
-        for joints, weight in self._locked[t]:
+        for joints, weight in self.locked_joints[t]:
             force = self.joint_forces(eigenvalues, shapes, joints)
             K, M = (a[:, list(joints)][..., self.free] for a in (self.stiffness, self.mass))
             change -= weight * (force @ K - eigenvalues[..., None] * (force @ M))

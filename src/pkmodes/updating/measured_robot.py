@@ -31,6 +31,7 @@ from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import LoadCases, load_cases, of_columns
 from pkmodes.updating.losses import is_loss, losses_of, without_losses
 from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.updating.robot_with_terms import ExtensibleRobot
 from pkmodes.updating.usual import of_frame
 
 #: Factors for lengths in another unit than stated, and the remedy.
@@ -122,7 +123,7 @@ class MeasuredRobot:
         # A prior of the measurements says nothing of a candidate that is not among those chosen.
         stated = {n: one for n, one in self.data.priors.items() if candidates is None or n in known}
         causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
-        return RobotStructure(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
+        return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
 
     def _losses(self, chosen: Sequence[str] | None) -> tuple[Loss, ...]:
         """Return the losses to be diagnosed: none where no damping was measured."""

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import NamedTuple, overload
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.solver import Solver
@@ -110,7 +111,7 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
     """Return modes with their derivatives along the moves of each robot's parameters."""
     if len(moves) > 1 and any(locked_joints(at.system, one.paths) for one in moves):
         each = [derived(at.of(b), [one], shape_rates) for b, one in enumerate(moves)]
-        return _concatenated(each)
+        return concatenated(each)
     most = max(len(one.paths) for one in moves)
     filled = {id(one.paths): (*one.paths, *[NOTHING] * (most - len(one.paths))) for one in moves}
     paths = [filled[id(one.paths)] for one in moves]
@@ -167,7 +168,8 @@ def _arrays(part: Prediction) -> list[Array]:
     return [part.rates, part.shapes, *([] if part.shape_rates is None else [part.shape_rates])]
 
 
-def _concatenated(parts: Sequence[Prediction]) -> Prediction:
+def concatenated(parts: Sequence[Prediction]) -> Prediction:
+    """Join the predictions of several robots with equally many modes, one after the other."""
     along = [part.shape_rates for part in parts if part.shape_rates is not None]
     return Prediction(
         np.concatenate([part.eigenvalues for part in parts]),
@@ -232,19 +234,26 @@ def _alike(
 
 def _motion_rate(system: ExtendedSystem, robot: Robot, points: Array, path: ParameterPath) -> Array:
     """Differentiate the platform's Jacobian along a path by complex step, (P, components, e)."""
-    shift = np.zeros(points.shape[-1])
+    numbers = robot.parameters, ExtendedSystem.of(robot).effects
+    parameters, effects, shift = stepped_along(robot.mechanism, *numbers, path)
+    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters, effects).imag / STEP
+    return rate
+
+
+def stepped_along(
+    mechanism: Mechanism, parameters: Any, effects: Any, path: ParameterPath
+) -> tuple[Any, Any, Array]:
+    """Return the parameters and effects of a robot with a complex step along a path, and the rates of the pose."""
+    shift = np.zeros(len(mechanism.pose))
     values: dict[str, NDArray[np.complex128]] = {}
-    effects = ExtendedSystem.of(robot).effects
-    dotted = {name: field for field, name in effect_fields(robot.mechanism).items()}
+    dotted = {name: field for field, name in effect_fields(mechanism).items()}
     for (field, index), weight in path.weights.items():
         if field == POSE:
             shift[index] = weight
-        elif field in robot.parameters._fields:
-            values.setdefault(field, np.array(getattr(robot.parameters, field), dtype=complex))
+        elif field in parameters._fields:
+            values.setdefault(field, np.array(getattr(parameters, field), dtype=complex))
             values[field][index] += STEP * 1j * weight
         elif field in dotted:
             moved = getattr(effects, dotted[field]) + STEP * 1j * weight
             effects = effects._replace(**{dotted[field]: moved})
-    parameters = robot.parameters._replace(**values)
-    rate: Array = system.motion_of_all(points + STEP * 1j * shift, parameters, effects).imag / STEP
-    return rate
+    return parameters._replace(**values), effects, shift

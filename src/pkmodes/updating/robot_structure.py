@@ -40,7 +40,7 @@ LEAST_ANGLE = float(np.radians(10.0))
 WHERE = ("direction", "choice", "signs", "pair")
 
 
-class _Machines(NamedTuple):
+class Machines(NamedTuple):
     """The robots of all load cases with one set of values, what is solved for each, and all poses."""
 
     robots: list[Robot]
@@ -88,14 +88,14 @@ class RobotStructure:
         self._mechanism = robot.mechanism
         known = channels(self._mechanism)
         self.channels, self.channel_units = tuple(known), tuple(known.values())
-        self._shifts = tuple(
+        self.shifts = tuple(
             ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
             for i, component in enumerate(self._mechanism.pose)
         )
         self._moves = dict(moves)
-        self._loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
+        self.loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
         self._left = [
-            {name: case.left(path) for name, path in self._moves.items()} for case in self._loads.cases
+            {name: case.left(path) for name, path in self._moves.items()} for case in self.loads.cases
         ]
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
@@ -112,29 +112,29 @@ class RobotStructure:
     @property
     def settings(self) -> tuple[str, ...]:
         """Paths of the values set at some of the poses."""
-        return self._loads.settings
+        return self.loads.settings
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
         given = self.parameters, self.candidates, self._moves
-        return RobotStructure(self.robot, points, *given, loads, self.losses)
+        return type(self)(self.robot, points, *given, loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
         """Return the same robot at some of its poses."""
-        return self.at(self.points[list(setups)], self._loads.subset(setups))
+        return self.at(self.points[list(setups)], self.loads.subset(setups))
 
     @property
     def drives(self) -> str:
         """What the motors do, at most of the poses."""
-        return self._loads.usual_drives
+        return self.loads.usual_drives
 
     def with_other_drives(self, setups: Sequence[int]) -> RobotStructure:
         """Return the robot at the same poses, with motors free instead of held, or held instead of free, in some."""
-        return self.at(self.points, self._loads.with_other_drives(setups))
+        return self.at(self.points, self.loads.with_other_drives(setups))
 
     def may_be_held(self, causes: Collection[str]) -> bool:
         """Return whether a measurement with held motors may be proposed: motors that give way only if some were."""
-        if any(self._loads.cases[c].drives == HELD for c in set(self._loads.of.tolist())):
+        if any(self.loads.cases[c].drives == HELD for c in set(self.loads.of.tolist())):
             return True
         return not (motors_give_way(self.robot) or springs_among(self._mechanism, causes))
 
@@ -156,7 +156,7 @@ class RobotStructure:
             return self._latest[1]
         prediction = self._joined(
             [
-                (part.rows, derived(part.at, self._moved_by(values, by, part.rows, part.owners), shape_rates))
+                (part.rows, derived(part.at, self.moved_by(values, by, part.rows, part.owners), shape_rates))
                 for part in self._at_values(values)
             ]
         )
@@ -172,7 +172,7 @@ class RobotStructure:
 
         Sets that also differ in locked joints or in reachable poses are evaluated separately.
         """
-        machines = [self._machines(v) for v in values]
+        machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
         for k, (at, some) in enumerate(zip(machines, by, strict=True)):
             apart = any(locked_joints(at.systems[c], paths) for c, paths in self._paths(some).items())
@@ -184,7 +184,7 @@ class RobotStructure:
             some = alike if len(alike) > 1 else []
             parts = _solved_blocks([machines[k] for k in some], blocks, checked=False)
             if parts is None:
-                some = [k for k in some if self._reachable(machines[k]).all()]
+                some = [k for k in some if self.reachable(machines[k]).all()]
                 parts = _solved_blocks([machines[k] for k in some], blocks, checked=True)
             if parts is None or not all(np.isfinite(part.eigenvalues).all() for part in parts):
                 some = []
@@ -195,14 +195,14 @@ class RobotStructure:
                 first = count * np.arange(len(some))[:, None]
                 predictions = []
                 for part, (rows, owners) in zip(parts, blocks, strict=True):
-                    moves = [m for k in some for m in self._moved_by(values[k], by[k], rows, owners)]
+                    moves = [m for k in some for m in self.moved_by(values[k], by[k], rows, owners)]
                     predictions.append(((first + rows).ravel(), derived(part, moves, shape_rates)))
                 batches.append(Batch(np.array(some), joined(predictions, count * len(some))))
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to the platform's position."""
-        moves = Moves(self._shifts, None)
+        moves = Moves(self.shifts, None)
         parts = self._at_values(values)
         return self._joined(
             [(part.rows, derived(part.at, [moves] * len(part.owners), shape_rates)) for part in parts]
@@ -219,9 +219,9 @@ class RobotStructure:
         for part in self._at_values(values):
             elastic = rates_of_losses(part.at, self.losses)[:, part.at.system.rigid_modes :]
             rates[part.rows, : elastic.shape[1]] = elastic
-        for c, case in enumerate(self._loads.cases):
+        for c, case in enumerate(self.loads.cases):
             known = [case.knows((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses]
-            rates[np.ix_(self._loads.of == c, np.arange(count), np.array(known, dtype=bool))] = np.nan
+            rates[np.ix_(self.loads.of == c, np.arange(count), np.array(known, dtype=bool))] = np.nan
         return rates
 
     @property
@@ -260,7 +260,7 @@ class RobotStructure:
         drawn = drawn[inside(self.robot, drawn) & (angles >= self._least_angle).all(axis=-1)][:count]
         return drawn, self.at(drawn, LoadCases.none(self.robot, len(drawn), self.drives))
 
-    def _moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
+    def moved_by(self, values: Array, by: Sequence[int], rows: Index, owners: Sequence[int]) -> list[Moves]:
         """Return the moves of some parameters in the robots of some cases, each at an equal number of setups."""
         names, paths = [self.parameters[i].name for i in by], self._paths(by)
         moving = [name for name in names if name in self._moves]
@@ -268,7 +268,7 @@ class RobotStructure:
             return [Moves(paths[c], None) for c in owners]
         # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
         known = {name: k for k, name in enumerate(moving)}
-        mix = np.zeros((len(self.points), len(moving) + len(self._shifts), len(by)))
+        mix = np.zeros((len(self.points), len(moving) + len(self.shifts), len(by)))
         for column, name in enumerate(names):
             if name in known:
                 mix[:, known[name], column] = 1.0
@@ -276,7 +276,7 @@ class RobotStructure:
                 mix[:, len(moving) :, column] = frame.rate(
                     self._mechanism, name, self.points, self._frame(values)
                 )
-        with_shifts = {c: (*some, *self._shifts) for c, some in paths.items()}
+        with_shifts = {c: (*some, *self.shifts) for c, some in paths.items()}
         each = rows.reshape(len(owners), -1)
         return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
 
@@ -296,20 +296,20 @@ class RobotStructure:
         """Return the poses with respect to the robot."""
         return frame.true_points(self._mechanism, self.points, self._frame(values))
 
-    def _machines(self, values: Array) -> _Machines:
+    def machines(self, values: Array) -> Machines:
         """Return the robot of each load case with these values of the parameters."""
         changed = [
             (p.name, value - self._moves[p.name].value)
             for p, value in zip(self.parameters, values, strict=True)
             if p.name in self._moves and value != self._moves[p.name].value
         ]
-        cases = self._loads.cases
+        cases = self.loads.cases
         robots = [
             moved(case.robot, [(left[name], step) for name, step in changed])
             for case, left in zip(cases, self._left, strict=True)
         ]
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
-        return _Machines(robots, systems, self._where(values))
+        return Machines(robots, systems, self._where(values))
 
     def _at_values(self, values: Array) -> list[_Part]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
@@ -317,46 +317,46 @@ class RobotStructure:
         if (
             self._last is None or self._last[0] != key
         ):  # derivatives are mostly requested where the modes are known
-            machines = self._machines(values)
+            machines = self.machines(values)
             blocks = self._blocks(machines, np.ones(len(self.points), dtype=bool))
             parts = _solved_blocks([machines], blocks, checked=False)
             if parts is None:
-                blocks = self._blocks(machines, self._reachable(machines))
+                blocks = self._blocks(machines, self.reachable(machines))
                 parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
             self._last = key, [_Part(*block, part) for block, part in zip(blocks, parts, strict=True)]
         return self._last[1]
 
-    def _blocks(self, machines: _Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
+    def _blocks(self, machines: Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
         """Return the valid setups of the cases that can be evaluated together, with the cases in their order."""
         alike: dict[object, list[int]] = {}
         for c, system in enumerate(machines.systems):
             alike.setdefault(self._key(system), []).append(c)
-        return [self._loads.arranged(cases, valid) for cases in alike.values()]
+        return [self.loads.arranged(cases, valid) for cases in alike.values()]
 
     def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
         return joined(parts, len(self.points))
 
     def _key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
-        several = len(self._loads.cases) > 1 and len(system.free) > system.first
+        several = len(self.loads.cases) > 1 and len(system.free) > system.first
         massless = system.massless.tobytes() if several else b""
         return system.free.tobytes(), system.rigid_modes, massless, system.basis is None
 
-    def _reachable(self, machines: _Machines) -> NDArray[np.bool_]:
+    def reachable(self, machines: Machines) -> NDArray[np.bool_]:
         """Return a mask of the poses that these robots of the cases reach; declared ones were checked before."""
         points = machines.where
         reached = np.ones(len(points), dtype=bool)
         measured = np.array_equal(points, self.points)
-        for c, (robot, case) in enumerate(zip(machines.robots, self._loads.cases, strict=True)):
+        for c, (robot, case) in enumerate(zip(machines.robots, self.loads.cases, strict=True)):
             if not (measured and _same_geometry(self._mechanism, robot, case.robot)):
-                rows = np.flatnonzero(self._loads.of == c)
+                rows = np.flatnonzero(self.loads.of == c)
                 reached[rows] = check_poses(points[rows], self._mechanism, robot.parameters, "nan").valid
         return reached
 
 
 def _solved_blocks(
-    sets: Sequence[_Machines], blocks: Sequence[tuple[Index, list[int]]], *, checked: bool
+    sets: Sequence[Machines], blocks: Sequence[tuple[Index, list[int]]], *, checked: bool
 ) -> list[Solved] | None:
     """Return the modes of each block of cases for all sets of values; None if not all are solved."""
     parts = []

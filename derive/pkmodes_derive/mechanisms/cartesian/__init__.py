@@ -47,8 +47,8 @@ def declare(m: Machine) -> None:
     # Bodies ------------------------------------------------------------------------------------------------------
     zero = Integer(0)
     m.platform = (x, y, zero)
-    m.points.append(PointMass(m_h, m.platform))
-    beam = PointMass(m_b, (zero, y, zero))
+    m.points.append(PointMass(m_h, m.platform, "platform", "the tool head"))
+    beam = PointMass(m_b, (zero, y, zero), "beam", "the beam")
     m.points.append(beam)
     m.add_beam(table, "workspace.x", beam, along=x, across=y)
     m.rail(x)

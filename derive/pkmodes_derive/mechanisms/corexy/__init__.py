@@ -57,8 +57,8 @@ def declare(m: Machine) -> None:
     # Bodies ------------------------------------------------------------------------------------------------------
     zero = Integer(0)
     m.platform = (x, y, zero)
-    m.points.append(PointMass(m_h, m.platform))
-    beam = PointMass(m_g, (zero, y, zero))
+    m.points.append(PointMass(m_h, m.platform, "platform", "the tool head"))
+    beam = PointMass(m_g, (zero, y, zero), "gantry", "the gantry")
     m.points.append(beam)
     m.add_beam(gantry, "workspace.x", beam, along=x, across=y)
     m.rail(x)

@@ -21,7 +21,7 @@ from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.hexapod.picture import draw
 from pkmodes_derive.mechanisms.hexapod.sample import SAMPLE
-from pkmodes_derive.parts import LegPart, Reducer
+from pkmodes_derive.parts import LegPart, Reducer, Seat
 from pkmodes_derive.platform_table import platform_that_turns
 from pkmodes_derive.tables import Declared
 from pkmodes_derive.vectors import dot
@@ -110,14 +110,17 @@ def declare(m: Machine) -> None:
     m.body(platform.mass, platform.centre, platform.inertia, platform.products)
     for j in J:
         ends = a[j], tuple(p[i] + lever[j][i] for i in range(3))
-        parts = LegPart(m_b[j], I_b[j], 0, c_b[j]), LegPart(m_r[j], I_r[j], 1, -c_r[j])
-        m.leg(m.links[j], ends, parts, j=j + 1)
+        base = LegPart(m_b[j], I_b[j], 0, c_b[j], f"leg_{j + 1}", f"the base part of leg {j + 1}")
+        rod = LegPart(m_r[j], I_r[j], 1, -c_r[j], f"rod_{j + 1}", f"the rod of leg {j + 1}")
+        leg = m.leg(m.links[j], ends, (base, rod), j=j + 1)
+        m.seats.append(Seat(f"leg_{j + 1}", m.links[j], legs=[leg]))
 
     # Transmissions --------------------------------------------------------------------------------------------
     force = m.each("f_st", "N", "static force on drive {j}", r"f_{{st,{j}}}")
     stiffness = m.each("k", "N/m", "stiffness of leg {j}, with effects", "k_{j}")
     for j in J:
-        m.drive([(m.rotor(s[j], Integer(0)), Integer(1))], I_m[j] / h[j] ** 2, force[j], winds_up=False)
+        rotor = m.rotor(s[j], Integer(0), place=f"motor_{j + 1}")
+        m.drive([(rotor, Integer(1))], I_m[j] / h[j] ** 2, force[j], winds_up=False)
         m.leg_springs.append(Reducer(stiffness[j], k_l[j], {l[j]: Integer(1), s[j]: Integer(-1)}))
         m.follows[s[j]] = l[j]
     draw(m, a, lever)

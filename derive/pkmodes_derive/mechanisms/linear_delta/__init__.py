@@ -45,7 +45,7 @@ def declare(m: Machine) -> None:
     m.differences["origin"] = "joint"  # o_j occurs only in r_j
 
     m.platform = p
-    m.points.append(PointMass(m_p, p))
+    m.points.append(PointMass(m_p, p, "platform", "the platform"))
     rails.bodies(m, axes, x, p, axes.b)
     draw(m, rails.belts(m, axes, x, theta, axes.b), parallelograms=True)
 

@@ -16,7 +16,7 @@ from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
 from pkmodes_derive.mechanisms.rotary_delta.picture import Axis, draw
 from pkmodes_derive.mechanisms.rotary_delta.sample import SAMPLE
-from pkmodes_derive.parts import Arm, PointMass, Reducer, Rod
+from pkmodes_derive.parts import Arm, PointMass, Reducer, Rod, Seat
 from pkmodes_derive.transmission_tables import geared_motor
 from pkmodes_derive.trilateration import spheres
 from pkmodes_derive.vectors import cross, dot
@@ -175,10 +175,13 @@ def declare(m: Machine) -> None:
 
     # Bodies ------------------------------------------------------------------------------------------------------
     m.platform = p
-    m.points.append(PointMass(m_p, p))
+    m.points.append(PointMass(m_p, p, "platform", "the platform"))
     for j in J:
-        m.rods.append(Rod(m_d[j], (e[j], tuple(p[i] + b[j][i] for i in range(3)))))
-        m.arms.append(Arm(m_a[j], I_a[j], theta[j], tuple(o[j][i] + r_a[j] * d[j][i] for i in range(3))))
+        c_j = tuple(p[i] + b[j][i] for i in range(3))
+        m.rods.append(Rod(m_d[j], (e[j], c_j), f"link_{j + 1}"))
+        centre = tuple(o[j][i] + r_a[j] * d[j][i] for i in range(3))
+        m.arms.append(Arm(m_a[j], I_a[j], theta[j], centre, f"arm_{j + 1}"))
+        m.seats.append(Seat(f"arm_{j + 1}", m.links[j], ends=[(m.rods[-1], 0)], arms=[m.arms[-1]]))
 
     # Reducers and motors --------------------------------------------------------------------------------------
     torque = m.each("tau_st", "N m", "static torque on motor {j}, seen at the arm", r"\tau_{{st,{j}}}")
@@ -186,7 +189,7 @@ def declare(m: Machine) -> None:
         inertia = v.declare(
             "I_{j}", "kg m^2", "moment of inertia of motor {j}, seen at the arm", "I_{j}", j=j + 1
         )
-        rotor = m.rotor(phi[j], 0, inertia)
+        rotor = m.rotor(phi[j], 0, inertia, f"motor_{j + 1}")
         m.drive([(rotor, 1)], i_g[j] ** 2 * I_m[j], torque[j], winds_up=False)
         stiffness = v.declare("k_{j}", "N m/rad", "stiffness of reducer {j}", "k_{j}", j=j + 1)
         m.reducers.append(Reducer(stiffness, k_r[j], {theta[j]: 1, phi[j]: -1}))

@@ -73,6 +73,11 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
         return import_module(f"{self.package}.extended")
 
     @cached_property
+    def placed(self) -> ModuleType:
+        """The generated motion of the places of terms, and matrices of mounts."""
+        return import_module(f"{self.package}.terms")
+
+    @cached_property
     def drawn(self) -> ModuleType:
         """The generated points and springs of the drawing."""
         return import_module(f"{self.package}.drawing")

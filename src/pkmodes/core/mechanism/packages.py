@@ -22,7 +22,7 @@ GROUP = "pkmodes.mechanisms"
 OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
-FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "description.json")
+FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
 GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 
 _folders: dict[str, str] = {}
@@ -80,6 +80,7 @@ def _import(package: str, folder: Path) -> None:
         spec.loader.exec_module(module)
         extended = import_module(f"{package}.extended")
         import_module(f"{package}.drawing")
+        import_module(f"{package}.terms")
         _ = module.Parameters, module.COORDINATES, extended.Effects, extended.COORDINATES
     except KeyboardInterrupt:
         raise

@@ -1,0 +1,205 @@
+"""The functions that a diagnosis needs to try terms: motion of their places, and matrices of what may yield.
+
+A mass, a spring or a resonator changes M and K by squares of the displacements of its place; a mount is a released
+coordinate, whose rows of M and K are derived with all mounts of the machine released.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from sympy import Expr, Integer, Symbol, diff
+
+from pkmodes_derive.assembly.derived import Derived, added, derive, flat
+from pkmodes_derive.assembly.placed import motion
+from pkmodes_derive.effect import Effect
+from pkmodes_derive.functions import FieldGroup, Function, Model, Output
+from pkmodes_derive.machine import Machine
+from pkmodes_derive.parts import Rod
+from pkmodes_derive.terms.enumeration import Term, terms
+from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places
+from pkmodes_description import Named
+from pkmodes_description import Term as DescribedTerm
+
+#: The effects of the catalogue whose parameters are the inertia of a place that a mechanism need not declare.
+LENT = {PLATFORM: "payload_mass", FRAME: "frame_compliance_mass"}
+
+
+@dataclass
+class _Motions:
+    """The displacements of places, each derived once, and their rows."""
+
+    derived: Derived
+    known: dict[str, Place]
+    rows: list[tuple[Expr, ...]] = field(default_factory=list)
+    places: dict[tuple[str, str], int] = field(default_factory=dict)
+
+    def row(self, place: Place, along: str) -> int:
+        """Return the row of a displacement."""
+        if (place.name, along) not in self.places:
+            machine, count = self.derived.machine, self.derived.machine.base + _catalogue(self.derived)
+            moved = tuple(motion(machine, self.derived.kin, self.known[place.name], along)[:count])
+            if moved not in self.rows:
+                self.rows.append(moved)
+            self.places[place.name, along] = self.rows.index(moved)
+        return self.places[place.name, along]
+
+
+def _catalogue(d: Derived) -> int:
+    """Return the number of released coordinates without those of mounts."""
+    return sum(1 for c in d.machine.released if not c.position.name.startswith("w_"))
+
+
+def terms_model(
+    bare: Machine, with_effects: Callable[[Sequence[Effect]], Machine]
+) -> tuple[Model, tuple[DescribedTerm, ...]]:
+    """Return the functions for the terms of a machine, and what the runtime needs to know of each.
+
+    Parameters
+    ----------
+    bare : Machine
+        Without effects.
+    with_effects : callable
+        ``with_effects(mounts)`` returns the machine with the catalogue and these effects.
+    """
+    every = terms(bare)
+    mounts = [term for term in every if term.form == "mount"]
+    machine = with_effects([term.effect for term in mounts])
+    d = derive(machine)
+    motions = _Motions(d, places(machine))
+    described = tuple(
+        one for term in every if (one := _described(term, motions, machine, mounts)) is not None
+    )
+    return _model(d, motions.rows, len(mounts)), described
+
+
+def _described(
+    term: Term, motions: _Motions, machine: Machine, mounts: Sequence[Term]
+) -> DescribedTerm | None:
+    """Return a term for the runtime; None for a mass whose weight no declared value has."""
+    effect = term.effect
+    assert callable(effect.parameters)
+    parameters = tuple(Named(p.name, p.unit, p.description) for p in effect.parameters(machine))
+    given = term.name, term.form, term.sentence, parameters
+    place = term.ends[0]
+    if term.form == "spring":
+        directions = (term.along,) if term.along else max((e.translations for e in term.ends), key=len) or ("",)
+        strains = tuple(tuple(motions.row(end, along) for end in term.ends) for along in directions)
+        return DescribedTerm(*given, strains=strains)
+    if term.form == "mount":
+        return DescribedTerm(*given, mount=mounts.index(term))
+    declared = _declared(machine, place) if place.directions else None
+    if place.directions and declared is None:
+        return None
+    if term.form == "mass" and isinstance(place.part, Rod):
+        return DescribedTerm(*given, declared=declared)
+    rows = tuple(motions.row(place, along) for along in place.translations or ("",))
+    swings = motions.row(place, term.along) if term.form == "resonator" else -1
+    return DescribedTerm(*given, rows=rows, swings=swings, declared=declared)
+
+
+def _declared(machine: Machine, place: Place) -> tuple[str, int] | None:
+    """Return the field and the index of the mass that a place has, or of an effect that lends it one."""
+    fields = {symbol: (f.name, i) for f in machine.tables.fields for i, symbol in enumerate(f.symbols)}
+    if place.mass in fields:
+        return fields[place.mass]
+    lent = LENT.get(place.name, "")
+    return (lent, 0) if any(f.name == lent for f in machine.effect_fields) else None
+
+
+def _model(d: Derived, rows: Sequence[tuple[Expr, ...]], mounts: int) -> Model:
+    machine, v = d.machine, d.machine.vocabulary
+    released = [c.position.name for c in machine.released]
+    first = machine.base + _catalogue(d)
+    size = first
+    assert all(name.startswith("w_") for name in released[size - machine.base :])
+    fields = tuple(f for f in machine.effect_fields if not f.name.startswith("mount_"))
+    masses = {s: Integer(0) for f in machine.effect_fields if f.name.startswith("mount_") for s in f.symbols}
+    functions = [
+        Function(
+            "place_motion",
+            "Displacements of the places of terms per unit of every coordinate.",
+            "the velocities of the bodies that the mechanism declares, without the mounts of terms",
+            (d.pose,),
+            (Output("J", (len(rows), size), flat(rows), "1, m", "one row for each displacement"),),
+            d.kin.definitions,
+            in_c=False,
+        )
+    ]
+    if mounts:
+        K = added(d.K_el, d.K_g)
+        index = range(first, first + mounts)
+        moved = d.platform_motion([machine.rates[w] for w in index])
+        platform = Output(
+            "J_p",
+            (mounts, len(moved)),
+            flat([list(column) for column in zip(*moved, strict=True)]),
+            "1, 1/m",
+            "motion of the platform per unit of each mount",
+        )
+        functions.append(
+            Function(
+                "mount_matrices",
+                "Rows of M and K of what holds a body, where it yields alone.",
+                "equations 24 to 48 with these displacements released; without the springs of the mounts",
+                (d.pose,),
+                tuple(
+                    Output(name, shape, tuple(e.xreplace(masses) for e in entries), unit, what)
+                    for name, matrix, unit in (("M", d.M, "kg, kg m"), ("K", K, "N/m, N"))
+                    for name, shape, entries, what in _parts(name, matrix, index, size)
+                )
+                + (platform,),
+                d.kin.definitions,
+                in_c=False,
+            )
+        )
+        functions.append(_of_masses(d, index, size, masses))
+    return Model(
+        mechanism=machine.name,
+        coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates[:size]),
+        vocabulary=v,
+        groups=(
+            FieldGroup("Parameters", "parameters", tuple(machine.tables.fields), declared=False),
+            FieldGroup("Effects", "effects", fields, null=0.0, declared=False),
+        ),
+        functions=tuple(functions),
+    )
+
+
+def _parts(
+    name: str, matrix: Sequence[Sequence[Expr]], index: range, size: int
+) -> list[tuple[str, tuple[int, ...], list[Expr], str]]:
+    mixed = [matrix[w][k] for w in index for k in range(size)]
+    own = [matrix[w][w] for w in index]
+    return [
+        (f"{name}_wq", (len(index), size), mixed, f"entries of {name} between each mount and every coordinate"),
+        (f"{name}_ww", (len(index),), own, f"diagonal entry of {name} of each mount"),
+    ]
+
+
+def _of_masses(d: Derived, index: range, size: int, masses: dict[Symbol, Expr]) -> Function:
+    """Return the derivatives of these rows of M with respect to the mass that moves with each mount, where it has one."""
+    fields = {f.name: f.symbols[0] for f in d.machine.effect_fields if f.name.startswith("mount_")}
+    positions = [d.machine.released[w - d.machine.base].position.name for w in index]
+    symbols = [fields.get(f"mount_{name.removeprefix('w_')}_mass") for name in positions]
+
+    def rate(entry: Expr, symbol: Symbol | None) -> Expr:
+        return Integer(0) if symbol is None else diff(entry, symbol)
+
+    pairs = list(zip(index, symbols, strict=True))
+    return Function(
+        "mount_inertia",
+        "Derivatives of the rows of M of the mounts with respect to the mass that moves with each.",
+        "the kinetic energy of a bearing that yields, of which the frame has the rest",
+        (),
+        (
+            Output(
+                "M_wq", (len(index), size), tuple(rate(d.M[w][k], s) for w, s in pairs for k in range(size)), "1", "of M_wq"
+            ),
+            Output("M_ww", (len(index),), tuple(rate(d.M[w][w], s) for w, s in pairs), "1", "of M_ww"),
+        ),
+        d.kin.definitions,
+        in_c=False,
+    )
+

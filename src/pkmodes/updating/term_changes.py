@@ -1,0 +1,277 @@
+r"""What a term changes in M and K of a robot at poses: one form at one place, beyond the effects of the catalogue.
+
+With the displacements J of the place (generated as ``place_motion``), a mass adds :math:`m \sum J^T J` and the Hessian
+of its weight, a spring :math:`k\,J^T J`.  A mount and a resonator add a coordinate of their own: the rows of a mount
+are generated (``mount_matrices``), and a resonator is a mass that follows its place but for a displacement on its
+spring.  All of it is evaluated with numbers that may be complex, so that complex steps differentiate it exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.mechanism.generated import Generated
+from pkmodes.core.mechanism.stepped import STEP
+from pkmodes.core.system.evaluation import ExtendedSystem
+from pkmodes.sensitivity.matrices import POSE, geometry_of
+from pkmodes.sensitivity.paths import ParameterPath
+from pkmodes.updating.predictions import stepped_along
+from pkmodes_description import Term
+
+Array = NDArray[Any]
+#: Forms that add a coordinate.
+ADDING = ("mount", "resonator")
+#: The generated parameter on which weights depend.
+GRAVITY = "gravity"
+#: A resonance nearer to a mode than this part of its eigenvalue counts as this far away.
+NEAR = 1e-3
+
+
+class Change(NamedTuple):
+    """What a term adds to M and K, (N, e + a, e + a), in all coordinates and a = 0 or 1 of its own, which comes last."""
+
+    M: Array
+    K: Array
+
+    def real(self) -> Change:
+        """Return the real parts."""
+        return Change(np.real(self.M), np.real(self.K))
+
+    def rates(self) -> Change:
+        """Return the derivatives, after a complex step."""
+        return Change(np.imag(self.M) / STEP, np.imag(self.K) / STEP)
+
+
+class Surroundings:
+    """What terms need of a robot at N poses; each quantity is evaluated when it is needed.
+
+    Parameters
+    ----------
+    system : ExtendedSystem
+        The robot, with free or held motors.
+    points : ndarray, shape (N, d)
+    path : ParameterPath, optional
+        A path along which the robot and the poses take a complex step.
+    """
+
+    def __init__(self, system: ExtendedSystem, points: Array, path: ParameterPath | None = None) -> None:
+        self.system, self.points = system, points
+        self._parameters, self._effects = system.parameters, system.effects
+        if path is not None:
+            self._parameters, self._effects, shift = stepped_along(system.mechanism, self._parameters, self._effects, path)
+            self.points = points + STEP * 1j * shift
+        self._count = len(points)
+
+    @property
+    def _generated(self) -> Generated:
+        return Generated(self.system.mechanism.placed, self._parameters, self._effects)
+
+    def _at_poses(self, values: Any, tail: tuple[int, ...]) -> Array:
+        return np.broadcast_to(values, (self._count, *tail))
+
+    @cached_property
+    def motion(self) -> Array:
+        """Displacements of the places per unit of every coordinate, (N, rows, e)."""
+        J = np.asarray(self._generated.place_motion(self.points))
+        return self._rows(self._at_poses(J, J.shape[-2:]))
+
+    def _rows(self, rows: Array) -> Array:
+        return rows if self.system.basis is None else rows @ self.system.basis
+
+    @cached_property
+    def mounts(self) -> tuple[Array, ...]:
+        """M_wq (N, W, e), M_ww (N, W), K_wq, K_ww, and the motion of the platform, (N, W, components)."""
+        given = [np.asarray(one) for one in self._generated.mount_matrices(self.points)]
+        tails = [one.shape[-2:] if k in (0, 2, 4) else one.shape[-1:] for k, one in enumerate(given)]
+        M, M_w, K, K_w, J = (self._at_poses(one, tail) for one, tail in zip(given, tails, strict=True))
+        return self._rows(M), M_w, self._rows(K), K_w, J
+
+    @cached_property
+    def of_masses(self) -> tuple[Array, Array]:
+        """Derivatives of M_wq (W, e) and M_ww (W,) with respect to the mass that moves with each mount."""
+        M, M_w = (np.asarray(one) for one in self._generated.mount_inertia())
+        return self._rows(M), M_w
+
+    @cached_property
+    def platform(self) -> Array:
+        """Motion of the platform per unit of every coordinate, (N, components, e)."""
+        return self.system.motion_of_all(self.points, self._parameters, self._effects)
+
+    def of_inertia(self, declared: tuple[str, int]) -> tuple[Array, Array]:
+        """Return M and the Hessian of gravity per unit of a declared inertia, (N, e, e), in which both are linear."""
+        known = self._inertias
+        if declared not in known:
+            (M, G), (more, weight) = self._both(None), self._both(declared)
+            known[declared] = more - M, weight - G
+        return known[declared]
+
+    @cached_property
+    def _inertias(self) -> dict[tuple[str, int], tuple[Array, Array]]:
+        return {}
+
+    def _both(self, raised: tuple[str, int] | None) -> tuple[Array, Array]:
+        parameters, effects = self._parameters, self._effects
+        if raised is not None:
+            parameters, effects = (_raised(one, *raised) for one in (parameters, effects))
+        M, _, K_g = Generated(self.system.mechanism.extended, parameters, effects).extended_matrices(self.points)
+        e = M.shape[-1]
+        both = (self.system.in_basis(self._at_poses(one, (e, e))) for one in (M, K_g))
+        first, second = both
+        return first, second
+
+
+def _raised(numbers: Any, field: str, index: int) -> Any:
+    if field not in numbers._fields:
+        return numbers
+    value = np.array(getattr(numbers, field))
+    value.reshape(-1)[index] += 1.0
+    return numbers._replace(**{field: value if value.ndim else value[()]})
+
+
+def changes_along(term: Term, system: ExtendedSystem, path: ParameterPath) -> bool:
+    """Return whether what a term changes, or the motion of the platform, depends on what a path moves."""
+    moving = {*geometry_of(system.mechanism), POSE, GRAVITY}
+    return term.form == "mount" or any(field in moving for field, _ in path.weights)
+
+
+def change_of(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+    """Return what a term changes, for values of its parameters."""
+    return _FORMS[term.form](term, values, at)
+
+
+def _mass(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+    (m,) = values
+    M, G = _inertia(term, at)
+    return Change(m * M, m * G)
+
+
+def _inertia(term: Term, at: Surroundings) -> tuple[Array, Array]:
+    """Return M and the Hessian of gravity per unit of the inertia of a mass or resonator, (N, e, e)."""
+    if term.declared is None:
+        rows = at.motion[:, list(term.rows)]
+        M = np.swapaxes(rows, -1, -2) @ rows
+        return M, np.zeros_like(M)
+    M, G = at.of_inertia(term.declared)
+    if term.rows:
+        rows = at.motion[:, list(term.rows)]
+        M = np.swapaxes(rows, -1, -2) @ rows
+    return M, G
+
+
+def strains(term: Term, at: Surroundings) -> Array:
+    """Return what strains a spring, per unit of every coordinate, (N, directions, e)."""
+    motion = at.motion
+    rows = [motion[:, s[0]] - motion[:, s[1]] if len(s) == 2 else motion[:, s[0]] for s in term.strains]
+    return np.stack(rows, axis=1)
+
+
+def _spring(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+    (k,) = values
+    rows = strains(term, at)
+    K = k * (np.swapaxes(rows, -1, -2) @ rows)
+    return Change(np.zeros_like(K), K)
+
+
+def _mount(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+    """Return the rows of a mount with its spring 1/c; without it for an infinite one."""
+    c, w = values[0], term.mount
+    M, M_w, K, K_w, _ = at.mounts
+    if len(values) > 1:
+        of_M, of_M_w = at.of_masses
+        M, M_w = M[:, w] + values[1] * of_M[w], M_w[:, w] + values[1] * of_M_w[w]
+    else:
+        M, M_w = M[:, w], M_w[:, w]
+    return Change(_bordered(M, M_w), _bordered(K[:, w], K_w[:, w] + (1.0 / c if c != 0.0 else 0.0)))
+
+
+def _bordered(row: Array, own: Array) -> Array:
+    """Return symmetric matrices with a last row, (N, e) and (N,), and zeros elsewhere."""
+    e = row.shape[-1]
+    matrix = np.zeros((len(row), e + 1, e + 1), dtype=np.result_type(row, own))
+    matrix[:, e, :e] = matrix[:, :e, e] = row
+    matrix[:, e, e] = own
+    return matrix
+
+
+def _resonator(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+    m, f = values
+    M, G = _inertia(term, at)
+    swing = at.motion[:, term.swings]
+    own = np.ones(len(swing))
+    inertia = _bordered(m * swing, m * own)
+    stiffness = _bordered(np.zeros_like(swing), m * (2.0 * np.pi * f) ** 2 * own)
+    e = M.shape[-1]
+    inertia[:, :e, :e] = m * M
+    stiffness = stiffness.astype(np.result_type(stiffness, m * G))
+    stiffness[:, :e, :e] = m * G
+    return Change(inertia, stiffness)
+
+
+_FORMS: dict[str, Callable[[Term, Sequence[Any], Surroundings], Change]] = {
+    "mass": _mass,
+    "spring": _spring,
+    "mount": _mount,
+    "resonator": _resonator,
+}
+
+
+class AtNull(NamedTuple):
+    """The rates of (K - lambda M) phi and of phi^T M phi with the size of a term that is absent.
+
+    Attributes
+    ----------
+    change : ndarray, shape (N, m, e)
+    norm : ndarray, shape (N, m)
+    motion : ndarray, shape (N, m, components)
+        Rates of the platform's motion in fixed coordinates: what a mount deflects moves it.
+    """
+
+    change: Array
+    norm: Array
+    motion: Array | None
+
+
+def at_null(term: Term, values: Sequence[Any], at: Surroundings, eigenvalues: Array, shapes: Array) -> AtNull:
+    """Return the rates with respect to the size of an absent term.
+
+    Parameters
+    ----------
+    values : sequence of float
+        Of its parameters; the first is 0.
+    eigenvalues : ndarray, shape (N, m)
+    shapes : ndarray, shape (N, m, e)
+        In all coordinates, mass-normalised.
+    """
+    if term.form == "mount":
+        M, M_w, K, K_w, J = at.mounts
+        w = term.mount
+        row = M[:, w] + (values[1] * at.of_masses[0][w] if len(values) > 1 else 0.0)
+        stiff = K[:, w]
+        force = np.einsum("nie,ne->ni", shapes, stiff) - eigenvalues * np.einsum("nie,ne->ni", shapes, row)
+        change = -force[..., None] * (stiff[:, None] - eigenvalues[..., None] * row[:, None])
+        norm = -2.0 * force * np.einsum("nie,ne->ni", shapes, row)
+        return AtNull(change, norm, -force[..., None] * J[:, w][:, None])
+    if term.form == "resonator":
+        M, G = _inertia(term, at)
+        swing = at.motion[:, term.swings]
+        own = (2.0 * np.pi * values[1]) ** 2
+        apart = own - eigenvalues
+        apart = np.where(np.abs(apart) < NEAR * own, np.where(apart < 0.0, -NEAR * own, NEAR * own), apart)
+        moved = np.einsum("nie,ne->ni", shapes, swing)
+        along = moved[..., None] * swing[:, None]
+        inertia = shapes @ M
+        factor = eigenvalues / apart
+        change = shapes @ G - eigenvalues[..., None] * (inertia + factor[..., None] * along)
+        slope = (2.0 * eigenvalues * apart + eigenvalues**2) / apart**2
+        norm = np.einsum("nie,nie->ni", inertia, shapes) + slope * moved**2
+        return AtNull(change, norm, None)
+    unit = change_of(term, (1.0,), at)
+    inertia = shapes @ unit.M
+    change = shapes @ unit.K - eigenvalues[..., None] * inertia
+    return AtNull(change, np.einsum("nie,nie->ni", inertia, shapes), None)
+
