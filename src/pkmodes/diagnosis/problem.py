@@ -111,11 +111,11 @@ class Candidate:
     assumes : tuple of Assumption
         Defaults on which its values depend, such as the mass of a frame that yields.
     form : str
-        Of a term, one thing at one place that no catalogue lists: "mass", "spring", "compliance", "mount",
-        "resonator" or "parameter".
+        Of a *term*, one form at one place, which no catalogue has: "mass", "spring", "compliance", "mount",
+        "resonator" or "parameter".  Empty for a candidate of the catalogue.
     starts : tuple of tuple of float
-        Values of its parameters from which it is fitted beside the linear estimate, as of a resonator, whose mode may
-        be anywhere.
+        Values of its parameters from which it is fitted besides the linear estimate: of a resonator, whose mode may
+        be anywhere, pairs of mass and frequency.
     """
 
     name: str
@@ -248,6 +248,19 @@ class Structure(Protocol):
 
     def elsewhere(self, count: int) -> tuple[Array, Structure] | None:
         """Return points (count, d) where the structure could also be measured, and the structure at these setups."""
+
+
+@runtime_checkable
+class Extensible(Protocol):
+    """A structure that can be extended by terms: one form at one place."""
+
+    def with_terms(self) -> Structure:
+        """Return the structure with the parameters and candidates of all its terms beside its own.
+
+        The parameters of this structure come first, in their order, then those of the terms; so do the candidates,
+        of which those that are the same thing as a term are left out.  Each term has a ``form`` and is ``remote``, so
+        that a search of the catalogue does not offer it.
+        """
 
 
 @dataclass(frozen=True)
