@@ -35,6 +35,7 @@ from pkmodes.diagnosis.structure.modes import (
     shape_rates_of,
 )
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
+from pkmodes.diagnosis.structure.terms import SuppliedWithTerms, terms_of
 
 #: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].
 SLOW = 0.02
@@ -79,6 +80,8 @@ class MatrixStructure:
         Number of rigid-body modes, which are not measured.  All other modes must be stable.
     modes : int, optional
         Number of modes that are compared, the lowest, rigid ones included; by default all.
+    units : tuple of two str
+        Units of M and K, in which masses and springs at its coordinates are reported (`with_terms`).
 
     Raises
     ------
@@ -100,6 +103,7 @@ class MatrixStructure:
         setups: Sequence[str] = ("",),
         rigid: int = 0,
         modes: int | None = None,
+        units: tuple[str, str] = ("kg", "N/m"),
     ) -> None:
         self.parameters: tuple[Parameter, ...] = tuple(
             listed(parameters, "parameters", "parameters", 'Parameter("k", 1e6)', Parameter)
@@ -132,21 +136,46 @@ class MatrixStructure:
             raise PkmodesError(
                 what, "modes", "give the number of measured modes plus the rigid ones, or more"
             )
+        both = listed(units, "units", "units", '"kg", "N/m"', str)
+        if len(both) != 2:
+            what = f"expected the units of M and K, found {shown(units)}"
+            raise PkmodesError(what, "units", 'give two, such as ("kg", "N/m")')
+        self.units: tuple[str, str] = (both[0], both[1])
         self._map = sensor_map(self.channels, coordinates, sensors)
         self._size = len(self.channels) if self._map is None else self._map.shape[1]
+        numbered = [f"coordinate {i}" for i in range(1, self._size + 1)]
+        self.coordinates = tuple(numbered if sensors is not None else coordinates or self.channels)
         reason = f"{self._size} coordinates" if sensors is None else f"{self._size} columns of sensors"
-        self._supplied = Supplied(
+        supplied = Supplied(
             self.parameters,
             matrices,
             derivatives,
             self._size,
             f"{self._size} channels" if self._map is None else reason,
         )
+        self._supplied: Supplied | SuppliedWithTerms = supplied
         self._count = min(self._size, modes or self._size)
         self._solutions: Kept[list[_Solved | None]] = Kept()
         self._check(UnusableError)
         for setup in self.setups[:1]:
-            self._supplied.check_repeatable(setup)
+            supplied.check_repeatable(setup)
+
+    def with_terms(self) -> MatrixStructure:
+        """Return the structure with a mass at each coordinate, and springs to ground and between two of them.
+
+        They are ``mass:NAME``, ``spring:NAME`` and ``spring:NAME/NAME`` with the names of the coordinates, which are
+        numbered if `sensors` are given: ``mass:coordinate 3``.  Where a parameter or a candidate has such a name
+        already, there is no term of that name.
+        """
+        if isinstance(self._supplied, SuppliedWithTerms):
+            return self
+        taken = {*(p.name for p in self.parameters), *(one.name for one in self.candidates)}
+        terms = list(terms_of(self.coordinates, self.units, taken))
+        extended = copy.copy(self)
+        extended._supplied, extended._solutions = SuppliedWithTerms(self._supplied, terms), Kept()
+        extended.parameters = (*self.parameters, *(term.parameter for term in terms))
+        extended.candidates = (*self.candidates, *(term.candidate for term in terms))
+        return extended
 
     def subset(self, setups: Sequence[int]) -> MatrixStructure:
         """Return the same structure in some of its setups."""
