@@ -126,6 +126,7 @@ DIAGNOSIS_PARTS = (
     "posterior",
     "verdict",
     "damping",
+    "beyond",
     "diagnose",
     "compare",
     "update",

@@ -17,13 +17,14 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
+from pkmodes.diagnosis.beyond.explore import beyond, with_beyond
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.diagnose_damping import with_damping
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.matrices import slowness
-from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.problem import Extensible, Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
@@ -46,6 +47,7 @@ def diagnose(
     holdout: Sequence[str] | None = None,
     progress: Progress | None = None,
     criteria: Criteria | None = None,
+    terms: bool = False,
 ) -> Diagnosis:
     """Find what a model lacks.
 
@@ -61,6 +63,9 @@ def diagnose(
         Called with a sentence at each step.
     criteria : Criteria, optional
         Thresholds.  The error rates in docs/diagnosis-measured.md hold for the default ones.
+    terms : bool, optional
+        Whether a structure that is `Extensible`, such as a `MatrixStructure`, is tried with terms, one thing at one
+        place, where the candidates do not explain the measurements.
 
     Returns
     -------
@@ -78,7 +83,7 @@ def diagnose(
         what = f"expected at most {MOST:,} measured modes to diagnose, found {count:,}"
         remedy = f"keep one pose in {-(-count // MOST)}: the others tell hardly more; compare takes them all"
         raise PkmodesError(what, data.source, remedy)
-    first = _of_frequencies(structure, data, holdout, progress, criteria)
+    first = _of_frequencies(structure, data, holdout, progress, criteria, terms)
     return with_damping(structure, data, first, criteria)
 
 
@@ -88,6 +93,7 @@ def _of_frequencies(
     holdout: Sequence[str] | None,
     progress: Progress | None,
     criteria: Criteria | None,
+    terms: bool,
 ) -> Diagnosis:
     """Return what frequencies and shapes say."""
     if progress is not None and (remark := slowness(structure)):
@@ -103,7 +109,11 @@ def _of_frequencies(
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
     evidence = Evidence(start.setups, search, outcome)
-    return builder.after_search(evidence, decide(evidence))
+    decision = decide(evidence)
+    result = builder.after_search(evidence, decision)
+    if not (terms and isinstance(structure, Extensible)):
+        return result
+    return with_beyond(result, beyond(structure, evidence, decision, held, progress))
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:

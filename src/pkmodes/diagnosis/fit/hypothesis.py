@@ -52,8 +52,8 @@ class Hypothesis:
 
     @property
     def remote(self) -> bool:
-        """Whether it has a remote cause."""
-        return any(cause.remote for cause in self.causes)
+        """Whether it has a remote cause that is no term."""
+        return any(cause.remote and not cause.form for cause in self.causes)
 
     def allows(self, cause: Candidate) -> bool:
         """Return whether a cause may be added: a whole and a part of it are the same cause given in two ways."""

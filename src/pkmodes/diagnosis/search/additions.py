@@ -141,7 +141,7 @@ class Additions:
             if one.visible and (one.gain >= enough or one_sided(self.fitter, one.candidate))
         ]
         return self.store.finished(
-            self._refitted([x for x in promising if self._testable(fit, x[1].candidate)])
+            self.refitted([x for x in promising if self._testable(fit, x[1].candidate)])
         )
 
     def singles(self) -> list[Fit]:
@@ -154,7 +154,7 @@ class Additions:
         plain = self.store.fit(Hypothesis())
         if plain is None:
             return []
-        refitted = self._refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
+        refitted = self.refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
         fits = [fit for fit in refitted if self.store.p_value(fit) > self.criteria.gate.level]
         return sorted(fits, key=self.store.criterion)
 
@@ -180,7 +180,7 @@ class Additions:
                         absent[pair] = promise
         most = len(promised) if self.few else c.search.pairs
         best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:most]}
-        return store.finished(self._refitted([(fit, one) for _, fit, one in {**absent, **best}.values()]))
+        return store.finished(self.refitted([(fit, one) for _, fit, one in {**absent, **best}.values()]))
 
     @property
     def few(self) -> bool:
@@ -193,7 +193,7 @@ class Additions:
         free = sum(self.fitter.priors.of(i) is None for i in self.fitter.indices(candidate))
         return fit.hypothesis.allows(candidate) and self.store.degrees(fit) > free
 
-    def _refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
+    def refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
         """Return fits with one more cause; new ones are rough, each from the best of several starts."""
         store, known, seeded, new = self.store, [], [], []
         for fit, one in additions:

@@ -55,7 +55,7 @@ def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     """
     fitter, criteria = store.fitter, store.fitter.criteria
     unpaired = int((fit.pairing.partner[fitter.used(fit.hypothesis)] < 0).sum())
-    one_cause = len(fit.causes) == 1 and not fit.causes[0].remote
+    one_cause = len(fit.causes) == 1 and not fit.hypothesis.remote
     level = criteria.gate.surely if one_cause else criteria.gate.level
     unmeasured = p_unmeasured(fitter, store.fit(Hypothesis()) or fit, fit)
     p_value = store.p_value(fit)

@@ -29,6 +29,8 @@ Directions = Sequence[tuple[Array, int]]
 #: Number of draws of the smallest p-value under the hypothesis, and their seed.
 DRAWS = 20_000
 SEED = 20_221_107
+#: More directions than this are not drawn by their correlations, whose eigenvectors would take longer.
+MANY = 200
 #: A signature with less than this fraction left after the projection has no direction.
 LEFT = 1e-4
 
@@ -83,7 +85,7 @@ class Scores:
     @cached_property
     def p_value(self) -> float:
         """The p-value of the best candidate, corrected for their number; evaluated on demand, as it takes time."""
-        return _smallest(self.directions, min((s.p_value for s in self.each), default=1.0))
+        return p_of_smallest(self.directions, min((s.p_value for s in self.each), default=1.0))
 
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
@@ -145,18 +147,25 @@ def one_sided(fitter: Fitter, candidate: Candidate) -> int:
     return 1 if p.value <= p.lower else -1 if p.value >= p.upper else 0
 
 
-def _smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
-    """Return the probability under the hypothesis that the smallest p-value is at most the observed one."""
+def p_of_smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
+    """Return the probability under the hypothesis that the smallest p-value is at most the observed one.
+
+    Parameters
+    ----------
+    directions : sequence of (ndarray, int)
+        Of everything that was tried, see `Scores`.
+    """
     if not directions:
         return 1.0
     count = len(directions)
     if observed * count < 1.0 / DRAWS:  # beyond the resolution of the draws; the bound is tight there
         return observed * count
-    stacked = np.hstack([axes for axes, _ in directions])
-    correlation = stacked.T @ stacked
-    values, vectors = np.linalg.eigh(correlation)
-    rng = np.random.default_rng(SEED)
-    normal = rng.standard_normal((DRAWS, len(values))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
+    stacked, rng = np.hstack([axes for axes, _ in directions]), np.random.default_rng(SEED)
+    if stacked.shape[1] > MANY:  # fewer data than directions: draw noise in all data
+        normal = rng.standard_normal((DRAWS, len(stacked))) @ stacked
+    else:
+        values, vectors = np.linalg.eigh(stacked.T @ stacked)
+        normal = rng.standard_normal((DRAWS, len(values))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
     reached, start = np.zeros(DRAWS, dtype=bool), 0
     for axes, sign in directions:  # compare statistics, which is equivalent to comparing p-values
         part = normal[:, start : start + axes.shape[1]]

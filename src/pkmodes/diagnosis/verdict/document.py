@@ -9,7 +9,7 @@ from msgspec import Meta, field
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.verdict.findings import NextMeasurement, Stability
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
-from pkmodes.diagnosis.verdict.verdicts import DampingWord, Word
+from pkmodes.diagnosis.verdict.verdicts import DampingWord, StatusWord, Word
 from pkmodes.support.documents import Count, Document, Probability, Size
 
 
@@ -203,6 +203,61 @@ class DampingDocument(Document, frozen=True):
     factor: FactorsDocument
 
 
+class TermDocument(Document, frozen=True):
+    """A member of a class beyond the catalogue: a term, or a cause of the catalogue that does as well."""
+
+    term: Annotated[
+        str, Meta(description="The term, as form:place, or the name of a cause of the catalogue.")
+    ]
+    sentence: Annotated[str, Meta(description="What it is, a phrase for a person.")]
+    parameters: Annotated[
+        Values,
+        Meta(
+            description="Its parameters, those of a term by their last name, declared values by their path."
+        ),
+    ]
+    plausible: Annotated[bool, Meta(description="Whether its values are ones that such a part can have.")]
+    error: Annotated[Error, Meta(description="With it, and the uncertain values refitted.")]
+
+
+class TermClassDocument(Document, frozen=True):
+    """Explanations beyond the catalogue that these data cannot tell apart."""
+
+    probability: Annotated[
+        Probability,
+        Meta(
+            description="Beside the other explanations that leave noise, by the criterion of the search; a second "
+            "opinion."
+        ),
+    ]
+    p_value: Annotated[
+        Probability,
+        Meta(description="p-value of the improvement by its best member, corrected for all that was tried."),
+    ]
+    members: Annotated[
+        list[TermDocument],
+        Meta(description="The best first, those with plausible values before others.", min_length=1),
+    ]
+
+
+class BeyondDocument(Document, frozen=True):
+    """What one thing at one place would explain that the catalogue does not."""
+
+    status: Annotated[
+        StatusWord,
+        Meta(
+            description="found: one class of at most five explains the measurements, and nothing refuses it; "
+            "several: different explanations remain; none: nothing is claimed."
+        ),
+    ]
+    reason: Annotated[str, Meta(description="One sentence for a person.")]
+    tried: Annotated[Count, Meta(description="Number of terms that were tried.")]
+    classes: Annotated[
+        list[TermClassDocument],
+        Meta(description="The explanations that remain, the best first; empty if the status is none."),
+    ]
+
+
 class DiagnoseDocument(Document, frozen=True):
     """The result of a diagnosis."""
 
@@ -273,6 +328,13 @@ class DiagnoseDocument(Document, frozen=True):
         Meta(
             description="How probable each explanation is, a second opinion on which no verdict depends; null where "
             "nothing was searched for, or another reading of the data fits far better."
+        ),
+    ]
+    beyond: Annotated[
+        BeyondDocument | None,
+        Meta(
+            description="One thing at one place, beyond the catalogue, on which the verdict does not depend; null "
+            "where it was not tried."
         ),
     ]
     rows: Annotated[list[Row], Meta(description="One for each measured mode, in the order of the file.")]

@@ -17,7 +17,7 @@ from pkmodes.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.claim import claim_of
+from pkmodes.diagnosis.verdict.claim import Claim, claim_of
 from pkmodes.diagnosis.verdict.findings import NOTICEABLE
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.stability import Trial, trials
@@ -73,12 +73,19 @@ class Evidence:
     ----------
     claim : Claim
         What would be claimed, and its final fit.
+
+    Parameters
+    ----------
+    claim : Claim, optional
+        By default, of the outcome of the search.
     """
 
-    def __init__(self, setups: AllSetups, search: Search, outcome: Outcome) -> None:
+    def __init__(
+        self, setups: AllSetups, search: Search, outcome: Outcome, claim: Claim | None = None
+    ) -> None:
         self.setups, self.search, self.outcome = setups, search, outcome
         self.store, self.fitter, self.criteria = search.store, search.store.fitter, search.criteria
-        self.claim = claim_of(search, outcome)
+        self.claim = claim or claim_of(search, outcome)
         self.final = self.claim.final
 
     def says(self, text: str) -> Says:

@@ -11,7 +11,7 @@ fitted parameters.  Remote causes are tried again on all setups: with more data,
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -49,7 +49,7 @@ class HeldOut:
     notes: tuple[str, ...] = ()
 
 
-def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
+def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fit] | None = None) -> HeldOut:
     """Test whether a result predicts the held-out setups.
 
     Parameters
@@ -58,6 +58,8 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
         Of the fitted setups.
     final : Fit
         Its result, with or without causes.
+    rivals : sequence of Fit, optional
+        Other explanations of the fitted setups; by default remote causes are tried.
     """
     if not setups.is_held.any():
         return HeldOut()
@@ -68,7 +70,7 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
     p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
     if p_value <= c.gate.surely:
         again, p_value = _without_one_row(setups, every.store, again, final, p_value)
-    better = _better(every, again)
+    better = _better(every, again) if rivals is None else _best_of(every, again, rivals)
     if p_value > c.gate.surely:
         if better is not None:
             return HeldOut(
@@ -77,7 +79,7 @@ def predicted(setups: AllSetups, search: Search, final: Fit) -> HeldOut:
             )
         aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
         return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
-    instead = better or _explaining(every, again)
+    instead = better or (_explaining(every, again) if rivals is None else None)
     other = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
     return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){other}")
 
@@ -165,6 +167,29 @@ def _better(every: Search, again: Fit) -> Fit | None:
     difference = every.store.fitter.difference
     return next(
         (fit for fit in every.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
+    )
+
+
+def _best_of(every: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
+    """Return the rival that explains all setups significantly better than the claimed causes; None if none does."""
+    store, c, hypothesis = every.store, every.criteria, again.hypothesis
+    fits = [
+        store.fit(replace(hypothesis, causes=rival.causes), rival.values)
+        for rival in rivals
+        if rival.causes != again.causes
+    ]
+    limit = store.criterion(again) - c.search.survives
+    known = sorted((fit for fit in fits if fit is not None), key=store.criterion)
+    difference = store.fitter.difference
+    return next(
+        (
+            fit
+            for fit in known
+            if store.criterion(fit) < limit
+            and store.p_value(fit) > c.gate.surely
+            and difference(again, fit) >= c.claim.told_apart
+        ),
+        None,
     )
 
 

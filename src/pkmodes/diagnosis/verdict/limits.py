@@ -64,6 +64,10 @@ class Limits:
         return frozenset(limit.candidate for limit in self.of.values() if limit.value is not None)
 
 
+#: Where no candidate was bounded.
+NO_LIMITS = Limits({}, {}, {}, frozenset(), frozenset())
+
+
 def unknown(store: FitStore, candidates: Iterable[Candidate]) -> Limits:
     """Return the limits where the data say nothing, because of an obvious mistake in them."""
     fitter = store.fitter

@@ -33,6 +33,7 @@ from pkmodes.diagnosis.verdict.findings import (
     believed,
 )
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
+from pkmodes.diagnosis.verdict.terms import Beyond
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
 from pkmodes.support.documents import Document
 from pkmodes.support.numbers import p_in_words
@@ -165,6 +166,8 @@ class Diagnosis:
     probabilities : Probabilities or None
         Of all explanations: a second opinion, on which no verdict depends.  None without a search, and where the data
         themselves are mistaken.
+    beyond : Beyond or None
+        What one thing at one place would explain that the catalogue does not; None where it was not tried.
     """
 
     verdict: Word
@@ -193,6 +196,7 @@ class Diagnosis:
     headline: str = ""
     rule: str = field(default="", compare=False)
     probabilities: Probabilities | None = None
+    beyond: Beyond | None = None
 
     _repr_html_ = Attached("pkmodes.report.notebook:of_diagnosis")
 
@@ -206,6 +210,8 @@ class Diagnosis:
             lines.append(f"cause: one of these, which these data cannot tell apart ({p})")
             lines += [f"  {name}: {_values(effect, name, self)}" for name in effect.members]
         lines += [f"remains: {' or '.join(group)}" for group in self.survivors]
+        if self.beyond is not None:
+            lines.append(f"beyond the catalogue: {self.beyond.status}: {self.beyond.reason}")
         for stage, (_, error) in self.errors.items():
             rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
             held = error.held_out_rms_relative
@@ -278,6 +284,7 @@ class Diagnosis:
             unpaired=list(map(Place.of, self.unpaired)),
             limits=_limits(self.limits),
             damping=self.damping.document(),
+            beyond=None if self.beyond is None else self.beyond.document(),
         )
         return document.as_json()
 

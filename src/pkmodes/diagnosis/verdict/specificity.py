@@ -99,7 +99,7 @@ def p_coincidence(search: Search, final: Fit) -> float:
     used, data = fitter.used(h), slice(0, fitter.prior_rows.start)
     degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
-    p_value = _coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
+    p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: a combination of them says nothing.
     every = (*directions, *score(fitter, plain, search.remote).directions)
     many = search.criteria.claim.many * len(final.causes)
@@ -109,11 +109,11 @@ def p_coincidence(search: Search, final: Fit) -> float:
     if plausible.different >= min(many, len(plausible.axes)):
         along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
         drawn, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-        p_value = max(p_value, _coincidence(search, final, gain, drawn, along, plausible.resolved, left))
+        p_value = max(p_value, coincidence(search, final, gain, drawn, along, plausible.resolved, left))
     return p_value
 
 
-def _coincidence(
+def coincidence(
     search: Search,
     final: Fit,
     gain: float,

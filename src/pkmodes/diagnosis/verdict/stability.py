@@ -41,7 +41,12 @@ class Trial:
     moved: bool
 
 
-def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) -> list[Trial]:
+def trials(
+    search: Search,
+    final: Fit,
+    classes: Sequence[Sequence[Fit]] = (),
+    contenders: Sequence[Fit] | None = None,
+) -> list[Trial]:
     """Refit the contenders under every change.
 
     Parameters
@@ -50,10 +55,12 @@ def trials(search: Search, final: Fit, classes: Sequence[Sequence[Fit]] = ()) ->
         The claimed fit, or the last one of the search.
     classes : sequence of sequence of Fit, optional
         For each claimed cause, the fits of its class.
+    contenders : sequence of Fit, optional
+        Other explanations; by default the best ones that were tried.
     """
-    contenders = _contenders(search, final)
+    refitted = _contenders(search, final) if contenders is None else [final, *contenders]
     members = [{fit.causes[-1].name for fit in fits} for fits in classes]
-    return [_trial(search, final, contenders, members, change) for change in CHANGES]
+    return [_trial(search, final, refitted, members, change) for change in CHANGES]
 
 
 def unchanged(verdict: Verdict) -> tuple[Stability, ...]:

@@ -39,7 +39,8 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     If the sum of squares has no smooth minimum, it may fall by far more than this change of values can explain.
     """
     fitter = search.store.fitter
-    index = fitter.indices(cause)
+    # What a term adds is absent without its first parameter, whatever the others are.
+    index = fitter.indices(cause)[: 1 if cause.form else None]
     away = final.values[list(index)] - fitter.declared[list(index)]
     squares = float(away @ np.linalg.pinv(final.covariance_of(index), hermitian=True) @ away)
     return float(stats.chi2.sf(squares, len(index)))

@@ -94,13 +94,32 @@ VERDICTS = {
     verdict.word: verdict for verdict in (ADEQUATE, EFFECT_FOUND, AMBIGUOUS, UNEXPLAINED, INSUFFICIENT_DATA)
 }
 
+#: What is said of terms, beyond the catalogue.
+FOUND = Verdict(
+    "found",
+    "Not in the catalogue: {causes}",
+    True,
+    "found",
+    "these data tell what is claimed from everything else that was tried",
+    sure="{likely} {what}",
+    settled=True,
+)
+SEVERAL = Verdict(
+    "several", "Several places remain", True, "open", "no two of the explanations can be compared"
+)
+NOTHING = Verdict("none", "No single place is claimed", True, "bad", "no explanations are left to tell apart")
+#: All of these by their words.
+STATUSES = {status.word: status for status in (FOUND, SEVERAL, NOTHING)}
+
 #: What stands for a verdict on the damping where none was measured.
 NOT_MEASURED = "not_measured"
 
 if TYPE_CHECKING:
     Word = str
     DampingWord = str
+    StatusWord = str
 else:
     #: Types of a verdict in a result, and of that on the damping: the enumerations of the JSON schema.
     Word = Literal[tuple(VERDICTS)]
     DampingWord = Literal[(*VERDICTS, NOT_MEASURED)]
+    StatusWord = Literal[tuple(STATUSES)]

@@ -1,0 +1,33 @@
+"""What terms would do to the data: the directions of their signatures beside a fit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import zip_longest
+
+import numpy as np
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Array, Candidate
+from pkmodes.diagnosis.search.score import LEFT
+
+
+def of_starts(fitter: Fitter, plain: Fit, terms: Sequence[Candidate]) -> Iterator[tuple[Array, int]]:
+    """Yield the directions of terms that are fitted from starts of their own: one of their size at each start.
+
+    At the size 0 the other parameters change nothing, but they determine what a small size does: a resonator pushes
+    the modes on both sides of its frequency apart.
+    """
+    for some in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
+        present = [(term, others) for term, others in zip(terms, some, strict=True) if others is not None]
+        values = plain.values.copy()
+        for term, others in present:
+            values[list(fitter.indices(term))[1:]] = others
+        by = [fitter.indices(term)[0] for term, _ in present]
+        raw = np.nan_to_num(fitter.signatures(replace(plain, values=values), by)[1])
+        left = raw - plain.basis @ (plain.basis.T @ raw)
+        size = np.linalg.norm(left, axis=0)
+        for k in np.flatnonzero(size > LEFT * np.linalg.norm(raw, axis=0)):
+            yield left[:, [k]] / size[k], 1

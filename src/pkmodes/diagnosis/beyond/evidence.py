@@ -1,0 +1,184 @@
+"""What the rules beyond the catalogue ask about: the evidence for the best term, its class, and what else remains."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cached_property
+
+from scipy import stats
+
+from pkmodes.diagnosis.beyond.specificity import Law, like_a_law, p_outside
+from pkmodes.diagnosis.beyond.tried import Tried
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.ranges import plausible_sizes
+from pkmodes.diagnosis.search.score import one_sided, p_of_smallest, score
+from pkmodes.diagnosis.search.search import Outcome, Search
+from pkmodes.diagnosis.verdict.claim import Claim, values
+from pkmodes.diagnosis.verdict.classes import classes, survivors
+from pkmodes.diagnosis.verdict.evidence import Evidence
+from pkmodes.diagnosis.verdict.findings import Finding
+from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
+from pkmodes.diagnosis.verdict.possible import member, unusual
+from pkmodes.diagnosis.verdict.stability import Trial, trials
+
+#: Number of explanations outside its class with which a claim is compared with other errors, and at all setups.
+CONTENDERS = 6
+
+
+class TermEvidence(Evidence):
+    """The evidence for the best term, beside all others and the explanations of the catalogue.
+
+    Attributes
+    ----------
+    groups : list of list of Fit
+        Classes of the explanations that leave noise, that of the best one first.
+    """
+
+    def __init__(self, tried: Tried) -> None:
+        search, store = tried.search, tried.search.store
+        self.tried = tried
+        rivals = sorted([*tried.fits, *tried.carried], key=store.criterion)
+        surviving = survivors(search, rivals)
+        groups = [_ordered(search, group) for group in classes(store.fitter, surviving)]
+        self.groups = groups
+        best = next(iter(tried.fits), tried.plain)
+        final = _named(search, groups[0]) if groups else best
+        p_value = _p_value(tried, final)
+        causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
+        plausible = plausible_sizes(store.fitter, tried.plain, list(causes))
+        implausible = {name_of(fit) for group in groups for fit in group if unusual(store.fitter, fit)}
+        claim = Claim(
+            final,
+            search.gate(final),
+            (groups,),
+            p_values=(p_value,),
+            plausible=plausible,
+            implausible=frozenset(implausible),
+        )
+        outcome = Outcome(tried.plain, search.gate(tried.plain), final, claim.last)
+        super().__init__(tried.setups, search, outcome, claim)
+
+    @property
+    def found(self) -> bool:
+        """Whether some term, alone or in the class of the best explanation, leaves noise."""
+        return any(cause.form for group in self.groups[:1] for fit in group for cause in fit.causes)
+
+    def finding(self, k: int) -> Finding:
+        """Return a class with its values, as a part of a result."""
+        fitter, group = self.fitter, self.groups[k]
+        index = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
+        labels = [name_of(fit) for fit in group]
+        alternatives = {
+            name: values(fitter, fit, own) for name, fit, own in zip(labels, group, index, strict=True)
+        }
+        covariances = {
+            name: tuple(map(tuple, fit.covariance_of(own).tolist()))
+            for name, fit, own in zip(labels, group, index, strict=True)
+        }
+        return Finding(
+            name=labels[0],
+            members=tuple(labels),
+            parameters=alternatives[labels[0]],
+            alternatives=alternatives,
+            p_value=_p_value(self.tried, group[0]),
+            sentence=group[0].causes[-1].sentence,
+            covariances=covariances,
+            about={
+                name: replace(member(fitter, fit, self.claim.plausible), name=name, sentence=_sentence(fit))
+                for name, fit in zip(labels, group, strict=True)
+            },
+        )
+
+    @cached_property
+    def contenders(self) -> list[Fit]:
+        """The best explanations outside the class of the best one."""
+        own = {name_of(fit) for group in self.groups[:1] for fit in group}
+        store = self.store
+        limit = store.criterion(self.final) + self.criteria.claim.near
+        others = [
+            fit
+            for fit in (*self.tried.fits, *self.tried.carried)
+            if name_of(fit) not in own and not fit.at_bound and store.criterion(fit) < limit
+        ]
+        return sorted(others, key=store.criterion)[:CONTENDERS]
+
+    @cached_property
+    def trials(self) -> list[Trial]:
+        """What becomes of the best explanations with other errors and priors."""
+        return trials(self.search, self.final, self.groups[:1], self.contenders)
+
+    @cached_property
+    def held_out(self) -> HeldOut:
+        """What the held-out setups say about the final fit."""
+        return predicted(self.setups, self.search, self.final, self.contenders)
+
+    @cached_property
+    def p_outside(self) -> float:
+        """Probability that something that no term has would look like a term."""
+        return p_outside(self.tried, self.final)
+
+    @cached_property
+    def law(self) -> Law | None:
+        """A law that explains the data as well."""
+        return like_a_law(self.tried, self.final)
+
+    @cached_property
+    def pointed(self) -> tuple[Candidate, float] | None:
+        """The term to which what is left points, and the p-value of that; None if it points to none."""
+        some = [term for term in self.tried.terms if not term.starts and term not in self.final.causes]
+        scores = score(self.fitter, self.final, some)
+        best = min(scores.each, key=lambda one: one.p_value, default=None)
+        if best is None or scores.p_value > self.criteria.gate.surely:
+            return None
+        return best.candidate, scores.p_value
+
+
+def name_of(fit: Fit) -> str:
+    """Return the name of an explanation: of a term, or of one or two causes of the catalogue."""
+    return " + ".join(cause.name for cause in fit.causes)
+
+
+def _sentence(fit: Fit) -> str:
+    return " and ".join(cause.sentence or cause.name for cause in fit.causes)
+
+
+def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
+    """Return the members of a class, the best first, plausible ones before others.
+
+    A term with more parameters that explains no more than another member is left out: a resonator of a high frequency
+    is a mass, and a heavy one of a low frequency a spring to ground.
+    """
+    store = search.store
+    best = min(group, key=store.criterion)
+    fewest = min(len(fit.free) for fit in group)
+    kept = [
+        fit
+        for fit in group
+        if len(fit.free) == fewest
+        or not all(cause.form for cause in fit.causes)
+        or store.criterion(fit) <= store.criterion(best)
+    ]
+    fitter = store.fitter
+    return sorted(kept, key=lambda fit: (bool(unusual(fitter, fit)), store.criterion(fit)))
+
+
+def _named(search: Search, group: Sequence[Fit]) -> Fit:
+    """Return the first member of a class whose residual is noise in all respects, a term before others."""
+    level = search.criteria.gate.surely
+    noise = [fit for fit in group if search.gate(fit).above(level)]
+    terms = [fit for fit in noise if all(cause.form for cause in fit.causes)]
+    return next(iter([*terms, *noise]), group[0])
+
+
+def _p_value(tried: Tried, final: Fit) -> float:
+    """Return the p-value of a likelihood-ratio test of the best term, corrected for all that was tried."""
+    cause = next(iter(final.causes), None)
+    if cause is None:
+        return 1.0
+    fitter, gain = tried.search.store.fitter, max(tried.plain.deviance - final.deviance, 0.0)
+    p = float(stats.chi2.sf(gain, sum(len(each.parameters) for each in final.causes)))
+    if len(final.causes) == 1 and one_sided(fitter, cause):
+        p *= 0.5
+    return min(p_of_smallest(tried.directions, p), 1.0)

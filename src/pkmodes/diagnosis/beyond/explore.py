@@ -1,0 +1,101 @@
+"""Ask whether one thing at one place explains what the catalogue does not."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pkmodes.diagnosis.beyond.evidence import TermEvidence, name_of
+from pkmodes.diagnosis.beyond.rules import BEYOND
+from pkmodes.diagnosis.beyond.tried import tried
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.problem import Extensible
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
+from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Says, first
+from pkmodes.diagnosis.verdict.limits import NO_LIMITS
+from pkmodes.diagnosis.verdict.next_measurement import next_measurement
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.rows import Error
+from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
+from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, NOTHING, UNEXPLAINED
+
+
+def beyond(
+    structure: Extensible,
+    catalogue: Evidence,
+    decision: Decision[Evidence, Says],
+    held: Sequence[int],
+    progress: Progress | None,
+) -> TermEvidence | None:
+    """Return the evidence for terms; None where the verdict of the catalogue leaves nothing to try.
+
+    Parameters
+    ----------
+    structure : Extensible
+        At all measured setups.
+    catalogue : Evidence
+        What the catalogue found, and the verdict on that.
+    held : sequence of int
+        Held-out setups.
+    """
+    open_to_terms = decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.says.of_reading
+    if not open_to_terms and not (decision.verdict is EFFECT_FOUND and in_one_joint(structure, catalogue)):
+        return None
+    found = tried(structure.with_terms(), catalogue, held, progress)
+    return None if found is None else TermEvidence(found)
+
+
+def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:
+    """Return whether a claimed cause has a value for each joint, and terms have one of these each."""
+    causes = catalogue.final.causes
+    if len(causes) != 1 or len(causes[0].parameters) < 2:
+        return False
+    joints = {term.parameters[0] for term in structure.with_terms().candidates if term.form}
+    return len(joints.intersection(causes[0].parameters)) > 1
+
+
+def with_beyond(result: Diagnosis, evidence: TermEvidence | None) -> Diagnosis:
+    """Return a diagnosis with what terms explain."""
+    if evidence is None:
+        return result
+    decision = first(BEYOND, evidence)
+    assert decision is not None  # the last rule always applies
+    status, count = decision.verdict, len(evidence.tried.terms)
+    groups = [] if status is NOTHING else evidence.groups
+    classes = _classes(evidence, groups)
+    said = Beyond(status.word, decision.says.text, count, classes, decision.rule.name)
+    if sum(map(len, groups)) > 1:
+        left = [[(name_of(fit), fit) for fit in group] for group in groups]
+        proposed, not_separated = next_measurement(evidence.store, None, left)
+        result = replace(result, next_measurement=proposed, not_separated=not_separated)
+    reason = f"{words}; {result.reason}" if (words := said.words()) else result.reason
+    return replace(result, beyond=said, reason=reason)
+
+
+def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[TermClass, ...]:
+    """Return classes as parts of a result, with how probable each is beside the others."""
+    store, builder = evidence.store, DiagnosisBuilder(evidence.setups)
+    criteria = [np.array([store.criterion(fit) for fit in group]) for group in groups]
+    least = min((float(each.min()) for each in criteria), default=0.0)
+    weights = np.array([np.exp(-0.5 * (each - least)).sum() for each in criteria])
+    return tuple(
+        TermClass(
+            finding=evidence.finding(k),
+            probability=float(weights[k] / weights.sum()),
+            forms={name_of(fit): "".join(cause.form for cause in fit.causes) for fit in group},
+            errors={name_of(fit): _error(evidence, fit) for fit in group},
+            corrected=builder.corrected(group[0], NO_LIMITS),
+        )
+        for k, group in enumerate(groups)
+    )
+
+
+def _error(evidence: TermEvidence, fit: Fit) -> Error:
+    """Return the errors with an explanation."""
+    setups = evidence.setups
+    lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded)]
+    stage, outlying = setups.stage(fit.values), np.isin(setups.data.lines, lines)
+    return setups.error(stage, *evidence.store.frequency_misfit(fit), outlying)

@@ -1,0 +1,125 @@
+r"""Specificity: whether something that no term has would look like a term.
+
+Three kinds of residuals as large as the measured one are drawn, none of which a term causes: arbitrary changes,
+independent in all setups, and combinations of all that was tried, as for the catalogue (`verdict.specificity`); and
+*laws*, in which something that was tried varies: with the position, to first and second order, with the order in
+which setups were measured, or with frequency.  A law is a signature times such a function of the row, without its
+mean,
+
+.. math:: d_r = g_r \, (h_r - \sum g^2 h / \sum g^2) ,
+
+since its mean is the same as a change of the thing itself.  A law that explains these data as well as a term does is
+named.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from pkmodes.diagnosis.beyond.tried import Tried
+from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.verdict.specificity import DRAWS, SEED, Plausible, arbitrary_draws, coincidence
+
+#: Relative size below which a law is nothing but what it varies.
+SAME = 1e-3
+
+
+class Law(NamedTuple):
+    """A law: what varies, and with what, in words; its signature, and that without the variation, (D,)."""
+
+    what: str
+    along: str
+    varying: Array
+    constant: Array
+
+
+def p_outside(tried: Tried, final: Fit) -> float:
+    """Return the largest probability, over the kinds, that something that no term has looks like some term."""
+    fitter, plain, directions = tried.search.store.fitter, tried.plain, tried.directions
+    gain, data = plain.chi2 - final.chi2, slice(0, fitter.prior_rows.start)
+    if gain <= 0.0:
+        return 1.0
+    rng, used = np.random.default_rng(SEED), fitter.used(final.hypothesis)
+    degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
+    search = tried.search
+    drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
+    kinds = [coincidence(search, final, gain, drawn, directions, degrees, final.chi2)]
+    plausible = Plausible.of(directions, float(np.sqrt(gain)))
+    along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
+    combined, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+    kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, left))
+    varying = [_beside(plain, law.varying) for law in laws(tried)]
+    varying = [each for each in varying if each.any()]
+    if varying:
+        signed = np.stack([sign * each for each in varying for sign in (1.0, -1.0)], axis=1)
+        kinds.append(coincidence(search, final, gain, signed, directions, degrees, final.chi2))
+    return max(kinds)
+
+
+def like_a_law(tried: Tried, final: Fit) -> Law | None:
+    """Return the law that explains the data best, if it does so as well as a term; else None.
+
+    The signatures of the law and of its constant part are fitted, linearised.
+    """
+    store, plain, best = tried.search.store, tried.plain, None
+    price = float(np.log(store.fitter.observations.degrees(store.fitter.used(final.hypothesis))))
+    limit = final.chi2 + price * len(final.causes[0].parameters) + store.fitter.criteria.search.survives
+    for law in laws(tried):
+        both = np.stack([_beside(plain, law.constant), _beside(plain, law.varying)], axis=1)
+        basis = orthonormal(both)
+        left = plain.white - basis @ (basis.T @ plain.white)
+        cost = float(left @ left) + 2.0 * price
+        if cost <= limit:
+            best, limit = law, cost
+    return best
+
+
+def laws(tried: Tried) -> Iterator[Law]:
+    """Yield the laws: every claimable cause of the catalogue and all frequencies alike, varying with the row."""
+    fitter, plain = tried.search.store.fitter, tried.plain
+    data, rows = slice(0, fitter.prior_rows.start), fitter.observations.frequency_rows
+    single = [
+        (one.name, fitter.indices(one)[0]) for one in tried.search.candidates if len(one.parameters) == 1
+    ]
+    raw = fitter.signatures(plain, [i for _, i in single])[1] if single else np.zeros((len(plain.white), 0))
+    alike = np.zeros((len(plain.white), 1))
+    alike[rows, 0] = fitter.used(plain.hypothesis) / fitter.observations.sigma
+    names = [*(name for name, _ in single), "all frequencies alike"]
+    signatures = np.nan_to_num(np.hstack([raw, alike]))
+    for along, function in _functions(tried):
+        for name, g in zip(names, signatures.T, strict=True):
+            constant = np.zeros_like(g)
+            constant[data] = g[data]
+            squares = constant[rows] ** 2
+            varying = np.zeros_like(g)
+            if squares.any():
+                varying[rows] = constant[rows] * (function - (squares @ function) / squares.sum())
+            if np.linalg.norm(varying) > SAME * np.linalg.norm(constant):
+                yield Law(name, along, varying, constant)
+
+
+def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
+    """Yield what laws may vary with, in words and as a function of the rows, of the order of 1."""
+    fitter = tried.search.store.fitter
+    data = fitter.data
+    points = np.nan_to_num(data.points[data.pose])
+    for component, x in zip(data.components, points.T, strict=True):
+        spread = float(x.std())
+        if spread > 0.0:
+            scaled = (x - x.mean()) / spread
+            yield f"with {component}", scaled
+            yield f"with the square of {component}", scaled**2
+    if len(data.labels) > 2:
+        yield "with the order of the setups", data.pose / (len(data.labels) - 1.0)
+    log = fitter.observations.log
+    if float(log.std()) > 0.0:
+        yield "with frequency", (log - log.mean()) / float(log.std())
+
+
+def _beside(plain: Fit, signature: Array) -> Array:
+    """Return what is left of a signature beside the uncertain values."""
+    return np.asarray(signature - plain.basis @ (plain.basis.T @ signature))

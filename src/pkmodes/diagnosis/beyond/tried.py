@@ -1,0 +1,215 @@
+"""What is tried beyond the catalogue: each term alone, beside the uncertain values.
+
+All terms are scored at the refit of the uncertain values with exact rates, the most promising ones are refitted
+together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is evaluated at
+all its starts first.  If no term leaves noise, the best ones are tried beside outliers or a shared error, on the same
+terms as the causes of the catalogue.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from pkmodes.diagnosis.beyond.directions import of_starts
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Array, Candidate, Structure
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.search.score import Directions, score
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.evidence import Evidence
+
+#: Number of terms that are refitted, by their scores and by their starts, and starts from which each is.
+BEST, STARTED, FITTED = 40, 20, 3
+#: Largest number of measurement errors that are tried beside terms, one more each time, and of terms beside which.
+ROUNDS, BESIDE = 3, 3
+#: Number of explanations of the catalogue with which terms are compared.
+CARRIED = 12
+#: Times that the search is repeated with a smaller scatter of the shapes.
+SHARPENED = 2
+
+
+@dataclass(frozen=True, eq=False)
+class Tried:
+    """Fits with one term each, and the explanations of the catalogue that leave noise.
+
+    Attributes
+    ----------
+    setups : AllSetups
+        Of the structure with its terms.
+    plain : Fit
+        Without any cause, with the measurement errors of the fits.
+    fits : tuple of Fit
+        With one term, best first.
+    carried : tuple of Fit
+        Of the catalogue, fitted again beside the terms.
+    """
+
+    setups: AllSetups
+    search: Search
+    terms: tuple[Candidate, ...]
+    plain: Fit
+    fits: tuple[Fit, ...]
+    carried: tuple[Fit, ...]
+
+    @cached_property
+    def directions(self) -> Directions:
+        """Directions of everything that was tried: of terms, of these from their starts, and of the catalogue."""
+        fitter, some = self.search.store.fitter, [term for term in self.terms if not term.starts]
+        of_terms = score(fitter, self.plain, some).directions
+        started = [term for term in self.terms if term.starts]
+        of_catalogue = self.search.scores(self.plain).directions
+        return (*of_terms, *of_starts(fitter, self.plain, started), *of_catalogue)
+
+
+def tried(
+    structure: Structure, catalogue: Evidence, held: Sequence[int], progress: Progress | None
+) -> Tried | None:
+    """Try all terms of a structure; None if it has none, or cannot be evaluated.
+
+    Parameters
+    ----------
+    structure : Structure
+        With its terms, at all measured setups.
+    catalogue : Evidence
+        What the catalogue found.
+    held : sequence of int
+        Held-out setups.
+    """
+    terms = tuple(one for one in structure.candidates if one.form)
+    setups, scatter = catalogue.setups, catalogue.fitter.shape_scatter
+    fitted, c = [i for i in range(len(setups.data.labels)) if i not in held], catalogue.criteria
+    found = None
+    for _ in range(1 + SHARPENED if terms else 0):
+        fitter = Fitter(structure.subset(fitted), setups.data.at(fitted), c, scatter)
+        every = AllSetups(structure, setups.data, fitter, list(held))
+        found = _Explorer(every, terms, catalogue, progress).explored()
+        scatters = [] if found is None else [found.search.store.shape_scatter(fit) for fit in found.fits]
+        sharper = min((one for one in scatters if one is not None), default=scatter)
+        sharper = max(sharper, c.shapes.least_scatter)
+        if sharper >= c.shapes.sharper * scatter:
+            break
+        scatter = sharper
+    return found
+
+
+class _Explorer:
+    """A search among terms, with one scatter of the shapes."""
+
+    def __init__(
+        self,
+        setups: AllSetups,
+        terms: tuple[Candidate, ...],
+        catalogue: Evidence,
+        progress: Progress | None,
+    ) -> None:
+        self.setups, self.terms, self.catalogue, self.fitter = setups, terms, catalogue, setups.fitter
+        self.store, self.criteria = FitStore(setups.fitter), setups.fitter.criteria
+        self.progress = progress or (lambda _: None)
+        self.search = Search(self.store, setups.structure.candidates, progress)
+
+    def explored(self) -> Tried | None:
+        """Try all terms; None if the structure cannot be evaluated."""
+        self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
+        errors, seen = Hypothesis(), list[Hypothesis]()
+        plain = self.store.fit(errors, self._padded(self.catalogue.outcome.nuisances))
+        if plain is None:
+            return None
+        fits = first = self._refitted(plain)
+        for _ in range(ROUNDS):
+            if any(self._explains(fit) for fit in fits[: self.criteria.search.best_few]):
+                break
+            seen.append(errors)
+            more = self._errors_beside(fits)
+            again = None if more is None or more in seen else self.store.fit(more, plain.values)
+            if more is None or again is None or more in seen:
+                fits = first
+                break
+            errors, fits = more, self._refitted(again)
+        errors = replace(fits[0].hypothesis, causes=()) if fits else Hypothesis()
+        beside = self.store.fit(errors) or plain
+        return Tried(self.setups, self.search, self.terms, beside, tuple(fits), tuple(self._carried()))
+
+    def _padded(self, fit: Fit) -> Array:
+        """Return the values of a fit of the catalogue, with all terms absent."""
+        values = self.fitter.declared.copy()
+        values[: len(fit.values)] = fit.values
+        return values
+
+    def _carried(self) -> list[Fit]:
+        """Return the best explanations of the catalogue that leave noise, fitted again."""
+        own, level = self.catalogue.store, self.criteria.gate.surely
+        known = {candidate.name for candidate in self.search.candidates}
+        some = [
+            fit
+            for fit in {id(fit): fit for fit in (self.catalogue.final, *own.tried())}.values()
+            if fit.causes
+            and all(cause.name in known for cause in fit.causes)
+            and not fit.at_bound
+            and own.p_value(fit) > level
+        ]
+        best = sorted(some, key=own.criterion)[:CARRIED]
+        fits = [self.store.fit(fit.hypothesis, self._padded(fit)) for fit in best]
+        return [fit for fit in fits if fit is not None]
+
+    def _refitted(self, plain: Fit) -> list[Fit]:
+        """Return fits with one term beside the measurement errors of a fit, best first."""
+        sized = [term for term in self.terms if not term.starts and self._testable(plain, term)]
+        each = score(self.fitter, plain, sized).each
+        visible = [one for one in each if one.visible and one.gain > 0.0]
+        best = sorted(visible, key=lambda one: -one.gain)[:BEST]
+        fits = self.search.additions.refitted([(plain, one) for one in best])
+        return self.store.finished([*fits, *self.store.roughly(self._started(plain))])
+
+    def _testable(self, plain: Fit, term: Candidate) -> bool:
+        """Return whether data are left to test a term."""
+        return self.store.degrees(plain) > len(term.parameters)
+
+    def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
+        """Return the most promising terms that are fitted from starts of their own, each with its best starts."""
+        declared = plain.values.copy()
+        nuisances = list(self.fitter.nuisances)
+        declared[nuisances] = self.fitter.declared[nuisances]
+        trials: list[tuple[Hypothesis, list[Array]]] = []
+        for term in self.terms:
+            if not term.starts or not self._testable(plain, term):
+                continue
+            index, values = list(self.fitter.indices(term)), list[Array]()
+            for origin in (plain.values, declared):
+                for start in term.starts:
+                    at = origin.copy()
+                    at[index] = np.clip(start, self.fitter.lower[index], self.fitter.upper[index])
+                    values.append(at)
+            trials.append((plain.hypothesis.adding(term), values))
+        if trials:
+            self.progress(f"starting {len(trials)} terms with a frequency of their own")
+        scout = self.fitter.scout
+        # Excluded rows are dropped for fewer setups, where rows are numbered differently.
+        asked = [(h if scout is self.fitter else Hypothesis(h.causes), v) for h, some in trials for v in some]
+        costs = iter(scout.chi2_of_many(asked)) if asked else iter(())
+        ranked = []
+        for h, some in trials:
+            left = sorted(zip((next(costs) for _ in some), range(len(some)), strict=True))
+            ranked.append((left[0][0], h, [some[k] for _, k in left[:FITTED]]))
+        ranked.sort(key=lambda one: one[0])
+        return [(h, best) for cost, h, best in ranked[:STARTED] if np.isfinite(cost)]
+
+    def _explains(self, fit: Fit) -> bool:
+        """Return whether a fit leaves noise."""
+        level = self.criteria.gate.surely
+        return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).above(level)
+
+    def _errors_beside(self, fits: Sequence[Fit]) -> Hypothesis | None:
+        """Return the measurement errors beside which the best terms explain most; None if none help."""
+        criterion = self.store.criterion
+        options = [more for fit in fits[:BESIDE] for more in self.search.additions.noise(fit)]
+        best = min(options, key=criterion, default=None)
+        if best is None or criterion(best) >= criterion(fits[0]):
+            return None
+        return replace(best.hypothesis, causes=())
