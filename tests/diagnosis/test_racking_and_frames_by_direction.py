@@ -14,6 +14,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.robot import Robot
 from pkmodes.updating.candidates import suspects
 from pkmodes_rig import corexy, drawn_values, identified, written
+from pkmodes_rig.suites.clear_cases import ClearCase, run
 from pkmodes_rig.suites.specimens import KINDS, ROBOTS, SIGMA, measurements_of
 
 POINTS, SHAPES = KINDS["corexy"].points, KINDS["corexy"].shapes
@@ -51,6 +52,14 @@ def test_a_frame_that_yields_along_y_is_not_called_one_that_yields_everywhere(tm
     names = {name for effect in found.effects for name in effect.members}
     names |= {name for group in found.survivors for name in group}
     assert "frame_compliance.compliance_y" in names
+
+
+def test_a_frame_that_yields_everywhere_is_named_although_one_direction_leaves_noise_in_the_frequencies() -> (
+    None
+):
+    # The direction along x explains the frequencies to noise, no better, and the shapes far worse.
+    outcome = run(ClearCase("frames", 4, "published", ("frame_compliance",), (9.0, 14.0), seed=77))
+    assert (outcome.state, outcome.classes) == ("named", (("frame_compliance",),))
 
 
 def suspected(robot: Robot) -> set[str]:

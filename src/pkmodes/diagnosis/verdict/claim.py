@@ -116,7 +116,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
     if not last.passed or not final.causes:
         return Claim(final, last)
     final, places = _preferred(search, final)
-    grouped = tuple(classes(search.store.fitter, fits) for fits in places)
+    grouped = tuple(classes(search.store, fits) for fits in places)
     if final.hypothesis.remote and grouped[0]:
         # A cause of the same class that is not remote and passes the gate names the class.
         plain = (fit for fit in grouped[0][0] if not fit.causes[-1].remote and search.gate(fit).passed)

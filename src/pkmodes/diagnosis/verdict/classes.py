@@ -10,12 +10,14 @@ one always fits at least as well.  It is needed only if it fits better than its 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, orthonormal
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate
 from pkmodes.diagnosis.search.score import score
 from pkmodes.diagnosis.search.search import Search
@@ -53,9 +55,31 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     }
     least = min(alike.values(), default=0.0)
     also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.search.survives]
-    best = surviving[0].causes[-1].name if surviving and surviving[0].causes else ""
-    also += [fit for fit in fitting if best and fit.causes and fit.causes[-1].part_of == best]
+    if surviving:
+        also += [fit for fit in fitting if _remains_beside(store, fit, surviving[0])]
     return surviving + [fit for fit in also if all(fit is not other for other in surviving)]
+
+
+def _remains_beside(store: FitStore, part: Fit, whole: Fit) -> bool:
+    """Return whether a part, such as one direction of a frame, remains where the whole explains the data best.
+
+    The whole brings modes close to each other, whose shapes follow noise: it may fit shapes better although only the
+    part is true, by 12 at most on the rig.  Frequencies have no such freedom: where the part explains these better,
+    it remains whatever the shapes say.
+    """
+    c = store.fitter.criteria
+    if not _of_whole(part, whole):
+        return False
+    near = store.criterion(part) <= store.criterion(whole) + c.claim.told_apart
+    return (
+        near
+        or store.frequency_misfit(part).squares < store.frequency_misfit(whole).squares - c.search.survives
+    )
+
+
+def _of_whole(part: Fit, whole: Fit) -> bool:
+    """Return whether the last cause of a fit is a part of that of another, such as one direction of a frame."""
+    return bool(part.causes and whole.causes) and part.causes[-1].part_of == whole.causes[-1].name
 
 
 def measured(search: Search, fit: Fit) -> bool:
@@ -93,10 +117,19 @@ def other_pairs(
     return others + [fit for fit in alone if store.p_value(fit) > c.gate.surely and not fit.at_bound]
 
 
-def classes(fitter: Fitter, fits: Sequence[Fit]) -> list[list[Fit]]:
-    """Group survivors that these data cannot tell apart, the class of the best one first."""
-    near = fitter.criteria.claim.told_apart
-    return grouped(fits, lambda member, fit: fitter.difference(fit, member) < near)
+def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
+    """Group survivors that these data cannot tell apart, the class of the best one first.
+
+    A whole and a part of it that fit nearly as well are not told apart by what shapes of close modes differ in.
+    """
+    near = store.fitter.criteria.claim.told_apart
+
+    def alike(member: Fit, fit: Fit) -> bool:
+        whole = _of_whole(fit, member) or _of_whole(member, fit)
+        apart = abs(store.criterion(fit) - store.criterion(member)) if whole else math.inf
+        return min(apart, store.fitter.difference(fit, member)) < near
+
+    return grouped(fits, alike)
 
 
 def distinct(members: Sequence[Fit]) -> int:
