@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from decimal import Decimal
+from pathlib import Path
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+import pkmodes
 from pkmodes.plots.labels import typeset
-from pkmodes.support.numbers import hertz, p_in_words, plain, rounded
+from pkmodes.support.numbers import hertz, p_in_words, plain, rounded, signed, times
 
 #: What a rounded number with its standard deviation looks like.
 FORM = re.compile(r"\((-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)\)e(-?\d+)|(-?\d+(?:\.\d+)?) \+- (\d+(?:\.\d+)?)")
@@ -133,3 +135,37 @@ def test_frequencies_have_three_decimals_and_large_ones_a_power_of_ten() -> None
     shown = {0.0: "0.000", 0.0042: "0.0042", 72.3514: "72.351", 99_999.9: "99999.900", 9041462019.1: "9.04e9"}
     assert {value: hertz(value) for value in shown} == shown
     assert hertz(-2e5) == "-2.00e5"
+
+
+@pytest.mark.parametrize(
+    ("factor", "words"),
+    [
+        (1.0 / 3.0, "0.33 times"),
+        (2.345, "2.3 times"),
+        (9.96, "10 times"),
+        (99.6, "100 times"),
+        (168.4, "170 times"),
+        (4512.0, "4,500 times"),
+        (987_654.0, "990,000 times"),
+        (3e7, "more than 1,000,000 times"),
+    ],
+)
+def test_a_factor_has_no_power_of_ten(factor: float, words: str) -> None:
+    assert times(factor) == words
+
+
+def test_a_signed_number_has_its_sign() -> None:
+    assert [signed(value) for value in (0.1234, 123.0, -123.0)] == ["+0.12", "+120", "-120"]
+
+
+def test_no_sentence_of_a_diagnosis_rounds_a_number_to_a_power_of_ten() -> None:
+    # ``f"{170.0:.2g}"`` is "1.7e+02"; what is compared or read again, and not written, is left out.
+    folder = Path(pkmodes.__file__).parent / "diagnosis"
+    rounding = re.compile(r"\{[^{}]*:\+?\.[1-4]g\}")
+    written = [
+        f"{path.name}: {line.strip()}"
+        for path in sorted(folder.rglob("*.py"))
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if rounding.search(line) and " == " not in line
+    ]
+    assert written == []

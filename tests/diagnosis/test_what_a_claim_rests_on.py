@@ -300,6 +300,7 @@ def test_a_model_that_is_right_only_with_an_unstated_error_of_the_poses_is_not_a
         (0.9, "10 % smaller than"),
         (1.6, "1.6 times as large as"),
         (23.4, "23 times as large as"),
+        (168.4, "170 times as large as"),
     ],
 )
 def test_errors_are_never_called_one_times_as_large(ratio: float, words: str) -> None:

@@ -17,6 +17,7 @@ from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
 from pkmodes.identification.level import FALSE_ALARM, LEAST, LevelShift
+from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
 
@@ -91,7 +92,7 @@ def level_messages(
     """Return what to say of a mode whose frequency changes with the level."""
     return [
         f"{pose}: the mode at {frequency:.4g} Hz changes with the level: {shift.high:.5g} to {shift.low:.5g} Hz "
-        f"while {falls} {shift.fall:.2g}-fold; half the difference is in sigma"
+        f"while {falls} {plain(shift.fall, 2)}-fold; half the difference is in sigma"
         for shift, falls in ((within, "its amplitude falls"), (between, "the level of the files falls"))
         if shift is not None
     ]

@@ -22,6 +22,7 @@ from pkmodes.campaign.results import LeftOut
 from pkmodes.campaign.roving import change_of, points_of
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
+from pkmodes.support.numbers import plain
 
 #: A mode must be in this share of the repeats.
 OFTEN = 0.5
@@ -144,7 +145,8 @@ def _setups(
     if kind.roving is None or not points or any(one.left_out for one in setups.values()):
         return setups
     change = change_of([averaged(_groups(one)) for one in setups.values()])
-    differ = f"{record.pose}: the frequencies differ by {100.0 * change.apart:.2g} % between the points that were hit"
+    apart = plain(100.0 * change.apart, 2)
+    differ = f"{record.pose}: the frequencies differ by {apart} % between the points that were hit"
     if change.apart > change.allowed:
         said = f"{differ}: each point is fitted by itself"
         first = next(iter(setups))

@@ -9,6 +9,7 @@ import numpy as np
 from pkmodes.campaign.averaging import Mean, grouped_means
 from pkmodes.campaign.campaign import Record
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.support.numbers import plain
 
 #: Modes that must have been measured again.
 FEWEST = 3
@@ -51,4 +52,4 @@ def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> 
         remedy = 'measure a pose again under another label, or write a number such as "0.2 %"'
         raise MeasurementError(what, f"{source}: repeatability", remedy)
     value = float(np.sqrt(max(squares, 0.0) / freedom))
-    return value, [f"repeatability {100.0 * value:.2g} %, from {modes} modes that were measured again"]
+    return value, [f"repeatability {plain(100.0 * value, 2)} %, from {modes} modes that were measured again"]

@@ -9,6 +9,7 @@ import numpy as np
 from pkmodes.campaign.sensor_functions import dead_channels
 from pkmodes.signals.functions import Array, Function
 from pkmodes.signals.sensor_faults import clipped
+from pkmodes.support.numbers import plain
 
 #: Samples at an extreme value that are looked at in records of blows, whose pulses have few.
 OF_BLOWS = 3
@@ -23,8 +24,8 @@ def overloads(name: str, values: Array, source: str, *, of_blows: bool) -> list[
         return []
     at = " and ".join(f"{level:.4g}" for level in levels)
     return [
-        f"{source}: {name} is overloaded: {100.0 * share:.2g} % of its samples are clipped at {at}, which changes"
-        " shapes and damping: measure again with a larger range"
+        f"{source}: {name} is overloaded: {plain(100.0 * share, 2)} % of its samples are clipped at {at}, which "
+        "changes shapes and damping: measure again with a larger range"
     ]
 
 

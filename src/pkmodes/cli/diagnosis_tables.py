@@ -150,7 +150,7 @@ def _remarks(terminal: Terminal, setting: Setting, result: Diagnosis) -> None:
     if result.unpaired:
         remarks.append(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
     if result.scatter:
-        remarks.append(f"error common to the modes of a pose: {100 * result.scatter:.2g} %")
+        remarks.append(f"error common to the modes of a pose: {plain(100 * result.scatter, 2)} %")
     if result.undetectable:
         remarks.append(f"not detectable with these data: {', '.join(result.undetectable)}")
     if limits := largest_limits(result):

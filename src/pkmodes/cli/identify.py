@@ -15,6 +15,7 @@ from pkmodes.cli.reporting import report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
 from pkmodes.core.base.drives import motors
 from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import plain
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -113,7 +114,7 @@ def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -
         else:
             terminal.line("left out" if one.is_left_out else "no mode was found")
         terminal.line()
-    repeatability = f"{100.0 * found.repeatability:.2g} %"
+    repeatability = f"{plain(100.0 * found.repeatability, 2)} %"
     terminal.line(
         f"+-: one standard deviation; that of a frequency includes a repeatability of {repeatability}"
     )

@@ -11,6 +11,7 @@ from msgspec import Meta
 from pkmodes.core.base.drives import Drives
 from pkmodes.shaping.measured_modes import LeftOfModes, of_measured
 from pkmodes.support.documents import Count, Document, Number, Size
+from pkmodes.support.numbers import plain
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -171,7 +172,7 @@ class SpectrumDocument(Document, frozen=True):
         left = float(residual(best.shaper, peak, best.damping_ratio))
         missing = (
             f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing or "
-            f"wrong; of a mode there the recommended shaper leaves {100.0 * left:.2g} %"
+            f"wrong; of a mode there the recommended shaper leaves {plain(100.0 * left, 2)} %"
         )
         return cls(file=spectrum.source, peak_hz=peak, at_mode=known, left=left), [] if known else [missing]
 

@@ -36,6 +36,7 @@ from pkmodes.diagnosis.structure.modes import (
 )
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
 from pkmodes.diagnosis.structure.terms import SuppliedWithTerms, terms_of
+from pkmodes.support.numbers import plain
 
 #: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].
 SLOW = 0.02
@@ -307,5 +308,5 @@ def slowness(structure: Structure) -> str:
     """Return a sentence if the callable for M and K dominates the computing time; else an empty string."""
     if not isinstance(structure, MatrixStructure) or structure.seconds_a_call < SLOW:
         return ""
-    seconds = f"{structure.seconds_a_call:.2g} s"
+    seconds = f"{plain(structure.seconds_a_call, 2)} s"
     return f"each call for the matrices takes {seconds}: a few hundred calls dominate the computing time"

@@ -10,6 +10,7 @@ from pkmodes.plots.labels import typeset
 from pkmodes.plots.mac_matrices import mac_matrices, worst_setup
 from pkmodes.report.blocks import Block, Paragraph, Picture, Section
 from pkmodes.report.formatting import plural, shortened
+from pkmodes.support.numbers import plain
 
 
 def sections(evidence: Evidence) -> list[Section]:
@@ -149,7 +150,7 @@ def _rms(evidence: Evidence) -> str:
     for stage in evidence.stages:
         some = evidence.difference(stage)[stage.paired & ~evidence.outlier]
         if len(some):
-            parts.append(f"{stage.title}: rms {100 * np.sqrt(np.mean(some**2)):.2g} %")
+            parts.append(f"{stage.title}: rms {plain(100 * np.sqrt(np.mean(some**2)), 2)} %")
     return "; ".join(parts)
 
 

@@ -19,6 +19,7 @@ from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
 #: Places that a note of the head names at most.
@@ -105,7 +106,7 @@ def _summary(found: Identification, campaign: Campaign) -> Summary:
 
 
 def _per_cent(share: float) -> str:
-    return f"{100.0 * share:.2g} %"
+    return f"{plain(100.0 * share, 2)} %"
 
 
 def _reason(found: Identification, modes: Sequence[IdentifiedMode], said: int) -> str:

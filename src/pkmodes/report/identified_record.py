@@ -16,6 +16,7 @@ from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph
 from pkmodes.report.formatting import clean, hertz, number, plural, pointer, sentence, shortened, uncertain
 from pkmodes.report.tables import table
 from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
 #: Complex shapes drawn of a record at most: the least collinear.
@@ -282,7 +283,7 @@ def _repeats(result: RecordResult) -> list[Block]:
         Picture.of(
             identified_modes.scatter_of_repeats(several),
             "Frequencies in each file",
-            f"{plural(files, 'file')}; the largest difference from a mean is {100.0 * widest:.2g} %.",
+            f"{plural(files, 'file')}; the largest difference from a mean is {plain(100.0 * widest, 2)} %.",
             "Frequencies in each file, relative to their mean over the repeats. A file that is off in all modes was "
             f"measured elsewhere, or at another temperature.{colours}",
         )

@@ -15,6 +15,7 @@ from pkmodes.report.blocks import Cell, Column, Summary, Table
 from pkmodes.report.formatting import hertz, label, number, plural, pointer, shortened, thousands, unit
 from pkmodes.support import numbers
 from pkmodes.support.motors import motors_in_words
+from pkmodes.support.numbers import plain
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -35,7 +36,11 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
             "can be evaluated",
-            Cell(f"{thousands(content['valid'])} ({100 * share:.3g} %)", content["valid"], pointer("valid")),
+            Cell(
+                f"{thousands(content['valid'])} ({plain(100 * share, 3)} %)",
+                content["valid"],
+                pointer("valid"),
+            ),
         ),
         ("vibration modes", Cell(str(len(content["modes"])), len(content["modes"]))),
     ]

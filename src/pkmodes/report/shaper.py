@@ -23,6 +23,7 @@ from pkmodes.report.sources import Source, known_sources
 from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.settings import with_unit
+from pkmodes.support.numbers import plain
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -92,10 +93,10 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     return Summary(
         subject=f"{shortened(content['robot'])}, {choice.ringing.motors}",
         kind="Shaper",
-        headline=f"{best.kind} leaves {100.0 * best.left.worst:.2g} % of the largest vibration",
+        headline=f"{best.kind} leaves {plain(100.0 * best.left.worst, 2)} % of the largest vibration",
         reason=(
             f"The recommended fixed shaper, for {design_of(best)}. Where it leaves most, the vibration "
-            f"is {100.0 * best.left.worst:.2g} % of the largest one without a shaper. {why_recommended(choice)}"
+            f"is {plain(100.0 * best.left.worst, 2)} % of the largest one without a shaper. {why_recommended(choice)}"
         ),
         notes=[as_sentence(clean(note)) for note in content["notes"]],
         facts=[
@@ -123,8 +124,8 @@ def why_recommended(choice: Choice) -> str:
     most, length = choice.left, choice.length
     lasting = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
     if choice.candidates[choice.recommended].left.worst <= most:
-        return f"It is the shortest fixed one{lasting} that leaves at most {100.0 * most:.3g} % there."
-    return f"No fixed one{lasting} leaves at most {100.0 * most:.3g} % there; it leaves least."
+        return f"It is the shortest fixed one{lasting} that leaves at most {plain(100.0 * most, 3)} % there."
+    return f"No fixed one{lasting} leaves at most {plain(100.0 * most, 3)} % there; it leaves least."
 
 
 def as_sentence(text: str) -> str:
@@ -134,7 +135,7 @@ def as_sentence(text: str) -> str:
 
 
 def _per_cent(share: float) -> str:
-    return f"{100.0 * share:.3g} %" if share >= 1e-6 else "nothing"
+    return f"{plain(100.0 * share, 3)} %" if share >= 1e-6 else "nothing"
 
 
 def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:

@@ -14,6 +14,7 @@ from pkmodes.report.formatting import clean, number, pointer
 from pkmodes.shaping.measured_modes import WITHIN, MeasuredRinging
 from pkmodes.shaping.measured_spectrum import ABOVE, BELOW, MeasuredSpectrum
 from pkmodes.shaping.residual_vibration import residual
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
 
 if TYPE_CHECKING:
@@ -32,10 +33,10 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
         spectrum = spectrum.up_to(f[-1])
     curves = []
     for one in fixed:
-        design = f"{one.kind} ({design_of(one)}): {100.0 * one.left.worst:.2g} %"
+        design = f"{one.kind} ({design_of(one)}): {plain(100.0 * one.left.worst, 2)} %"
         left = 100.0 * residual(one.shaper, f, one.damping_ratio)
         curves.append(shapers.Curve(design + (", recommended" if one is best else ""), left, one is best))
-    ratio = f"{100.0 * best.damping_ratio:.2g} %"
+    ratio = f"{plain(100.0 * best.damping_ratio, 2)} %"
     caption = (
         f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}. The "
         f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."

@@ -17,6 +17,7 @@ from pkmodes.report.tables import table
 from pkmodes.shaping.measured_modes import WITHIN, of_measured
 from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.shaping.results import Choice
+from pkmodes.support.numbers import plain
 
 #: What everything is said within.
 ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
@@ -63,7 +64,7 @@ def summary(choice: Choice, content: dict[str, Any]) -> Summary:
     left = of_measured(choice).shares(best)
     at = ("shapers", choice.recommended, "left")
     modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
-    most = f"{100.0 * left.worst_uncertain:.2g} %"
+    most = f"{plain(100.0 * left.worst_uncertain, 2)} %"
     reason = (
         f"The recommended shaper, for {design_of(best)}, leaves at most {most} of the vibration in each of the "
         f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.report.blocks import Cell, Column, Lines, Paragraph, Table
 from pkmodes.report.formatting import clean, number, pointer, unit
 from pkmodes.shaping.firmware import NAMES
+from pkmodes.support.numbers import plain
 
 if TYPE_CHECKING:
     from pkmodes.shaping.results import Choice, Step
@@ -48,9 +49,9 @@ def schedule_blocks(choice: Choice) -> list[Table]:
     )
     rounds = [1e6 * one.best.rounding for one in schedule.steps]
     note = (
-        f"Over all settings the schedule leaves {100.0 * schedule.left.worst:.2g} % of the largest vibration "
+        f"Over all settings the schedule leaves {plain(100.0 * schedule.left.worst, 2)} % of the largest vibration "
         f"without a shaper, and rounds by {min(rounds):.1f} to {max(rounds):.1f} \u00b5m; {clean(fixed.kind)} for "
-        f"all of them leaves {100.0 * fixed.left.worst:.2g} % and rounds by {1e6 * fixed.rounding:.1f} \u00b5m."
+        f"all of them leaves {plain(100.0 * fixed.left.worst, 2)} % and rounds by {1e6 * fixed.rounding:.1f} \u00b5m."
     )
     rows = [_row(one, i, layers, one_parameter) for i, one in enumerate(schedule.steps)]
     return [Table(caption, columns, rows, note=note, heads=len(settings))]

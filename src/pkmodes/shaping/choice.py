@@ -18,6 +18,7 @@ from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.results import LEFT, Amplitude, Candidate, Choice
 from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.shapers import Shaper
+from pkmodes.support import numbers
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
@@ -92,7 +93,7 @@ def choose(
 
 
 def _per_cent(share: float) -> str:
-    return f"{100 * share:.2g} %" if share >= 1e-6 else "nothing"
+    return f"{numbers.plain(100 * share, 2)} %" if share >= 1e-6 else "nothing"
 
 
 def _variant(one: Candidate, at: Ringing) -> str:
@@ -162,14 +163,17 @@ def _recommended(
         return best, notes
     of = "" if firmware is None else f" of {NAMES[firmware]}"
     notes.append(
-        f"no fixed shaper{of} leaves at most {100 * left:.3g} % {at.where_most}; the best one is recommended"
+        f"no fixed shaper{of} leaves at most {numbers.plain(100 * left, 3)} % {at.where_most}; the best one is "
+        "recommended"
     )
     following = [one for one in candidates if one.follows_pose and (length is None or one.duration <= length)]
     if following:
         one = min(following, key=lambda each: (round(each.left.worst, 6), each.duration))
         uncertain = one.left.rms_uncertain
         spread = (
-            "" if uncertain is None else f", {100 * uncertain:.2g} % on average with uncertain frequencies"
+            ""
+            if uncertain is None
+            else f", {numbers.plain(100 * uncertain, 2)} % on average with uncertain frequencies"
         )
         notes.append(
             f"following the {at.point_is}, {one.kind} leaves {_per_cent(one.left.worst)} {at.where_most}{spread}, "

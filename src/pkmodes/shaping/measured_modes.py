@@ -23,6 +23,7 @@ from pkmodes.shaping.choice import TICK, choose, default_kinds
 from pkmodes.shaping.results import LEFT, Candidate, Choice
 from pkmodes.shaping.ringing import MODES, Ringing
 from pkmodes.support.documents import Document, Size
+from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
 #: Standard deviations within which frequency and damping ratio are looked at, and places there: frequencies with the
@@ -114,7 +115,7 @@ class MeasuredRinging(Ringing):
                 "no mode has" if unknown == len(self.rows) else f"{unknown} of {len(self.rows)} modes lack"
             )
             low, high = (100.0 * ratio for ratio in UNKNOWN)
-            taken = f"{100.0 * (self.assumed or 0.0):.3g} % is taken instead, by --damping"
+            taken = f"{plain(100.0 * (self.assumed or 0.0), 3)} % is taken instead, by --damping"
             if self.assumed is None:
                 taken = (
                     f"whichever from {low:g} to {high:g} % leaves most counts instead (--damping gives one)"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pkmodes.shaping.choice import lines_of, recommended_of
 from pkmodes.shaping.firmware import DAMPED, KLIPPER, LEAST, MARLIN, NAMES, TOLERANT
 from pkmodes.shaping.results import Candidate, Choice
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
 
 
@@ -29,8 +30,8 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
         index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
         if index is not None:
             one = choice.candidates[index]
-            worst = f"{100 * one.left.worst:.2g} % {choice.ringing.where_most}"
-            limit = f"{100 * choice.left:.3g} %"
+            worst = f"{plain(100 * one.left.worst, 2)} % {choice.ringing.where_most}"
+            limit = f"{plain(100 * choice.left, 3)} %"
             which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
             instead = f"of those compared that it has, {one.kind} {which}: {worst}"
             lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])

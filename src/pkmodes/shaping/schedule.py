@@ -22,6 +22,7 @@ from pkmodes.shaping.results import Choice, Schedule, Step
 from pkmodes.shaping.ringing import Ringing, at_settings
 from pkmodes.shaping.settings import Setting
 from pkmodes.shaping.shapers import Shaper
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined, listed
 from pkmodes.support.progress import say
 
@@ -169,7 +170,7 @@ def _heights(
 
 def notes_of(schedule: Schedule) -> list[str]:
     """Return what the reader should know of the schedule."""
-    notes, asked = [], f"{100 * schedule.steps[0].choice.left:.3g} %"
+    notes, asked = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
     poor = [str(one.setting) for one in schedule.steps if not one.good]
     if poor:
         notes.append(
@@ -179,7 +180,7 @@ def notes_of(schedule: Schedule) -> list[str]:
     ends = max((one.at_ends for one in schedule.steps if one.at_ends is not None), default=0.0)
     if ends > max(schedule.steps[0].choice.left, *(one.best.left.worst for one in schedule.steps)):
         notes.append(
-            f"halfway between two settings the schedule leaves up to {100 * ends:.2g} %: give more values"
+            f"halfway between two settings the schedule leaves up to {plain(100 * ends, 2)} %: give more values"
         )
     lacking = [NAMES[name] for name, text in schedule.lines().items() if text is None]
     if lacking and schedule.steps[0].choice.firmware is None:

@@ -19,6 +19,7 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST
 from pkmodes.signals.functions import Array
+from pkmodes.support.numbers import plain
 
 TOLERANCE = 0.01
 #: Resolutions of times in files [s], and the part of a step below which one of them is possible.
@@ -219,7 +220,9 @@ def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> 
     least, most = 1e3 * lost.min(), 1e3 * lost.max()
     size = f"{most:.3g} ms" if most <= 1.05 * least else f"{least:.3g} to {most:.3g} ms"
     gaps = "1 gap" if breaks.size == 1 else f"{breaks.size} gaps"
-    return f"{where}: {gaps} of {size}, {share:.2g} % of the record, the first at {time[breaks[0]]:.6g} s"
+    return (
+        f"{where}: {gaps} of {size}, {plain(share, 2)} % of the record, the first at {time[breaks[0]]:.6g} s"
+    )
 
 
 def as_sampled(time: Array) -> Array:

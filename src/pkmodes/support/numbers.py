@@ -22,6 +22,8 @@ MOST_ZEROS = 1
 MOST_DECIMALS = 12
 #: Frequencies [Hz] below the first and from the second on have another format than those between.
 SMALL_FREQUENCY, LARGE_FREQUENCY = 0.01, 1e5
+#: A larger factor is not told apart: whatever it is, something else is meant.
+MOST_TIMES = 1_000_000
 #: p-values below this are not told apart: what is left then depends on tails that nobody has checked.
 LEAST_P = 1e-6
 
@@ -106,6 +108,22 @@ def plain(value: float, digits: int = 6) -> str:
     text = f"{round(_scaled(value, shift), decimals):.{max(decimals, 0)}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return f"{text}e{shift}" if shift else text
+
+
+def times(factor: float) -> str:
+    """Return a factor with two significant digits and never a power of ten: ``2.3 times``, ``4,500 times``.
+
+    Beyond a million it is only said that it is more.
+    """
+    if factor > MOST_TIMES:
+        return f"more than {MOST_TIMES:,} times"
+    digits = float(f"{factor:.2g}")
+    return f"{digits:,.0f} times" if digits >= 10.0 else f"{digits:g} times"
+
+
+def signed(value: float, digits: int = 2) -> str:
+    """Return a number as `plain` does, with the sign of a positive one."""
+    return f"{'+' if value >= 0.0 else ''}{plain(value, digits)}"
 
 
 def p_in_words(p_value: float) -> str:

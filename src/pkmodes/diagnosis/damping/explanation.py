@@ -14,6 +14,7 @@ import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
+from pkmodes.support.numbers import plain
 
 #: Squared difference below which two explanations are the same to any measurement.
 SAME = 1.0
@@ -135,7 +136,9 @@ def nearest(fitter: LossFitter) -> str:
     ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(left), 10.0) ** 2))))
     name = names_of(fitter, best)
-    return f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {factor:.2g}"
+    return (
+        f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {plain(factor, 2)}"
+    )
 
 
 def names_of(fitter: LossFitter, fit: LossFit) -> str:

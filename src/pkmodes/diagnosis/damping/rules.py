@@ -31,6 +31,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
     INSUFFICIENT_DATA,
     UNEXPLAINED,
 )
+from pkmodes.support.numbers import plain
 
 
 def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
@@ -138,7 +139,7 @@ def may_be_chance(e: LossEvidence) -> str:
     found = e.explanation
     if found is None or max(found.p_values) <= e.criteria.claim.claimed:
         return ""
-    return _would(e, found, f"but the improvement may be chance (p = {max(found.p_values):.2g})")
+    return _would(e, found, f"but the improvement may be chance (p = {plain(max(found.p_values), 2)})")
 
 
 def leaves_a_trend(e: LossEvidence) -> str:
@@ -160,7 +161,7 @@ def not_specific(e: LossEvidence) -> str:
         return ""
     why = (
         "but the damping ratios are too few or too uncertain to rule out something outside the candidates: "
-        f"{100 * e.coincidence:.2g} % of such laws would look like a candidate"
+        f"{plain(100 * e.coincidence, 2)} % of such laws would look like a candidate"
     )
     return _would(e, found, why)
 

@@ -12,7 +12,7 @@ from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
-from pkmodes.support.numbers import p_in_words, rounded
+from pkmodes.support.numbers import p_in_words, plain, rounded
 
 #: Most lines that a note lists.
 LISTED = 8
@@ -52,7 +52,7 @@ def common_ratio(ratio: float, sigma: float) -> str:
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
-        f'joint: to declare it, write ratio = "{100.0 * ratio:.2g} %" in a table [damping]'
+        f'joint: to declare it, write ratio = "{plain(100.0 * ratio, 2)} %" in a table [damping]'
     )
 
 
@@ -66,12 +66,12 @@ def scattered(ratio: float | None, scatter: float) -> str:
     scatter : float
         Beyond the stated errors: the standard deviation of the logarithm.
     """
-    by = f"by a factor of {np.exp(scatter):.2g} beyond their stated errors"
+    by = f"by a factor of {plain(np.exp(scatter), 2)} beyond their stated errors"
     if ratio is None:
         return f"the measured ratios scatter about those of the model {by}, as repeated tests do, and name no joint"
     return (
-        f"the file declares no damping; the measured ratios scatter about {100.0 * ratio:.2g} % {by}, as repeated "
-        "tests do, and name no joint"
+        f"the file declares no damping; the measured ratios scatter about {plain(100.0 * ratio, 2)} % {by}, as "
+        "repeated tests do, and name no joint"
     )
 
 
@@ -80,19 +80,19 @@ def nearly_declared(ratio: float, sigma: float, declared: float) -> str:
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the measured ratios are those of a damping ratio of {percent} instead of the "
-        f"declared {100.0 * declared:.3g} %, by which repeated tests may differ"
+        f"declared {plain(100.0 * declared, 3)} %, by which repeated tests may differ"
     )
 
 
 def not_predicted(factor: float) -> str:
     """Return the note if the losses do not predict the damping of the held-out poses."""
-    return f"the damping of the held-out poses is not predicted: a factor of {factor:.2g} in the mean"
+    return f"the damping of the held-out poses is not predicted: a factor of {plain(factor, 2)} in the mean"
 
 
 def per_cent(ratio: float) -> str:
     """Return what is said if damping ratios seem to be in per cent."""
     return (
-        f"the damping ratios, {ratio:.2g} in the median, are not those of a lightly damped machine, and not "
+        f"the damping ratios, {plain(ratio, 2)} in the median, are not those of a lightly damped machine, and not "
         "diagnosed: if they are in per cent, write the column as damping [%]"
     )
 
@@ -123,7 +123,7 @@ def _of_lines(lines: Sequence[int]) -> str:
 
 def set_aside(line: int, label: str, ratio: float) -> str:
     """Return the note on a row whose damping contradicts that of all others."""
-    return f"the damping of line {line} ({label}, {100.0 * ratio:.3g} %) is set aside as an outlier: check it"
+    return f"the damping of line {line} ({label}, {plain(100.0 * ratio, 3)} %) is set aside as an outlier: check it"
 
 
 def factor_of(apart: Array) -> float | None:

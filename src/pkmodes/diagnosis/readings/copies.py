@@ -11,6 +11,7 @@ from pkmodes.diagnosis.match.stage import Stage
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.mac import mac
+from pkmodes.support.numbers import plain
 
 #: Positions nearer than this are the same [m].
 NEAR = 1e-6
@@ -49,7 +50,7 @@ def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
             if most:
                 yield (
                     f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
-                    f"frequencies differ by up to {100 * most:.2g} %: is one of them somewhere else?"
+                    f"frequencies differ by up to {plain(100 * most, 2)} %: is one of them somewhere else?"
                 )
 
 

@@ -17,6 +17,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Driven
 from pkmodes.diagnosis.readings.comparison import Apart, differences
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
 #: Labels that the sentence lists.
@@ -99,7 +100,7 @@ def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str
     fits, size = "are explained by the declared model", ""
     if apart is not None:
         fits = "fit the declared model far better"
-        size = f" ({100 * apart.there:.2g} % instead of {100 * apart.here:.2g} %)"
+        size = f" ({plain(100 * apart.there, 2)} % instead of {plain(100 * apart.here, 2)} %)"
     if len(words) > 1:
         return f"the frequencies {fits} with free and held exchanged{size}: correct drives"
     every = len(setups) == len(data.labels)

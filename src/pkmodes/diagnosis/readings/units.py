@@ -11,6 +11,7 @@ from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.readings.comparison import Apart, differences
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.numbers import plain
 
 #: Units in which frequencies are measured, each with its number per Hz.
 UNITS = {unit: float(1 / frequency_factor(unit)) for unit in ("Hz", "rad/s", "1/min", "mHz", "kHz", "deg/s")}
@@ -45,7 +46,7 @@ def others(unit: str) -> Iterator[Unit]:
     # A period n was read as n / said Hz, and 1 / n is the frequency.
     yield Unit("periods in s", "write frequencies, 1 / period", 1.0 / declared, inverse=True)
     for name in TWICE:
-        yield Unit(f"{name}, converted twice", f"multiply them by {UNITS[name]:.4g}", UNITS[name])
+        yield Unit(f"{name}, converted twice", f"multiply them by {plain(UNITS[name], 4)}", UNITS[name])
 
 
 def other_unit(fitter: Fitter) -> str:
@@ -66,4 +67,4 @@ def other_unit(fitter: Fitter) -> str:
     if paired < c.unit_paired or not apart.far_better(c.unit_gain, c.unit_difference):
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
-    return f"{claim} fit the declared model as {unit.what} ({100 * there:.2g} %): {unit.remedy}"
+    return f"{claim} fit the declared model as {unit.what} ({plain(100 * there, 2)} %): {unit.remedy}"

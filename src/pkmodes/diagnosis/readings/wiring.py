@@ -28,6 +28,7 @@ from pkmodes.diagnosis.readings.wirings import (
     simplicity,
     wirings,
 )
+from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
 
 #: Largest number of wirings that a sentence names.
@@ -140,8 +141,8 @@ def _sentence(
 ) -> str:
     """Return what is wrong, how the misfit changes, and what to do."""
     size = (
-        f"the shapes differ from the model by {100 * here.difference:.2g} % of their largest component as in the "
-        f"file, by {100 * best.difference:.2g} % with this corrected"
+        f"the shapes differ from the model by {plain(100 * here.difference, 2)} % of their largest component as in "
+        f"the file, by {plain(100 * best.difference, 2)} % with this corrected"
     )
     some = [joined(each, "or") for each in mistakes[:MOST]]
     if len(mistakes) == 1:

@@ -27,7 +27,7 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.reasons import explains, names
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.measured.measurements import Measurements
-from pkmodes.support.numbers import p_in_words
+from pkmodes.support.numbers import p_in_words, plain
 
 #: A held-out error that a claim increases by this factor is reported.
 WORSE = 2.0
@@ -225,7 +225,7 @@ def remarks(
         apart = np.where(held, np.nan_to_num(np.abs(np.log(predicted / data.frequency))), 0.0)
         yield (
             "the error of the held-out poses grows from "
-            f"{100 * before.held_out_rms_relative:.2g} to {100 * after.held_out_rms_relative:.2g} %; "
+            f"{plain(100 * before.held_out_rms_relative, 2)} to {plain(100 * after.held_out_rms_relative, 2)} %; "
             f"the worst is {_row(data, int(apart.argmax()))}"
         )
 

@@ -16,6 +16,7 @@ from pkmodes.diagnosis.verdict.elsewhere import Elsewhere, Way, apart, elsewhere
 from pkmodes.diagnosis.verdict.explanations import Explanation, Named, explanations
 from pkmodes.diagnosis.verdict.findings import NextMeasurement
 from pkmodes.diagnosis.verdict.information import information, pairs
+from pkmodes.support.numbers import plain
 
 #: Number of poses to choose from.
 POSES = 80
@@ -141,7 +142,7 @@ def _nowhere(where: str, tried: Sequence[Way], found: Sequence[_Proposal], least
     ways += ", or with a load" if any(way.load for way in tried) else ""
     return (
         f"none of {where} separates the remaining explanations by {least:g} standard deviations or more{ways}: "
-        f"{' and '.join(best.measurement.separates)} differ by {best.sigmas:.2g} at most"
+        f"{' and '.join(best.measurement.separates)} differ by {plain(best.sigmas, 2)} at most"
     )
 
 

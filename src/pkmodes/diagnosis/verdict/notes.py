@@ -19,7 +19,7 @@ from pkmodes.diagnosis.search.unmeasured import never_measured
 from pkmodes.diagnosis.verdict.naming import count
 from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
-from pkmodes.support.numbers import plain
+from pkmodes.support.numbers import plain, signed, times
 
 #: Measured modes below this part of the lowest frequency of the declared model are none of its modes; fewest setups
 #: at which they are reported.
@@ -66,13 +66,13 @@ def _shapes(store: FitStore, fit: Fit) -> Iterator[str]:
         row = strange[0]
         yield (
             f"the shape in line {data.lines[row]} is not that of the mode at its frequency "
-            f"(MAC {fit.pairing.mac[row]:.2g})"
+            f"(MAC {plain(fit.pairing.mac[row], 2)})"
         )
     elif len(strange):
         lines = ", ".join(str(data.lines[i]) for i in strange[:8]) + (", ..." if len(strange) > 8 else "")
         yield (
             f"the shapes in lines {lines} are not those of the modes at their frequencies "
-            f"(MAC {fit.pairing.mac[strange].min():.2g} or more)"
+            f"(MAC {plain(fit.pairing.mac[strange].min(), 2)} or more)"
         )
 
 
@@ -82,10 +82,10 @@ def _stated_errors(store: FitStore, fit: Fit, adequate: bool) -> Iterator[str]:
         return
     ratio = (squares / degrees) ** 0.5
     if ratio < 1.0 / MISSTATED and stats.chi2.cdf(squares, degrees) < SO_SMALL:
-        factor = f"{1.0 / ratio:.2g} times" if ratio > 1e-6 else "far"
+        factor = times(1.0 / ratio) if ratio > 1e-6 else "far"
         yield f"the stated errors of the frequencies are {factor} too large: the residual scatters much less"
     elif adequate and ratio > MISSTATED:
-        yield f"the stated errors of the frequencies are {ratio:.2g} times too small"
+        yield f"the stated errors of the frequencies are {times(ratio)} too small"
 
 
 def _nuisances(fitter: Fitter, fit: Fit) -> Iterator[str]:
@@ -116,7 +116,7 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
     if fit.hypothesis.scatter:
         pattern = drift(fitter, fit)
         also = f": {pattern}" if pattern else ""
-        share = f"the modes of a pose share an error of {100 * fit.scatter:.2g} %"
+        share = f"the modes of a pose share an error of {plain(100 * fit.scatter, 2)} %"
         yield f"{share} that the file does not state{also}"
 
 
@@ -136,7 +136,11 @@ def low_modes(declared: Stage) -> list[str]:
     if setups < max(FEWEST_SETUPS, len(measured) / 2.0):
         return []
     most, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
-    where = f"at {low:.3g} Hz" if np.isclose(low, high, rtol=1e-2) else f"from {low:.3g} to {high:.3g} Hz"
+    where = (
+        f"at {plain(low, 3)} Hz"
+        if np.isclose(low, high, rtol=1e-2)
+        else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
+    )
     which = "a measured mode lies" if most == 1 else f"up to {count(most)} measured modes lie"
     at = "every" if setups == len(measured) else f"{setups} of {len(measured)}"
     held = " or something holds motions that are free in the model, such as motors or a cable"
@@ -157,13 +161,17 @@ def drift(fitter: Fitter, fit: Fit) -> str:
     if stats.spearmanr(order, means).pvalue > fitter.criteria.gate.level:
         return ""
     slope = float(np.polyfit(order, means, 1)[0])
-    return f"it drifts with the order of the poses, by {100 * slope * (len(means) - 1):+.2g} % from first to last"
+    return f"it drifts with the order of the poses, by {signed(100 * slope * (len(means) - 1))} % from first to last"
 
 
 def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
     mixed = len(set(fitter.data.drives)) > 1
     for low, high, setups, drives in never_measured(fitter, fit):
-        where = f"{low:.4g} Hz" if np.isclose(low, high, rtol=1e-3) else f"{low:.4g} to {high:.4g} Hz"
+        where = (
+            f"{plain(low, 4)} Hz"
+            if np.isclose(low, high, rtol=1e-3)
+            else f"{plain(low, 4)} to {plain(high, 4)} Hz"
+        )
         at = f"{setups} poses" + (f" with {motors([drives])}" if mixed else "")
         yield f"a mode at {where} was expected at {at} but never measured"
 

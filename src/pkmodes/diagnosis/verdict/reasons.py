@@ -11,6 +11,7 @@ from scipy import stats
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate
+from pkmodes.support.numbers import plain, signed, times
 
 #: A residual varies with the pose if the p-value of an analysis of variance is below this.
 UNEVEN = 1e-3
@@ -34,18 +35,18 @@ def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
     elif excluded:
         parts.append(f"lines {', '.join(excluded)} set aside as outliers")
     if fit.hypothesis.scatter:
-        parts.append(f"an error of {100 * fit.scatter:.2g} % that the modes of a pose share")
+        parts.append(f"an error of {plain(100 * fit.scatter, 2)} % that the modes of a pose share")
     return " and ".join(parts)
 
 
 def larger(ratio: float) -> str:
-    """Return how large errors are relative to the stated ones: "2.3 times as large as", "12 % larger than"."""
+    """Return how large errors are relative to the stated ones: "170 times as large as", "12 % larger than"."""
     percent = round(100.0 * (ratio - 1.0))
     if percent == 0:
         return "as large as"
     if abs(percent) < 50:
         return f"{abs(percent)} % {'larger' if percent > 0 else 'smaller'} than"
-    return f"{ratio:.2g} times as large as"
+    return f"{times(ratio)} as large as"
 
 
 def uneven(fitter: Fitter, fit: Fit) -> str:
@@ -66,6 +67,6 @@ def uneven(fitter: Fitter, fit: Fit) -> str:
     labels = [fitter.data.labels[fitter.data.pose[r[0]]] for r in rows]
     high, low = int(means.argmax()), int(means.argmin())
     return (
-        f"the residual varies with the pose, from {100 * means[high]:+.2g} % at {labels[high]} to "
-        f"{100 * means[low]:+.2g} % at {labels[low]}"
+        f"the residual varies with the pose, from {signed(100 * means[high])} % at {labels[high]} to "
+        f"{signed(100 * means[low])} % at {labels[low]}"
     )

@@ -36,7 +36,7 @@ from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.terms import Beyond
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
 from pkmodes.support.documents import Document
-from pkmodes.support.numbers import p_in_words
+from pkmodes.support.numbers import p_in_words, plain
 
 
 @dataclass(frozen=True)
@@ -216,7 +216,7 @@ class Diagnosis:
             rms = "" if error.rms_relative is None else f"rms {100 * error.rms_relative:.3f} %, "
             held = error.held_out_rms_relative
             apart = "" if held is None else f"held out {100 * held:.3f} %, "
-            lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {error.chi2_per_dof:.3g}")
+            lines.append(f"{stage:6} {rms}{apart}chi2 per degree of freedom {plain(error.chi2_per_dof, 3)}")
         lines += [f"note: {text}" for text in self.notes]
         if self.damping.measured:
             lines.append(f"damping: {self.damping.verdict}: {self.damping.reason}")

@@ -33,7 +33,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
     INSUFFICIENT_DATA,
     UNEXPLAINED,
 )
-from pkmodes.support.numbers import p_in_words, p_text
+from pkmodes.support.numbers import p_in_words, p_text, plain
 
 #: Largest number of other causes that a reason mentions.
 MENTIONED = 4
@@ -126,9 +126,9 @@ def unstated_error(e: Evidence) -> str:
     pattern = drift(e.fitter, e.final)
     also = f"; {pattern}" if pattern else ""
     return (
-        f"the declared model explains the residual only with an error of {100 * e.final.scatter:.2g} % that the "
-        f"modes of a pose share and the file does not state{also}: something changed between the poses, or an effect "
-        "is missing"
+        f"the declared model explains the residual only with an error of {plain(100 * e.final.scatter, 2)} % that "
+        f"the modes of a pose share and the file does not state{also}: something changed between the poses, or an "
+        "effect is missing"
     )
 
 
@@ -237,7 +237,7 @@ def not_specific(e: Evidence) -> str:
     also = f" (and so would {', '.join(others)})" if others else ""
     return (
         f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
-        f"{100 * p_value:.2g} % of such causes would look like a candidate; measure more"
+        f"{plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
     )
 
 

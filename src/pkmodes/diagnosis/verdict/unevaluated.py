@@ -13,6 +13,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
+from pkmodes.support.numbers import plain
 
 #: Largest number of bisections towards the first value that cannot be evaluated; it is reported to three digits.
 HALVINGS = 20
@@ -91,7 +92,7 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
     for i in alone or fit.free:
         p = fitter.parameters[i]
         unit = "" if p.unit == "1" else f" {p.unit}"
-        where.append((p.name, f"{'below' if after[i] < before[i] else 'above'} {before[i]:.3g}{unit}"))
+        where.append((p.name, f"{'below' if after[i] < before[i] else 'above'} {plain(before[i], 3)}{unit}"))
     subject = " + ".join(cause.name for cause in fit.causes) or "the fit"
     if [name for name, _ in where] == [subject]:
         followed = where[0][1]

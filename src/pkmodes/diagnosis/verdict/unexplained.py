@@ -60,8 +60,8 @@ def shapes_differ(e: Evidence) -> Says | None:
         return None
     line = misfit.worst_shape(e.store, e.outcome.nuisances)
     text = (
-        f"the frequencies agree with the model, but the shapes do not (chi2 per degree of freedom {shapes.ratio:.3g}"
-        f", worst in line {line}), and no candidate or pair of candidates explains both"
+        f"the frequencies agree with the model, but the shapes do not (chi2 per degree of freedom "
+        f"{plain(shapes.ratio, 3)}, worst in line {line}), and no candidate or pair of candidates explains both"
     )
     return _beside_best(e, text)
 
@@ -118,8 +118,8 @@ def nearly_all(e: Evidence) -> Says | None:
             "something else is missing as well"
         )
     text = (
-        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {before:.3g} to "
-        f"{after:.3g}), but {but}"
+        f"{names(causes)} {verb} nearly all of the residual (chi2 per degree of freedom from {plain(before, 3)} to "
+        f"{plain(after, 3)}), but {but}"
     )
     return Says.naming(text, [*causes, *pointed])
 
