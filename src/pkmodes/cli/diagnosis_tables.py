@@ -25,7 +25,7 @@ from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.numbers import p_in_words, plain
+from pkmodes.support.numbers import p_in_words, plain, rounded
 from pkmodes.support.ordering import sorted_labels
 
 #: Largest number of limits listed.
@@ -100,6 +100,11 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     The standard deviation is the one that may be relied on, with that of the fit below it.
     """
     relative = effect.relative()
+    if effect.alone is not None:
+        joint, change = effect.alone.joint, effect.alone.change
+        term = f" ({joint.term})" if joint.term else ""
+        alone = rounded(100.0 * change.value, 100.0 * change.sigma)
+        terminal.line(f"{joint.words} alone: its {joint.quantity} changes by {alone} %{term}", "  ")
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:

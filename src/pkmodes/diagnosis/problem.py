@@ -77,6 +77,27 @@ class Assumption(NamedTuple):
     words: str
 
 
+class Joint(NamedTuple):
+    """One of the equal parts of a machine that have a value each in a cause: a relative change of a declared value.
+
+    Attributes
+    ----------
+    parameter : str
+        Name of its parameter in the cause.
+    words : str
+        What it is called: "leg 3".
+    quantity : str
+        What changes: "stiffness".
+    term : str
+        The declared value that changes, as a term: "parameter:axis.3.leg.stiffness"; empty where there is none.
+    """
+
+    parameter: str
+    words: str
+    quantity: str
+    term: str = ""
+
+
 @dataclass(frozen=True)
 class Candidate:
     """A cause that may explain the residual: one parameter, or several that are tested together.
@@ -116,6 +137,9 @@ class Candidate:
     starts : tuple of tuple of float
         Values of its parameters from which it is fitted besides the linear estimate: of a resonator, whose mode may
         be anywhere, pairs of mass and frequency.
+    joints : tuple of Joint
+        Of a cause that has a relative change for each of several equal parts: these, one for each parameter.  Where
+        one of them alone would do as well, it is named.
     """
 
     name: str
@@ -131,6 +155,7 @@ class Candidate:
     assumes: tuple[Assumption, ...] = ()
     form: str = ""
     starts: tuple[tuple[float, ...], ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     @property
     def claimable(self) -> bool:

@@ -92,6 +92,9 @@ def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
 
 def _where(name: str, result: Diagnosis, setting: Setting) -> str:
     """Return where to look for a cause; its sentence where nobody said."""
+    if name in result.alone:
+        alone, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
+        return f"{alone.joint.words}, which is {alone.compared}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
     for beginning, where in WHERE_ELSE.items():
@@ -255,7 +258,7 @@ def _explanation(name: str, result: Diagnosis) -> str:
     """Return an explanation in words, with its names."""
     if name == NOTHING_MISSING:
         return "nothing is missing"
-    return named(name, {one.name: one.sentence for one in result.candidates})
+    return named(name, result.sentences)
 
 
 def _size(result: Diagnosis) -> str:

@@ -37,7 +37,7 @@ from pkmodes.updating.corrected_robot import corrected_robot
 
 #: Sections that a reader sees without unfolding them.
 OPEN = ("errors", "causes", "modes")
-#: Most values of causes in the head.
+#: Most values of the members of a class in the head; of a cause, all are there.
 MOST = 5
 #: As in `diff`.
 NO_END = "\\ No newline at end of file"
@@ -124,7 +124,7 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
         sizes = _class_sizes(effect, i, setting) if len(effect.members) > 1 else _sizes(result, i, setting)
-        facts += sizes[: MOST - len(facts)]
+        facts += sizes
     last = "after" if result.after is not None else "refit"
     stages = {"before": (result.before, "as declared")}
     stages[last] = (
@@ -150,7 +150,11 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
 def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]]:
     """Return the values of a cause, with the standard deviations that may be relied on."""
     effect = result.effects[i]
-    facts, relative = [], effect.relative()
+    facts, relative = list[tuple[str, Cell]](), effect.relative()
+    if effect.alone is not None:
+        joint, change, at = effect.alone.joint, effect.alone.change, pointer("effects", i, "term_change")
+        cell = uncertain(change.value, change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
+        facts.append((f"{clean(joint.words)} alone: change of its {clean(joint.quantity)} [%]", cell))
     for value in relative or effect.parameters:
         own = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*own, "sigma" if relative else "saved_sigma")

@@ -40,7 +40,7 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
     *top : str
         Keys that lead to the result in the JSON: none, or that of the damping.
     """
-    sentences = {one.name: one.sentence for one in result.candidates}
+    sentences = result.sentences
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
         several = len(effect.members) > 1
@@ -53,6 +53,12 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
             entries.append(("Names" if several else "Name", [Cell(names)]))
         at = pointer(*top, "effects", i)
         entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
+        if effect.alone is not None:
+            change = effect.alone.change
+            of, place = at + pointer("term_change", "value"), at + pointer("term_change", "sigma")
+            term = f"({clean(effect.alone.joint.term)})" if effect.alone.joint.term else ""
+            value = uncertain(change.value, change.sigma, of, place, scale=100.0)
+            entries.append((f"{clean(effect.alone.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
         blocks += [Facts(entries), *_relative(effect, at, setting)]
         blocks.append(_members(effect, result.corrected, at, setting, sentences))
         if several:
@@ -315,7 +321,7 @@ def _undetectable(result: Diagnosis) -> list[Block]:
     """Return what these data neither show nor bound."""
     if not result.undetectable:
         return []
-    sentences = {one.name: one.sentence for one in result.candidates}
+    sentences = result.sentences
     return [
         Paragraph(
             "Not detectable with these data: nothing bounds them within their plausible range, and no explanation "

@@ -283,7 +283,7 @@ def _repeats(result: RecordResult) -> list[Block]:
         Picture.of(
             identified_modes.scatter_of_repeats(several),
             "Frequencies in each file",
-            f"{plural(files, 'file')}; the largest difference from a mean is {plain(100.0 * widest, 2)} %.",
+            f"{plural(files, 'file')}; the largest difference from a mean is {plain(100.0 * float(widest), 2)} %.",
             "Frequencies in each file, relative to their mean over the repeats. A file that is off in all modes was "
             f"measured elsewhere, or at another temperature.{colours}",
         )

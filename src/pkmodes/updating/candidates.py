@@ -26,6 +26,7 @@ from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
 from pkmodes.support.covariance import Prior, priors_of
 from pkmodes.support.words import in_words
 from pkmodes.updating import frame
+from pkmodes.updating.joints import joints_of
 from pkmodes.updating.kinds import with_kinds
 from pkmodes.updating.load_cases import LoadCases
 from pkmodes.updating.usual import usual, usual_factor
@@ -102,7 +103,8 @@ def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[
             what = f"{names} {is_known}: the measurements set {it} at every pose"
             raise PkmodesError(what, "candidates", f"leave {candidate.name} out")
         if left == candidate.parameters or (left and not candidate.remote):
-            kept.append(replace(candidate, parameters=left))
+            joints = tuple(joint for joint in candidate.joints if joint.parameter in left)
+            kept.append(replace(candidate, parameters=left, joints=joints))
     return kept
 
 
@@ -267,7 +269,8 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
             if suspected and not absent and not declared:
                 whole = "" if name == effect.name else effect.name
                 sentence = _sentence(effect, name, form)
-                candidates[name] = Candidate(name, tuple(paths), sentence, part_of=whole)
+                joints = joints_of(robot.mechanism, paths, form, PREFIX)
+                candidates[name] = Candidate(name, tuple(paths), sentence, part_of=whole, joints=joints)
     return candidates
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -27,6 +27,7 @@ from pkmodes.diagnosis.verdict.findings import (
     Corrected,
     Examined,
     Finding,
+    JointAlone,
     NextMeasurement,
     Refitted,
     Stability,
@@ -94,6 +95,7 @@ class _Searched:
     not_separated: str = ""
     candidates: tuple[Examined, ...] = ()
     probabilities: Probabilities | None = None
+    alone: Mapping[str, JointAlone] = field(default_factory=dict)
 
 
 class DiagnosisBuilder:
@@ -123,7 +125,7 @@ class DiagnosisBuilder:
         """Return the result of a search and its verdict."""
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
-        findings = claim.findings(self.fitter) if verdict is EFFECT_FOUND else ()
+        findings = claim.findings(self.fitter, evidence.alone) if verdict is EFFECT_FOUND else ()
         remaining = claim.remains(decision.says.instead) if verdict is AMBIGUOUS else []
         left = remaining
         if verdict is EFFECT_FOUND:
@@ -172,6 +174,7 @@ class DiagnosisBuilder:
             not_separated=not_separated,
             candidates=tested,
             probabilities=probable,
+            alone=evidence.alone if findings or remaining else {},
         )
         remarks, contradictions = self._remarks(evidence, decision), self._contradictions(models)
         unexplained = verdict is UNEXPLAINED and not decision.says.of_reading
@@ -312,6 +315,7 @@ class DiagnosisBuilder:
             next_measurement=searched.next_measurement,
             not_separated=searched.not_separated,
             candidates=searched.candidates,
+            alone=searched.alone,
             rows=self.setups.rows(declared, refit, after, models.outlying),
             scatter=0.0 if last is None else last.scatter,
             corrected=models.corrected,

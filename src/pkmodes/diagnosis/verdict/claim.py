@@ -19,7 +19,7 @@ from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
-from pkmodes.diagnosis.verdict.findings import Finding, Value
+from pkmodes.diagnosis.verdict.findings import Finding, JointAlone, Value
 from pkmodes.diagnosis.verdict.possible import member, possible, unusual
 
 #: Largest number of times that a cause is replaced by a better survivor.
@@ -85,11 +85,20 @@ class Claim:
                 return sorted(named, key=lambda group: all(name in self.implausible for name, _ in group))
         return [[(_names(fit), fit)] for fit in (self.final, *self.others)]
 
-    def findings(self, fitter: Fitter) -> tuple[Finding, ...]:
-        """Return all causes with their classes, as parts of a result."""
-        return tuple(self._finding(fitter, place, groups[0]) for place, groups in enumerate(self.grouped))
+    def findings(self, fitter: Fitter, alone: Mapping[str, JointAlone]) -> tuple[Finding, ...]:
+        """Return all causes with their classes, as parts of a result.
 
-    def _finding(self, fitter: Fitter, place: int, members: list[Fit]) -> Finding:
+        Parameters
+        ----------
+        alone : mapping of str to JointAlone
+            The one joint that explains the data as well, of each candidate that has one.
+        """
+        places = enumerate(self.grouped)
+        return tuple(self._finding(fitter, place, groups[0], alone) for place, groups in places)
+
+    def _finding(
+        self, fitter: Fitter, place: int, members: list[Fit], alone: Mapping[str, JointAlone]
+    ) -> Finding:
         cause = self.final.causes[place]
         index = {name_of(fit): fitter.indices(fit.causes[-1]) for fit in members}
         alternatives = {name_of(fit): values(fitter, fit, index[name_of(fit)]) for fit in members}
@@ -104,9 +113,12 @@ class Claim:
             parameters=alternatives[cause.name],
             alternatives={name: alternatives[name] for name in names},
             p_value=self.p_values[place],
-            sentence=cause.sentence,
+            sentence=alone[cause.name].sentence if cause.name in alone else cause.sentence,
             covariances={name: covariances[name] for name in names},
-            about={name_of(fit): member(fitter, fit, self.plausible) for fit in members},
+            about={
+                name_of(fit): member(fitter, fit, self.plausible, alone.get(name_of(fit))) for fit in members
+            },
+            alone=alone.get(cause.name),
         )
 
 

@@ -79,6 +79,17 @@ class CauseDocument(Document, frozen=True):
         dict[str, bool],
         Meta(description="For each member of the class, whether its value is one that such a part can have."),
     ]
+    term: Annotated[
+        str | None,
+        Meta(
+            description="Of a cause with a value for each of several equal parts: the declared value of the one part "
+            "that explains the data as well alone, such as parameter:axis.3.leg.stiffness; else null."
+        ),
+    ]
+    term_change: Annotated[
+        ValueDocument | None,
+        Meta(description="Relative change of that value, if it alone is the cause; null where none is."),
+    ]
     alternatives: Annotated[
         dict[str, Annotated[Values, Meta(description="Parameters of one member.")]],
         Meta(description="For each member of the class, its parameters if it were the cause."),

@@ -17,9 +17,10 @@ from pkmodes.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.claim import Claim, claim_of
-from pkmodes.diagnosis.verdict.findings import NOTICEABLE
+from pkmodes.diagnosis.verdict.claim import Claim, claim_of, name_of
+from pkmodes.diagnosis.verdict.findings import NOTICEABLE, JointAlone
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
+from pkmodes.diagnosis.verdict.joint_alone import joint_alone
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 from pkmodes.diagnosis.verdict.verdicts import Verdict
 
@@ -106,6 +107,13 @@ class Evidence:
     def held_out(self) -> HeldOut:
         """What the held-out setups say about the final fit."""
         return predicted(self.setups, self.search, self.final)
+
+    @cached_property
+    def alone(self) -> dict[str, JointAlone]:
+        """The one joint that explains the data as well, of each remaining cause with a value for each joint."""
+        fits = {name_of(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits}
+        some = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
+        return {name: found for name, found in some.items() if found is not None}
 
     @cached_property
     def by_default(self) -> list[Assumption]:

@@ -15,10 +15,11 @@ import msgspec
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives, motors_to_be
+from pkmodes.diagnosis.problem import Joint
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.verdicts import Word
 from pkmodes.support.documents import Document
-from pkmodes.support.numbers import Rounded, rounded
+from pkmodes.support.numbers import Rounded, plain, rounded
 
 
 @dataclass(frozen=True)
@@ -219,6 +220,41 @@ class Refitted:
         return cls(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
 
 
+#: What a part is that has less, and more, of a quantity than the others.
+COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
+
+
+@dataclass(frozen=True)
+class JointAlone:
+    """The one joint in which a cause with a value for each explains the data as well alone.
+
+    Attributes
+    ----------
+    change : Value
+        Relative change in this joint, if the others have none.
+    others : int
+        Number of the others.
+    """
+
+    joint: Joint
+    change: Value
+    others: int
+
+    @property
+    def compared(self) -> str:
+        """How it differs from the others: "25 % softer than the others"."""
+        percent, more = plain(100.0 * abs(self.change.value), 2), self.change.value > 0.0
+        others, quantity = "the others" if self.others > 1 else "the other", self.joint.quantity
+        if quantity in COMPARED:
+            return f"{percent} % {COMPARED[quantity][more]} than {others}"
+        return f"{percent} % {'above' if more else 'below'} {others} in {quantity}"
+
+    @property
+    def sentence(self) -> str:
+        """What it means: "leg 3 is 25 % softer than the others"."""
+        return f"{self.joint.words} is {self.compared}"
+
+
 @dataclass(frozen=True)
 class Finding:
     """One cause that was found.
@@ -239,6 +275,8 @@ class Finding:
         For each member, the covariance of its parameters, in their order.
     about : mapping of str to Member
         How its members are named, and whether their values are plausible.
+    alone : JointAlone or None
+        The one joint in which it explains the data as well alone.
     """
 
     name: str
@@ -249,6 +287,7 @@ class Finding:
     sentence: str
     covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
     about: Mapping[str, Member] = field(default_factory=dict)
+    alone: JointAlone | None = None
 
     def member(self, name: str) -> Member:
         """Return how a member of the class is named, and whether its value is plausible."""

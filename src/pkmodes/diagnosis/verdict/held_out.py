@@ -84,6 +84,27 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
     return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){other}")
 
 
+def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
+    """Return the p-value of the prediction errors of the held-out setups at a fit, as in the test of a result.
+
+    Parameters
+    ----------
+    search : Search
+        Of the fitted setups.
+    final : Fit
+        To these.
+    """
+    if not setups.is_held.any():
+        return 1.0
+    every, again = _fitted_to_all(setups, search, final)
+    if again is None:
+        return 0.0
+    p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
+    if p_value <= search.criteria.gate.surely:
+        _, p_value = _without_one_row(setups, every.store, again, final, p_value)
+    return p_value
+
+
 def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: Fit) -> float:
     """Return the p-value of the prediction errors of the held-out setups, without excluded rows.
 

@@ -14,25 +14,31 @@ import numpy as np
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Parameter
-from pkmodes.diagnosis.verdict.findings import Member
+from pkmodes.diagnosis.verdict.findings import JointAlone, Member
 from pkmodes.support.numbers import plain
 
 #: What a value may exceed its range by: the last digits of a fit.
 ROUNDING = 1e-6
 
 
-def member(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Member:
-    """Return the last cause of a fit as the member of a class.
+def member(
+    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], alone: JointAlone | None = None
+) -> Member:
+    """Return the last cause of a fit as the member of a class, in the words of the one joint that would do.
 
     Parameters
     ----------
     plausible : mapping of int to float
         Largest plausible deviations from the declared values, by parameter.
+    alone : JointAlone, optional
+        The one joint in which it explains the data as well.
     """
     cause = fit.causes[-1]
     why = impossible(fitter, fit, plausible) or unusual(fitter, fit)
     assumed = " and ".join(assumption.words for assumption in cause.assumes)
     of_default = f"{assumed}, not declared" if assumed else ""
+    if alone is not None:
+        return Member(cause.name, alone.sentence, implausible=why, assumed=of_default)
     return Member(cause.name, cause.sentence, cause.kind, cause.part, why, of_default)
 
 

@@ -25,6 +25,7 @@ from pkmodes.diagnosis.verdict.findings import (
     Corrected,
     Examined,
     Finding,
+    JointAlone,
     Limit,
     NextMeasurement,
     Refitted,
@@ -104,6 +105,11 @@ class Damping:
         """Whether damping was measured."""
         return self.verdict != NOT_MEASURED
 
+    @property
+    def sentences(self) -> dict[str, str]:
+        """What each candidate means."""
+        return {one.name: one.sentence for one in self.candidates}
+
     def document(self) -> DampingDocument:
         """Return it in the form described in docs/json.md."""
         return DampingDocument.of(
@@ -163,6 +169,9 @@ class Diagnosis:
         What of the refitted values a headline says beside the verdict; empty for nothing.
     rule : str
         The rule that decided, with its table (`rules`): "claims.found".  For tests and studies; not part of the JSON.
+    alone : mapping of str to JointAlone
+        The one joint that explains the data as well, of each cause that is claimed or remains and has one; it is
+        among the sentences.
     probabilities : Probabilities or None
         Of all explanations: a second opinion, on which no verdict depends.  None without a search, and where the data
         themselves are mistaken.
@@ -197,6 +206,7 @@ class Diagnosis:
     rule: str = field(default="", compare=False)
     probabilities: Probabilities | None = None
     beyond: Beyond | None = None
+    alone: Mapping[str, JointAlone] = field(default_factory=dict)
 
     _repr_html_ = Attached("pkmodes.report.notebook:of_diagnosis")
 
@@ -227,6 +237,12 @@ class Diagnosis:
     def settled(self) -> bool:
         """Whether the last model leaves only noise, so that its values correct the robot file."""
         return VERDICTS[self.verdict].settled
+
+    @property
+    def sentences(self) -> dict[str, str]:
+        """What each candidate means; where one joint would do, what it says of that."""
+        said = {one.name: one.sentence for one in self.candidates}
+        return said | {name: found.sentence for name, found in self.alone.items()}
 
     @property
     def every_cause(self) -> tuple[Finding, ...]:
@@ -316,8 +332,11 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
         key(value): FoundDocument.of(value, saved_sigma=saved.get(value.name, value.sigma))
         for value in cause.parameters
     }
+    alone = cause.alone
     return CauseDocument.of(
         cause,
+        term=(alone.joint.term or None) if alone else None,
+        term_change=ValueDocument.of(alone.change) if alone else None,
         parameters=parameters,
         covariance=[list(row) for row in cause.covariance],
         relative=_by_key(ValueDocument, cause.relative()),

@@ -288,8 +288,10 @@ def several_explanations(e: Evidence) -> Says | None:
     many = many or any(distinct(own) > most or parts_alone(own) for own in claim.own)
     if not claim.others and not many:
         return None
+    remarks = {name: found.sentence for name, found in e.alone.items()}
+    remarks |= dict.fromkeys(claim.implausible, "implausible")
     remaining = [
-        [f"{name} (implausible)" if name in claim.implausible else name for name, _ in group]
+        [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
         for group in claim.remains()
     ]
     listed = "; ".join(" or ".join(group) for group in remaining)
@@ -326,7 +328,7 @@ def causes_found(e: Evidence) -> Says:
     gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
-    found = explained(e.claim.findings(e.fitter))
+    found = explained(e.claim.findings(e.fitter, e.alone))
     return Says(f"the residual of the declared model is not noise ({p_in_words(smallest)}); {found}{aside}")
 
 

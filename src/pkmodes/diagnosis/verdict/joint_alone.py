@@ -1,0 +1,57 @@
+"""Which one: whether one joint of a cause with a value for each joint explains the data as well alone.
+
+"The legs are not equally stiff" has six values; "leg 3 is 25 % softer than the others" has one, and says where to
+look.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.search.score import score
+from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.verdict.all_setups import AllSetups
+from pkmodes.diagnosis.verdict.findings import JointAlone, Value
+from pkmodes.diagnosis.verdict.held_out import p_of_held_out
+
+
+def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | None:
+    """Return the joint in which the last cause of a fit explains the data as well alone; None if no one does.
+
+    It fits by the criterion at least as well as all joints together, leaves only noise, predicts the held-out setups,
+    and no other joint alone survives beside it.  The fits are kept apart from those of the search, on which
+    probabilities depend.
+    """
+    cause, c, fitter = fit.causes[-1], search.criteria, search.store.fitter
+    if not cause.joints:
+        return None
+    apart = Search(FitStore(fitter), search.candidates)
+    hypothesis = replace(fit.hypothesis, causes=fit.causes[:-1])
+    base = apart.store.fit(hypothesis, search.store.undone(fit, hypothesis))
+    if base is None:
+        return None
+    sigmas = dict(zip(cause.parameters, cause.sigma or (), strict=False))
+    singles = {
+        joint.parameter: Candidate(
+            f"{cause.name} of {joint.words} alone",
+            (joint.parameter,),
+            sigma=(sigmas[joint.parameter],) if joint.parameter in sigmas else None,
+        )
+        for joint in cause.joints
+    }
+    fits = apart.additions.causes(base, score(fitter, base, [*singles.values()]))
+    criterion = apart.store.criterion
+    fits = [one for one in fits if not one.at_bound and criterion(one) <= criterion(fit)]
+    if not fits or any(criterion(one) <= criterion(fits[0]) + c.search.survives for one in fits[1:]):
+        return None
+    best = fits[0]
+    if not apart.gate(best).passed or p_of_held_out(setups, apart, best) <= c.gate.surely:
+        return None
+    (name,) = best.causes[-1].parameters
+    (i,) = fitter.indices(best.causes[-1])
+    joint = next(one for one in cause.joints if one.parameter == name)
+    change = Value(name, float(best.values[i]), best.sigma_of(i), fitter.parameters[i].unit)
+    return JointAlone(joint, change, len(cause.joints) - 1)
