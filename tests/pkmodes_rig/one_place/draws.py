@@ -27,7 +27,14 @@ VALUES = {
         *("carriage.mass", "link.mass", "link.length", "belt.width", "pulley.radius", "pulley.inertia"),
         *("motor.inertia", "belt.specific_stiffness"),
     ),
-    "hexaglide": ("carriage.mass", "link.mass", "link.length", "belt.width", "pulley.inertia", "motor.inertia"),
+    "hexaglide": (
+        "carriage.mass",
+        "link.mass",
+        "link.length",
+        "belt.width",
+        "pulley.inertia",
+        "motor.inertia",
+    ),
     "rotary_delta": (
         *("arm.length", "arm.inertia", "link.length", "link.mass", "reducer.stiffness", "motor.inertia"),
     ),
@@ -58,7 +65,7 @@ SPATIAL = {
 }
 ON_RAILS, TURNING = ("linear_delta", "hexaglide"), ("hexapod", "hexaglide")
 #: Bodies of printers, with the directions in which each moves.
-PRINTERS = {
+PRINTERS: dict[str, dict[str, tuple[str, ...]]] = {
     "corexy": {"platform": PLANE, "gantry": ("",)},
     "cartesian": {"platform": PLANE, "beam": ("",)},
     "bed_slinger": {"toolhead": ("",), "bed": ("",)},
@@ -88,9 +95,7 @@ class Drawn:
         return replace(self.fault, values={self.sized_by: self.sign * size, **self.fault.values})
 
 
-def drawn(
-    mechanism: str, q: Any, kind: str, span: tuple[float, float], rng: np.random.Generator
-) -> Drawn:
+def drawn(mechanism: str, q: Any, kind: str, span: tuple[float, float], rng: np.random.Generator) -> Drawn:
     """Draw a fault of one of `KINDS` at a random place.
 
     Parameters

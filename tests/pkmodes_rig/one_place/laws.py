@@ -41,13 +41,13 @@ ITERATIONS = 6
 
 @dataclass(frozen=True)
 class Setting:
-    """A machine whose modes are measured: `poses` in the order of measurement, with `gamble` for what is drawn."""
+    """A machine whose modes are measured: `poses` in the order of measurement, with `seed` for what is drawn."""
 
     mechanism: str
     q: Any
     points: np.ndarray
     frame: float
-    gamble: int
+    seed: int
 
     def machines(self, q: Any = None) -> list[Assembly]:
         """Return the machine at all poses, with other parameters if these are given."""
@@ -57,7 +57,7 @@ class Setting:
     @property
     def rng(self) -> np.random.Generator:
         """The same draws every time."""
-        return np.random.default_rng(self.gamble)
+        return np.random.default_rng(self.seed)
 
 
 def laws_of(mechanism: str) -> tuple[str, ...]:
@@ -69,7 +69,7 @@ def laws_of(mechanism: str) -> tuple[str, ...]:
     return tuple(LAWS)
 
 
-def modes_by_law(law: str, size: float, setting: Setting) -> list[TrueModes]:
+def modes_by_law(law: str, setting: Setting, size: float) -> list[TrueModes]:
     """Return the modes at all poses of a machine that follows a law; two faults are no law of this function."""
     return _LAWS[law](size, setting)
 
@@ -109,7 +109,9 @@ def _warm_up(size: float, setting: Setting) -> list[TrueModes]:
 def _temperature_steps(size: float, setting: Setting) -> list[TrueModes]:
     blocks = np.array_split(np.arange(len(setting.points)), 3)
     levels = setting.rng.permutation([0.0, 0.5, 1.0])
-    progress = np.concatenate([np.full(len(block), level) for block, level in zip(blocks, levels, strict=True)])
+    progress = np.concatenate(
+        [np.full(len(block), level) for block, level in zip(blocks, levels, strict=True)]
+    )
     return _in_order(size, setting, progress)
 
 

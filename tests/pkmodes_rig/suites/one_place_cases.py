@@ -1,7 +1,7 @@
 """Cases of one fault at one place: the machines, and how their faults are drawn, sized and measured.
 
-A fault is sized on the rig alone: by how much it changes the frequencies beyond what the uncertain values of the robot
-file can do, each within its stated uncertainty.  No model and no diagnosis takes part.
+A fault is sized on the rig alone: by how much it changes the frequencies beyond what the uncertain values of the
+robot file can do, each within its stated uncertainty.  No model and no diagnosis takes part.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from pkmodes_rig.suites.specimens import (
     ROBOTS,
     SIX_LEGGED,
     Kind,
-    _spread,
     robot_of,
+    spread,
 )
 
 #: Standard deviation of ln f, and of shapes relative to their largest component in an ideal laboratory.
@@ -48,7 +48,7 @@ STARTS = {"mass": 1e-3, "inertia": 1e-7, "stiffness": 1e2, "compliance": 1e-9, "
 MOST = {"change": 0.5}
 LARGEST = 1e9
 #: What tells the draws of a case apart.
-OF_POSES, OF_TRUTH, OF_FAULT, OF_LABORATORY, OF_LAW = range(5)
+OF_POSES, OF_TRUTH, OF_FAULT, OF_LABORATORY = range(4)
 
 #: Printers of which the other suites have no rig.
 PRINTERS = {
@@ -58,7 +58,7 @@ PRINTERS = {
         2,
         ("x", "y"),
         ("x", "y", "p_x", "p_y"),
-        _spread(12, (0.0, 0.0), (0.3, 0.3)),
+        spread(12, (0.0, 0.0), (0.3, 0.3)),
     ),
     "bed_slinger": Kind(
         "bed-slinger.toml",
@@ -66,7 +66,7 @@ PRINTERS = {
         2,
         ("x", "y"),
         ("x", "y"),
-        _spread(12, (0.0, 0.0), (0.25, 0.21)),
+        spread(12, (0.0, 0.0), (0.25, 0.21)),
     ),
 }
 EVERY = MACHINES | PRINTERS
@@ -222,14 +222,18 @@ class _Machine:
         target = float(np.exp(rng.uniform(np.log(low), np.log(high))))
         for _ in range(DRAWS):
             if case.suite == "outside the grammar" and case.kind != "two faults":
-                gamble = int(case.rng(OF_LAW).integers(2**31)) + int(rng.integers(2**31))
+                draw = int(rng.integers(2**31))
                 q, mechanism = self.robot.parameters, case.mechanism
-                setting = Setting(mechanism, q, self.points, self.frame, gamble)
-                size = self._sized("law", target, lambda s, at=setting: modes_by_law(case.kind, s, at))
+                setting = Setting(mechanism, q, self.points, self.frame, draw)
+                follows = partial(modes_by_law, case.kind, setting)
+                size = self._sized("law", target, follows)
                 if size:
-                    return (), size, modes_by_law(case.kind, size, setting)
+                    return (), size, follows(size)
                 continue
             some = self._drawn(rng)
+            places = [place for one in some for place in one.fault.places]
+            if len(set(places)) < len(places):
+                continue
             sizes = [self._size_of(one, target) for one in some]
             if all(sizes):
                 faults = tuple(one.of_size(size) for one, size in zip(some, sizes, strict=True))
@@ -351,7 +355,11 @@ def found(
             drawn_one = Laboratory.drawn(rng, span, case.sensors, modes=NUMBERS[case.mechanism])
             laboratory = replace(drawn_one, sigma=SIGMA)
             options = laboratory.options()
-            stated, shapes, band = bool(options.pop("band_stated")), laboratory.shapes, laboratory.band or band
+            stated, shapes, band = (
+                bool(options.pop("band_stated")),
+                laboratory.shapes,
+                laboratory.band or band,
+            )
         rows = identified(modes, rng=rng, base_rigid=kind.rigid, lever=lever, **options)
         if len(rows) >= LEAST:
             break

@@ -80,7 +80,7 @@ class Kind:
     uncertain: Mapping[str, str] = field(default_factory=dict)
 
 
-def _spread(count: int, low: Sequence[float], high: Sequence[float]) -> np.ndarray:
+def spread(count: int, low: Sequence[float], high: Sequence[float]) -> np.ndarray:
     """Return poses that fill a box evenly, none on a plane of symmetry (Roberts' sequence R_d)."""
     d = len(low)
     golden = 2.0
@@ -97,7 +97,7 @@ KINDS = {
         3,
         ("x", "y", "z"),
         ("theta_1", "theta_2", "theta_3", "p_x", "p_y", "p_z"),
-        _spread(12, (-0.15, -0.15, -0.62), (0.15, 0.15, -0.42)),
+        spread(12, (-0.15, -0.15, -0.62), (0.15, 0.15, -0.42)),
     ),
     "corexy": Kind(
         "corexy-printer.toml",
@@ -105,7 +105,7 @@ KINDS = {
         2,
         ("x", "y"),
         ("x", "y", "p_x", "p_y"),
-        _spread(12, (0.0, 0.0), (0.3, 0.3)),
+        spread(12, (0.0, 0.0), (0.3, 0.3)),
     ),
 }
 
@@ -120,7 +120,7 @@ SIX_LEGGED = {
         6,
         ("x", "y", "z", "rx", "ry", "rz"),
         (*(f"l_{j}" for j in range(1, 7)), *PLATFORM),
-        _spread(12, (-0.018, -0.018, 0.232, -0.1, -0.1, -0.15), (0.018, 0.018, 0.252, 0.1, 0.1, 0.15)),
+        spread(12, (-0.018, -0.018, 0.232, -0.1, -0.1, -0.15), (0.018, 0.018, 0.252, 0.1, 0.1, 0.15)),
         {
             '[platform]\nmass = "6 kg"': "1 %",
             '[leg]\nstiffness = "1.2e7 N/m"': "2 %",
@@ -133,7 +133,7 @@ SIX_LEGGED = {
         6,
         ("x", "y", "z", "rx", "ry", "rz"),
         (*(f"x_{j}" for j in range(1, 7)), *PLATFORM),
-        _spread(12, (-0.08, -0.08, 0.1, -0.25, -0.25, -0.25), (0.08, 0.08, 0.35, 0.25, 0.25, 0.25)),
+        spread(12, (-0.08, -0.08, 0.1, -0.25, -0.25, -0.25), (0.08, 0.08, 0.35, 0.25, 0.25, 0.25)),
         {
             '[platform]\nmass = "1.1 kg"': "1 %",
             'specific_stiffness = "2.2e6 N/m"': "2 %",
