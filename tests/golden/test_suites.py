@@ -13,12 +13,13 @@ import pytest
 
 from helpers.golden.case_book import check, said
 from helpers.golden.outcomes import GOLDEN
+from pkmodes_rig.suites import one_place, one_place_judging
 from pkmodes_rig.suites.deciding import SUITES, Line, line_of, read, write
 
 #: The rule that decided each case.
 RULES = GOLDEN / "rules.jsonl"
 #: Which share of the cases of each suite is run every time: one in this many.
-EVERY = {"diagnosis": 400, "mechanisms": 200, "damping": 80, "clear": 120}
+EVERY = {"diagnosis": 400, "mechanisms": 200, "damping": 80, "clear": 120, "one_place": 300}
 
 
 @pytest.mark.slow
@@ -44,3 +45,14 @@ def test_cases_on_the_rig_are_diagnosed_as_they_were(suite: str, pytestconfig: p
     known = [line for line in lines if line[:2] in decided]
     assert known
     assert known == [decided[line[:2]] for line in known]
+
+
+@pytest.mark.slow
+@pytest.mark.compiler
+def test_faults_at_one_place_are_diagnosed_as_they_were(pytestconfig: pytest.Config) -> None:
+    """Terms and what they say; the rules of the verdict are counted on the other suites."""
+    chosen, every = list(one_place.cases()), EVERY["one_place"]
+    if not pytestconfig.getoption("whole_suites"):
+        chosen = chosen[every // 2 :: every]
+    outcomes = [one_place_judging.run(case) for case in chosen]
+    check("one_place", {key: one for o in outcomes for key, one in said(o.case, o).items()}, pytestconfig)

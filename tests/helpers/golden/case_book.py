@@ -41,6 +41,8 @@ def said(case: Any, outcome: Any) -> dict[str, dict[str, Any]]:
         found["damping"] = outcome.of_damping
     else:
         found["values"] = {name: [value, sigma] for name, value, sigma, _ in outcome.values}
+    if hasattr(outcome, "status"):
+        found["terms"] = outcome.status
     return {f"{case.label}, seed {case.seed}": found}
 
 

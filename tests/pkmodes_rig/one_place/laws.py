@@ -10,6 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from pkmodes_rig.engine import TrueModes
+from pkmodes_rig.one_place.linkage import AXES
 from pkmodes_rig.one_place.machines import Assembly, assembled
 
 #: The laws, each with the meaning of its size; "drives" are the springs of belts, reducers or legs.
@@ -189,12 +190,12 @@ def _gyroscopic(size: float, setting: Setting) -> list[TrueModes]:
 
 def _dashpot(size: float, setting: Setting) -> list[TrueModes]:
     machines, found = setting.machines(), []
-    names = [name for name, place in machines[0].places.items() if "" in place.rows]
-    place = names[int(setting.rng.integers(len(names)))]
+    every = [(name, d) for name, place in machines[0].places.items() for d in place.rows if d in ("", *AXES)]
+    name, direction = every[int(setting.rng.integers(len(every)))]
     for machine in machines:
         modes = machine.modes()
-        named = np.array([modes.shapes[name] for name in machine.rows.names])
-        moved = machine.places[place].rows[""] @ named
+        shapes = np.array([modes.shapes[coordinate] for coordinate in machine.rows.names])
+        moved = machine.places[name].rows[direction] @ shapes
         found.append(_with_velocities(modes, size * np.outer(moved, moved)))
     return found
 

@@ -98,7 +98,8 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         *_ABOUT,
         "",
-        f"Seed {outcomes[0].case.seed}. The suites were tried with the seeds {SEEN}.",
+        *([f"Seed {outcomes[0].case.seed}."] if outcomes else []),
+        f"The suites were tried with the seeds {SEEN}.",
         *_left_out(outcomes),
         "",
         "## Requirements",
@@ -139,9 +140,16 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         "## Time",
         "",
-        f"{times([o.seconds for o in outcomes])} a diagnosis; all {len(outcomes)} cases in"
-        f" {seconds / 60:.0f} min with {pool}. Times are of the wall clock and grow with what else the machine does.",
+        *_time(outcomes, seconds, pool),
     ]
+
+
+def _time(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[str]:
+    if not outcomes:
+        return ["No case was run."]
+    each = f"{times([o.seconds for o in outcomes])} a diagnosis"
+    every = f"all {len(outcomes)} cases in {seconds / 60:.0f} min with {pool}"
+    return [f"{each}; {every}. Times are of the wall clock and grow with what else the machine does."]
 
 
 _ABOUT = (
