@@ -167,9 +167,9 @@ class Effect:
         is the body that carries payloads, ``{on_carrier}`` where they are on it.
     parts : callable
         ``parts(machine)`` returns the parts it acts on; if there are none, it does not apply.
-    parameters : tuple of EffectParameter, or callable
+    parameters : tuple of EffectParameter
         An effect that releases coordinates has a ``compliance``, used by their springs; each coordinate may have
-        one of its own ``in_place_of`` it.  ``parameters(machine)`` returns those that depend on the machine.
+        one of its own ``in_place_of`` it.
     apply : callable
         ``apply(machine, parameters, released)`` adds the effect to a machine, with parameters by name and the
         released coordinates in order.
@@ -183,18 +183,21 @@ class Effect:
         Whether it only dissipates: M, K and the frequencies are those without it.
     places : tuple of str
         Indices of the released coordinates on a machine, set by `on`.
+    parameters_on : callable or None
+        ``parameters_on(machine)`` returns parameters that depend on the machine, in place of `parameters`.
     """
 
     name: str
     sentence: str
     parts: Callable[[Any], Sequence[object]]
-    parameters: tuple[EffectParameter, ...] | Callable[[Any], tuple[EffectParameter, ...]]
+    parameters: tuple[EffectParameter, ...]
     apply: Callable[[Any, Mapping[str, Symbol], tuple[Coordinate, ...]], None]
     released: Released | None = None
     grounds: bool = False
     needs: Positive | None = None
     dissipates: bool = False
     places: tuple[str, ...] = ()
+    parameters_on: Callable[[Any], tuple[EffectParameter, ...]] | None = None
 
     @property
     def order(self) -> int:
@@ -206,7 +209,7 @@ class Effect:
         parts = self.parts(machine)
         numbers = [str(number) for number in range(1, len(parts) + 1)]
         places = {"": ("",), "i": tuple(map(str, parts)), "j": tuple(numbers)}
-        declared = self.parameters(machine) if callable(self.parameters) else self.parameters
+        declared = self.parameters if self.parameters_on is None else self.parameters_on(machine)
         own = [p.on(machine) for p in declared if machine.turning is not None or not p.turning]
         parameters = [p.at(place) for p in own for place in places[_letter(p.name)]]
         released = places[_letter(self.released.name)] if self.released else ()

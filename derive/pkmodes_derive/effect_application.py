@@ -50,8 +50,11 @@ def _field(effect: Effect, parameter: EffectParameter) -> str:
 
 def _free(effect: Effect, zeros: Set[tuple[str, int]]) -> Effect:
     """Return an effect with only those coordinates that some compliance frees."""
+
     def frees(place: str) -> tuple[EffectParameter, ...]:
-        return effect.softening(place) or effect.parameters[:1]  # without a spring of its own: the first makes it
+        return (
+            effect.softening(place) or effect.parameters[:1]
+        )  # without a spring of its own: the first makes it
 
     locked = [place for place in effect.places if all((_field(effect, p), 0) in zeros for p in frees(place))]
     return replace(effect, places=tuple(place for place in effect.places if place not in locked))

@@ -125,7 +125,7 @@ class Machine:
     seats : list of Seat
         What holds bodies of closed loops.
     yielding, swinging : list of Coordinate
-        Released coordinates on which positions depend: of seats, which move the closures, and of what hangs on a body.
+        Released coordinates on which positions depend: of seats, which move closures, and of what swings on a body.
     springs : list of PlacedSpring
         Springs that effects add between bodies, or from one to ground.
     kinetic, elastic : lists of sympy.Expr
@@ -540,7 +540,9 @@ class Machine:
         beam = self.beam
         if beam is not None and beam.along in form:  # the end of a belt on what slides along the beam
             moved += [form.get(beam.across, 0) * beam.lever * of_released(c) for c in beam.released]
-        return Add(*moved, *(clamp.sign * of_released(c) for c in (clamp.released if clamp else ())))
+        if clamp is not None:
+            moved += [clamp.sign * of_released(c) for c in clamp.released]
+        return Add(*moved)
 
     def rotation(self, rotor: Rotor) -> Symbol:
         """Return the small rotation of a rotor from the reference configuration [rad]."""

@@ -40,7 +40,7 @@ class Carrier:
 
 @dataclass
 class Rod:
-    """A uniform slender rod: mass [kg] and the positions [m] of both ends; as a place of terms, its name and words."""
+    """A uniform slender rod: mass [kg] and positions [m] of both ends; as a place of terms, its name and words."""
 
     mass: Expr
     ends: tuple[Position, Position]
@@ -277,7 +277,7 @@ class Rotor:
         Name of the moment of inertia including the drive; None for no name.
     place, words : str
         Its name and words as a place of terms.
-    bearing : Clamp or None
+    bearing : Clamp
         Holds the ends of belt spans that it carries; released coordinates displace it.
     along : sequence of sympy.Expr
         Unit vector of that displacement, base frame; empty if the mechanism does not say.
@@ -288,7 +288,7 @@ class Rotor:
     name: Symbol | None = None
     place: str = ""
     words: str = ""
-    bearing: Clamp | None = None
+    bearing: Clamp = field(default_factory=lambda: Clamp())
     along: Position = ()
 
 
@@ -335,7 +335,7 @@ class Drive:
 
 @dataclass(eq=False)
 class Clamp:
-    """What holds the end of a belt span: released coordinates move it, along the span or, with sign -1, against it."""
+    """What holds the end of a belt span: released coordinates move it along the span, with sign -1 against it."""
 
     released: list[Coordinate] = field(default_factory=list)
     sign: int = 1

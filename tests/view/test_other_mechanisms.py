@@ -72,7 +72,7 @@ def five_bar(definition: str, tmp_path: Path) -> Iterator[pkmodes.Model]:
     file = tmp_path / "five_bar.py"
     file.write_text(definition, encoding="utf-8")
     (tmp_path / "robot.toml").write_text(ROBOT, encoding="utf-8")
-    with staged("five_bar", parametric(Definition("five_bar", definition, file), "five_bar.py")):
+    with staged("five_bar", parametric("five_bar", Definition("five_bar", definition, file), "five_bar.py")):
         yield pkmodes.load(tmp_path / "robot.toml")
 
 

@@ -11,7 +11,7 @@ from sympy import Add, Expr, Integer, Matrix, Symbol
 from pkmodes_derive import implicit, lagrangian
 from pkmodes_derive.assembly import energy, kinematics, statics
 from pkmodes_derive.assembly.blocks import named_block
-from pkmodes_derive.assembly.placed import with_springs
+from pkmodes_derive.assembly.placed import energy_of_springs
 from pkmodes_derive.chain import Chain
 from pkmodes_derive.differentiation import partial_derivative
 from pkmodes_derive.functions import Argument
@@ -71,14 +71,16 @@ def derive(machine: Machine) -> Derived:
     kin = kinematics.derive(machine)
     energies = energy.derive(machine, kin)
     equilibrium = statics.derive(machine, kin, energies)
-    hold = (*(d for d in kin.D if d.is_Symbol), *energies.stiffnesses)
+    of_springs, unchanged = energy_of_springs(machine, kin)
+    energies = replace(energies, V_el=energies.V_el + of_springs)
+    hold = (*(d for d in kin.D if d.is_Symbol), *energies.stiffnesses, *unchanged)
     return Derived(
         machine,
         kin,
         energies,
         equilibrium,
         _mass_matrix(machine, kin, energies),
-        with_springs(machine, kin, kin.chain.hessian(energies.V_el, machine.small, hold=hold)),
+        kin.chain.hessian(energies.V_el, machine.small, hold=hold),
         _placed(machine, kin, equilibrium.gravity_hessian),
         lagrangian.damping_matrix(energies.R, machine.rates, kin.chain),
         kin.chain.hessian(energies.V_loss, machine.small, hold=hold),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Set
 
-from sympy import Add, Symbol, default_sort_key, diff
+from sympy import Add, Integer, Symbol, default_sort_key, diff
 
 from pkmodes_derive.assembly import chapters
 from pkmodes_derive.assembly.condensed import Condensed

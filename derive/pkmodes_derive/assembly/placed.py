@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from sympy import Add, Expr, Integer, Symbol
+from sympy import Add, Expr, Integer, Rational, Symbol, default_sort_key
 
 from pkmodes_derive.assembly import energy
 from pkmodes_derive.assembly.kinematics import Kinematics
@@ -14,6 +14,7 @@ from pkmodes_derive.terms.places import Place
 from pkmodes_derive.vocabulary import AXES
 
 Row = list[Expr]
+HALF = Rational(1, 2)
 
 
 def motion(machine: Machine, kin: Kinematics, place: Place, direction: str) -> Row:
@@ -37,7 +38,9 @@ def motion(machine: Machine, kin: Kinematics, place: Place, direction: str) -> R
         moved = [(rate, energy.scalar(machine, along, tuple(place.along))) for rate, along in velocity]
     else:
         moved = [(rate, along[AXES.index(direction)]) for rate, along in velocity]
-    rows = [[factor * entry for entry in _per_rate(kin, rate, rates)] for rate, factor in moved if factor != 0]
+    rows = [
+        [factor * entry for entry in _per_rate(kin, rate, rates)] for rate, factor in moved if factor != 0
+    ]
     at_pose = kin.reference
     return [Add(*column).xreplace(at_pose) for column in zip(*rows, strict=True)] or [Integer(0)] * len(rates)
 
@@ -50,15 +53,15 @@ def _per_rate(kin: Kinematics, velocity: Expr, rates: Sequence[Symbol]) -> Row:
     return [kin.chain.derivative(velocity, rate) for rate in rates]
 
 
-def with_springs(machine: Machine, kin: Kinematics, K: list[list[Expr]]) -> list[list[Expr]]:
-    """Add the springs of effects between places to a stiffness matrix in all coordinates."""
+def energy_of_springs(machine: Machine, kin: Kinematics) -> tuple[Expr, tuple[Symbol, ...]]:
+    """Return the energy of the springs of effects between places, and values that displacements leave unchanged."""
+    V, held = [], set[Symbol]()
     for spring in machine.springs:
         for row in strains(machine, kin, spring):
-            K = [
-                [entry + spring.stiffness * a * b for entry, b in zip(line, row, strict=True)]
-                for line, a in zip(K, row, strict=True)
-            ]
-    return K
+            held.update(*(entry.free_symbols for entry in row))
+            elongation = Add(*(entry * q for entry, q in zip(row, machine.small, strict=True)))
+            V.append(HALF * spring.stiffness * elongation**2)
+    return Add(*V), tuple(sorted(held, key=default_sort_key))
 
 
 def strains(machine: Machine, kin: Kinematics, spring: PlacedSpring) -> list[Row]:
@@ -68,4 +71,3 @@ def strains(machine: Machine, kin: Kinematics, spring: PlacedSpring) -> list[Row
         ends = [motion(machine, kin, place, direction) for place in spring.places]
         rows.append(ends[0] if len(ends) == 1 else [a - b for a, b in zip(*ends, strict=True)])
     return rows
-

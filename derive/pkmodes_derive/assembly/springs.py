@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from sympy import Add, Expr, Symbol, diff
 
 from pkmodes_derive.assembly.derived import Derived
+from pkmodes_derive.assembly.placed import strains
 from pkmodes_derive.machine import SMALL, Machine
 from pkmodes_derive.parts import Reducer, Run
 from pkmodes_description import Named
@@ -52,6 +53,11 @@ def springs(d: Derived) -> tuple[Spring, ...]:
         collected.append(_spring(d, spring.stiffness, twist, spring))
     for energy, effect in zip(machine.elastic, machine.elastic_of, strict=True):
         collected += _of_effect(d, energy, effect)
+    for placed in machine.springs:
+        (symbol,) = placed.stiffness.free_symbols
+        what = machine.vocabulary[symbol]
+        named = Named(_name(what.description), what.unit, f"spring of an effect: {what.description}")
+        collected += [Spring(named, placed.stiffness, tuple(row)) for row in strains(machine, d.kin, placed)]
     return tuple(collected)
 
 

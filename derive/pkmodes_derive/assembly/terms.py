@@ -78,13 +78,13 @@ def _described(
     term: Term, motions: _Motions, machine: Machine, mounts: Sequence[Term]
 ) -> DescribedTerm | None:
     """Return a term for the runtime; None for a mass whose weight no declared value has."""
-    effect = term.effect
-    assert callable(effect.parameters)
-    parameters = tuple(Named(p.name, p.unit, p.description) for p in effect.parameters(machine))
+    parameters = tuple(Named(p.name, p.unit, p.description) for p in term.effect.on(machine).parameters)
     given = term.name, term.form, term.sentence, parameters
     place = term.ends[0]
     if term.form == "spring":
-        directions = (term.along,) if term.along else max((e.translations for e in term.ends), key=len) or ("",)
+        directions = (
+            (term.along,) if term.along else max((e.translations for e in term.ends), key=len) or ("",)
+        )
         strains = tuple(tuple(motions.row(end, along) for end in term.ends) for along in directions)
         return DescribedTerm(*given, strains=strains)
     if term.form == "mount":
@@ -173,13 +173,18 @@ def _parts(
     mixed = [matrix[w][k] for w in index for k in range(size)]
     own = [matrix[w][w] for w in index]
     return [
-        (f"{name}_wq", (len(index), size), mixed, f"entries of {name} between each mount and every coordinate"),
+        (
+            f"{name}_wq",
+            (len(index), size),
+            mixed,
+            f"entries of {name} between each mount and every coordinate",
+        ),
         (f"{name}_ww", (len(index),), own, f"diagonal entry of {name} of each mount"),
     ]
 
 
 def _of_masses(d: Derived, index: range, size: int, masses: dict[Symbol, Expr]) -> Function:
-    """Return the derivatives of these rows of M with respect to the mass that moves with each mount, where it has one."""
+    """Return the derivatives of these rows of M with respect to the mass that moves with each mount."""
     fields = {f.name: f.symbols[0] for f in d.machine.effect_fields if f.name.startswith("mount_")}
     positions = [d.machine.released[w - d.machine.base].position.name for w in index]
     symbols = [fields.get(f"mount_{name.removeprefix('w_')}_mass") for name in positions]
@@ -188,18 +193,16 @@ def _of_masses(d: Derived, index: range, size: int, masses: dict[Symbol, Expr]) 
         return Integer(0) if symbol is None else diff(entry, symbol)
 
     pairs = list(zip(index, symbols, strict=True))
+    mixed = tuple(rate(d.M[w][k], s) for w, s in pairs for k in range(size))
     return Function(
         "mount_inertia",
         "Derivatives of the rows of M of the mounts with respect to the mass that moves with each.",
         "the kinetic energy of a bearing that yields, of which the frame has the rest",
         (),
         (
-            Output(
-                "M_wq", (len(index), size), tuple(rate(d.M[w][k], s) for w, s in pairs for k in range(size)), "1", "of M_wq"
-            ),
+            Output("M_wq", (len(index), size), mixed, "1", "of M_wq"),
             Output("M_ww", (len(index),), tuple(rate(d.M[w][w], s) for w, s in pairs), "1", "of M_ww"),
         ),
         d.kin.definitions,
         in_c=False,
     )
-

@@ -26,7 +26,8 @@ def text(
     specification: Specification | None,
     outputs: Mapping[str, str],
     programs: Mapping[str, Program],
-    definition: tuple[str, str] | None = None,
+    definition: tuple[str, str | None] | None = None,
+    effects: Mapping[str, tuple[str, str]] | None = None,
 ) -> str:
     """Return the manifest of a product as JSON, keys sorted.
 
@@ -35,7 +36,10 @@ def text(
     specification : Specification or None
         The robot, None for a parametric model.
     definition : tuple of str, optional
-        For a user-defined mechanism: where the definition comes from, and its text.
+        For a user-defined mechanism: where the definition comes from, and its text; without a text for the folder of
+        a mechanism of pkmodes with effects of one's own.
+    effects : mapping, optional
+        Of effects of one's own: name and text of the copy by where the file comes from.
     """
     content: dict[str, object] = {
         "format": FORMAT,
@@ -50,8 +54,13 @@ def text(
         },
     }
     if definition is not None:
-        content["definition"] = definition[0]
-        content["sources"] = {**sources.source_digests(), f"{mechanism}.py": sources.digest(definition[1])}
+        content["definition"], own = definition
+        if own is not None:
+            content["sources"] = {**sources.source_digests(), f"{mechanism}.py": sources.digest(own)}
+    if effects:
+        content["effects"] = {path: name for path, (name, _) in effects.items()}
+        of_files = {name: sources.digest(text) for name, text in effects.values()}
+        content["sources"] = {**content["sources"], **of_files}  # type: ignore[dict-item]
     if specification is not None:
         content["robot"] = {
             "file": specification.robot_file,

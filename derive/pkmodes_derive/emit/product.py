@@ -14,6 +14,7 @@ import sympy
 import pkmodes_derive
 from pkmodes_derive import mechanisms
 from pkmodes_derive.definition import FILE_NAME
+from pkmodes_derive.effect_file import file_name
 from pkmodes_derive.emit import manifest
 from pkmodes_derive.emit.identity import Identity, limits, literal
 from pkmodes_derive.emit.program import Program, arrange
@@ -31,30 +32,34 @@ REGENERATE = "python -m pkmodes_derive generate"
 WITHOUT_EFFECTS = "without_effects"
 
 
-def parametric(mechanism: str, definition: str = "") -> dict[str, str]:
+def parametric(mechanism: str, definition: str = "", effects: Sequence[str] = ()) -> dict[str, str]:
     """Build the parametric model of a mechanism: texts by file name.
 
     Parameters
     ----------
     definition : str
         Path of the file of a user-defined mechanism, relative to the product.
+    effects : sequence of str
+        Paths of the files of its effects of one's own, in their order, relative to the product.
     """
-    of = mechanism, definition, mechanisms.source(mechanism)
-    return kept("parametric", of, lambda: _parametric(mechanism, definition))
+    of = mechanism, definition, tuple(effects), mechanisms.origin(mechanism)
+    return kept("parametric", of, lambda: _parametric(mechanism, definition, effects))
 
 
-def _parametric(mechanism: str, definition: str) -> dict[str, str]:
+def _parametric(mechanism: str, definition: str, effects: Sequence[str]) -> dict[str, str]:
     model, extended = mechanisms.base(mechanism), mechanisms.extended(mechanism)
-    own = mechanisms.source(mechanism)
-    command = f"pkmodes generate --mechanism {pasteable(definition)} {ANY_ROBOT} --out .."
+    own, of_effects = mechanisms.source(mechanism), mechanisms.own_effects(mechanism)
+    given = [f"--mechanism {pasteable(definition)}"] if own is not None else []
+    given += [f"--effect {pasteable(path)}" for path in effects]
+    command = " ".join(["pkmodes generate", *given, ANY_ROBOT, "--out .."])
     provenance = Provenance(
         name=mechanism,
         module="model",
         title=f"Dynamics of the mechanism {mechanism}, for a robot given by its parameters.",
         origin=f"the derivation of {mechanism}",
         generator=_generator(),
-        command=REGENERATE if own is None else command,
-        place="" if own is None else ", run in this folder",
+        command=command if given else REGENERATE,
+        place=", run in this folder" if given else "",
         identity=Identity(mechanism, pkmodes_derive.__version__),
     )
     beyond = f"the derivation of {mechanism} and the catalogue of effects"
@@ -103,8 +108,12 @@ def _parametric(mechanism: str, definition: str) -> dict[str, str]:
     )
     if own is not None:
         texts[FILE_NAME] = own
+    texts |= {file_name(effect): text for text, effect in of_effects}
     origin = None if own is None else (definition, own)
-    texts[manifest.FILE_NAME] = manifest.text(mechanism, mechanism, None, texts, programs, origin)
+    copied = {
+        path: (file_name(effect), text) for path, (text, effect) in zip(effects, of_effects, strict=True)
+    }
+    texts[manifest.FILE_NAME] = manifest.text(mechanism, mechanism, None, texts, programs, origin, copied)
     return texts
 
 
@@ -130,7 +139,7 @@ def _zeros(specification: Specification) -> frozenset[tuple[str, int]]:
 
 def specialised(specification: Specification) -> dict[str, str]:
     """Build the model of one robot, constants folded: texts by file name."""
-    of = specification, mechanisms.source(specification.mechanism)
+    of = specification, mechanisms.origin(specification.mechanism)
     return kept("specialised", of, lambda: _specialised(specification))
 
 
@@ -169,9 +178,11 @@ def _specialised(specification: Specification) -> dict[str, str]:
         )
         texts |= own_texts
         programs |= {f"{WITHOUT_EFFECTS}_{key}": program for key, program in own_programs.items()}
-    origin = None if own is None else (given, own)
+    origin = (given, own) if given or own is not None else None
+    of_effects = mechanisms.own_effects(specification.mechanism)
+    copied = {f"{given}/{file_name(effect)}": (file_name(effect), text) for text, effect in of_effects}
     texts[manifest.FILE_NAME] = manifest.text(
-        name, specification.mechanism, specification, texts, programs, origin
+        name, specification.mechanism, specification, texts, programs, origin, copied
     )
     return texts
 
@@ -194,7 +205,7 @@ def _without_effects(
         own = replace(provenance, constants=_constants(model, bare))
         return written((specialise(model, _values(model, bare)), own))
 
-    of = bare, replace(provenance, constants=()), mechanisms.source(bare.mechanism)
+    of = bare, replace(provenance, constants=()), mechanisms.origin(bare.mechanism)
     return kept("without_effects", of, write)
 
 

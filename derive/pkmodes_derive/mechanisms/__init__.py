@@ -14,7 +14,7 @@ from pkgutil import iter_modules
 from types import ModuleType
 from typing import TypeVar
 
-from pkmodes_derive import definition
+from pkmodes_derive import definition, effect_file
 from pkmodes_derive.assembly import models
 from pkmodes_derive.assembly.drawing import drawing as model_and_drawing
 from pkmodes_derive.assembly.held import held_motors
@@ -36,6 +36,8 @@ Zeros = frozenset[tuple[str, int]]
 
 #: User-defined mechanisms by name: text and module of the definition.
 _added: dict[str, tuple[str, ModuleType]] = {}
+#: Effects of one's own by mechanism: text and effect of each file.
+_own_effects: dict[str, tuple[tuple[str, Effect], ...]] = {}
 
 
 def names() -> tuple[str, ...]:
@@ -67,14 +69,67 @@ def add(name: str, text: str, place: str) -> None:
         return
     module = definition.read(name, text, place)
     _added[name] = text, module
+    _forget()
+    machine(name)
+
+
+def add_effects(name: str, files: Sequence[tuple[str, str]]) -> tuple[Effect, ...]:
+    """Add effects of one's own to a mechanism, in place of those that it has; with none it has its catalogue's.
+
+    Parameters
+    ----------
+    name : str
+        The mechanism.
+    files : sequence of (str, str)
+        Text of each file, and its place for messages.
+
+    Returns
+    -------
+    tuple of Effect
+
+    Raises
+    ------
+    DefinitionError
+        If a file has a mistake, or its effect does not apply to the mechanism or is not null at 0.
+    """
+    if tuple(text for text, _ in files) == tuple(text for text, _ in _own_effects.get(name, ())):
+        return tuple(effect for _, effect in _own_effects.get(name, ()))
+    _own_effects.pop(name, None)
+    _forget()
+    read: dict[str, tuple[str, Effect]] = {}
+    for text, place in files:
+        effect = effect_file.read(text, place)
+        if effect.name in read:
+            what = f'two effects have the name "{effect.name}"'
+            raise DefinitionError(what, place, "give one of them another name")
+        bare = machine(name)
+        with as_definition_errors(place, "fix the effect", f", applied to {name}"):
+            applied = machine(name, [effect]) if effect.parts(bare) else bare
+        effect_file.check(effect, bare, applied, place)
+        read[effect.name] = text, effect
+    _own_effects[name] = tuple(read.values())
+    return tuple(effect for _, effect in read.values())
+
+
+def own_effects(name: str) -> tuple[tuple[str, Effect], ...]:
+    """Return the effects of one's own that a mechanism has, each after the text of its file."""
+    return _own_effects.get(name, ())
+
+
+def _forget() -> None:
+    """Derive everything again."""
     for known in (base, extended, drawing, beyond, single, held):
         known.cache_clear()
-    machine(name)
 
 
 def source(name: str) -> str | None:
     """Return the definition of a user-defined mechanism, None for one that comes with pkmodes."""
     return _added[name][0] if name in _added else None
+
+
+def origin(name: str) -> tuple[str | None, tuple[str, ...]]:
+    """Return the texts from which a mechanism is derived beside this package: its definition, and effects."""
+    return source(name), tuple(text for text, _ in own_effects(name))
 
 
 def machine(name: str, effects: Sequence[Effect] = (), zeros: Zeros = frozenset()) -> Machine:
@@ -106,7 +161,11 @@ def _machine(module: ModuleType, name: str, effects: Sequence[Effect], zeros: Ze
 def effects(name: str) -> tuple[Effect, ...]:
     """Return the effects that apply to a mechanism, which are those with parts to act on."""
     bare = machine(name)
-    return tuple(effect for effect in catalogue() if effect.parts(bare))
+    own = tuple(effect for _, effect in own_effects(name))
+    every = (*catalogue(), *own)
+    # Those that release coordinates are last, in the order of their coordinates.
+    every = tuple(sorted(every, key=lambda effect: (effect.released is not None, effect.order)))
+    return tuple(effect for effect in every if effect.parts(bare))
 
 
 def _once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:
@@ -115,7 +174,7 @@ def _once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:
     @cache
     @wraps(derive)
     def found(name: str, *choice: object) -> T:
-        of = name, source(name), [sorted(c) if isinstance(c, frozenset) else c for c in choice]
+        of = name, *origin(name), [sorted(c) if isinstance(c, frozenset) else c for c in choice]
         return kept(derive.__name__, of, lambda: derive(name, *choice))
 
     return found

@@ -16,7 +16,7 @@ from pkmodes_derive.conditions import SINGULAR
 from pkmodes_derive.description import Margin, ParameterGroup, Requirement, Scale
 from pkmodes_derive.functions import Output
 from pkmodes_derive.machine import Extra, Machine
-from pkmodes_derive.parts import Seat, Clamp, PointMass, Rod, Run
+from pkmodes_derive.parts import Clamp, PointMass, Rod, Run, Seat
 from pkmodes_derive.rails.picture import Axis
 from pkmodes_derive.transmission_tables import geared_motor, pulley, timing_belt
 from pkmodes_derive.vectors import dot

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Literal
 
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.machine import Machine
@@ -32,7 +33,7 @@ class Term:
         A noun phrase, such as "a torsional spring between pulley 1 of axis 2 and pulley 2 of axis 2".
     """
 
-    form: str
+    form: Literal["mass", "spring", "mount", "resonator"]
     ends: tuple[Place, ...]
     along: str
     sentence: str
@@ -95,8 +96,9 @@ def _mounts(machine: Machine, known: Sequence[Place]) -> Iterator[Term]:
 
 
 def _carries_a_belt(machine: Machine, rotor: Rotor) -> bool:
+    bearing = rotor.bearing
     ends = (clamp for belt in machine.belts for run in belt.runs for _, clamp in run.ends)
-    return any(clamp is not None and rotor.bearing is not None and clamp.released is rotor.bearing.released for clamp in ends)
+    return any(clamp and clamp.released is bearing.released for clamp in ends)
 
 
 def _resonators(known: Sequence[Place]) -> Iterator[Term]:
@@ -105,4 +107,6 @@ def _resonators(known: Sequence[Place]) -> Iterator[Term]:
             kind = "a rotor on a torsional spring" if place.rotates else "a mass on a spring of its own"
             yield Term("resonator", (place,), "", f"{kind} on {place.words}")
         for along in place.translations:
-            yield Term("resonator", (place,), along, f"a mass on a spring of its own on {place.words}, along {along}")
+            yield Term(
+                "resonator", (place,), along, f"a mass on a spring of its own on {place.words}, along {along}"
+            )

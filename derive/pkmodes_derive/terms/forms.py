@@ -8,8 +8,9 @@ With v the velocity of a place, :math:`\delta` its small displacement and e a di
     V = \frac{w^2}{2 c}, \qquad
     T = \tfrac12 m (v + e \dot y)^2, \quad V = \tfrac12 m (2 \pi f)^2 y^2,
 
-a mass with its weight, a spring that is relaxed at the pose, a released displacement w of the bearing, with which the
-body and what is fastened to it moves, and a mass on a spring of its own, which follows its body in all other directions.
+a mass with its weight, a spring that is relaxed at the pose, a released displacement w of the bearing, with which
+the body and what is fastened to it moves, and a mass on a spring of its own, which follows its body in all other
+directions.
 """
 
 from __future__ import annotations
@@ -151,7 +152,9 @@ def resonator(place: str, along: str = "", *, name: str = "", sentence: str = ""
         return _inertia(body, "swinging"), f
 
     known = name or "_".join(["resonator", place, *([along] if along else [])])
-    free = Released(f"y_{place}{along}", "m", f"displacement relative to {place}", "y", order=ORDER, sprung=False)
+    free = Released(
+        f"y_{place}{along}", "m", f"displacement relative to {place}", "y", order=ORDER, sprung=False
+    )
     return _effect(known, sentence, (place,), parameters, apply, released=free, along=along)
 
 
@@ -179,7 +182,8 @@ def _effect(
         name=name,
         sentence=sentence or name.replace("_", " "),
         parts=parts,
-        parameters=lambda machine: tuple(
+        parameters=(),
+        parameters_on=lambda machine: tuple(
             replace(p, symbol=f"{p.symbol}_{name}", latex=rf"{p.latex}") for p in parameters(machine)
         ),
         apply=apply,
@@ -222,7 +226,6 @@ def _load(machine: Machine, place: Place, m: Symbol) -> None:
 
 def _yield_bearing(machine: Machine, rotor: Rotor, w: Coordinate, m: Symbol) -> None:
     """Displace the bearing of a pulley, with a mass that otherwise counts as the frame's."""
-    assert rotor.bearing is not None
     rotor.bearing.released.append(w)
     along = rotor.along or _zero()
     machine.add_kinetic(m * (HALF * w.rate**2 + w.rate * dot(along, machine.frame_rate)))

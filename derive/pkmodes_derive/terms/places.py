@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sympy import Expr, Integer, Rational, Symbol
+from sympy import Expr, Rational, Symbol
 
 from pkmodes_derive.machine import Machine
-from pkmodes_derive.parts import Arm, LegPart, PointMass, Position, Rod, Rotor, Seat
+from pkmodes_derive.parts import Arm, Position, Seat
 from pkmodes_derive.vocabulary import AXES
 
 #: The place of the frame, which moves with the effect ``frame_compliance``.
@@ -113,7 +113,11 @@ def _places(m: Machine) -> Iterator[Place]:
 
 def _slide(m: Machine, position: Position) -> tuple[Expr, ...]:
     """Return the unit vector along which a body slides whose position is linear in one coordinate; else nothing."""
-    moving = {s for c in position for s in c.free_symbols} & {*m.independent, *m.dependent, *m.chain.definitions}
+    moving = {s for c in position for s in c.free_symbols} & {
+        *m.independent,
+        *m.dependent,
+        *m.chain.definitions,
+    }
     if len(moving) != 1 or not moving <= set(m.independent):
         return ()
     (q,) = moving
@@ -124,5 +128,3 @@ def _slide(m: Machine, position: Position) -> tuple[Expr, ...]:
 def _words(name: str) -> str:
     stem, *numbers = name.split("_")
     return " ".join([stem, *numbers])
-
-

@@ -46,8 +46,19 @@ class GenerateDocument(Document, frozen=True):
     type=FILE,
     help="A mechanism of your own: the Python file that defines it, or the folder that was generated from it.",
 )
+@click.option(
+    "--effect",
+    "effects",
+    metavar="FILE.py",
+    type=FILE,
+    multiple=True,
+    help="An effect of your own beside the catalogue's: a file of diagnose --save-effect, or as in "
+    "docs/adding-an-effect.md.  May be given several times.",
+)
 @json_option
-def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | None) -> None:
+def generate(
+    robot: Path, out: str, mechanism: Path | None, effects: tuple[Path, ...], json_file: str | None
+) -> None:
     """Derive and write a model specialised to one robot.
 
     The output is a NumPy module, a C99 source with its header, and a manifest.  The module needs only NumPy and the
@@ -55,15 +66,16 @@ def generate(robot: Path, out: str, mechanism: Path | None, json_file: str | Non
     without the effects.  Other files in the folder are not touched.
 
     A mechanism of your own is defined by a Python file (docs/adding-a-mechanism.md).  Its code is written to the
-    folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.
+    folder DIR/<name>, which the other commands accept as --mechanism DIR/<name>.  So is the code of a mechanism of
+    pkmodes with an effect of your own.
     """
     from pkmodes.codegen.generation import generate as generate_model
 
-    check_targets(json_file, [robot, mechanism])
+    check_targets(json_file, [robot, mechanism, *effects])
     if not out.strip():
         raise OutputError("expected a folder, found an empty name", "--out", "name a folder for the model")
     say("deriving the model")
-    written = generate_model(robot, Path(out), mechanism)
+    written = generate_model(robot, Path(out), mechanism, effects)
     files = [path.relative_to(out).as_posix() for path in written]
     document = GenerateDocument(robot=str(robot), out=str(Path(out)), files=files)
     deliver(json_file, document.as_json(), lambda: list(map(echo, written)))

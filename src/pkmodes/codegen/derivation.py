@@ -7,7 +7,7 @@ must work without SymPy.
 from __future__ import annotations
 
 import shlex
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.resources import files
@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 from types import ModuleType
 
 from pkmodes.core.base.errors import MissingExtraError, PkmodesError
-from pkmodes.core.mechanism.packages import DEFINITION, GIVE
+from pkmodes.core.mechanism.packages import DEFINITION, GIVE, effect_files
 from pkmodes.core.mechanism.registry import Mechanism, supplied, temporarily_registered
 from pkmodes.support.writing import write_files
 
@@ -95,7 +95,7 @@ def define(definition: Definition) -> None:
 
 def definition_of(mechanism: Mechanism) -> Definition | None:
     """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
-    if mechanism.name in supplied():
+    if mechanism.name in supplied():  # perhaps with effects of one's own
         return None
     file = Path(str(files(mechanism.package))) / DEFINITION
     if not file.is_file():
@@ -116,22 +116,51 @@ def as_pkmodes_errors() -> Iterator[None]:
         raise PkmodesError(error.what, error.where, error.remedy) from None
 
 
-def parametric(definition: Definition, reference: str) -> dict[str, str]:
-    """Derive a user-defined mechanism and return the texts of its package by file name.
-
-    Parameters
-    ----------
-    reference : str
-        Path of its file relative to the package folder.
+def add_effects(name: str, files: Sequence[Definition]) -> None:
+    """Give a mechanism of the derivation effects of one's own, and no others.
 
     Raises
     ------
     PkmodesError
-        If the definition is invalid.
+        If one is invalid; the message gives the line.
     """
-    define(definition)
     with as_pkmodes_errors():
-        texts: dict[str, str] = derivation("emit.product").parametric(definition.name, reference)
+        derivation("mechanisms").add_effects(name, [(one.text, str(one.file)) for one in files])
+
+
+def effects_of(mechanism: Mechanism) -> list[Definition]:
+    """Return the effects of one's own that are stored with a mechanism's code."""
+    return [read_definition(file) for file in effect_files(mechanism.package)]
+
+
+def parametric(
+    name: str,
+    definition: Definition | None,
+    reference: str = "",
+    effects: Mapping[str, Definition] | None = None,
+) -> dict[str, str]:
+    """Derive a mechanism with a definition or effects of one's own: texts of its package by file name.
+
+    Parameters
+    ----------
+    definition : Definition or None
+        None for a mechanism of pkmodes.
+    reference : str
+        Path of its file relative to the package folder.
+    effects : mapping, optional
+        Files of effects by their paths relative to the package folder.
+
+    Raises
+    ------
+    PkmodesError
+        If the definition, or an effect, is invalid.
+    """
+    files = dict(effects or {})
+    if definition is not None:
+        define(definition)
+    add_effects(name, list(files.values()))
+    with as_pkmodes_errors():
+        texts: dict[str, str] = derivation("emit.product").parametric(name, reference, tuple(files))
     return texts
 
 

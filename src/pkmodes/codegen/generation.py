@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+import tomllib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from pkmodes.codegen.derivation import (
     Definition,
+    add_effects,
     as_pkmodes_errors,
     define,
     definition_of,
     derivation,
+    effects_of,
     parametric,
     read_definition,
     staged,
@@ -30,7 +33,7 @@ from pkmodes.codegen.product_folder import (
 )
 from pkmodes.core.base.errors import OutputError, PkmodesError, shown
 from pkmodes.core.mechanism.packages import folder_of
-from pkmodes.core.mechanism.registry import add_folder
+from pkmodes.core.mechanism.registry import add_folder, names
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.motors import springs_on_motors
@@ -49,6 +52,7 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     own = definition_of(robot.mechanism)
     if own is not None:
         define(own)
+    add_effects(robot.mechanism_name, effects_of(robot.mechanism))
     return derivation("emit.specification").Specification(
         name=robot.name,
         mechanism=robot.mechanism_name,
@@ -116,8 +120,10 @@ class _Folder:
         return written
 
 
-def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list[Path]:
-    """Generate the model of one robot and, given the definition of a mechanism, the mechanism's code.
+def generate(
+    robot_file: Path, out: Path, mechanism: Path | None = None, effects: Sequence[Path] = ()
+) -> list[Path]:
+    """Generate the model of one robot and, given the definition of a mechanism or effects, the mechanism's code.
 
     Parameters
     ----------
@@ -128,6 +134,9 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
     mechanism : Path, optional
         A user-defined mechanism: either the Python file that defines it, whose code is written into the folder of
         its name in `out`, or a folder that was generated from such a file.
+    effects : sequence of Path, optional
+        Python files of effects that the mechanism is to have beside the catalogue: its code with them is written
+        into the folder of its name in `out`.
 
     Returns
     -------
@@ -144,37 +153,59 @@ def generate(robot_file: Path, out: Path, mechanism: Path | None = None) -> list
     MissingExtraError
         If SymPy or Jinja2 is not installed.
     PkmodesError
-        If the definition is invalid.
+        If the definition or an effect is invalid.
     """
-    if mechanism is not None and not mechanism.is_dir():
-        return _generate_both(robot_file, out, read_definition(mechanism))
-    if mechanism is not None:
-        add_folder(mechanism)
+    definition = None if mechanism is None or mechanism.is_dir() else read_definition(mechanism)
+    if definition is None and mechanism is not None:
+        added = add_folder(mechanism)
+        if effects:
+            return _generate_both(robot_file, out, added.name, definition_of(added), effects)
+    if definition is not None:
+        return _generate_both(robot_file, out, definition.name, definition, effects)
+    if effects:
+        return _generate_both(robot_file, out, _mechanism_name(robot_file), None, effects)
     robot = read_robot(robot_file)
     folder = _Folder.checked(out, robot_file)
     folder_of_mechanism = folder_of(robot.mechanism.package)
-    definition = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
-    texts = _texts(robot, robot_file, folder, definition)
+    reference = relative(Path(folder_of_mechanism), out) if folder_of_mechanism else ""
+    texts = _texts(robot, robot_file, folder, reference)
     with alone(out):
         folder.check_again(texts)
         return folder.write(texts)
 
 
-def _generate_both(robot_file: Path, out: Path, definition: Definition) -> list[Path]:
+def _mechanism_name(robot_file: Path) -> str:
+    """Return the mechanism of a robot file, which may have effects that the mechanism is only to get."""
+    try:
+        name = tomllib.loads(robot_file.read_text(encoding="utf-8-sig"))["mechanism"]
+    except (OSError, ValueError, KeyError):
+        name = None
+    return name if isinstance(name, str) and name in names() else read_robot(robot_file).mechanism_name
+
+
+def _generate_both(
+    robot_file: Path, out: Path, name: str, definition: Definition | None, effects: Sequence[Path]
+) -> list[Path]:
     """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
-    package = out / definition.name
-    outer = _Folder.checked(out, robot_file, definition.file, package)
+    package = out / name
+    more = [read_definition(path) for path in effects]
+    given = [] if definition is None else [definition.file]
+    outer = _Folder.checked(out, robot_file, *given, *effects, package)
     check_no_link(package)
     inner = _Folder.checked(package)
-    check_mechanism(package, inner.recorded, definition.name)
-    of_mechanism = parametric(definition, relative(definition.file, package))
-    with staged(definition.name, of_mechanism):
+    check_mechanism(package, inner.recorded, name)
+    references = {relative(one.file, package): one for one in more}
+    of_definition = "" if definition is None else relative(definition.file, package)
+    of_mechanism = parametric(name, definition, of_definition, references)
+    with staged(name, of_mechanism):
         robot = read_robot(robot_file)
-        if robot.mechanism_name != definition.name:
-            what = f"the robot is a {robot.mechanism_name}, not a {definition.name}"
-            remedy = f'write mechanism = "{definition.name}", or leave --mechanism out'
+        if robot.mechanism_name != name:
+            what = f"the robot is a {robot.mechanism_name}, not a {name}"
+            remedy = f'write mechanism = "{name}", or leave --mechanism out'
             raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
-        of_robot = _texts(robot, robot_file, outer, relative(definition.file, out))
+        whole = definition is not None and not more
+        reference = relative(definition.file, out) if whole and definition is not None else name
+        of_robot = _texts(robot, robot_file, outer, reference)
     with alone(out):
         check_no_link(package)
         inner.check_again(of_mechanism)

@@ -1,7 +1,7 @@
 """A robot at measured poses with terms beyond its catalogue, as a structure for the diagnosis.
 
-Without a term it is the robot itself, and the rates of absent terms follow from its modes.  With one, M and K are those
-of the robot with what the term changes (`term_changes`), and everything follows from these matrices.
+Without a term it is the robot itself, and the rates of absent terms follow from its modes.  With one, M and K are
+those of the robot with what the term changes (`term_changes`), and everything follows from these matrices.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ KEPT = 4
 
 @dataclass(frozen=True)
 class PlacedTerm:
-    """A term with the indices of its parameters among those of the structure, the first of which determines its size."""
+    """A term with the indices of its parameters among those of the structure; the first determines its size."""
 
     term: Term
     index: tuple[int, ...]
@@ -468,9 +468,7 @@ class _AtSite:
         turned = turned if every.ndim == 3 else turned[:, None]
         return np.concatenate([self.system.of_model(every[..., : self.e]), every @ turned], axis=-1)
 
-    def _shape_rates(
-        self, change: Array, norm: Array, changed: Sequence[_Changed], channels: Array
-    ) -> Array:
+    def _shape_rates(self, change: Array, norm: Array, changed: Sequence[_Changed], channels: Array) -> Array:
         m = self.modes
         share = modal_expansion(change, norm, m.eigenvalues, m.shapes)
         rates = share @ channels[:, None]

@@ -49,7 +49,7 @@ class _Machine(NamedTuple):
         if term.form == "mount":
             return np.zeros((0, len(self.system.free)))
         if term.form == "spring":
-            return strains(term, self.around)[0][:, self.system.free]
+            return np.asarray(strains(term, self.around)[0][:, self.system.free])
         which = list(term.rows) or ([term.swings] if term.swings >= 0 else [])
         return np.asarray(self.around.motion[0][which][:, self.system.free])
 
@@ -194,7 +194,11 @@ def _of_robot(structure: RobotStructure, candidate: Candidate) -> Candidate:
             if path == f"effects.{effect.name}.{effect.parameters[0].name}.{q.name}":
                 sentence = f"a compliance of one joint alone: {q.description}"
                 return replace(
-                    candidate, name=f"compliance:{q.name}", sentence=sentence, form="compliance", nameable=True
+                    candidate,
+                    name=f"compliance:{q.name}",
+                    sentence=sentence,
+                    form="compliance",
+                    nameable=True,
                 )
     if candidate.name == f"parameter:{path}" and path.startswith("axis."):
         return replace(candidate, sentence=f"another value of {path}", form="parameter")

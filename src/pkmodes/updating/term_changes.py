@@ -1,9 +1,9 @@
 r"""What a term changes in M and K of a robot at poses: one form at one place, beyond the effects of the catalogue.
 
-With the displacements J of the place (generated as ``place_motion``), a mass adds :math:`m \sum J^T J` and the Hessian
-of its weight, a spring :math:`k\,J^T J`.  A mount and a resonator add a coordinate of their own: the rows of a mount
-are generated (``mount_matrices``), and a resonator is a mass that follows its place but for a displacement on its
-spring.  All of it is evaluated with numbers that may be complex, so that complex steps differentiate it exactly.
+With the displacements J of the place (generated as ``place_motion``), a mass adds :math:`m \sum J^T J` and the
+Hessian of its weight, a spring :math:`k\,J^T J`.  A mount and a resonator add a coordinate of their own: the rows of
+a mount are generated (``mount_matrices``), and a resonator is a mass that follows its place but for a displacement on
+its spring.  All of it is evaluated with numbers that may be complex, so that complex steps differentiate it exactly.
 """
 
 from __future__ import annotations
@@ -24,6 +24,8 @@ from pkmodes.updating.predictions import stepped_along
 from pkmodes_description import Term
 
 Array = NDArray[Any]
+#: Values of the parameters of a term, which may be complex.
+Values = Sequence[Any] | Array
 #: Forms that add a coordinate.
 ADDING = ("mount", "resonator")
 #: The generated parameter on which weights depend.
@@ -33,7 +35,7 @@ NEAR = 1e-3
 
 
 class Change(NamedTuple):
-    """What a term adds to M and K, (N, e + a, e + a), in all coordinates and a = 0 or 1 of its own, which comes last."""
+    """What a term adds to M and K, (N, e + a, e + a): in all coordinates and a = 0 or 1 of its own, the last."""
 
     M: Array
     K: Array
@@ -63,7 +65,8 @@ class Surroundings:
         self.system, self.points = system, points
         self._parameters, self._effects = system.parameters, system.effects
         if path is not None:
-            self._parameters, self._effects, shift = stepped_along(system.mechanism, self._parameters, self._effects, path)
+            numbers = stepped_along(system.mechanism, self._parameters, self._effects, path)
+            self._parameters, self._effects, shift = numbers
             self.points = points + STEP * 1j * shift
         self._count = len(points)
 
@@ -118,7 +121,9 @@ class Surroundings:
         parameters, effects = self._parameters, self._effects
         if raised is not None:
             parameters, effects = (_raised(one, *raised) for one in (parameters, effects))
-        M, _, K_g = Generated(self.system.mechanism.extended, parameters, effects).extended_matrices(self.points)
+        M, _, K_g = Generated(self.system.mechanism.extended, parameters, effects).extended_matrices(
+            self.points
+        )
         e = M.shape[-1]
         both = (self.system.in_basis(self._at_poses(one, (e, e))) for one in (M, K_g))
         first, second = both
@@ -139,12 +144,12 @@ def changes_along(term: Term, system: ExtendedSystem, path: ParameterPath) -> bo
     return term.form == "mount" or any(field in moving for field, _ in path.weights)
 
 
-def change_of(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+def change_of(term: Term, values: Values, at: Surroundings) -> Change:
     """Return what a term changes, for values of its parameters."""
     return _FORMS[term.form](term, values, at)
 
 
-def _mass(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+def _mass(term: Term, values: Values, at: Surroundings) -> Change:
     (m,) = values
     M, G = _inertia(term, at)
     return Change(m * M, m * G)
@@ -170,14 +175,14 @@ def strains(term: Term, at: Surroundings) -> Array:
     return np.stack(rows, axis=1)
 
 
-def _spring(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+def _spring(term: Term, values: Values, at: Surroundings) -> Change:
     (k,) = values
     rows = strains(term, at)
     K = k * (np.swapaxes(rows, -1, -2) @ rows)
     return Change(np.zeros_like(K), K)
 
 
-def _mount(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+def _mount(term: Term, values: Values, at: Surroundings) -> Change:
     """Return the rows of a mount with its spring 1/c; without it for an infinite one."""
     c, w = values[0], term.mount
     M, M_w, K, K_w, _ = at.mounts
@@ -198,7 +203,7 @@ def _bordered(row: Array, own: Array) -> Array:
     return matrix
 
 
-def _resonator(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
+def _resonator(term: Term, values: Values, at: Surroundings) -> Change:
     m, f = values
     M, G = _inertia(term, at)
     swing = at.motion[:, term.swings]
@@ -212,7 +217,7 @@ def _resonator(term: Term, values: Sequence[Any], at: Surroundings) -> Change:
     return Change(inertia, stiffness)
 
 
-_FORMS: dict[str, Callable[[Term, Sequence[Any], Surroundings], Change]] = {
+_FORMS: dict[str, Callable[[Term, Values, Surroundings], Change]] = {
     "mass": _mass,
     "spring": _spring,
     "mount": _mount,
@@ -236,7 +241,7 @@ class AtNull(NamedTuple):
     motion: Array | None
 
 
-def at_null(term: Term, values: Sequence[Any], at: Surroundings, eigenvalues: Array, shapes: Array) -> AtNull:
+def at_null(term: Term, values: Values, at: Surroundings, eigenvalues: Array, shapes: Array) -> AtNull:
     """Return the rates with respect to the size of an absent term.
 
     Parameters
@@ -248,7 +253,7 @@ def at_null(term: Term, values: Sequence[Any], at: Surroundings, eigenvalues: Ar
         In all coordinates, mass-normalised.
     """
     if term.form == "mount":
-        M, M_w, K, K_w, J = at.mounts
+        M, _, K, _, J = at.mounts
         w = term.mount
         row = M[:, w] + (values[1] * at.of_masses[0][w] if len(values) > 1 else 0.0)
         stiff = K[:, w]
@@ -274,4 +279,3 @@ def at_null(term: Term, values: Sequence[Any], at: Surroundings, eigenvalues: Ar
     inertia = shapes @ unit.M
     change = shapes @ unit.K - eigenvalues[..., None] * inertia
     return AtNull(change, np.einsum("nie,nie->ni", inertia, shapes), None)
-

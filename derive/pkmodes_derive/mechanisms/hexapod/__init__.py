@@ -112,8 +112,8 @@ def declare(m: Machine) -> None:
         ends = a[j], tuple(p[i] + lever[j][i] for i in range(3))
         base = LegPart(m_b[j], I_b[j], 0, c_b[j], f"leg_{j + 1}", f"the base part of leg {j + 1}")
         rod = LegPart(m_r[j], I_r[j], 1, -c_r[j], f"rod_{j + 1}", f"the rod of leg {j + 1}")
-        leg = m.leg(m.links[j], ends, (base, rod), j=j + 1)
-        m.seats.append(Seat(f"leg_{j + 1}", m.links[j], legs=[leg]))
+        bodies = m.leg(m.links[j], ends, (base, rod), j=j + 1)
+        m.seats.append(Seat(f"leg_{j + 1}", m.links[j], legs=[bodies]))
 
     # Transmissions --------------------------------------------------------------------------------------------
     force = m.each("f_st", "N", "static force on drive {j}", r"f_{{st,{j}}}")

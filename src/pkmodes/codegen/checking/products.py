@@ -19,7 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.codegen.checking.consistency import Check, check_consistency, check_drawing
-from pkmodes.codegen.derivation import derivation, parametric, read_definition, staged
+from pkmodes.codegen.derivation import (
+    Definition,
+    add_effects,
+    derivation,
+    parametric,
+    read_definition,
+    staged,
+)
 from pkmodes.codegen.generation import specialised, specification
 from pkmodes.codegen.product_folder import MANIFEST
 from pkmodes.core.base.errors import PkmodesError, shown
@@ -79,6 +86,7 @@ def check_committed(name: str) -> Report:
     """
     mechanism = registry.mechanism(name)
     folder = Path(str(files(mechanism.package)))
+    add_effects(name, [])
     findings = _findings_of(folder, derivation("emit.product").parametric(name))
     return Report(str(folder), findings, _checks_of_sample(mechanism), REGENERATE if findings else "")
 
@@ -96,15 +104,20 @@ def check_folder(folder: Path) -> Report:
         If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
     """
     recorded = _manifest_of(folder)
-    if "robot" not in recorded and recorded.get("product") in registry.supplied():
+    if (
+        "robot" not in recorded
+        and recorded.get("product") in registry.supplied()
+        and "effects" not in recorded
+    ):
+        add_effects(recorded["product"], [])
         findings = _findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
+    if "robot" not in recorded and ("definition" in recorded or "effects" in recorded):
+        return _check_mechanism(folder, recorded)
     if "definition" not in recorded:
         return _check_model(folder, recorded)
-    if "robot" not in recorded:
-        return _check_mechanism(folder, recorded)
     name = recorded.get("mechanism")
-    if name in registry.names():
+    if name in registry.names() and "effects" not in recorded:
         return _check_model(folder, recorded)
     inner = folder / str(name)
     if not inner.is_dir():
@@ -160,19 +173,25 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     PkmodesError
         If the definition is missing or invalid.
     """
-    name, reference = recorded.get("product"), recorded.get("definition")
-    if not isinstance(name, str) or not isinstance(reference, str):
+    name, reference = recorded.get("product"), recorded.get("definition", "")
+    of_effects = recorded.get("effects", {})
+    if not isinstance(name, str) or not isinstance(reference, str) or not isinstance(of_effects, dict):
         remedy = "generate it again with: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
         raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
-    fresh = parametric(read_definition(folder / DEFINITION, name), reference)
-    changed, unchecked = _check_definition(folder, reference, name)
+    definition = read_definition(folder / DEFINITION, name) if reference else None
+    copies = {path: read_definition(folder / str(own)) for path, own in of_effects.items()}
+    fresh = parametric(name, definition, reference, copies)
+    changed, unchecked = _check_definition(folder, reference, name) if reference else ([], [])
+    for path, copy in copies.items():
+        more, left = _check_effect(folder, path, copy)
+        changed, unchecked = [*changed, *more], [*unchecked, *left]
     findings = [*_findings_of(folder, fresh), *changed]
     with staged(name, fresh) as mechanism:
         checks = _checks_of_sample(mechanism)
     source = "FILE.py" if unchecked else pasted(folder / reference)
-    fix = (
-        f"pkmodes generate --mechanism {source} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
-    )
+    given = [f"--mechanism {source}"] if reference else []
+    given += [f"--effect {pasted(folder / path)}" for path in copies]
+    fix = f"pkmodes generate {' '.join(given)} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
     return Report(str(folder), findings, checks, fix, tuple(unchecked))
 
 
@@ -187,6 +206,18 @@ def _check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any
     if recorded.get(f"{name}.py") == digests.digest(given.text):
         return [], []
     message = f"the definition changed: {given.file.name} differs from the file this was derived from"
+    return [derivation("emit.currency").Finding("derivation", reference, message)], []
+
+
+def _check_effect(folder: Path, reference: str, copy: Definition) -> tuple[list[Any], list[str]]:
+    """Check whether the file of an effect has changed since a mechanism was derived with it."""
+    try:
+        given = read_definition(folder / reference)
+    except PkmodesError:
+        return [], [f"whether the effect {shown(reference)} has changed: it cannot be read"]
+    if given.text == copy.text:
+        return [], []
+    message = f"the effect changed: {given.file.name} differs from the file this was derived with"
     return [derivation("emit.currency").Finding("derivation", reference, message)], []
 
 

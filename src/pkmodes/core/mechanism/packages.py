@@ -22,6 +22,8 @@ GROUP = "pkmodes.mechanisms"
 OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
+#: Files of effects that the mechanism in a folder has beside the catalogue.
+EFFECT_FILES = "effect_*.py"
 FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
 GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 
@@ -64,6 +66,12 @@ def again(package: str, folder: str) -> str:
 def folder_of(package: str) -> str | None:
     """Return the folder that was imported under that name, None for any other package."""
     return _folders.get(package)
+
+
+def effect_files(package: str) -> list[Path]:
+    """Return the files of effects of one's own in the folder of a mechanism, in the order of their names."""
+    folder = folder_of(package)
+    return [] if folder is None else sorted(Path(folder).glob(EFFECT_FILES))
 
 
 def place_of(package: str) -> str:

@@ -12,7 +12,15 @@ from os import PathLike
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.mechanism.described import Mechanism, described
 from pkmodes.core.mechanism.fitting import check_code
-from pkmodes.core.mechanism.packages import OPTION, again, folder_of, imported, installed, place_of
+from pkmodes.core.mechanism.packages import (
+    OPTION,
+    again,
+    effect_files,
+    folder_of,
+    imported,
+    installed,
+    place_of,
+)
 from pkmodes_description import FILE_NAME, DescriptionError
 
 __all__ = ["Mechanism", "add", "add_folder", "mechanism", "names", "supplied", "temporarily_registered"]
@@ -82,7 +90,8 @@ def add(package: str) -> Mechanism:
         If it cannot be imported, or has the name of a mechanism of pkmodes.
     """
     added = _described_in(package)
-    if added.name in supplied() and package != f"{GENERATED}.{added.name}":
+    extended = package == f"{GENERATED}.{added.name}" or effect_files(package)
+    if added.name in supplied() and not extended:
         what = f"{shown(added.name)} is a mechanism of pkmodes already"
         raise PkmodesError(what, place_of(package), "give your mechanism another name")
     _added[added.name] = package
@@ -92,7 +101,8 @@ def add(package: str) -> Mechanism:
 def add_folder(path: str | PathLike[str]) -> Mechanism:
     """Register a mechanism that ``pkmodes generate --mechanism FILE.py ...`` wrote into a folder.
 
-    Robot files can then name it.  If the name was added before, the present content of the folder replaces it.
+    Robot files can then name it.  If the name was added before, the present content of the folder replaces it; a
+    mechanism of pkmodes with effects of one's own (``--effect FILE.py``) replaces that of pkmodes.
 
     Parameters
     ----------

@@ -41,7 +41,7 @@ class TermEvidence(Evidence):
         self.tried = tried
         rivals = sorted([*tried.fits, *tried.carried], key=store.criterion)
         surviving = survivors(search, rivals)
-        groups = [_ordered(search, group) for group in classes(store.fitter, surviving)]
+        groups = [_ordered(search, group) for group in classes(store, surviving)]
         self.groups = groups
         best = next(iter(tried.fits), tried.plain)
         final = _named(search, groups[0]) if groups else best
