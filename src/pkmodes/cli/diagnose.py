@@ -77,6 +77,13 @@ SECONDS = 5.0
 )
 @report_option
 @click.option(
+    "--no-beyond",
+    "no_beyond",
+    is_flag=True,
+    help="Try the candidates only, not one thing at one place, such as a mass on one body, where they do not explain "
+    "the measurements.",
+)
+@click.option(
     "--fail-on",
     "fail_on",
     metavar="VERDICTS",
@@ -109,6 +116,7 @@ def diagnose(
     holdout: str | None,
     save_to: Path | None,
     report_to: Path | None,
+    no_beyond: bool,
     fail_on: str | None,
     priors: tuple[str, ...],
     usable: tuple[str, ...],
@@ -148,6 +156,7 @@ def diagnose(
             candidates=names,
             holdout=held,
             progress=progress,
+            terms=not no_beyond,
         )
     unsaved = save_to is not None and not result.settled
     robot_file = ResultFile(

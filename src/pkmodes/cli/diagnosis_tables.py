@@ -20,6 +20,7 @@ from pkmodes.diagnosis.verdict.findings import (
 )
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.report.action import action
+from pkmodes.report.beyond import beyond
 from pkmodes.report.damping import factors, refitted
 from pkmodes.report.numbers import errors, values
 from pkmodes.report.setting import Setting
@@ -40,12 +41,22 @@ def show(robot: Robot, result: Diagnosis) -> None:
     terminal.show(action(result, setting))
     _explained(terminal, result)
     terminal.show(*errors(result))
+    _beyond(terminal, result, setting)
     _damping(terminal, result, setting)
     _counts(terminal, robot, result)
     if given := settings_in_words(setting, result.rows):
         terminal.line(given)
     terminal.show(*values(result, setting))
     _remarks(terminal, setting, result)
+
+
+def _beyond(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
+    """Print what one thing at one place would explain that the catalogue does not."""
+    if result.beyond is None:
+        return
+    terminal.line()
+    terminal.line(f"beyond the catalogue: {result.beyond.status}")
+    terminal.show(*beyond(result, setting))
 
 
 def _explained(terminal: Terminal, result: Diagnosis | Damping) -> None:

@@ -113,7 +113,7 @@ def _of_frequencies(
     result = builder.after_search(evidence, decision)
     if not (terms and isinstance(structure, Extensible)):
         return result
-    return with_beyond(result, beyond(structure, evidence, decision, held, progress))
+    return with_beyond(result, beyond(structure, evidence, decision, held, progress), evidence)
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:

@@ -16,6 +16,7 @@ from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import NextMeasurement, saved_as
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import same, stable
+from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Cell, Facts
 from pkmodes.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
@@ -73,7 +74,9 @@ def action(result: Diagnosis, setting: Setting) -> Facts:
 def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
     """Yield where to look for each cause, or for each explanation that remains."""
     causes = [effect.members for effect in result.effects]
-    if result.survivors:
+    if found := _beyond(result):
+        causes = [found.finding.members]
+    elif result.survivors:
         causes = [tuple(each for group in result.survivors for each in group)]
     for k, names in enumerate(causes):
         places = [
@@ -97,11 +100,18 @@ def _where(name: str, result: Diagnosis, setting: Setting) -> str:
         return f"{alone.joint.words}, which is {alone.compared}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
+    if (found := _beyond(result)) and found.forms.get(name):
+        return f"look for {clean(found.finding.member(name).words)}"
     for beginning, where in WHERE_ELSE.items():
         if name.startswith(beginning):
             path = name.removeprefix(beginning)
             return where.format(words=setting.words(path).partition(",")[0] or f"value of {clean(path)}")
     return _explanation(name, result)
+
+
+def _beyond(result: Diagnosis) -> TermClass | None:
+    """Return what was found beyond the catalogue; None where that claims a cause itself."""
+    return result.beyond.found if result.beyond is not None and not result.effects else None
 
 
 def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
@@ -183,6 +193,8 @@ def _difference(result: Diagnosis) -> list[Cell]:
 
 def _sure(result: Diagnosis) -> list[Cell]:
     """Return how sure the verdict is, what limits it, and how well the size of a cause is known."""
+    if result.beyond is not None and (found := _beyond(result)):
+        return [Cell(" ".join(map(sentence, _sure_of_terms(result.beyond, found))))]
     p, alike = _probability(result)
     likely = "the tests allow that" if p is None else f"it is {next(w for least, w in LIKELY if p >= least)}"
     said = VERDICTS[result.verdict].sure.format(likely=likely, what=_claim(result, alike))
@@ -201,6 +213,23 @@ def _sure(result: Diagnosis) -> list[Cell]:
         sentences.append(_most_probable(result, result.probabilities))
     text = " ".join(map(sentence, sentences))
     return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
+
+
+def _sure_of_terms(said: Beyond, found: TermClass) -> Iterator[str]:
+    """Yield how sure a claim beyond the catalogue is."""
+    several = len(found.finding.members) > 1
+    yield (
+        f"of {said.tried} changes at one place each that were tried where the catalogue does not explain the "
+        f"measurements, the tests leave {'these alone' if several else 'this alone'}"
+    )
+    if several:
+        yield "these data cannot tell which of the alternatives it is"
+    elif len(found.finding.parameters) == 1:
+        (value,) = found.finding.parameters
+        declared = next((one.declared for one in found.corrected if one.name == value.name), 0.0)
+        if value.value != declared:
+            part = plain(100.0 * value.sigma / abs(value.value - declared), 2)
+            yield f"how large it is, is known to {part} % (one standard deviation)"
 
 
 def _claim(result: Diagnosis, alike: bool) -> str:
@@ -258,7 +287,10 @@ def _explanation(name: str, result: Diagnosis) -> str:
     """Return an explanation in words, with its names."""
     if name == NOTHING_MISSING:
         return "nothing is missing"
-    return named(name, result.sentences)
+    sentences = dict(result.sentences)
+    for group in result.beyond.classes if result.beyond is not None else ():
+        sentences |= {name: group.finding.member(name).sentence for name in group.finding.members}
+    return named(name, sentences)
 
 
 def _size(result: Diagnosis) -> str:

@@ -15,6 +15,7 @@ from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.action import action
+from pkmodes.report.beyond import beyond
 from pkmodes.report.blocks import Block, Cell, Difference, Paragraph, Section, Summary
 from pkmodes.report.damping import damping
 from pkmodes.report.formatting import (
@@ -36,7 +37,7 @@ from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
 #: Sections that a reader sees without unfolding them.
-OPEN = ("errors", "causes", "modes")
+OPEN = ("errors", "causes", "beyond", "modes")
 #: Most values of the members of a class in the head; of a cause, all are there.
 MOST = 5
 #: As in `diff`.
@@ -57,6 +58,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
     sections = [
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),
+        *([Section("beyond", "Beyond the catalogue", terms)] if (terms := beyond(result, setting)) else []),
         *figures.sections(evidence),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),
@@ -112,6 +114,8 @@ def _of_damping(result: Diagnosis) -> list[str]:
 
 def headline(result: Diagnosis) -> str:
     """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
+    if result.beyond is not None and not result.effects and (words := result.beyond.words(naming.LONGEST)):
+        return clean(words)
     causes = clean(naming.found(result.effects, naming.LONGEST)) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""

@@ -53,6 +53,7 @@ def diagnose(
     holdout: Sequence[str] | None = None,
     priors: Mapping[str, float | str] | None = None,
     progress: Progress | None = None,
+    terms: bool = True,
 ) -> Diagnosis:
     """Find what the model of a robot lacks.
 
@@ -72,6 +73,9 @@ def diagnose(
         ``"1 mm"`` or ``"2 %"`` of the declared value; beside those of the measurements.
     progress : callable, optional
         Called with a sentence at each step.
+    terms : bool, optional
+        Whether one thing at one place, such as a mass on one body, is tried where the candidates do not explain the
+        measurements.
 
     Returns
     -------
@@ -86,7 +90,7 @@ def diagnose(
     """
     measured = MeasuredRobot.of(robot, data).where_usable()
     suspected = measured.structure(candidates, priors)
-    return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress)
+    return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress, terms=terms)
 
 
 @one_blas_thread()

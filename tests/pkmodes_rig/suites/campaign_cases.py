@@ -82,9 +82,9 @@ def run(case: CampaignCase, keep: Path | None = None) -> CampaignOutcome:
         (folder / "modes.csv").write_text(text, encoding="utf-8")
     robot = robot_of(case.robot)
     diagnosis, said = diagnosed(
-        case.names, {}, lambda: updating.diagnose(robot, measurements_of(text, robot))
+        case.names, {}, lambda: updating.diagnose(robot, measurements_of(text, robot), terms=False)
     )
-    wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot))
+    wider = updating.diagnose(robot, measurements_of(_rewritten(text, _calibrated), robot), terms=False)
     return CampaignOutcome(
         case=case,
         **said | {"state": _state(case, on.machine.losses, diagnosis)},

@@ -145,7 +145,7 @@ def _diagnosed(
     diagnosis, said = diagnosed(
         case.names,
         specimen.sizes,
-        lambda: updating.diagnose(robot, measurements_of(text, robot), holdout=holdout),
+        lambda: updating.diagnose(robot, measurements_of(text, robot), holdout=holdout, terms=False),
         same_of(case.machine),
     )
     predicted = signal(specimen, case.points, holdout=diagnosis.held_out_poses, rows=rows)

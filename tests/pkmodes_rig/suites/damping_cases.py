@@ -187,7 +187,7 @@ def run(case: Case) -> DampingOutcome:
     )
     robot = declared.with_values({"damping.ratio": DECLARED}) if what.declared else declared
     start = time.perf_counter()
-    found = updating.diagnose(robot, data)
+    found = updating.diagnose(robot, data, terms=False)
     outcome = _judged(case, what, truth, found, time.perf_counter() - start)
     if case.effects:
         of_cause = replace(specimen, values={})
@@ -197,7 +197,7 @@ def run(case: Case) -> DampingOutcome:
         return outcome
     blank = np.full(len(data.damping), np.nan)
     numbers = {**data.numbers, "damping": blank, "damping_sigma": blank}
-    without = updating.diagnose(robot, replace(data, numbers=numbers))
+    without = updating.diagnose(robot, replace(data, numbers=numbers), terms=False)
     return replace(outcome, unchanged=_of_frequencies(found) == _of_frequencies(without))
 
 

@@ -207,7 +207,7 @@ def _diagnosis(case: Case, text: str) -> Diagnosis:
     """Diagnose a specimen from the text of a file, as a user would."""
     if isinstance(case.truth, Building):
         return diagnose(case.truth.structure(), measurements(text, case.truth.channels))
-    return updating.diagnose(robot_of(case.truth.machine), measurements(text))
+    return updating.diagnose(robot_of(case.truth.machine), measurements(text), terms=False)
 
 
 def noticeable(case: Case) -> str:

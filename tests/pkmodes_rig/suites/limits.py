@@ -113,7 +113,7 @@ def run(hidden: Hidden) -> Shown:
     case, start = hidden.case, time.perf_counter()
     assert isinstance(case.truth, Specimen)
     robot = robot_of(case.truth.machine)
-    found = updating.diagnose(robot, measurements(tried(case).text))
+    found = updating.diagnose(robot, measurements(tried(case).text), terms=False)
     limits = tuple(
         (size, found.limits[name].value) for name, size in hidden.sizes.items() if name in found.limits
     )

@@ -69,7 +69,7 @@ def run(case: MechanismCase) -> MechanismOutcome:
     diagnosis, said = diagnosed(
         case.names,
         specimen.sizes,
-        lambda: updating.diagnose(robot, measurements_of(text, robot)),
+        lambda: updating.diagnose(robot, measurements_of(text, robot), terms=False),
         same_of(specimen.machine),
     )
     lacking = specimen.effects or specimen.values or specimen.outside

@@ -20,7 +20,7 @@ from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
-from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, NOTHING, UNEXPLAINED
+from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, NOTHING, UNEXPLAINED
 
 
 def beyond(
@@ -57,8 +57,8 @@ def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:
     return len(joints.intersection(causes[0].parameters)) > 1
 
 
-def with_beyond(result: Diagnosis, evidence: TermEvidence | None) -> Diagnosis:
-    """Return a diagnosis with what terms explain."""
+def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evidence) -> Diagnosis:
+    """Return a diagnosis of the catalogue with what terms explain."""
     if evidence is None:
         return result
     decision = first(BEYOND, evidence)
@@ -66,11 +66,14 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None) -> Diagnosis:
     status, count = decision.verdict, len(evidence.tried.terms)
     groups = [] if status is NOTHING else evidence.groups
     classes = _classes(evidence, groups)
-    said = Beyond(status.word, decision.says.text, count, classes, decision.rule.name)
+    best = _best_of(catalogue)
+    said = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
     if sum(map(len, groups)) > 1:
         left = [[(name_of(fit), fit) for fit in group] for group in groups]
         proposed, not_separated = next_measurement(evidence.store, None, left)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
+    elif status is FOUND:
+        result = replace(result, next_measurement=None, not_separated=status.nothing_next)
     reason = f"{words}; {result.reason}" if (words := said.words()) else result.reason
     return replace(result, beyond=said, reason=reason)
 
@@ -86,14 +89,21 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
             finding=evidence.finding(k),
             probability=float(weights[k] / weights.sum()),
             forms={name_of(fit): "".join(cause.form for cause in fit.causes) for fit in group},
-            errors={name_of(fit): _error(evidence, fit) for fit in group},
+            errors={name_of(fit): error_of(evidence, fit) for fit in group},
             corrected=builder.corrected(group[0], NO_LIMITS),
         )
         for k, group in enumerate(groups)
     )
 
 
-def _error(evidence: TermEvidence, fit: Fit) -> Error:
+def _best_of(catalogue: Evidence) -> tuple[str, Error] | None:
+    """Return the best explanation of the catalogue, claimed or not, with its errors."""
+    fits = [fit for fit in catalogue.store.tried() if fit.causes and not fit.hypothesis.remote]
+    best = min(fits, key=catalogue.store.criterion, default=None)
+    return None if best is None else (name_of(best), error_of(catalogue, best))
+
+
+def error_of(evidence: Evidence, fit: Fit) -> Error:
     """Return the errors with an explanation."""
     setups = evidence.setups
     lines = evidence.fitter.data.lines[sorted(fit.hypothesis.excluded)]

@@ -109,7 +109,8 @@ def found(e: TermEvidence) -> Says:
     p = p_in_words(min(first.p_value, first.p_candidates))
     text = explained([e.finding(0)])
     return Says(
-        f"of {len(e.tried.terms)} terms that were tried, one class explains the residual ({p}); {text}{aside}"
+        f"{text}; the residual of the declared model is not noise ({p}), and the tests leave no other of "
+        f"{len(e.tried.terms)} terms, each one form at one place{aside}"
     )
 
 
@@ -138,8 +139,8 @@ BEYOND: tuple[Rule[TermEvidence, Says], ...] = (
     Rule("beyond.leaves_more", NOTHING, leaves_more),
     Rule("beyond.shapes", NOTHING, rules.modes_of_other_shapes),
     Rule("beyond.better_shapes", NOTHING, rules.better_shapes),
-    Rule("beyond.not_significant", NOTHING, rules.not_significant),
     Rule("beyond.errors", NOTHING, rules.measurement_errors),
+    Rule("beyond.not_significant", NOTHING, rules.not_significant),
     Rule("beyond.no_value", NOTHING, rules.value_without_support),
     Rule("beyond.one_row", NOTHING, rules.one_row),
     Rule("beyond.implausible", NOTHING, implausible),

@@ -39,24 +39,26 @@ class Law(NamedTuple):
 
 def p_outside(tried: Tried, final: Fit) -> float:
     """Return the largest probability, over the kinds, that something that no term has looks like some term."""
-    fitter, plain, directions = tried.search.store.fitter, tried.plain, tried.directions
-    gain, data = plain.chi2 - final.chi2, slice(0, fitter.prior_rows.start)
+    search, plain, directions = tried.search, tried.plain, tried.directions
+    fitter, gain = search.store.fitter, plain.chi2 - final.chi2
     if gain <= 0.0:
         return 1.0
-    rng, used = np.random.default_rng(SEED), fitter.used(final.hypothesis)
+    rng, data = np.random.default_rng(SEED), slice(0, fitter.prior_rows.start)
+    used, many = fitter.used(final.hypothesis), search.criteria.claim.many
     degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
-    search = tried.search
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     kinds = [coincidence(search, final, gain, drawn, directions, degrees, final.chi2)]
-    plausible = Plausible.of(directions, float(np.sqrt(gain)))
-    along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
-    combined, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-    kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, left))
     varying = [_beside(plain, law.varying) for law in laws(tried)]
-    varying = [each for each in varying if each.any()]
-    if varying:
-        signed = np.stack([sign * each for each in varying for sign in (1.0, -1.0)], axis=1)
-        kinds.append(coincidence(search, final, gain, signed, directions, degrees, final.chi2))
+    unit = [(each[:, None] / np.linalg.norm(each), 0) for each in varying if each.any()]
+    for some in (directions, unit):
+        # A few directions do not represent what else may be wrong: a combination of them says nothing.
+        if len(some) < many:
+            continue
+        plausible = Plausible.of(some, float(np.sqrt(gain)))
+        if plausible.different >= min(many, len(plausible.axes)):
+            along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
+            combined, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, left))
     return max(kinds)
 
 

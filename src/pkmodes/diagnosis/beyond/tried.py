@@ -20,13 +20,15 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.diagnosis.search.additions import Progress
-from pkmodes.diagnosis.search.score import Directions, score
+from pkmodes.diagnosis.search.score import Directions, Score, score
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.evidence import Evidence
 
 #: Number of terms that are refitted, by their scores and by their starts, and starts from which each is.
 BEST, STARTED, FITTED = 40, 20, 3
+#: Largest relative change of a frequency for which a linear estimate suffices as a start.
+SMALL = 0.05
 #: Largest number of measurement errors that are tried beside terms, one more each time, and of terms beside which.
 ROUNDS, BESIDE = 3, 3
 #: Number of explanations of the catalogue with which terms are compared.
@@ -164,8 +166,21 @@ class _Explorer:
         each = score(self.fitter, plain, sized).each
         visible = [one for one in each if one.visible and one.gain > 0.0]
         best = sorted(visible, key=lambda one: -one.gain)[:BEST]
-        fits = self.search.additions.refitted([(plain, one) for one in best])
-        return self.store.finished([*fits, *self.store.roughly(self._started(plain))])
+        # The linear estimate suffices for small changes of modes that are all paired.
+        paired = bool((plain.pairing.partner[self.fitter.used(plain.hypothesis)] >= 0).all())
+        small = [one for one in best if paired and float(one.largest @ np.abs(one.step)) <= SMALL]
+        near = {one.candidate.name for one in small}
+        far = [one for one in best if one.candidate.name not in near]
+        self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
+        fits = self.search.additions.refitted([(plain, one) for one in far])
+        jobs = [(plain.hypothesis.adding(one.candidate), [self._moved(plain, one)]) for one in small]
+        return self.store.finished([*fits, *self.store.roughly([*jobs, *self._started(plain)])])
+
+    def _moved(self, plain: Fit, one: Score) -> Array:
+        """Return the values of a fit with the linear estimate of a term."""
+        values, index = plain.values.copy(), list(self.fitter.indices(one.candidate))
+        values[index] = np.clip(values[index] + one.step, self.fitter.lower[index], self.fitter.upper[index])
+        return values
 
     def _testable(self, plain: Fit, term: Candidate) -> bool:
         """Return whether data are left to test a term."""

@@ -81,6 +81,8 @@ class Beyond:
         Number of terms.
     classes : tuple of TermClass
         What remains; empty if nothing is claimed.
+    catalogue : tuple of str and Error, or None
+        The best explanation of the catalogue, claimed or not, and the errors with it; None if none was fitted.
     rule : str
         The rule that decided: "beyond.found".  For tests and studies; not part of the JSON.
     """
@@ -89,6 +91,7 @@ class Beyond:
     reason: str
     tried: int
     classes: tuple[TermClass, ...] = ()
+    catalogue: tuple[str, Error] | None = None
     rule: str = ""
 
     @property
