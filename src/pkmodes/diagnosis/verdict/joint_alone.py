@@ -42,12 +42,17 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
         )
         for joint in cause.joints
     }
-    fits = apart.additions.causes(base, score(fitter, base, [*singles.values()]))
     criterion = apart.store.criterion
-    fits = [one for one in fits if not one.at_bound and criterion(one) <= criterion(fit)]
-    if not fits or any(criterion(one) <= criterion(fits[0]) + c.search.survives for one in fits[1:]):
+    fits = [
+        one
+        for one in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
+        if not one.at_bound
+    ]
+    best, others = next(iter(fits), None), fits[1:]
+    if best is None or criterion(best) > criterion(fit):
         return None
-    best = fits[0]
+    if any(criterion(one) <= criterion(best) + c.search.survives for one in others):
+        return None
     if not apart.gate(best).passed or p_of_held_out(setups, apart, best) <= c.gate.surely:
         return None
     (name,) = best.causes[-1].parameters
