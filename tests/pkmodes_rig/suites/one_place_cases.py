@@ -323,8 +323,9 @@ class _Machine:
             before, after = (np.array([m.shapes[name] for name in plain.coordinates]) for m in (plain, one))
             first = plain.rigid
             moving = plain.mass_matrix @ after
+            # Without the fault a mode has size 1: an added one may look like another, but not be as large.
             size = np.sqrt(np.maximum(np.sum(after * moving, axis=0), 1e-30))
-            likeness = np.abs(before[:, first:].T @ moving) / size
+            likeness = np.abs(before[:, first:].T @ moving) / size * np.minimum(size, 1 / size)
             for i, k in zip(*linear_sum_assignment(-likeness), strict=True):
                 if one.frequencies[k] > 0:
                     change = np.log(one.frequencies[k] / plain.frequencies[first + i])
