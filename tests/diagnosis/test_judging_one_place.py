@@ -170,7 +170,7 @@ def test_a_law_of_no_size_changes_nothing_and_a_larger_one_more(law: str) -> Non
     robot, points = declared("asymmetric"), EVERY["asymmetric"].points[:4]
     setting = Setting("linear_delta", robot.parameters, points, 50.0, 3)
     plain = [modes_of("linear_delta", robot.parameters, p).frequencies[3:] for p in points]
-    sizes = {"gyroscopic": 300.0, "dashpot": 100.0}
+    sizes = {"gyroscopic": 300.0, "dashpot": 600.0}
 
     def changed(size: float) -> float:
         modes = modes_by_law(law, setting, size * sizes.get(law, 0.02))
