@@ -126,6 +126,16 @@ def test_springs_at_a_link_and_along_a_direction_act_where_it_moves() -> None:
     assert np.allclose(machine.places["platform"].rows["ry"], machine.rows.turning[1])
 
 
+def test_a_spring_from_the_platform_to_a_carriage_is_strained_by_both() -> None:
+    robot, p = robot_of("asymmetric"), MACHINES["asymmetric"].points[1]
+    fault = Fault("spring", ("platform", "carriage_2"), "x", {"stiffness": 2e4})
+    rows = [assembled("linear_delta", robot.parameters, p, some).rows for some in ((), (fault,))]
+    strain = (
+        rows[0].platform[0] - robot.parameters.direction[1][0] * rows[0].row(x_2=1.0) - rows[0].row(u_x=1.0)
+    )
+    assert np.allclose(rows[1].springs - rows[0].springs, 2e4 * np.outer(strain, strain), rtol=0, atol=1e-6)
+
+
 def machine_joint(robot: Any, p: np.ndarray, j: int) -> np.ndarray:
     """Return the vector from the platform's origin to a joint, by Rodrigues' formula."""
     angle = np.linalg.norm(p[3:])
@@ -271,7 +281,9 @@ def test_a_resonator_of_high_frequency_is_a_mass_at_its_place(
     robot, p = _robot(machine)
     rotates = "motor" in place
     size = 1e-3 if rotates else 0.02
-    stiff = Fault("resonator", (place,), direction, {"mass": size, "frequency": 1e5})
+    stiff = Fault(
+        "resonator", (place,), direction, {"inertia" if rotates else "mass": size, "frequency": 1e5}
+    )
     machine_with = assembled(robot.mechanism_name, robot.parameters, p, [stiff])
     lumped = assembled(robot.mechanism_name, robot.parameters, p)
     body = lumped.places[place]

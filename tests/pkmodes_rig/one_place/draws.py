@@ -110,12 +110,13 @@ def drawn(mechanism: str, q: Any, kind: str, span: tuple[float, float], rng: np.
     """
     some = list(_EVERY[kind](mechanism, q))
     fault = some[int(rng.integers(len(some)))]
+    amount = "inertia" if _rotates(mechanism, fault.places[0]) else "mass"
     if fault.form == "mass":
-        return Drawn(fault, "inertia" if _rotates(mechanism, fault.places[0]) else "mass")
+        return Drawn(fault, amount)
     if fault.form == "resonator":
         low, high = TUNED[0] * span[0], TUNED[1] * span[1]
         frequency = float(np.exp(rng.uniform(np.log(low), np.log(high))))
-        return Drawn(replace(fault, values={"frequency": frequency}), "mass")
+        return Drawn(replace(fault, values={"frequency": frequency}), amount)
     if fault.form == "mount":
         with_mass = fault.places[0].startswith("pulley") and rng.random() < 0.5
         values = {"mass": BLOCK * _carried(mechanism, q)} if with_mass else {}
@@ -135,7 +136,8 @@ def _carried(mechanism: str, q: Any) -> float:
 
 
 def _rotates(mechanism: str, place: str) -> bool:
-    return place.partition("_")[0] in ("pulley", *ROTATING.get(mechanism, ()))
+    """Return whether the coordinate of a body is an angle; that of a hexapod's motor is a length."""
+    return mechanism != "hexapod" and place.partition("_")[0] in ("pulley", *ROTATING.get(mechanism, ()))
 
 
 def _each(mechanism: str, stems: Sequence[str]) -> list[str]:
@@ -175,14 +177,15 @@ def _springs(mechanism: str, q: Any) -> Iterator[Fault]:
 
 
 def _between(mechanism: str, q: Any) -> Iterator[Fault]:
-    """Yield springs between two bodies that move alike: both along rails, both about their axes, or both in space."""
-    alike = [("", _pulleys(mechanism))]
+    """Yield springs between two bodies that slide, between two that rotate, and from the platform to another body."""
+    alike = [_pulleys(mechanism)]
     if mechanism in LEGS:
-        alike.append(("", _each(mechanism, SLIDING.get(mechanism, ()))))
-        alike += [("", _each(mechanism, (stem,))) for stem in ROTATING.get(mechanism, ())]
-        alike += [(d, _each(mechanism, SPATIAL[mechanism])) for d in SPACE]
-    for direction, bodies in alike:
-        yield from (Fault("spring", pair, direction) for pair in itertools.combinations(bodies, 2))
+        alike.append(_each(mechanism, SLIDING.get(mechanism, ())))
+        alike.append(_each(mechanism, ROTATING.get(mechanism, ())))
+        others = _each(mechanism, (*SLIDING.get(mechanism, ()), *SPATIAL[mechanism]))
+        yield from (Fault("spring", ("platform", body), d) for body in others for d in SPACE)
+    for bodies in alike:
+        yield from (Fault("spring", pair) for pair in itertools.combinations(bodies, 2))
 
 
 def _compliances(mechanism: str, q: Any) -> Iterator[Fault]:

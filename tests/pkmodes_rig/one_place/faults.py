@@ -4,7 +4,8 @@ The forms and what they mean on a machine:
 
 * ``mass``: a body is heavier, with its weight; a link as a uniform rod, a leg's part at its centre of mass; a body
   that rotates about its axis has more inertia.
-* ``spring``: a spring from a body to ground, or between two bodies, relaxed at the pose.
+* ``spring``: a spring from a body to ground, or between two bodies, relaxed at the pose; with a direction it is
+  strained by what the bodies are displaced along it.
 * ``compliance``: one released joint of the catalogue, such as the wind-up of one gearbox.
 * ``mount``: the bearing of a body yields: that of a pulley along the belt, away from it, of a rail or a base joint in
   a direction of the base frame.  The body's declared mass moves with it; of a pulley, a mass of its own, or none.
@@ -47,6 +48,11 @@ class Fault:
     def term(self) -> str:
         """What a diagnosis calls it."""
         return f"{self.form}:{'/'.join(self.places)}{self.direction and '.'}{self.direction}"
+
+    @property
+    def amount(self) -> float:
+        """Mass [kg] or, of a body that rotates, moment of inertia [kg m^2]."""
+        return self.values["inertia"] if "inertia" in self.values else self.values["mass"]
 
 
 def same_term(one: str, other: str) -> bool:

@@ -98,11 +98,11 @@ class Assembly:
         getattr(self, f"_{fault.form}")(fault, number)
 
     def _mass(self, fault: Fault, number: int) -> None:
-        place = self.places[fault.places[0]]
+        place, amount = self.places[fault.places[0]], fault.amount
         if place.point is None:
-            self.rows.inertia(place.rows[""], fault.values["inertia"])
+            self.rows.inertia(place.rows[""], amount)
         else:
-            self.spread(fault.values["mass"], place.lumps or ((1.0, place.point),))
+            self.spread(amount, place.lumps or ((1.0, place.point),))
 
     def _spring(self, fault: Fault, number: int) -> None:
         rows = self._moved(fault.places[0], fault.direction)
@@ -110,11 +110,14 @@ class Assembly:
             rows = rows - self._moved(fault.places[1], fault.direction)
         self.rows.spring(rows, fault.values["stiffness"])
 
-    def _moved(self, place: str, direction: str) -> np.ndarray:
-        rows = self.places[place].rows
-        if direction or "" in rows:
-            return rows[direction]
-        return np.array([rows[name] for name in AXES if name in rows])
+    def _moved(self, name: str, direction: str) -> np.ndarray:
+        place = self.places[name]
+        if direction in place.rows:
+            return place.rows[direction]
+        if direction:  # of a body that slides along another one
+            assert place.point is not None
+            return np.asarray(AXES[direction] @ place.point.motion)
+        return np.array([place.rows[axis] for axis in AXES if axis in place.rows])
 
     def _compliance(self, fault: Fault, number: int) -> None:
         (coordinate,) = fault.places
@@ -132,7 +135,7 @@ class Assembly:
         self.rows.spring(self.rows.row(**{coordinate: 1.0}), 1.0 / compliance)
 
     def _resonator(self, fault: Fault, number: int) -> None:
-        place, mass = self.places[fault.places[0]], fault.values["mass"]
+        place, mass = self.places[fault.places[0]], fault.amount
         own = self.rows.row(**{RESONATORS[number]: 1.0})
         if place.point is None:
             self.rows.inertia(place.rows[""] + own, mass)

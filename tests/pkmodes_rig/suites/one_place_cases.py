@@ -248,13 +248,20 @@ class _Machine:
         return [drawn(mechanism, q, kind, self.span, rng) for kind in kinds]
 
     def _size_of(self, one: Drawn, target: float) -> float:
-        return self._sized(one.sized_by, target, lambda size: self.modes([one.of_size(size)]))
+        heavy = one.sized_by == "mass" and not one.fault.places[0].startswith("motor")
+        most = self._heaviest if heavy else MOST.get(one.sized_by, LARGEST)
+        return self._sized(one.sized_by, target, lambda size: self.modes([one.of_size(size)]), most)
 
     # Sizes ----------------------------------------------------------------------------------------------------
 
-    def _sized(self, what: str, target: float, modes: Callable[[float], list[TrueModes]]) -> float:
+    def _sized(
+        self,
+        what: str,
+        target: float,
+        modes: Callable[[float], list[TrueModes]],
+        most: float = LARGEST,
+    ) -> float:
         """Find the size with a change within `WITHIN` of the target; 0 if there is none."""
-        most = MOST.get(what, self._heaviest if what == "mass" else LARGEST)
         low, high, size = 0.0, 0.0, STARTS[what]
         for _ in range(STEPS):
             try:
@@ -276,6 +283,7 @@ class _Machine:
 
     @property
     def _heaviest(self) -> float:
+        """The largest extra mass: that of the platform or tool head."""
         q = self.robot.parameters
         return float(q.toolhead_mass if hasattr(q, "toolhead_mass") else q.platform_mass)
 
@@ -361,7 +369,9 @@ def found(
                 laboratory.shapes,
                 laboratory.band or band,
             )
-        rows = identified(modes, rng=rng, base_rigid=kind.rigid, lever=lever, **options)
+        # A mode that does not move any of few sensors has no shape there, and is missed.
+        with np.errstate(invalid="ignore"):
+            rows = identified(modes, rng=rng, base_rigid=kind.rigid, lever=lever, **options)
         if len(rows) >= LEAST:
             break
     text = written(
