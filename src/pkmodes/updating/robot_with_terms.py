@@ -10,7 +10,7 @@ from collections import OrderedDict
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ from pkmodes.support.expansion import modal_expansion
 from pkmodes.updating.predictions import Moves, concatenated, joined
 from pkmodes.updating.robot_structure import Machines, RobotStructure
 from pkmodes.updating.term_candidates import term_candidates
-from pkmodes.updating.term_changes import Surroundings, at_null, change_of, changes_along, strains
+from pkmodes.updating.term_changes import ADDING, Surroundings, at_null, change_of, changes_along, strains
 from pkmodes_description import Term
 
 Array = NDArray[np.float64]
@@ -59,6 +59,16 @@ class _Present(NamedTuple):
 
     place: PlacedTerm
     values: Array
+
+
+class _Matrices(NamedTuple):
+    """M and K of a site with a term, in all coordinates and that of the term: see `_Modes`."""
+
+    M: Array
+    K: Array
+    free: Index
+    massless: NDArray[np.bool_]
+    rigid: int
 
 
 class _Modes(NamedTuple):
@@ -167,16 +177,80 @@ class RobotWithTerms:
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
     ) -> list[Batch]:
         """Return the modes at all poses for several sets of values; those with equally many modes form one batch."""
+        values = np.asarray(values, dtype=float)
+        batches, left = [] if any(by) else self._together(values), range(len(values))
+        done = {int(k) for batch in batches for k in batch.sets}
         groups: dict[object, list[tuple[int, Prediction]]] = {}
-        for k, (one, some) in enumerate(zip(values, by, strict=True)):
-            prediction = self.predict(one, some, shape_rates=shape_rates)
+        for k in (k for k in left if k not in done):
+            prediction = self.predict(values[k], by[k], shape_rates=shape_rates)
             finite = bool(np.isfinite(prediction.eigenvalues).all())
             size = (prediction.eigenvalues.shape[1], prediction.rigid, prediction.rates.shape[-1])
             groups.setdefault((*size, finite or k), []).append((k, prediction))
-        return [
+        return batches + [
             Batch(np.array([k for k, _ in alike]), concatenated([prediction for _, prediction in alike]))
             for alike in groups.values()
         ]
+
+    @np.errstate(over="ignore", invalid="ignore", divide="ignore")
+    def _together(self, values: Array) -> list[Batch]:
+        """Return the modes for sets of values that differ in their terms only, without derivatives, many at once."""
+        alike: dict[tuple[object, ...], list[tuple[int, _Present, list[_Matrices]]]] = {}
+        for k, one in enumerate(values):
+            present = self._present(one)
+            if present is None:
+                continue
+            sites = self._at(one[: self._own])
+            if sum(len(site.rows) for site in sites) != len(self.robot.points):
+                continue
+            changed = [self._changed(site, present) for site in sites]
+            key = (one[: self._own].tobytes(), *((c.massless.tobytes(), c.rigid) for c in changed))
+            alike.setdefault(key, []).append((k, present, changed))
+        batches = []
+        for some in alike.values():
+            sites = self._at(values[some[0][0]][: self._own])
+            prediction = self._stacked(sites, [present for _, present, _ in some], [c for *_, c in some])
+            if prediction is not None:
+                batches.append(Batch(np.array([k for k, *_ in some]), prediction))
+        return batches
+
+    def _stacked(
+        self, sites: Sequence[_Site], present: Sequence[_Present], changed: Sequence[list[_Matrices]]
+    ) -> Prediction | None:
+        """Return the modes of several terms beside one robot; None where they cannot be evaluated together."""
+        sets, setups = len(present), len(self.robot.points)
+        eigenvalues, shapes, rigid = None, None, set()
+        for s, site in enumerate(sites):
+            each = [one[s] for one in changed]
+            free, massless, count = each[0].free, each[0].massless, len(site.rows)
+            part = (..., free[:, None], free)
+            M = np.stack([one.M[part] for one in each]).reshape(sets * count, len(free), len(free))
+            K = np.stack([one.K[part] for one in each]).reshape(M.shape)
+            system = site.system
+            try:
+                levels, modes = condensed_eigh(M, K, system.first, each[0].rigid, massless)
+            except np.linalg.LinAlgError:
+                return None
+            if not np.isfinite(levels).all():
+                return None
+            every = np.zeros((sets, count, levels.shape[1], each[0].M.shape[-1]))
+            every[..., free] = modes.reshape(sets, count, levels.shape[1], len(free))
+            platform = np.stack([_platform_of(site, one.place.term) for one in present])
+            own = system.of_model(every[..., : site.matrices[0].shape[-1]])
+            channels = np.concatenate([own, every @ np.swapaxes(platform, -1, -2)], axis=-1)
+            if eigenvalues is None or shapes is None:
+                eigenvalues = np.empty((sets, setups, levels.shape[1]))
+                shapes = np.empty((sets, setups, *channels.shape[2:]))
+            if eigenvalues.shape[2] != levels.shape[1]:
+                return None
+            rigid.add(each[0].rigid)
+            eigenvalues[:, site.rows] = levels.reshape(sets, count, -1)
+            shapes[:, site.rows] = channels
+        if len(rigid) != 1 or eigenvalues is None or shapes is None:
+            return None
+        size = sets * setups
+        flat = eigenvalues.reshape(size, -1)
+        rates = np.zeros((*flat.shape, 0))
+        return Prediction(flat, rates, shapes.reshape(size, *shapes.shape[2:]), rigid.pop())
 
     def _present(self, values: Array) -> _Present | None:
         """Return the term that is present; with several, the first."""
@@ -246,6 +320,18 @@ class RobotWithTerms:
 
     def _solved(self, site: _Site, present: _Present) -> _Modes | None:
         """Return the modes of a site with a term; None if there are none."""
+        M, K, free, massless, rigid = self._changed(site, present)
+        part = (slice(None), free[:, None], free)
+        try:
+            eigenvalues, shapes = condensed_eigh(M[part], K[part], site.system.first, rigid, massless)
+        except np.linalg.LinAlgError:  # these values are not a machine
+            return None
+        if not np.isfinite(eigenvalues).all():
+            return None
+        return _Modes(M, K, free, massless, eigenvalues, shapes, rigid)
+
+    def _changed(self, site: _Site, present: _Present) -> _Matrices:
+        """Return M and K of a site with a term."""
         system = site.system
         change = change_of(present.place.term, present.values, site.around)
         M, K = (_padded(a, b) for a, b in zip(site.matrices, change, strict=True))
@@ -255,14 +341,7 @@ class RobotWithTerms:
         without = [bool((change.M[:, q] == 0.0).all()) for q in added]
         massless = np.concatenate([system.massless, np.array(without, dtype=bool)])
         rigid = system.rigid_modes - self._held(site, present.place.term)
-        part = (slice(None), free[:, None], free)
-        try:
-            eigenvalues, shapes = condensed_eigh(M[part], K[part], system.first, rigid, massless)
-        except np.linalg.LinAlgError:  # these values are not a machine
-            return None
-        if not np.isfinite(eigenvalues).all():
-            return None
-        return _Modes(M, K, free, massless, eigenvalues, shapes, rigid)
+        return _Matrices(M, K, free, massless, rigid)
 
     def _held(self, site: _Site, term: Term) -> int:
         """Return how many rigid motions of a site a spring holds."""
@@ -306,6 +385,20 @@ def _padded(matrix: Array, change: Array) -> Array:
     total = np.array(np.broadcast_to(change, (len(matrix), *change.shape[1:])), dtype=float)
     total[:, : matrix.shape[-1], : matrix.shape[-1]] += matrix
     return total
+
+
+def _platform_of(site: _Site, term: Term | None) -> Array:
+    """Return the motion of the platform per unit of all coordinates and that of a term, (N, components, e + a)."""
+    return np.real(_platform_with(term, site.around))
+
+
+def _platform_with(term: Term | None, around: Surroundings) -> NDArray[Any]:
+    if term is None or term.form not in ADDING:
+        return around.platform
+    own = np.zeros((*around.platform.shape[:-1], 1))
+    if term.form == "mount":
+        own = around.mounts[4][:, term.mount][..., None]
+    return np.concatenate([around.platform, own], axis=-1)
 
 
 def _in_order(robot: Prediction, terms: Prediction, by: Sequence[int], own: int) -> Prediction:
@@ -440,26 +533,12 @@ class _AtSite:
     @cached_property
     def _platform(self) -> Array:
         """Motion of the platform per unit of all coordinates and that of the term, (N, components, e + a)."""
-        own = self.system.motion_of_all(self.site.points)
-        own = np.broadcast_to(own, (len(self.site.points), *own.shape[-2:]))
-        return np.concatenate([own, *self._of_mount(self.site.around)], axis=-1)
-
-    def _of_mount(self, around: Surroundings) -> list[Array]:
-        added = self.modes.M.shape[-1] - self.e
-        if not added:
-            return []
-        assert self.present is not None
-        term = self.present.place.term
-        if term.form == "mount":
-            return [around.mounts[4][:, term.mount][..., None]]
-        return [np.zeros((len(self.site.points), len(self.system.mechanism.platform), 1))]
+        return _platform_of(self.site, None if self.present is None else self.present.place.term)
 
     def _motion_rate(self, path: ParameterPath, stepped: Surroundings) -> Array:
         """Differentiate the motion of the platform along a path, (N, components, e + a)."""
-        own = stepped.platform
-        own = np.broadcast_to(own, (len(self.site.points), *own.shape[-2:]))
-        parts = [own, *self._of_mount(stepped)]
-        return np.concatenate([np.imag(part) / STEP for part in parts], axis=-1)
+        term = None if self.present is None else self.present.place.term
+        return np.imag(_platform_with(term, stepped)) / STEP
 
     def _channels(self, every: Array, platform: Array | None = None) -> Array:
         """Return the channels of motions in all coordinates, (N, ..., C)."""

@@ -6,7 +6,7 @@ tries without claiming them: a compliance of the catalogue in one joint is ``com
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -29,6 +29,8 @@ STIFFEST = 10.0
 PARTS = (0.03, 0.15, 0.6)
 #: Frequencies from which it is fitted, and the range of these, from the lowest and highest frequency of the machine.
 FREQUENCIES, LOWEST, HIGHEST = 20, 0.6, 1.15
+#: Compliances of a bearing without a mass of its own, in those of the belt there.
+YIELDS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
 #: A row of displacements below this part of the largest is none; rows that differ by less are the same.
 ZERO = 1e-9
 #: An inertia matrix, scaled to a unit diagonal, with a smaller eigenvalue is singular.
@@ -100,7 +102,7 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
     candidates = []
     for term in _different(structure.robot.mechanism.terms, machine):
         parameters = _parameters(term, machine)
-        starts = tuple(_starts(term, machine)) if term.form == "resonator" else ()
+        starts = tuple(_STARTS[term.form](term, machine)) if term.form in _STARTS else ()
         names = tuple(p.name for p in parameters)
         kept.append((term, parameters))
         candidates.append(
@@ -174,13 +176,42 @@ def _band(machine: _Machine) -> Array:
     return np.geomspace(low, max(HIGHEST * float(f.max()), 2.0 * low), FREQUENCIES)
 
 
-def _starts(term: Term, machine: _Machine) -> Iterator[tuple[float, float]]:
+def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...]]:
+    """Yield compliances from which a mount is fitted, with the mass of a bearing: its mode may be anywhere."""
+    e = len(machine.M)
+    masses = [0.0]
+    if len(term.parameters) > 1:
+        felt = 1.0 / max(machine.mobility(row) for row in machine.around.motion[0][:, machine.system.free])
+        masses += [part * felt for part in PARTS]
+    for mass in masses:
+        change = change_of(term, [1.0, mass][: len(term.parameters)], machine.around)
+        M = change.M[0].copy()
+        M[:e, :e] += machine.M
+        own = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
+        others = (mass,) if len(term.parameters) > 1 else ()
+        if e in own:
+            inertia = 1.0 / np.linalg.inv(M[np.ix_(own, own)])[-1, -1]
+            for frequency in _band(machine):
+                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *others
+        else:  # no mode of its own: what it gives way beside the springs there
+            stiffness = float(change.K[0, e, e]) - 1.0
+            for part in YIELDS if stiffness > 0.0 else ():
+                yield part / stiffness, *others
+
+
+def _starts_of_resonator(term: Term, machine: _Machine) -> Iterator[tuple[float, float]]:
     """Yield masses and frequencies from which a resonator is fitted."""
     swings = machine.around.motion[0][term.swings][machine.system.free]
     felt = 1.0 / machine.mobility(swings)
     for frequency in _band(machine):
         for part in PARTS:
             yield part * felt, float(frequency)
+
+
+_STARTS: dict[str, Callable[[Term, _Machine], Iterator[tuple[float, ...]]]] = {
+    "mount": _starts_of_mount,
+    "resonator": _starts_of_resonator,
+}
 
 
 def _of_robot(structure: RobotStructure, candidate: Candidate) -> Candidate:
