@@ -32,6 +32,8 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: A spring strains a rigid motion if by more than this part of what it strains other motions.
 STRAINED = 1e-7
+#: Ratio of the largest eigenvalue to the lowest one up to which this has the digits that a fit needs.
+LOSSY = 1e9
 #: Robots whose matrices are kept: a fit evaluates many terms beside the same one.
 KEPT = 4
 
@@ -227,7 +229,7 @@ class RobotWithTerms:
             K = np.stack([one.K[part] for one in each]).reshape(M.shape)
             system = site.system
             try:
-                levels, modes = condensed_eigh(M, K, system.first, each[0].rigid, massless)
+                levels, modes = _eigh(M, K, system.first, each[0].rigid, massless)
             except np.linalg.LinAlgError:
                 return None
             if not np.isfinite(levels).all():
@@ -323,7 +325,7 @@ class RobotWithTerms:
         M, K, free, massless, rigid = self._changed(site, present)
         part = (slice(None), free[:, None], free)
         try:
-            eigenvalues, shapes = condensed_eigh(M[part], K[part], site.system.first, rigid, massless)
+            eigenvalues, shapes = _eigh(M[part], K[part], site.system.first, rigid, massless)
         except np.linalg.LinAlgError:  # these values are not a machine
             return None
         if not np.isfinite(eigenvalues).all():
@@ -385,6 +387,18 @@ def _padded(matrix: Array, change: Array) -> Array:
     total = np.array(np.broadcast_to(change, (len(matrix), *change.shape[1:])), dtype=float)
     total[:, : matrix.shape[-1], : matrix.shape[-1]] += matrix
     return total
+
+
+def _eigh(
+    M: Array, K: Array, first: int, rigid: int, massless: NDArray[np.bool_]
+) -> tuple[Array, Array]:
+    """Solve the eigenproblem with the digits that a fit needs: a stiff joint only where it costs those."""
+    eigenvalues, shapes = condensed_eigh(M, K, M.shape[-1], rigid, massless)
+    if rigid < eigenvalues.shape[1]:
+        lost = eigenvalues[:, -1] > LOSSY * np.abs(eigenvalues[:, rigid])
+        if lost.any():
+            eigenvalues[lost], shapes[lost] = condensed_eigh(M[lost], K[lost], first, rigid, massless)
+    return eigenvalues, shapes
 
 
 def _platform_of(site: _Site, term: Term | None) -> Array:
