@@ -6,7 +6,7 @@ coordinate, whose rows of M and K are derived with all mounts of the machine rel
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field
 
 from sympy import Expr, Integer, Symbol, diff
@@ -32,27 +32,23 @@ class _Motions:
 
     derived: Derived
     known: dict[str, Place]
+    size: int
     rows: list[tuple[Expr, ...]] = field(default_factory=list)
     places: dict[tuple[str, str], int] = field(default_factory=dict)
 
     def row(self, place: Place, along: str) -> int:
         """Return the row of a displacement."""
         if (place.name, along) not in self.places:
-            machine, count = self.derived.machine, self.derived.machine.base + _catalogue(self.derived)
-            moved = tuple(motion(machine, self.derived.kin, self.known[place.name], along)[:count])
+            every = motion(self.derived.machine, self.derived.kin, self.known[place.name], along)
+            moved = tuple(every[: self.size])
             if moved not in self.rows:
                 self.rows.append(moved)
             self.places[place.name, along] = self.rows.index(moved)
         return self.places[place.name, along]
 
 
-def _catalogue(d: Derived) -> int:
-    """Return the number of released coordinates without those of mounts."""
-    return sum(1 for c in d.machine.released if not c.position.name.startswith("w_"))
-
-
 def terms_model(
-    bare: Machine, with_effects: Callable[[Sequence[Effect]], Machine]
+    bare: Machine, with_effects: Callable[[Sequence[Effect]], Machine], known: Collection[str] = ()
 ) -> tuple[Model, tuple[DescribedTerm, ...]]:
     """Return the functions for the terms of a machine, and what the runtime needs to know of each.
 
@@ -62,16 +58,19 @@ def terms_model(
         Without effects.
     with_effects : callable
         ``with_effects(mounts)`` returns the machine with the catalogue and these effects.
+    known : collection of str
+        Names of effects of the catalogue, which are no terms.
     """
-    every = terms(bare)
+    every = [term for term in terms(bare) if term.effect.name not in known]
     mounts = [term for term in every if term.form == "mount"]
     machine = with_effects([term.effect for term in mounts])
     d = derive(machine)
-    motions = _Motions(d, places(machine))
+    size = len(machine.rates) - len(mounts)
+    motions = _Motions(d, places(machine), size)
     described = tuple(
         one for term in every if (one := _described(term, motions, machine, mounts)) is not None
     )
-    return _model(d, motions.rows, len(mounts)), described
+    return _model(d, motions.rows, size, mounts), described
 
 
 def _described(
@@ -108,14 +107,11 @@ def _declared(machine: Machine, place: Place) -> tuple[str, int] | None:
     return (lent, 0) if any(f.name == lent for f in machine.effect_fields) else None
 
 
-def _model(d: Derived, rows: Sequence[tuple[Expr, ...]], mounts: int) -> Model:
+def _model(d: Derived, rows: Sequence[tuple[Expr, ...]], size: int, released: Sequence[Term]) -> Model:
     machine, v = d.machine, d.machine.vocabulary
-    released = [c.position.name for c in machine.released]
-    first = machine.base + _catalogue(d)
-    size = first
-    assert all(name.startswith("w_") for name in released[size - machine.base :])
-    fields = tuple(f for f in machine.effect_fields if not f.name.startswith("mount_"))
-    masses = {s: Integer(0) for f in machine.effect_fields if f.name.startswith("mount_") for s in f.symbols}
+    mounts, own = len(released), tuple(f"{term.effect.name}_" for term in released)
+    fields = tuple(f for f in machine.effect_fields if not f.name.startswith(own))
+    masses = {s: Integer(0) for f in machine.effect_fields if f not in fields for s in f.symbols}
     functions = [
         Function(
             "place_motion",
@@ -129,7 +125,7 @@ def _model(d: Derived, rows: Sequence[tuple[Expr, ...]], mounts: int) -> Model:
     ]
     if mounts:
         K = added(d.K_el, d.K_g)
-        index = range(first, first + mounts)
+        index = range(size, size + mounts)
         moved = d.platform_motion([machine.rates[w] for w in index])
         platform = Output(
             "J_p",
@@ -154,7 +150,7 @@ def _model(d: Derived, rows: Sequence[tuple[Expr, ...]], mounts: int) -> Model:
                 in_c=False,
             )
         )
-        functions.append(_of_masses(d, index, size, masses))
+        functions.append(_of_masses(d, index, size, released))
     return Model(
         mechanism=machine.name,
         coordinates=tuple((q.name, v[q].unit) for q in machine.all_coordinates[:size]),
@@ -183,11 +179,10 @@ def _parts(
     ]
 
 
-def _of_masses(d: Derived, index: range, size: int, masses: dict[Symbol, Expr]) -> Function:
+def _of_masses(d: Derived, index: range, size: int, released: Sequence[Term]) -> Function:
     """Return the derivatives of these rows of M with respect to the mass that moves with each mount."""
-    fields = {f.name: f.symbols[0] for f in d.machine.effect_fields if f.name.startswith("mount_")}
-    positions = [d.machine.released[w - d.machine.base].position.name for w in index]
-    symbols = [fields.get(f"mount_{name.removeprefix('w_')}_mass") for name in positions]
+    fields = {f.name: f.symbols[0] for f in d.machine.effect_fields}
+    symbols = [fields.get(f"{term.effect.name}_mass") for term in released]
 
     def rate(entry: Expr, symbol: Symbol | None) -> Expr:
         return Integer(0) if symbol is None else diff(entry, symbol)

@@ -222,7 +222,7 @@ def beyond(name: str) -> tuple[Model, tuple[DescribedTerm, ...]]:
         return machine(name, (*effects(name), *more))
 
     with _reported(name, ", during the derivation of its terms"):
-        return terms_model(machine(name), with_effects)
+        return terms_model(machine(name), with_effects, [effect.name for effect in effects(name)])
 
 
 @_once

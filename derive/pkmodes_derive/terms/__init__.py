@@ -4,6 +4,6 @@
 for the search of a diagnosis.  A file that ``pkmodes diagnose --save-effect`` writes uses `forms`.
 """
 
-from pkmodes_derive.terms.forms import mass, mount, resonator, spring
+from pkmodes_derive.terms.forms import compliance, mass, mount, resonator, spring
 
-__all__ = ["mass", "mount", "resonator", "spring"]
+__all__ = ["compliance", "mass", "mount", "resonator", "spring"]

@@ -19,9 +19,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from sympy import Expr, Integer, Rational, Symbol, pi
+from sympy import Dummy, Expr, Integer, Rational, Symbol, pi
 
 from pkmodes_derive.effect import COMPLIANCE, Coordinate, Effect, EffectParameter, Released
+from pkmodes_derive.effects import catalogue
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.parts import Arm, LegPart, PlacedSpring, PointMass, Rod, Rotor
 from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places
@@ -118,6 +119,70 @@ def mount(place: str, along: str = "", *, name: str = "", sentence: str = "") ->
     known = name or "_".join(["mount", place, *([along] if along else [])])
     free = Released(f"w_{place}{along}", "m", f"displacement of what holds {place}", "w", order=ORDER)
     return _effect(known, sentence, (place,), parameters, apply, released=free, along=along)
+
+
+def compliance(coordinate: str, *, name: str = "", sentence: str = "") -> Effect:
+    """Return the effect of one released joint of the catalogue alone.
+
+    Parameters
+    ----------
+    coordinate : str
+        Such as "eps_2", the displacement of the clamp of belt 2.
+    name, sentence : str, optional
+        As for `mass`.
+    """
+
+    def whole(machine: Machine) -> tuple[Effect, int]:
+        for effect in (one.on(machine) for one in catalogue() if one.released is not None):
+            names = [effect.released.name.format(i=p, j=p) for p in effect.places] if effect.released else []
+            if coordinate in names and effect.parts(machine):
+                return effect, names.index(coordinate)
+        raise DeclarationError(
+            f"no effect releases {coordinate}", "name a coordinate of the catalogue's effects"
+        )
+
+    def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
+        effect, own = whole(machine)
+        # The others are released as well, and locked again.
+        others = [Coordinate(Dummy("locked"), Dummy("locked")) for _ in effect.places]
+        every = [released[0] if k == own else other for k, other in enumerate(others)]
+        symbols = {p.name: Dummy(p.name) for p in effect.parameters} | dict(parameters)
+        effect.apply(machine, symbols, tuple(every))
+        locked = [other for k, other in enumerate(others) if k != own]
+        for joints in _released_lists(machine):
+            joints[:] = [joint for joint in joints if joint not in locked]
+
+    def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
+        effect, _ = whole(machine)
+        (own,) = (p for p in effect.parameters if p.name == COMPLIANCE)
+        what = f"compliance of {coordinate} alone"
+        return (replace(own, description=what, symbol="c_X", latex="c_X"),)
+
+    def there(machine: Machine) -> Sequence[object]:
+        try:
+            effect, own = whole(machine)
+        except DeclarationError:
+            return []
+        return [effect.places[own]]
+
+    known = name or f"compliance_{coordinate}"
+    stem = coordinate.rpartition("_")[0]
+    units = {one.released.name.rpartition("_")[0]: one.released.unit for one in catalogue() if one.released}
+    free = Released(f"w_{coordinate}", units.get(stem, "m"), f"{coordinate} alone", "w", order=ORDER)
+    made = _effect(known, sentence, (), parameters, apply, released=free)
+    return replace(made, parts=there)
+
+
+def _released_lists(machine: Machine) -> list[list[Coordinate]]:
+    """Return the lists of released coordinates of all parts."""
+    clamps = [belt.clamp for belt in machine.belts if belt.clamp is not None]
+    return [
+        *(link.elongation for link in machine.links),
+        *(clamp.released for clamp in clamps),
+        *(drive.wind_up for drive in machine.drives),
+        *machine.frame,
+        *([machine.beam.released] if machine.beam else []),
+    ]
 
 
 def resonator(place: str, along: str = "", *, name: str = "", sentence: str = "") -> Effect:

@@ -127,6 +127,8 @@ def mount_matrices(p, parameters, effects):
         Entries of K between each mount and every coordinate.
     K_ww : array, shape (..., 2) [N/m, N]
         Diagonal entry of K of each mount.
+    J_p : array, shape (..., 2, 2) [1, 1/m]
+        Motion of the platform per unit of each mount.
 
     Notes
     -----
@@ -191,7 +193,8 @@ def mount_matrices(p, parameters, effects):
     K_ww_out = np.empty((*batch, 2), dtype)
     K_ww_out[..., 0] = k_1_1 + k_1_2
     K_ww_out[..., 1] = k_2_1 + k_2_2
-    return M_wq_out, M_ww_out, K_wq_out, K_ww_out
+    J_p_out = np.zeros((*batch, 2, 2), dtype)
+    return M_wq_out, M_ww_out, K_wq_out, K_ww_out, J_p_out
 
 
 def mount_inertia():

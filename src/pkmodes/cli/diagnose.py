@@ -75,6 +75,13 @@ SECONDS = 5.0
     type=FILE,
     help="Write the robot file with the causes found and the refitted values.",
 )
+@click.option(
+    "--save-effect",
+    "effect_to",
+    metavar="FILE.py",
+    type=FILE,
+    help="Write what was found beyond the catalogue as an effect of your own, for generate --effect.",
+)
 @report_option
 @click.option(
     "--no-beyond",
@@ -115,6 +122,7 @@ def diagnose(
     candidates: str | None,
     holdout: str | None,
     save_to: Path | None,
+    effect_to: Path | None,
     report_to: Path | None,
     no_beyond: bool,
     fail_on: str | None,
@@ -135,7 +143,8 @@ def diagnose(
     """
     check_order(robot, modes, "pkmodes diagnose")
     save_target = Target("--save-robot", save_to, "the corrected robot")
-    check_targets(json_file, [robot, modes], save_target, report_target(report_to))
+    effect_target = Target("--save-effect", effect_to, "the effect")
+    check_targets(json_file, [robot, modes], save_target, effect_target, report_target(report_to))
     names = None if candidates is None else _names(candidates, "--candidates")
     held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
     failures = frozenset() if fail_on is None else _failing(_names(fail_on, "--fail-on"))
@@ -143,6 +152,7 @@ def diagnose(
     from pkmodes.cli.diagnosis_tables import show
     from pkmodes.measured.statements import parse_prior, parse_usable
     from pkmodes.updating.corrected_robot import corrected_robot
+    from pkmodes.updating.saved_term import effect_text, robot_with_term
 
     plausible = dict(parse_prior(one, "--prior", "write --prior measurement:offset.z=2mm") for one in priors)
     limits = dict(parse_usable(one, "--usable", "write --usable z=40mm,300mm") for one in usable)
@@ -158,15 +168,25 @@ def diagnose(
             progress=progress,
             terms=not no_beyond,
         )
-    unsaved = save_to is not None and not result.settled
+    with_term = not result.settled and result.beyond is not None and result.beyond.found is not None
+    unsaved = save_to is not None and not (result.settled or with_term)
     robot_file = ResultFile(
         None if unsaved else save_to,
-        lambda: corrected_robot(declared, result),
-        lambda file: _saved(file, mechanism, declared, result),
+        lambda: robot_with_term(declared, result) if with_term else corrected_robot(declared, result),
+        lambda file: (
+            _with_term(file, effect_to, result) if with_term else _saved(file, mechanism, declared, result)
+        ),
+    )
+    if effect_to is not None:
+        effect_text(result, "--save-effect")  # refused before anything is written
+    effect_file = ResultFile(
+        effect_to,
+        lambda: effect_text(result, "--save-effect"),
+        lambda file: [f"\nwrote {file}; next: pkmodes generate ROBOT.toml --effect {pasted(file)} --out DIR"],
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     try:
-        deliver(json_file, result.as_json(), lambda: show(declared, result), robot_file, report)
+        deliver(json_file, result.as_json(), lambda: show(declared, result), robot_file, effect_file, report)
     finally:  # also where another file cannot be written
         if unsaved:
             why = f"the verdict is {result.verdict}, which leaves nothing to correct"
@@ -194,6 +214,19 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
         f"\nwrote {file}; next: {command}",
         *(line for text in sentences for line in terminal.wrapped(text)),
     ]
+
+
+def _with_term(file: Path, effect: Path | None, result: Diagnosis) -> list[str]:
+    """Say what reads a saved robot that has what was found beyond the catalogue."""
+    from pkmodes.updating.saved_term import is_declared
+
+    if is_declared(result):
+        return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
+    given = "FILE.py" if effect is None else pasted(effect)
+    lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {given} --out DIR"]
+    if effect is None:
+        lines.append("FILE.py is the effect itself: write it with --save-effect FILE.py")
+    return [*lines, "then give other commands --mechanism DIR/<mechanism>"]
 
 
 def _widened(result: Diagnosis) -> list[str]:

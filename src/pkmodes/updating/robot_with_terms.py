@@ -389,9 +389,7 @@ def _padded(matrix: Array, change: Array) -> Array:
     return total
 
 
-def _eigh(
-    M: Array, K: Array, first: int, rigid: int, massless: NDArray[np.bool_]
-) -> tuple[Array, Array]:
+def _eigh(M: Array, K: Array, first: int, rigid: int, massless: NDArray[np.bool_]) -> tuple[Array, Array]:
     """Solve the eigenproblem with the digits that a fit needs: a stiff joint only where it costs those."""
     eigenvalues, shapes = condensed_eigh(M, K, M.shape[-1], rigid, massless)
     if rigid < eigenvalues.shape[1]:

@@ -1,0 +1,142 @@
+"""What a diagnosis found beyond the catalogue, to keep it: an effect for the derivation, and the robot with it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from pkmodes.core.base.errors import OutputError
+from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.diagnosis.verdict.findings import Corrected
+from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.diagnosis.verdict.terms import TermClass
+from pkmodes.robot_files.saving import Correction, corrected_text
+from pkmodes.sensitivity.paths import resolve
+from pkmodes.support.writing import write_file
+from pkmodes.updating import frame
+from pkmodes.updating.measured_robot import robot_of
+
+#: Forms whose value the robot file has already.
+DECLARED = "parameter"
+#: Prefix of the paths of effects.
+EFFECTS = "effects."
+SIGNIFICANT = 10
+
+
+def effect_name(term: str) -> str:
+    """Return the name of the effect of a term: "spring:pulley_2_1/pulley_2_2" is spring_pulley_2_1_pulley_2_2."""
+    for separator in (":", "/", "."):
+        term = term.replace(separator, "_")
+    return term
+
+
+def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
+    """Return the best member of the class that was found beyond the catalogue, as an effect's Python file.
+
+    Parameters
+    ----------
+    where : str, optional
+        For messages.
+
+    Raises
+    ------
+    OutputError
+        If no class was found, or its best member is a declared value or an effect of the catalogue.
+    """
+    found, term = _found(result, where)
+    form, _, place = term.partition(":")
+    if found.forms[term] == DECLARED:
+        what = f"there is no effect to write: {term} is a value of the robot file"
+        raise OutputError(what, where, "write the robot with that value: --save-robot FILE.toml")
+    ends, _, along = place.partition(".")
+    noun = found.finding.member(term).words
+    values = ", ".join(
+        f"{found.quantity(term, value)} {value.rounded} {value.unit}" for value in found.finding.parameters
+    )
+    given = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{along}"'] if along else [])]
+    arguments = [*given, f'name="{effect_name(term)}"', f'sentence="there is {noun}"']
+    lines = "".join(f"    {one},\n" for one in arguments)
+    return (
+        f'"""{noun[0].upper()}{noun[1:]}.\n\n'
+        f"Written by pkmodes diagnose, which found {term}: {values}.\n"
+        "Derive a mechanism with it: pkmodes generate ROBOT.toml --effect FILE.py --out DIR\n"
+        f'"""\n\nfrom pkmodes_derive.terms import {form}\n\nEFFECT = {form}(\n{lines})\n'
+    )
+
+
+def save_effect(result: Diagnosis, target: str | Path) -> None:
+    """Write what was found beyond the catalogue as an effect's Python file.
+
+    Parameters
+    ----------
+    result : Diagnosis
+    target : path-like
+        A Python file; an existing one is replaced.
+
+    Raises
+    ------
+    OutputError
+        As for `effect_text`, or if the file cannot be written.
+    """
+    write_file(Path(target), effect_text(result, str(target)))
+
+
+def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
+    """Return the text of the robot file with what was found beyond the catalogue, and the uncertain values beside it.
+
+    Only a mechanism that was generated with the effect reads such a file.
+
+    Raises
+    ------
+    OutputError
+        If no class was found.
+    """
+    declared = robot_of(robot)
+    found, term = _found(result, declared.source)
+    name = effect_name(term)
+    own = {value.name for value in found.finding.parameters}
+    changes: dict[str, Correction] = {}
+    added: list[Corrected] = []
+    for value in found.corrected:
+        if value.name.startswith(frame.OF_MEASUREMENT):
+            continue
+        if value.name in own and found.forms[term] != DECLARED:
+            added.append(value)
+            continue
+        before = resolve(declared, value.name).value
+        unit = "" if value.unit == "1" else f" {value.unit}"
+        verb = "found" if value.name in own else "refitted"
+        note = f"was {before:.6g}{unit}: {verb} by pkmodes diagnose"
+        changes[value.name] = Correction(value.value, value.saved_sigma, note)
+    text = corrected_text(Path(declared.source), changes)
+    if not added:
+        return text
+    lines = [f"\n# {found.finding.member(term).words}, found by pkmodes diagnose\n[effects.{name}]\n"]
+    for value in added:
+        unit = value.unit.replace("*", " ")
+        sigma = f"{value.sigma:.3g} {unit}"
+        key = found.quantity(term, value)
+        lines.append(f'{key} = {{ value = "{value.value:.{SIGNIFICANT}g} {unit}", sigma = "{sigma}" }}\n')
+    return text.rstrip("\n") + "\n" + "".join(lines)
+
+
+def is_declared(result: Diagnosis) -> bool:
+    """Return whether what was found beyond the catalogue is a value of the robot file, which needs no effect."""
+    found = None if result.beyond is None else result.beyond.found
+    return found is not None and found.forms[found.finding.name] == DECLARED
+
+
+def _found(result: Diagnosis, where: str) -> tuple[TermClass, str]:
+    """Return the class that was found, and its best member."""
+    found = None if result.beyond is None else result.beyond.found
+    if found is None:
+        status = "terms were not tried"
+        if result.beyond is not None:
+            status = f"the search among terms ended with {result.beyond.status}"
+        what = f"there is nothing beyond the catalogue to write: {status}"
+        raise OutputError(what, where, "write it only where the diagnosis found one class of terms")
+    term = found.finding.name
+    if not found.forms[term]:
+        what = f"there is no effect to write: {term} is in the catalogue"
+        raise OutputError(what, where, "add it to the robot file with --candidates and --save-robot")
+    return found, term
