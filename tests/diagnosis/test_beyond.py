@@ -1,0 +1,274 @@
+"""One thing at one place that no candidate has: found where it is true, and nothing claimed where it is not.
+
+The truth is a chain of masses and springs that the tests assemble with NumPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from helpers.diagnoses.chains import Frame, at, joined
+from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
+from pkmodes.diagnosis.beyond.evidence import TermEvidence
+from pkmodes.diagnosis.beyond.rules import BEYOND
+from pkmodes.diagnosis.problem import Candidate, Parameter
+from pkmodes.diagnosis.search.score import MANY, p_of_smallest
+from pkmodes.report.action import action
+from pkmodes.report.diagnosis import headline
+from pkmodes.report.setting import Setting
+
+FRAME = Frame()
+NOTHING = np.zeros((6, 6))
+Change = Callable[[int], tuple[np.ndarray, np.ndarray]]
+
+
+def of(frame: Frame, change: Change, **options: float) -> Diagnosis:
+    return diagnose(frame.structure(), frame.measured(change, **options), terms=True)  # type: ignore[arg-type]
+
+
+def without_errors_of_poses(data: Measurements, factor: np.ndarray) -> Measurements:
+    labels = [data.labels[i] for i in data.pose]
+    return Measurements.from_rows(labels, data.frequency * factor, data.sigma)
+
+
+def evidence_of(
+    structure: MatrixStructure, data: Measurements, monkeypatch: pytest.MonkeyPatch
+) -> TermEvidence:
+    kept: list[TermEvidence] = []
+
+    def keep(result: Diagnosis, evidence: TermEvidence, _: object) -> Diagnosis:
+        kept.append(evidence)
+        return result
+
+    monkeypatch.setattr("pkmodes.diagnosis.diagnose.with_beyond", keep)
+    diagnose(structure, data, terms=True)
+    return kept[0]
+
+
+@pytest.mark.parametrize(
+    ("term", "size", "unit", "change"),
+    [
+        ("spring:floor 2/floor 5", 2.0e4, "N/m", lambda _: (NOTHING, 2.0e4 * joined(6, 2, 5))),
+        ("spring:floor 3", 1.0e4, "N/m", lambda _: (NOTHING, 1.0e4 * joined(6, 3))),
+        ("mass:floor 4", 1.5, "kg", lambda _: (1.5 * at(6, 4), NOTHING)),
+    ],
+)
+def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str, change: Change) -> None:
+    found = of(FRAME, change)
+    assert found.verdict == "unexplained"
+    assert found.beyond is not None
+    assert (found.beyond.status, found.beyond.rule, found.beyond.tried) == ("found", "beyond.found", 27)
+    beyond = found.as_json()["beyond"]
+    assert isinstance(beyond, dict)
+    (group,) = beyond["classes"]
+    (member,) = group["members"]
+    assert member["term"] == term
+    assert member["plausible"]
+    quantity = "mass" if unit == "kg" else "stiffness"
+    assert {*member["parameters"]} == {quantity}
+    value = member["parameters"][quantity]
+    assert value["unit"] == unit
+    assert value["value"] == pytest.approx(size, abs=3.0 * value["sigma"])
+    assert value["sigma"] < 0.2 * size
+    assert group["p_value"] < 1e-6
+    assert group["probability"] == 1.0
+    # The errors are the noise: 0.15 %.
+    assert member["error"]["rms_relative"] == pytest.approx(0.0015, rel=0.35)
+    assert member["error"]["held_out_rms_relative"] == pytest.approx(0.0015, rel=0.8)
+    assert member["error"]["chi2_per_dof"] == pytest.approx(1.0, abs=0.5)
+    words = f"Not in the catalogue: {member['sentence']}, "
+    assert found.reason.startswith(words)
+    setting = Setting("frame", None, None, (), None)
+    assert headline(found).startswith(words)
+    assert action(found, setting).entries[0][1][0].text == f"Look for {member['sentence']}."
+
+
+def test_terms_are_tried_only_where_asked_for() -> None:
+    data = FRAME.measured(lambda _: (1.5 * at(6, 4), NOTHING))
+    assert diagnose(FRAME.structure(), data).beyond is None
+
+
+def test_nothing_is_tried_where_nothing_is_missing_or_the_data_are_mistaken_or_too_few() -> None:
+    complete = FRAME.measured(lambda _: (NOTHING, NOTHING))
+    found = diagnose(FRAME.structure(), complete, terms=True)
+    assert (found.verdict, found.beyond) == ("adequate", None)
+    assert found.as_json()["beyond"] is None
+    in_radians = without_errors_of_poses(complete, np.full(len(complete.frequency), 2.0 * np.pi))
+    found = diagnose(FRAME.structure(), in_radians, terms=True)
+    assert (found.verdict, found.beyond) == ("unexplained", None)
+    few = Measurements.from_rows(["S1"] * 2, complete.frequency[:2] * (1.0, 1.1), complete.sigma[:2])
+    found = diagnose(FRAME.structure(), few, terms=True)
+    assert (found.verdict, found.beyond) == ("insufficient_data", None)
+
+
+def law(data: Measurements, size: float, function: np.ndarray) -> Measurements:
+    return without_errors_of_poses(data, 1.0 + size * (function - function.mean()) / np.std(function))
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_nothing_is_claimed_for_what_no_term_has(seed: int) -> None:
+    """Laws of the frequency, of time, of one storey over time, of each mode, two places at once, and no law at all."""
+    plain = FRAME.measured(lambda _: (NOTHING, NOTHING), seed)
+    rng, count = np.random.default_rng(seed), len(plain.frequency)
+    cases = {
+        "frequency": law(plain, 0.01, np.log(plain.frequency)),
+        "time": law(plain, 0.01, plain.pose.astype(float)),
+        "each mode": law(plain, 0.01, np.tile(rng.standard_normal(6), count // 6)),
+        "anything": law(plain, 0.01, rng.standard_normal(count)),
+        "one storey over time": FRAME.measured(lambda k: (NOTHING, 2e4 * (k - 3) * joined(6, 2, 3)), seed),
+        "two places": FRAME.measured(lambda _: (1.5 * at(6, 3), 2e4 * joined(6, 2, 5)), seed),
+    }
+    for name, data in cases.items():
+        found = diagnose(FRAME.structure(), data, terms=True)
+        assert found.verdict == "unexplained", name
+        assert found.beyond is not None, name
+        assert found.beyond.status == "none", (name, found.beyond.reason)
+        assert found.beyond.classes == (), name
+        assert not found.reason.startswith("Not in the catalogue"), name
+
+
+def test_of_two_places_at_once_what_is_left_points_to_the_other() -> None:
+    found = of(FRAME, lambda _: (1.5 * at(6, 3), 4e3 * joined(6, 2, 5)))
+    assert found.beyond is not None
+    assert found.beyond.rule in ("beyond.leaves_more", "beyond.nothing")
+
+
+class Clamped(Frame):
+    """A frame that is the same from both ends: the last floor is held by a storey too."""
+
+    def matrices(self, values: object, setup: str) -> tuple[np.ndarray, np.ndarray]:
+        M, K = super().matrices(values, setup)  # type: ignore[arg-type]
+        return M, K + 4e5 * values["storey"] * joined(self.floors, self.floors)  # type: ignore[index]
+
+
+def test_places_that_have_the_same_frequencies_are_one_class() -> None:
+    frame = Clamped(5, ((3, 0.0), (3, 4.0), (3, 8.0), (3, 12.0), (3, 16.0), (3, 20.0), (3, 24.0)))
+    found = of(frame, lambda _: (1.5 * at(5, 2), np.zeros((5, 5))))
+    assert found.beyond is not None
+    assert found.beyond.status == "found"
+    (group,) = found.beyond.document().classes
+    assert {member.term for member in group.members} == {"mass:floor 2", "mass:floor 4"}
+    for member in group.members:
+        value = member.parameters["mass"]
+        assert value.value == pytest.approx(1.5, abs=3.0 * value.sigma)
+    assert "narrowed to two: a mass at floor 2, or a mass at floor 4" in headline(found).replace(
+        "a mass at floor 4, or a mass at floor 2", "a mass at floor 2, or a mass at floor 4"
+    )
+
+
+def test_too_many_places_are_several() -> None:
+    """One mode of a long chain, measured alone, does not tell where a mass is."""
+    frame = Clamped(7, tuple((4, 4.0 * k) for k in range(8)))
+    whole = frame.measured(lambda _: (2.0 * at(7, 3), np.zeros((7, 7))), sigma=0.002)
+    rows = np.flatnonzero(np.arange(len(whole.frequency)) % 7 < 2)
+    data = Measurements.from_rows(
+        [whole.labels[i] for i in whole.pose[rows]], whole.frequency[rows], whole.sigma[rows]
+    )
+    found = diagnose(frame.structure(), data, terms=True)
+    assert found.beyond is not None
+    assert found.beyond.status != "found"
+
+
+class Usual(MatrixStructure):
+    """A structure on whose floors nothing heavier than half a kilogram is usual."""
+
+    def with_terms(self) -> MatrixStructure:
+        extended = super().with_terms()
+        extended.parameters = tuple(
+            replace(p, usual=(0.0, 0.5)) if p.name.endswith(".mass") else p for p in extended.parameters
+        )
+        return extended
+
+
+def test_a_class_of_nothing_but_implausible_values_is_not_found() -> None:
+    data = FRAME.measured(lambda _: (1.5 * at(6, 4), NOTHING))
+    found = diagnose(FRAME.structure(Usual), data, terms=True)
+    assert found.beyond is not None
+    assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.implausible")
+    assert "0 to 0.5 kg is plausible" in found.beyond.reason
+
+
+def test_one_row_carries_no_claim() -> None:
+    frame = Frame(6, ((1, 0.0), (2, 4.0), (3, 8.0), (5, 4.0)))
+    whole = frame.measured(lambda _: (NOTHING, NOTHING))
+    rows = np.array([row for row in range(len(whole.frequency)) if row % 6 < 2 or row == 5])
+    factor = np.where(rows == 5, 1.02, 1.0)
+    data = Measurements.from_rows(
+        [whole.labels[i] for i in whole.pose[rows]], whole.frequency[rows] * factor, whole.sigma[rows]
+    )
+    found = diagnose(frame.structure(), data, terms=True, holdout=[])
+    assert found.beyond is not None
+    assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.one_row")
+
+
+@pytest.mark.parametrize("count", [5, MANY + 50])
+@pytest.mark.parametrize("p", [0.01, 1e-4])
+def test_the_p_value_counts_all_that_was_tried(count: int, p: float) -> None:
+    """Of n independent directions, the smallest p-value is at most p with the probability 1 - (1 - p)^n."""
+    directions = [(column[:, None], 0) for column in np.eye(count)]
+    expected = 1.0 - (1.0 - p) ** count
+    assert p_of_smallest(directions, p) == pytest.approx(
+        expected, abs=4.0 * np.sqrt(expected / 20_000) + 1e-9
+    )
+
+
+class ByStorey(MatrixStructure):
+    """A structure whose terms are its storeys, one by one."""
+
+    def with_terms(self) -> MatrixStructure:
+        extended = super().with_terms()
+        own = [p.name for p in self.parameters if p.name.startswith("storey ")]
+        extended.candidates += tuple(
+            Candidate(f"parameter:{name}", (name,), f"the stiffness of {name} alone", True, form="parameter")
+            for name in own
+        )
+        return extended
+
+
+def test_a_claimed_cause_with_a_value_for_each_joint_is_tried_one_by_one() -> None:
+    frame = Frame()
+    storeys = [Parameter(f"storey {i}", 1.0, lower=0.3, upper=3.0) for i in range(2, 7)]
+
+    def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+        M, K = frame.matrices({"mass": 1.0, "storey": values["storey"]}, setup)
+        for i, p in enumerate(storeys, start=2):
+            K = K + 4e5 * (values[p.name] - 1.0) * joined(6, i - 1, i)
+        return M, K
+
+    group = Candidate("unequal storeys", tuple(p.name for p in storeys), "the storeys are not equally stiff")
+    structure = ByStorey(
+        [Parameter("storey", 1.0, sigma=0.03), *storeys],
+        [group],
+        matrices,
+        channels=frame.names,
+        setups=frame.setups,
+    )
+    data = frame.measured(lambda _: (-0.04 * np.eye(6), -0.06 * 4e5 * joined(6, 3, 4)))
+    found = diagnose(structure, data, terms=True)
+    assert found.verdict == "effect_found"
+    assert found.effects[0].name == "unequal storeys"
+    assert found.beyond is not None
+    assert found.beyond.status == "found"
+    first, *others = found.beyond.document().classes[0].members
+    assert first.term == "parameter:storey 4"
+    assert [one.term for one in others] in ([], ["unequal storeys"])
+    value = first.parameters["storey 4"]
+    assert value.value == pytest.approx(0.94, abs=3.0 * value.sigma + 0.003)
+    assert not found.reason.startswith("Not in the catalogue")
+
+
+def test_a_law_that_explains_as_much_refuses_a_term(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of two modes, all frequencies alike that vary with frequency are what a mass on one floor does."""
+    rule = next(rule for rule in BEYOND if rule.name == "beyond.law")
+    frame = Frame(2, tuple((1, 0.0) for _ in range(7)))
+    nothing = np.zeros((2, 2))
+    two = frame.measured(lambda _: (0.6 * at(2, 1), nothing))
+    said = rule.of(evidence_of(frame.structure(), two, monkeypatch))
+    assert said is not None
+    assert "all frequencies alike, if it varied with frequency" in said.text
+    six = FRAME.measured(lambda _: (1.5 * at(6, 4), NOTHING))
+    assert rule.of(evidence_of(FRAME.structure(), six, monkeypatch)) is None
