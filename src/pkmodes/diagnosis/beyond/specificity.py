@@ -1,9 +1,10 @@
 r"""Specificity: whether something that no term has would look like a term.
 
-Three kinds of residuals as large as the measured one are drawn, none of which a term causes: arbitrary changes,
-independent in all setups, and combinations of all that was tried, as for the catalogue (`verdict.specificity`); and
-*laws*, in which something that was tried varies: with the position, to first and second order, with the order in
-which setups were measured, or with frequency.  A law is a signature times such a function of the row, without its
+Four kinds of residuals as large as the measured one are drawn, none of which a term causes: arbitrary changes of the
+modes, independent in all setups, and combinations of all that was tried, as for the catalogue
+(`verdict.specificity`); arbitrary changes of the modes, the same in all setups; and *laws*, in which a cause of the
+catalogue varies: with the position, to first and second order, with the order in which setups were measured, or with
+frequency.  A law is a signature times such a function of the row, without its
 mean,
 
 .. math:: d_r = g_r \, (h_r - \sum g^2 h / \sum g^2) ,
@@ -14,7 +15,7 @@ named.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +23,15 @@ import numpy as np
 from pkmodes.diagnosis.beyond.tried import Tried
 from pkmodes.diagnosis.fit.hypothesis import Fit, orthonormal
 from pkmodes.diagnosis.problem import Array
-from pkmodes.diagnosis.verdict.specificity import DRAWS, SEED, Plausible, arbitrary_draws, coincidence
+from pkmodes.diagnosis.search.score import Directions
+from pkmodes.diagnosis.verdict.specificity import (
+    DRAWS,
+    SEED,
+    Plausible,
+    arbitrary_draws,
+    coincidence,
+    modal_changes,
+)
 
 #: Relative size below which a law is nothing but what it varies.
 SAME = 1e-3
@@ -48,14 +57,15 @@ def p_outside(tried: Tried, final: Fit) -> float:
     degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     kinds = [coincidence(search, final, gain, drawn, directions, degrees, final.chi2)]
-    varying = [_beside(plain, law.varying) for law in laws(tried)]
-    unit = [(each[:, None] / np.linalg.norm(each), 0) for each in varying if each.any()]
-    for some in (directions, unit):
-        # A few directions do not represent what else may be wrong: a combination of them says nothing.
-        if len(some) < many:
+    # A few directions do not represent what else may be wrong: a combination of them says nothing.
+    varying = _unit(plain, [law.varying for law in laws(tried)])
+    changes = modal_changes(fitter, plain)
+    common = np.vstack([changes, np.zeros((len(plain.white) - len(changes), changes.shape[1]))])
+    for some, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
+        if len(some) < few:
             continue
         plausible = Plausible.of(some, float(np.sqrt(gain)))
-        if plausible.different >= min(many, len(plausible.axes)):
+        if plausible.different >= min(few, len(plausible.axes)):
             along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
             combined, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
             kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, left))
@@ -120,6 +130,13 @@ def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
     log = fitter.observations.log
     if float(log.std()) > 0.0:
         yield "with frequency", (log - log.mean()) / float(log.std())
+
+
+def _unit(plain: Fit, signatures: Iterable[Array]) -> Directions:
+    """Return the directions of signatures beside the uncertain values, without those of which nothing is left."""
+    left = [(_beside(plain, each), float(np.linalg.norm(each))) for each in signatures]
+    sizes = [(each, float(np.linalg.norm(each)), whole) for each, whole in left]
+    return [(each[:, None] / size, 0) for each, size, whole in sizes if size > SAME * whole]
 
 
 def _beside(plain: Fit, signature: Array) -> Array:

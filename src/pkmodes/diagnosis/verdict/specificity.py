@@ -174,17 +174,22 @@ def arbitrary_draws(fitter: Fitter, plain: Fit, count: int, rng: np.random.Gener
     so twelve shape values carry less information than twelve independent ones.  The changes in different setups are
     independent, as if the structure differed between them.
     """
-    used, data = fitter.used(plain.hypothesis), fitter.prior_rows.start
-    # Modes far above the measured ones do not contribute to their shapes.
-    modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
-    changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)
-    observations = fitter.observations
-    changes = observations.rates(changed, plain.pairing, used) / observations.noise.stated[:, None]
+    data, changes = fitter.prior_rows.start, modal_changes(fitter, plain)
     drawn = np.zeros((len(plain.white), count))
     for place in fitter.observations.places():
         drawn[place] = changes[place] @ rng.standard_normal((changes.shape[1], count))
     drawn -= plain.basis @ (plain.basis[:data].T @ drawn[:data])
     return drawn
+
+
+def modal_changes(fitter: Fitter, plain: Fit) -> Array:
+    """Return the effects of relative changes of the modal stiffnesses and masses on the whitened data, (D, k)."""
+    used = fitter.used(plain.hypothesis)
+    # Modes far above the measured ones do not contribute to their shapes.
+    modes = int(plain.pairing.partner.max(initial=0)) + 1 + ABOVE
+    changed = _changed(plain.prediction, modes, fitter.criteria.pairing.mixed)
+    observations = fitter.observations
+    return np.asarray(observations.rates(changed, plain.pairing, used) / observations.noise.stated[:, None])
 
 
 def _changed(prediction: Prediction, modes: int, least: float) -> Prediction:
