@@ -3,7 +3,8 @@
     python examples/lumped_structure.py
 
 The model lacks the braces of the second storey.  The engine gets a callable for M and K, a list of candidates, and
-the measurements.
+the measurements.  A second model knows nothing of braces: with ``terms=True`` the engine tries masses at and springs
+between the floors by itself, and finds the brace as a spring between the floors that it joins.
 """
 
 import numpy as np
@@ -36,6 +37,15 @@ setups = ["empty", "loaded"]
 structure = MatrixStructure(parameters, candidates, matrices, channels=channels, setups=setups)
 
 
+def bare_matrices(values, setup):
+    """Return mass and stiffness of the same frame, whose author has not thought of braces."""
+    absent = {p.name: p.value for p in parameters}
+    return matrices(absent | values, setup)
+
+
+bare = MatrixStructure(parameters[:2], [], bare_matrices, channels=channels, setups=setups)
+
+
 def measure(rng):
     """Simulate a test of the real structure, with noise and undeclared values."""
     truth = {p.name: p.value for p in parameters} | {"mass": 20.1, "storey": 4.08e5, "brace 2": 6.0e4}
@@ -51,8 +61,9 @@ def measure(rng):
 
 
 def main() -> None:
-    """Diagnose the structure and print the result."""
-    result = diagnose(structure, measure(np.random.default_rng(1)))
+    """Diagnose both models and print the results."""
+    data = measure(np.random.default_rng(1))
+    result = diagnose(structure, data)
     print(f"{result.verdict}: {result.reason}")
     for found in result.effects:
         for value in found.parameters:
@@ -61,6 +72,11 @@ def main() -> None:
             )
     for stage, (_, error) in result.errors.items():
         print(f"  {stage:6} rms {100 * error.rms_relative:.2f} %, chi2 per dof {error.chi2_per_dof:.3g}")
+
+    print("\nWithout being told of braces:")
+    result = diagnose(bare, data, terms=True)
+    print(f"{result.verdict}: {result.reason}")
+    print(f"  {result.beyond.status} among {result.beyond.tried} terms: {result.beyond.reason}")
 
 
 if __name__ == "__main__":

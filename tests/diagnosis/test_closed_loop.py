@@ -6,6 +6,7 @@ import csv
 import importlib.util
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -91,15 +92,34 @@ def squared_part(robot: Robot, found: Diagnosis, data: Measurements) -> float:
     return float(np.sum((own / data.sigma[fitted]) ** 2))
 
 
-def test_a_lumped_structure_uses_the_same_engine() -> None:
+@pytest.fixture(scope="module")
+def lumped() -> ModuleType:
+    """The example of a structure that is not a robot."""
     specification = importlib.util.spec_from_file_location("lumped", EXAMPLES / "lumped_structure.py")
     assert specification
     assert specification.loader
     example = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(example)
-    found = diagnose(example.structure, example.measure(np.random.default_rng(1)))
+    return example
+
+
+def test_a_lumped_structure_uses_the_same_engine(lumped: ModuleType) -> None:
+    found = diagnose(lumped.structure, lumped.measure(np.random.default_rng(1)))
     assert found.verdict == "effect_found"
     assert [cause.name for cause in found.effects] == ["brace 2"]
     assert found.effects[0].parameters[0].value == pytest.approx(
         6.0e4, abs=3 * found.effects[0].parameters[0].sigma
     )
+
+
+def test_a_brace_is_found_that_nobody_has_thought_of(lumped: ModuleType) -> None:
+    """The brace of the second storey is a spring of 60 kN/m between the floors that it joins."""
+    found = diagnose(lumped.bare, lumped.measure(np.random.default_rng(1)), terms=True)
+    assert found.verdict == "unexplained"
+    assert found.beyond is not None
+    assert (found.beyond.status, found.beyond.tried) == ("found", 14)
+    (member,) = found.beyond.document().classes[0].members
+    assert member.term == "spring:floor 1/floor 2"
+    value = member.parameters["stiffness"]
+    assert value.value == pytest.approx(6.0e4, abs=3.0 * value.sigma)
+    assert found.reason.startswith("Not in the catalogue: a spring between floor 1 and floor 2, ")
