@@ -93,7 +93,9 @@ def _described(
         return None
     if term.form == "mass" and isinstance(place.part, Rod):
         return DescribedTerm(*given, declared=declared)
-    rows = tuple(motions.row(place, along) for along in place.translations or ("",))
+    # A body that slides on a rail follows the frame in all directions.
+    directions = machine.directions if place.along else place.translations or ("",)
+    rows = tuple(motions.row(place, along) for along in directions)
     swings = motions.row(place, term.along) if term.form == "resonator" else -1
     return DescribedTerm(*given, rows=rows, swings=swings, declared=declared)
 

@@ -96,12 +96,12 @@ def place_motion(p, parameters):
     J_out = np.zeros((*batch, 6, 10), dtype)
     J_out[..., 0, 0] = 1
     J_out[..., 0, 8] = 1
-    J_out[..., 1, 1] = 1
     J_out[..., 1, 9] = 1
-    J_out[..., 2, 2] = 1
-    J_out[..., 3, 3] = 1
-    J_out[..., 4, 8] = 1
-    J_out[..., 5, 9] = 1
+    J_out[..., 2, 8] = 1
+    J_out[..., 3, 1] = 1
+    J_out[..., 3, 9] = 1
+    J_out[..., 4, 2] = 1
+    J_out[..., 5, 3] = 1
     return J_out
 
 

@@ -106,11 +106,11 @@ def place_motion(p, parameters, effects):
     J_out[..., 1, 1] = 1
     J_out[..., 1, 9] = 1
     J_out[..., 1, 10] = b
-    J_out[..., 2, 1] = 1
-    J_out[..., 2, 9] = 1
-    J_out[..., 3, 2] = 1
-    J_out[..., 4, 3] = 1
-    J_out[..., 5, 8] = 1
+    J_out[..., 2, 8] = 1
+    J_out[..., 3, 1] = 1
+    J_out[..., 3, 9] = 1
+    J_out[..., 4, 2] = 1
+    J_out[..., 5, 3] = 1
     J_out[..., 6, 9] = 1
     return J_out
 

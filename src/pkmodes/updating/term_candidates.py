@@ -124,8 +124,12 @@ def _machine(structure: RobotStructure) -> _Machine:
 
 
 def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
-    """Yield the terms that change the machine, without those that are the same as one before them."""
-    known: dict[str, list[Array]] = {}
+    """Yield the terms that change the machine.
+
+    A spring between two bodies is left out where it is the same as one from a single body to ground: where one of the
+    bodies does not move that way, or both move alike.
+    """
+    grounded: list[Array] = []
     for term in terms:
         if term.form == "mount":
             if machine.has_inertia(term):
@@ -135,17 +139,16 @@ def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
         if term.form == "mass" and not term.rows:
             yield term
             continue
-        size = np.abs(rows).max(initial=0.0)
+        size = float(np.abs(rows).max(initial=0.0))
         if size <= ZERO:
             continue
-        swings = np.zeros(0)
-        if term.swings >= 0:
-            swings = machine.around.motion[0][term.swings][machine.system.free]
-        square = np.concatenate([(rows.T @ rows).ravel(), swings, [float(term.declared is not None)]])
-        alike = known.setdefault(term.form, [])
-        if any(len(square) == len(one) and np.abs(square - one).max() <= ZERO * size**2 for one in alike):
-            continue
-        alike.append(square)
+        if term.form == "spring" and len(rows) == 1:
+            direction = rows[0] / np.linalg.norm(rows[0])
+            between = len(term.strains[0]) == 2
+            if between and any(abs(abs(one @ direction) - 1.0) <= ZERO for one in grounded):
+                continue
+            if not between:
+                grounded.append(direction)
         yield term
 
 

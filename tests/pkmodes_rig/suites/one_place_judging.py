@@ -207,6 +207,13 @@ def _same_terms(mechanism: str, robot: Robot, fault: Fault) -> Iterator[tuple[st
             yield "spring:platform.y", dict(fault.values)
         if mechanism in ("corexy", "cartesian") and (place, direction) == ("platform", "y"):
             yield f"spring:{'gantry' if mechanism == 'corexy' else 'beam'}", dict(fault.values)
+    elif fault.form == "spring" and mechanism in ON_RAILS and direction in ("x", "y", "z"):
+        # A carriage does not move across its rail: a spring to it is one to ground.
+        other = fault.places[1]
+        if place == "platform" and other.startswith("carriage_"):
+            along = robot.parameters.direction[int(other.rpartition("_")[2]) - 1]["xyz".index(direction)]
+            if along == 0.0:
+                yield f"spring:platform.{direction}", dict(fault.values)
     elif fault.form == "compliance" and stem == "u":
         yield f"frame_compliance.compliance_{which}", {}
 
