@@ -27,6 +27,8 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 
 #: Number of terms that are refitted, by their scores and by their starts, and starts from which each is.
 BEST, STARTED, FITTED = 40, 20, 3
+#: Number of setups at which starts are compared.
+SCOUTED = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
 SMALL = 0.05
 #: Largest number of measurement errors that are tried beside terms, one more each time, and of terms beside which.
@@ -91,7 +93,7 @@ def tried(
     for _ in range(1 + SHARPENED if terms else 0):
         fitter = Fitter(structure.subset(fitted), setups.data.at(fitted), c, scatter)
         every = AllSetups(structure, setups.data, fitter, list(held))
-        found = _Explorer(every, terms, catalogue, progress).explored()
+        found = _Explorer(every, terms, catalogue, progress, found).explored()
         scatters = [] if found is None else [found.search.store.shape_scatter(fit) for fit in found.fits]
         sharper = min((one for one in scatters if one is not None), default=scatter)
         sharper = max(sharper, c.shapes.least_scatter)
@@ -102,7 +104,13 @@ def tried(
 
 
 class _Explorer:
-    """A search among terms, with one scatter of the shapes."""
+    """A search among terms, with one scatter of the shapes.
+
+    Parameters
+    ----------
+    before : Tried or None
+        With a larger scatter: what it refitted is refitted from there, and nothing else.
+    """
 
     def __init__(
         self,
@@ -110,7 +118,9 @@ class _Explorer:
         terms: tuple[Candidate, ...],
         catalogue: Evidence,
         progress: Progress | None,
+        before: Tried | None,
     ) -> None:
+        self.before = before
         self.setups, self.terms, self.catalogue, self.fitter = setups, terms, catalogue, setups.fitter
         self.store, self.criteria = FitStore(setups.fitter), setups.fitter.criteria
         self.progress = progress or (lambda _: None)
@@ -162,6 +172,9 @@ class _Explorer:
 
     def _refitted(self, plain: Fit) -> list[Fit]:
         """Return fits with one term beside the measurement errors of a fit, best first."""
+        if self.before is not None:
+            again = [(plain.hypothesis.adding(fit.causes[0]), [fit.values]) for fit in self.before.fits]
+            return self.store.finished(self.store.roughly(again))
         sized = [term for term in self.terms if not term.starts and self._testable(plain, term)]
         each = score(self.fitter, plain, sized).each
         visible = [one for one in each if one.visible and one.gain > 0.0]
@@ -188,25 +201,23 @@ class _Explorer:
 
     def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms that are fitted from starts of their own, each with its best starts."""
-        declared = plain.values.copy()
-        nuisances = list(self.fitter.nuisances)
-        declared[nuisances] = self.fitter.declared[nuisances]
         trials: list[tuple[Hypothesis, list[Array]]] = []
         for term in self.terms:
             if not term.starts or not self._testable(plain, term):
                 continue
             index, values = list(self.fitter.indices(term)), list[Array]()
-            for origin in (plain.values, declared):
-                for start in term.starts:
-                    at = origin.copy()
-                    at[index] = np.clip(start, self.fitter.lower[index], self.fitter.upper[index])
-                    values.append(at)
+            for start in term.starts:
+                at = plain.values.copy()
+                at[index] = np.clip(start, self.fitter.lower[index], self.fitter.upper[index])
+                values.append(at)
             trials.append((plain.hypothesis.adding(term), values))
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
-        scout = self.fitter.scout
+        count = len(self.fitter.data.labels)
+        few = [int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)] if count > SCOUTED else range(count)
+        scout = self.fitter.at(list(few)) if trials else self.fitter
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
-        asked = [(h if scout is self.fitter else Hypothesis(h.causes), v) for h, some in trials for v in some]
+        asked = [(Hypothesis(h.causes), values) for h, some in trials for values in some]
         costs = iter(scout.chi2_of_many(asked)) if asked else iter(())
         ranked = []
         for h, some in trials:
