@@ -110,15 +110,23 @@ def test_nothing_is_claimed_for_what_no_term_has() -> None:
         found = diagnose(FRAME.structure(), data, terms=True)
         assert found.verdict == "unexplained", name
         assert found.beyond is not None, name
-        assert found.beyond.status == "none", (name, found.beyond.reason)
+        assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.nothing"), name
         assert found.beyond.classes == (), name
         assert not found.reason.startswith("Not in the catalogue"), name
 
 
 def test_of_two_places_at_once_what_is_left_points_to_the_other() -> None:
-    found = of(FRAME, lambda _: (1.5 * at(6, 3), 4e3 * joined(6, 2, 5)))
+    """The second one is small: the first leaves noise, but noise that has its direction."""
+    found = of(FRAME, lambda _: (1.5 * at(6, 3), 2.8e3 * joined(6, 2, 5)))
     assert found.beyond is not None
-    assert found.beyond.rule in ("beyond.leaves_more", "beyond.nothing")
+    assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.leaves_more")
+
+
+def test_an_error_that_the_modes_of_a_setup_share_refuses_a_term() -> None:
+    plain = FRAME.measured(lambda _: (NOTHING, NOTHING), seed=2)
+    found = diagnose(FRAME.structure(), law(plain, 0.004, plain.pose.astype(float)), terms=True)
+    assert found.beyond is not None
+    assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.errors")
 
 
 class Clamped(Frame):

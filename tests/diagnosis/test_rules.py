@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from helpers.diagnoses.diagnose_command import PUBLISHED, WIND_UP, diagnosed, measured
 from helpers.golden.outcomes import GOLDEN
+from pkmodes.diagnosis.beyond.rules import BEYOND
 from pkmodes.diagnosis.damping.rules import LOSSES
 from pkmodes.diagnosis.verdict import rules, unexplained
 from pkmodes.diagnosis.verdict.evidence import Evidence, Rule
@@ -26,6 +28,16 @@ TABLES = {
     "Causes leave noise": rules.CLAIMS,
     "Nothing leaves noise": unexplained.OPEN,
 }
+#: The rules beyond the catalogue, on a page of their own.
+TERMS_PAGE = ROOT / "docs/beyond.md"
+#: Tests in which they decide; the others are those of the catalogue, asked of terms.
+TERMS_SHOWN_BY = dict.fromkeys(
+    (
+        *("beyond.nothing", "beyond.leaves_more", "beyond.one_row", "beyond.errors", "beyond.implausible"),
+        *("beyond.several", "beyond.law", "beyond.not_specific", "beyond.held_out", "beyond.found"),
+    ),
+    "tests/diagnosis/test_beyond.py",
+)
 #: Tests of the rules that decide no case of the suites.
 SHOWN_BY = {
     "after.dead_channel": "tests/diagnosis/test_notes.py",
@@ -61,15 +73,35 @@ def printed() -> str:
     return "\n\n".join([*parts, "\n".join(rows)])
 
 
-def test_the_documentation_prints_the_tables(pytestconfig: pytest.Config) -> None:
-    page = PAGE.read_text(encoding="utf-8")
-    between = re.compile(f"(?<={re.escape(BEGIN)}\n\n).*?(?=\n\n{re.escape(END)})", re.DOTALL)
+def printed_terms() -> str:
+    rows = ["| rule | when | status | shown by |", "| --- | --- | --- | --- |"]
+    for rule in BEYOND:
+        shown = Path(TERMS_SHOWN_BY.get(rule.name, "")).name
+        cells = [f"`{rule.name.partition('.')[2]}`", rule.about, f"`{rule.verdict.word}`"]
+        rows.append(f"| {' | '.join([*cells, f'`{shown}`' if shown else ''])} |")
+    return "\n".join(rows)
+
+
+@pytest.mark.parametrize(("path", "text"), [(PAGE, printed), (TERMS_PAGE, printed_terms)])
+def test_the_documentation_prints_the_tables(
+    path: Path, text: Callable[[], str], pytestconfig: pytest.Config
+) -> None:
+    page = path.read_text(encoding="utf-8")
+    between = re.compile(f"(?<={re.escape(BEGIN)}\n\n).*?(?=\n*{re.escape(END)})", re.DOTALL)
     if pytestconfig.getoption("update_golden"):
-        PAGE.write_text(between.sub(lambda _: printed(), page), encoding="utf-8")
+        path.write_text(between.sub(lambda _: f"{text()}\n\n", page), encoding="utf-8")
     else:
         found = between.search(page)
         assert found is not None
-        assert found.group() == printed()
+        assert found.group().rstrip() == text()
+
+
+def test_every_rule_beyond_the_catalogue_is_shown_by_a_test_or_asked_of_causes_too() -> None:
+    of_causes = {rule.ask for rule in rules.CLAIMS}
+    own = {rule.name for rule in BEYOND if rule.ask not in of_causes} - {"beyond.in_the_catalogue"}
+    assert own <= {*TERMS_SHOWN_BY} <= {rule.name for rule in BEYOND}
+    for name, test in TERMS_SHOWN_BY.items():
+        assert f'"{name}"' in (ROOT / test).read_text(encoding="utf-8"), name
 
 
 def test_every_rule_decides_a_case_of_the_suites_or_of_a_test() -> None:
@@ -88,7 +120,7 @@ def test_every_counted_case_is_one_of_its_suite_and_counted_once() -> None:
 
 
 def test_every_rule_says_when_it_applies() -> None:
-    for table in (*TABLES.values(), LOSSES):
+    for table in (*TABLES.values(), LOSSES, BEYOND):
         assert len({rule.name for rule in table}) == len(table)
         assert len({rule.name.partition(".")[0] for rule in table}) == 1
         assert all(rule.about for rule in table)

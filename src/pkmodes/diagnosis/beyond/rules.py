@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.diagnosis.verdict import rules
-from pkmodes.diagnosis.verdict.classes import distinct
+from pkmodes.diagnosis.verdict.classes import distinct, measured
 from pkmodes.diagnosis.verdict.evidence import Rule, Says
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.reasons import larger, names, noise
@@ -32,7 +32,9 @@ def nothing(e: TermEvidence) -> str:
     if p_value <= e.criteria.gate.surely:
         left = larger((squares / max(degrees, 1.0)) ** 0.5)
         return f"{count}: the best, {_words(e)}, leaves a residual {left} the stated errors ({p_in_words(p_value)})"
-    return f"{count}: {best}, because it adds modes that were not measured, or does not help to predict other setups"
+    if not measured(e.search, e.final):
+        return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
+    return f"{count}: {best}, because it does not help to predict setups left out of the fit"
 
 
 def in_the_catalogue(e: TermEvidence) -> str:
