@@ -71,13 +71,12 @@ def test_one_soft_storey_is_named_with_its_change() -> None:
     assert headline(found) == "Cause found: storey 2 is 25 % softer than the others"
     (effect,) = found.effects
     assert effect.alone is not None
-    assert abs(effect.alone.change.value + 0.25) < 3.0 * effect.alone.change.sigma < 0.02
+    assert abs(effect.alone.change + 0.25) < 3.0 * effect.alone.sigma < 0.02
     inspect = dict(action(found, Setting("", None, None, (), None)).entries)["inspect"]
     assert inspect[0].text == "Storey 2, which is 25 % softer than the others."
     (cause,) = found.as_json()["effects"]  # type: ignore[misc]
     assert cause["term"] == "parameter:2"
-    change = effect.alone.change
-    assert cause["term_change"] == {"value": change.value, "sigma": change.sigma, "unit": "1"}
+    assert cause["term_change"] == {"value": effect.alone.change, "sigma": effect.alone.sigma, "unit": "1"}
     assert len(cause["parameters"]) == 3
 
 
@@ -85,7 +84,7 @@ def test_a_stiff_storey_is_called_stiffer() -> None:
     found = storeys((0.0, 0.0, 0.3))
     (effect,) = found.effects
     assert effect.alone is not None
-    assert abs(effect.alone.change.value - 0.3) < 3.0 * effect.alone.change.sigma < 0.02
+    assert abs(effect.alone.change - 0.3) < 3.0 * effect.alone.sigma < 0.02
     assert effect.alone.sentence in found.reason
     assert effect.alone.sentence.endswith(" % stiffer than the others")
 
@@ -141,8 +140,8 @@ def test_a_soft_leg_of_a_hexapod_is_named() -> None:
     (effect,) = found.effects
     assert effect.alone is not None
     assert effect.alone.joint.term == "parameter:axis.3.leg.stiffness"
-    assert abs(effect.alone.change.value + 0.25) < 3.0 * effect.alone.change.sigma
-    percent = round(-100.0 * effect.alone.change.value)
+    assert abs(effect.alone.change + 0.25) < 3.0 * effect.alone.sigma
+    percent = round(-100.0 * effect.alone.change)
     assert headline(found) == f"Cause found: leg 3 is {percent} % softer than the others"
 
 

@@ -7,7 +7,8 @@ from dataclasses import replace
 from helpers.pages.page_reading import read
 from helpers.pages.report_examples import made_up
 from pkmodes.diagnosis.problem import Joint
-from pkmodes.diagnosis.verdict.findings import Finding, JointAlone, Member, Value
+from pkmodes.diagnosis.verdict.findings import Finding, Member, Value
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.report import report
 
 NAME = "axis_leg_stiffness"
@@ -22,7 +23,8 @@ def test_every_factor_has_a_tile_and_the_one_leg_is_named() -> None:
     )
     alone = JointAlone(
         Joint(FACTORS[2], "leg 3", "stiffness", "parameter:axis.3.leg.stiffness"),
-        Value(FACTORS[2], -0.2512, 0.0011, "1"),
+        -0.2512,
+        0.0011,
         5,
     )
     sentence = "leg 3 is 25 % softer than the others"

@@ -112,9 +112,9 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     """
     relative = effect.relative()
     if effect.alone is not None:
-        joint, change = effect.alone.joint, effect.alone.change
+        joint = effect.alone.joint
         term = f" ({joint.term})" if joint.term else ""
-        alone = rounded(100.0 * change.value, 100.0 * change.sigma)
+        alone = rounded(100.0 * effect.alone.change, 100.0 * effect.alone.sigma)
         terminal.line(f"{joint.words} alone: its {joint.quantity} changes by {alone} %{term}", "  ")
     if relative:
         terminal.line("relative to their mean:", "  ")

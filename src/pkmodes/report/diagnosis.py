@@ -156,9 +156,11 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
     effect = result.effects[i]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
-        joint, change, at = effect.alone.joint, effect.alone.change, pointer("effects", i, "term_change")
-        cell = uncertain(change.value, change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
-        facts.append((f"{clean(joint.words)} alone: change of its {clean(joint.quantity)} [%]", cell))
+        alone, at = effect.alone, pointer("effects", i, "term_change")
+        cell = uncertain(alone.change, alone.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
+        facts.append(
+            (f"{clean(alone.joint.words)} alone: change of its {clean(alone.joint.quantity)} [%]", cell)
+        )
     for value in relative or effect.parameters:
         own = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*own, "sigma" if relative else "saved_sigma")

@@ -54,11 +54,11 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
         at = pointer(*top, "effects", i)
         entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
         if effect.alone is not None:
-            change = effect.alone.change
+            alone = effect.alone
             of, place = at + pointer("term_change", "value"), at + pointer("term_change", "sigma")
-            term = f"({clean(effect.alone.joint.term)})" if effect.alone.joint.term else ""
-            value = uncertain(change.value, change.sigma, of, place, scale=100.0)
-            entries.append((f"{clean(effect.alone.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
+            term = f"({clean(alone.joint.term)})" if alone.joint.term else ""
+            value = uncertain(alone.change, alone.sigma, of, place, scale=100.0)
+            entries.append((f"{clean(alone.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
         blocks += [Facts(entries), *_relative(effect, at, setting)]
         blocks.append(_members(effect, result.corrected, at, setting, sentences))
         if several:

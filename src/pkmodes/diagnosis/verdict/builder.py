@@ -27,11 +27,11 @@ from pkmodes.diagnosis.verdict.findings import (
     Corrected,
     Examined,
     Finding,
-    JointAlone,
     NextMeasurement,
     Refitted,
     Stability,
 )
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.diagnosis.verdict.limits import Limits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import low_modes, notes

@@ -19,7 +19,8 @@ from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.score import one_sided
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict.classes import classes, other_pairs, survivors
-from pkmodes.diagnosis.verdict.findings import Finding, JointAlone, Value
+from pkmodes.diagnosis.verdict.findings import Finding, Value
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.diagnosis.verdict.possible import member, possible, unusual
 
 #: Largest number of times that a cause is replaced by a better survivor.

@@ -18,9 +18,10 @@ from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.claim import Claim, claim_of, name_of
-from pkmodes.diagnosis.verdict.findings import NOTICEABLE, JointAlone
+from pkmodes.diagnosis.verdict.findings import NOTICEABLE
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.joint_alone import joint_alone
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 from pkmodes.diagnosis.verdict.verdicts import Verdict
 

@@ -15,11 +15,11 @@ import msgspec
 from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives, motors_to_be
-from pkmodes.diagnosis.problem import Joint
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.diagnosis.verdict.relative import relative_to_mean
 from pkmodes.diagnosis.verdict.verdicts import Word
 from pkmodes.support.documents import Document
-from pkmodes.support.numbers import Rounded, plain, rounded
+from pkmodes.support.numbers import Rounded, rounded
 
 
 @dataclass(frozen=True)
@@ -218,41 +218,6 @@ class Refitted:
     def of(cls, v: Corrected) -> Refitted:
         """Return a nuisance parameter among the values of the last model."""
         return cls(v.name, v.declared, v.value, v.sigma, v.saved_sigma, v.unit)
-
-
-#: What a part is that has less, and more, of a quantity than the others.
-COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
-
-
-@dataclass(frozen=True)
-class JointAlone:
-    """The one joint in which a cause with a value for each explains the data as well alone.
-
-    Attributes
-    ----------
-    change : Value
-        Relative change in this joint, if the others have none.
-    others : int
-        Number of the others.
-    """
-
-    joint: Joint
-    change: Value
-    others: int
-
-    @property
-    def compared(self) -> str:
-        """How it differs from the others: "25 % softer than the others"."""
-        percent, more = plain(100.0 * abs(self.change.value), 2), self.change.value > 0.0
-        others, quantity = "the others" if self.others > 1 else "the other", self.joint.quantity
-        if quantity in COMPARED:
-            return f"{percent} % {COMPARED[quantity][more]} than {others}"
-        return f"{percent} % {'above' if more else 'below'} {others} in {quantity}"
-
-    @property
-    def sentence(self) -> str:
-        """What it means: "leg 3 is 25 % softer than the others"."""
-        return f"{self.joint.words} is {self.compared}"
 
 
 @dataclass(frozen=True)

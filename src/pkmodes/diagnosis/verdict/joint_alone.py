@@ -14,8 +14,8 @@ from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.score import score
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.findings import JointAlone, Value
 from pkmodes.diagnosis.verdict.held_out import p_of_held_out
+from pkmodes.diagnosis.verdict.joints import JointAlone
 
 
 def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | None:
@@ -58,5 +58,4 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
     (name,) = best.causes[-1].parameters
     (i,) = fitter.indices(best.causes[-1])
     joint = next(one for one in cause.joints if one.parameter == name)
-    change = Value(name, float(best.values[i]), best.sigma_of(i), fitter.parameters[i].unit)
-    return JointAlone(joint, change, len(cause.joints) - 1)
+    return JointAlone(joint, float(best.values[i]), best.sigma_of(i), len(cause.joints) - 1)

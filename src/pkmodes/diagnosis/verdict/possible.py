@@ -14,7 +14,8 @@ import numpy as np
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Parameter
-from pkmodes.diagnosis.verdict.findings import JointAlone, Member
+from pkmodes.diagnosis.verdict.findings import Member
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.support.numbers import plain
 
 #: What a value may exceed its range by: the last digits of a fit.

@@ -25,7 +25,6 @@ from pkmodes.diagnosis.verdict.findings import (
     Corrected,
     Examined,
     Finding,
-    JointAlone,
     Limit,
     NextMeasurement,
     Refitted,
@@ -33,6 +32,7 @@ from pkmodes.diagnosis.verdict.findings import (
     Value,
     believed,
 )
+from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.diagnosis.verdict.rows import Error, Place, Row
 from pkmodes.diagnosis.verdict.terms import Beyond
 from pkmodes.diagnosis.verdict.verdicts import NOT_MEASURED, VERDICTS, DampingWord, Word
@@ -336,7 +336,7 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
     return CauseDocument.of(
         cause,
         term=(alone.joint.term or None) if alone else None,
-        term_change=ValueDocument.of(alone.change) if alone else None,
+        term_change=ValueDocument(alone.change, alone.sigma, "1") if alone else None,
         parameters=parameters,
         covariance=[list(row) for row in cause.covariance],
         relative=_by_key(ValueDocument, cause.relative()),

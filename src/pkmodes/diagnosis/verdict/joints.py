@@ -1,0 +1,43 @@
+"""The one joint of a cause with a value for each joint, in words: "leg 3 is 25 % softer than the others"."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pkmodes.diagnosis.problem import Joint
+from pkmodes.support.numbers import plain
+
+#: What a part is that has less, and more, of a quantity than the others.
+COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
+
+
+@dataclass(frozen=True)
+class JointAlone:
+    """The one joint in which a cause with a value for each explains the data as well alone.
+
+    Attributes
+    ----------
+    change, sigma : float
+        Relative change in this joint, if the others have none, and its standard deviation.
+    others : int
+        Number of the others.
+    """
+
+    joint: Joint
+    change: float
+    sigma: float
+    others: int
+
+    @property
+    def compared(self) -> str:
+        """How it differs from the others: "25 % softer than the others"."""
+        percent, more = plain(100.0 * abs(self.change), 2), self.change > 0.0
+        others, quantity = "the others" if self.others > 1 else "the other", self.joint.quantity
+        if quantity in COMPARED:
+            return f"{percent} % {COMPARED[quantity][more]} than {others}"
+        return f"{percent} % {'above' if more else 'below'} {others} in {quantity}"
+
+    @property
+    def sentence(self) -> str:
+        """What it means: "leg 3 is 25 % softer than the others"."""
+        return f"{self.joint.words} is {self.compared}"
