@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.codegen.checking.consistency import Check, check_consistency, check_drawing
+from pkmodes.codegen.checking.given_files import check_definition, check_effect
 from pkmodes.codegen.derivation import (
-    Definition,
     add_effects,
     derivation,
     parametric,
@@ -181,9 +181,9 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     definition = read_definition(folder / DEFINITION, name) if reference else None
     copies = {path: read_definition(folder / str(own)) for path, own in of_effects.items()}
     fresh = parametric(name, definition, reference, copies)
-    changed, unchecked = _check_definition(folder, reference, name) if reference else ([], [])
+    changed, unchecked = check_definition(folder, reference, name) if reference else ([], [])
     for path, copy in copies.items():
-        more, left = _check_effect(folder, path, copy)
+        more, left = check_effect(folder, path, copy)
         changed, unchecked = [*changed, *more], [*unchecked, *left]
     findings = [*_findings_of(folder, fresh), *changed]
     with staged(name, fresh) as mechanism:
@@ -193,32 +193,6 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     given += [f"--effect {pasted(folder / path)}" for path in copies]
     fix = f"pkmodes generate {' '.join(given)} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
     return Report(str(folder), findings, checks, fix, tuple(unchecked))
-
-
-def _check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:
-    """Check whether the file that a mechanism was derived from has changed; return findings and unchecked items."""
-    try:
-        given = read_definition(folder / reference, name)
-    except PkmodesError:
-        return [], [f"whether the definition {shown(reference)} has changed: it cannot be read"]
-    digests = derivation("sources")
-    recorded = derivation("emit.currency").read_manifest(folder)["sources"]
-    if recorded.get(f"{name}.py") == digests.digest(given.text):
-        return [], []
-    message = f"the definition changed: {given.file.name} differs from the file this was derived from"
-    return [derivation("emit.currency").Finding("derivation", reference, message)], []
-
-
-def _check_effect(folder: Path, reference: str, copy: Definition) -> tuple[list[Any], list[str]]:
-    """Check whether the file of an effect has changed since a mechanism was derived with it."""
-    try:
-        given = read_definition(folder / reference)
-    except PkmodesError:
-        return [], [f"whether the effect {shown(reference)} has changed: it cannot be read"]
-    if given.text == copy.text:
-        return [], []
-    message = f"the effect changed: {given.file.name} differs from the file this was derived with"
-    return [derivation("emit.currency").Finding("derivation", reference, message)], []
 
 
 def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
@@ -237,7 +211,7 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
     texts = specialised(specification(robot, reference, definition))
     findings = _findings_of(folder, texts)
     if definition and not (folder / definition).is_dir():
-        changed, left = _check_definition(folder, definition, robot.mechanism_name)
+        changed, left = check_definition(folder, definition, robot.mechanism_name)
         findings, unchecked = [*findings, *changed], [*unchecked, *left]
     fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
     return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))
