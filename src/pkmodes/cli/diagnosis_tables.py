@@ -164,7 +164,8 @@ def _remarks(terminal: Terminal, setting: Setting, result: Diagnosis) -> None:
     if result.outliers:
         remarks.append(f"set aside as outliers: {rows_in_words(result.outliers)}")
     if result.unpaired:
-        remarks.append(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
+        by = "" if result.beyond is None or result.beyond.found is None else " without the term"
+        remarks.append(f"unmatched measured modes{by}: {rows_in_words(result.unpaired)}")
     if result.scatter:
         remarks.append(f"error common to the modes of a pose: {plain(100 * result.scatter, 2)} %")
     if result.undetectable:

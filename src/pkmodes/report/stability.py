@@ -21,7 +21,8 @@ def stability_sentence(result: Diagnosis) -> str:
     Returns
     -------
     str
-        It begins with "stable" where `stability_words.stable` allows it.
+        It begins with "stable" where `stability_words.stable` allows it, and where a term was found, with what it is
+        about.
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""
@@ -33,7 +34,8 @@ def stability_sentence(result: Diagnosis) -> str:
     same = _same(result)
     order = sorted(outcomes, key=lambda found: found[0] != same)  # what stays comes first
     parts = [_part(*found, outcomes[found], len(outcomes) == 1) for found in order]
-    return f"{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
+    of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
+    return f"{of}{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
 
 
 def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:

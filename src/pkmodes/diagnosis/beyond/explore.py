@@ -17,6 +17,7 @@ from pkmodes.diagnosis.verdict.builder import DiagnosisBuilder
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Says, first
 from pkmodes.diagnosis.verdict.limits import NO_LIMITS
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
+from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
@@ -73,7 +74,9 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evi
         proposed, not_separated = next_measurement(evidence.store, None, left)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
     elif status is FOUND:
-        result = replace(result, next_measurement=None, not_separated=status.nothing_next)
+        # What was remarked on the fit without the term does not hold with it.
+        remarks = tuple(notes(evidence.store, evidence.final, adequate=True))
+        result = replace(result, next_measurement=None, not_separated=status.nothing_next, notes=remarks)
     reason = f"{words}; {result.reason}" if (words := said.words()) else result.reason
     return replace(result, beyond=said, reason=reason)
 
