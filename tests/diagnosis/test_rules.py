@@ -42,6 +42,7 @@ TERMS_SHOWN_BY = dict.fromkeys(
 SHOWN_BY = {
     "after.dead_channel": "tests/diagnosis/test_notes.py",
     "claims.default": "tests/diagnosis/test_what_a_value_includes.py",
+    "claims.dispersion": "tests/diagnosis/test_dispersion.py",
     "claims.more_general": "tests/diagnosis/test_nested.py",
     **dict.fromkeys(
         (

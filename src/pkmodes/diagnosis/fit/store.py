@@ -173,7 +173,7 @@ class FitStore:
         penalty.
         """
         h, fitter = fit.hypothesis, self.fitter
-        price, each = 0.0, float(np.log(self._data))
+        price, each = 0.0, self.parameter_price
         for i in self._added(fit):
             row = fitter.priors.of(i)
             if row is None:
@@ -188,7 +188,12 @@ class FitStore:
     def price(self, candidate: Candidate) -> float:
         """Return the penalty of a candidate in the criterion, for its parameters without prior."""
         free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.of(i) is None]
-        return float(np.log(self._data)) * len(free)
+        return self.parameter_price * len(free)
+
+    @property
+    def parameter_price(self) -> float:
+        """Penalty of a parameter without prior in the criterion."""
+        return float(np.log(self._data))
 
     def predicts(self, fit: Fit, place: int | None = None) -> bool:
         """Return whether one of the causes, by default the last, improves the prediction of left-out setups."""

@@ -18,6 +18,7 @@ from pkmodes.diagnosis.readings import table
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.classes import distinct, more_general, parts_alone
 from pkmodes.diagnosis.verdict.defaults import by_a_default
+from pkmodes.diagnosis.verdict.dispersion import stiffness_of_frequency
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
@@ -288,16 +289,15 @@ def several_explanations(e: Evidence) -> Says | None:
     many = many or any(distinct(own) > most or parts_alone(own) for own in claim.own)
     if not claim.others and not many:
         return None
-    remarks = {name: found.sentence for name, found in e.alone.items()}
-    remarks |= dict.fromkeys(claim.implausible, "implausible")
+    alone = {name: found.sentence for name, found in e.alone.items()}
+    remarks = alone | dict.fromkeys(claim.implausible, "implausible")
     remaining = [
         [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
         for group in claim.remains()
     ]
     listed = "; ".join(" or ".join(group) for group in remaining)
-    if len(remaining) == 1:
-        return Says(f"these data cannot tell {len(remaining[0])} explanations apart: {listed}")
-    return Says(f"{len(remaining)} different explanations remain: {listed}")
+    one = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
+    return Says(one if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}")
 
 
 def another_with_other_errors(e: Evidence) -> Says | None:
@@ -394,6 +394,7 @@ CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.default", AMBIGUOUS, by_a_default),
     Rule("claims.other_errors", AMBIGUOUS, another_with_other_errors),
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
+    Rule("claims.dispersion", UNEXPLAINED, stiffness_of_frequency),
     Rule("claims.held_out", UNEXPLAINED, not_predicted),
     Rule("claims.found", EFFECT_FOUND, causes_found),
 )
