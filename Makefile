@@ -9,6 +9,7 @@ PKMODES := $(BIN)/pkmodes
 ACT := printf '\n\033[1m%s\033[0m\n%s\n\n'
 ROBOT := robots/linear-delta-2022.toml
 LOOP := examples/closed_loop
+RAIL := examples/loose_rail
 CAMPAIGN := examples/campaign
 IDENTIFIED := robots/linear-delta-2022-identified.toml
 PLANE := x=0.29:1.23:95,y=-0.16:0.16:33,z=-0.24383544
@@ -43,7 +44,14 @@ demo: first-act $(VENV)/.demo  ## the loop: a cause found, corrected code, signa
 	$(PKMODES) generate $(ROBOT) --out build/linear-delta-2022
 	$(PKMODES) check build/linear-delta-2022
 	$(BIN)/python docs/studies/published_tables/residual.py $(ROBOT) --generated build/linear-delta-2022
-	@$(ACT) '5. Pages to open' \
+	@$(ACT) '5. An effect that nobody had written' \
+	    'A rail of the machine has come loose, which no catalogue has: found, derived, added, and gone from the residual.'
+	$(PKMODES) diagnose $(RAIL)/robot.toml $(RAIL)/measured.csv --save-effect build/loose_rail.py \
+	    --save-robot build/worn-delta.toml
+	$(PKMODES) generate build/worn-delta.toml --effect build/loose_rail.py --out build/worn-delta
+	PKMODES_BACKEND=numpy $(PKMODES) diagnose build/worn-delta.toml $(RAIL)/measured.csv \
+	    --mechanism build/worn-delta/linear_delta
+	@$(ACT) '6. Pages to open' \
 	    'Each is one file that works without a network.'
 	$(PKMODES) map $(IDENTIFIED) --grid $(PLANE) --out build/map.nc --overwrite --report build/map.html
 	$(PKMODES) show $(IDENTIFIED) --out build/robot.html

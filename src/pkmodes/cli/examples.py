@@ -62,6 +62,12 @@ CATALOGUE = (
         "pkmodes diagnose examples/closed_loop/robot.toml examples/closed_loop/measured.csv",
     ),
     _example(
+        "loose_rail",
+        "A linear delta with one thing at one place that no catalogue has: found, derived and added.",
+        "an-effect-of-your-own",
+        "pkmodes diagnose examples/loose_rail/robot.toml examples/loose_rail/measured.csv --save-effect loose_rail.py",
+    ),
+    _example(
         "campaign",
         "Signals of a hammer and a shaker, from which modes and then a cause are found.",
         "signals",
