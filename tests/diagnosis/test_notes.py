@@ -146,6 +146,9 @@ def test_a_dead_sensor_is_noticed() -> None:
     dead = notes(replace(data, shapes=data.shapes * [1.0, 0.0, 1.0, 1.0]))
     assert (dead.verdict, dead.rule) == ("unexplained", "after.dead_channel")
     assert "channel floor 2 is 0 in every row: is the sensor connected?" in dead.notes[0]
+    # What is wrong in the file is no reason to look for terms that explain it.
+    mistaken = replace(data, shapes=data.shapes * [1.0, 0.0, 1.0, 1.0])
+    assert diagnose(structure(), mistaken, holdout=(), terms=True).beyond is None
     shapes = data.shapes * [1.0, 0.0, 1.0, 1.0]
     shapes[:, 1] = np.nan
     assert notes(replace(data, shapes=shapes)).verdict == "adequate"
