@@ -120,7 +120,7 @@ CATALOGUE = (
     _example(
         "lumped_structure",
         "A diagnosis of a structure that is not a robot, in Python.",
-        "diagnosis",
+        "any-structure",
         "python examples/lumped_structure.py",
         f"{EXAMPLES}/lumped_structure.py",
     ),
