@@ -65,7 +65,7 @@ CATALOGUE = (
         "loose_rail",
         "A linear delta with one thing at one place that no catalogue has: found, derived and added.",
         "an-effect-of-your-own",
-        "pkmodes diagnose examples/loose_rail/robot.toml examples/loose_rail/measured.csv --save-effect loose_rail.py",
+        "pkmodes diagnose examples/loose_rail/robot.toml examples/loose_rail/measured.csv",
     ),
     _example(
         "campaign",
