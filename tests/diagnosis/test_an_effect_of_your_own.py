@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
+import shlex
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from helpers.diagnoses import loose_rail_example
+from helpers.pages.documentation import ROOT, blocks, same
 from pkmodes import read_robot, updating
 from pkmodes.cli import run
 from pkmodes.diagnosis.verdict.result import Diagnosis
@@ -55,21 +56,31 @@ def test_what_was_found_is_an_effect_of_the_derivation(found: Diagnosis) -> None
 
 
 @pytest.mark.slow
-def test_the_machine_with_its_effect_lacks_nothing(found: Diagnosis, tmp_path: Path) -> None:
-    effect, worn, out = tmp_path / "loose_rail.py", tmp_path / "worn.toml", tmp_path / "worn"
-    effect.write_text(effect_text(found), encoding="utf-8")
-    worn.write_text(robot_with_term(read_robot(ROBOT), found), encoding="utf-8")
-    assert run(["generate", str(worn), "--effect", str(effect), "--out", str(out)]) == 0
-    assert run(["check", str(out / "linear_delta")]) == 0
-    target = tmp_path / "again.json"
-    folder = str(out / "linear_delta")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("PKMODES_BACKEND", "numpy")
-        words = ["diagnose", str(worn), str(MEASURED), "--mechanism", folder, "--json", str(target)]
-        assert run(words) == 0
-    assert json.loads(target.read_text(encoding="utf-8"))["verdict"] == "adequate"
-    effect.write_text(effect.read_text(encoding="utf-8").replace('along="y"', 'along="z"'), encoding="utf-8")
-    assert run(["check", folder]) == 1  # the file of the effect has changed since
+def test_the_page_leads_to_a_machine_that_lacks_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "examples").symlink_to(ROOT / "examples", target_is_directory=True)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv(
+        "PKMODES_BACKEND", "numpy"
+    )  # a library for a machine of one's own takes a minute to build
+    printed = []
+    for block in blocks("docs/an-effect-of-your-own.md"):
+        if block.language == "sh":
+            (words,) = (shlex.split(line) for line in block.text.replace("\\\n", " ").splitlines())
+            assert run(words[1:]) == 0, capsys.readouterr().err
+            printed.append(capsys.readouterr().out)
+        elif block.language == "text":
+            same(block.text, printed[-1], fit=True, shortened=True)
+        elif block.language == "python":
+            assert block.text.strip() in Path("loose_rail.py").read_text(encoding="utf-8")
+    assert "worn-delta: adequate" in printed[-1]
+    folder = Path("worn-delta/linear_delta")
+    assert run(["check", str(folder)]) == 0
+    text = Path("loose_rail.py").read_text(encoding="utf-8")
+    Path("loose_rail.py").write_text(text.replace('along="y"', 'along="z"'), encoding="utf-8")
+    assert run(["check", str(folder)]) == 1
+    assert "the effect changed: loose_rail.py differs" in capsys.readouterr().out
 
 
 def test_without_a_class_nothing_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

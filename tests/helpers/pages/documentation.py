@@ -37,6 +37,7 @@ ELSEWHERE = {
     ("docs/adding-a-mechanism.md", ""): "tests/runtime/own_mechanism/test_page.py",
     ("docs/adding-a-mechanism-that-turns.md", ""): "tests/runtime/own_mechanism/test_turning_platform.py",
     ("docs/adding-an-effect.md", ""): "tests/effects/test_adding_an_effect.py",
+    ("docs/an-effect-of-your-own.md", ""): "tests/diagnosis/test_an_effect_of_your_own.py",
     ("docs/cluster.md", ""): "tests/maps/test_workers.py without Slurm and Kubernetes",
     (
         "docs/diagnosis.md",
