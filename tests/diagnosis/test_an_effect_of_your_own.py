@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -10,18 +11,9 @@ import pytest
 
 from helpers.diagnoses import loose_rail_example
 from helpers.pages.documentation import ROOT, blocks, same
-from pkmodes import read_robot, updating
 from pkmodes.cli import run
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.updating.saved_term import effect_text, robot_with_term
 
 ROBOT, MEASURED = (loose_rail_example.FOLDER / name for name in ("robot.toml", "measured.csv"))
-
-
-@pytest.fixture(scope="module")
-def found() -> Diagnosis:
-    robot = read_robot(ROBOT)
-    return updating.diagnose(robot, updating.read(MEASURED, robot=robot))
 
 
 def test_the_files_are_those_of_the_rig() -> None:
@@ -35,35 +27,14 @@ def test_the_files_are_those_of_the_rig() -> None:
     np.testing.assert_allclose(frequencies[0], frequencies[1], rtol=1e-6)
 
 
-def test_the_support_that_yields_is_named_with_its_value(found: Diagnosis) -> None:
-    assert found.verdict == "unexplained"
-    assert found.beyond is not None
-    assert found.beyond.status == "found"
-    (group,) = found.beyond.classes
-    assert group.finding.members == (loose_rail_example.TERM,)
-    (compliance,) = group.finding.parameters
-    assert abs(compliance.value - loose_rail_example.COMPLIANCE) < 3.0 * compliance.sigma
-    assert found.reason.startswith("Not in the catalogue: a support of carriage 2 that yields along y")
-
-
-def test_what_was_found_is_an_effect_of_the_derivation(found: Diagnosis) -> None:
-    namespace: dict[str, object] = {}
-    exec(compile(effect_text(found), "loose_rail.py", "exec"), namespace)
-    assert namespace["EFFECT"].name == "mount_carriage_2_y"  # type: ignore[attr-defined]
-    text = robot_with_term(read_robot(ROBOT), found)
-    assert "[effects.mount_carriage_2_y]" in text
-    assert text.startswith(ROBOT.read_text(encoding="utf-8").splitlines()[0])
-
-
 @pytest.mark.slow
 def test_the_page_leads_to_a_machine_that_lacks_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "examples").symlink_to(ROOT / "examples", target_is_directory=True)
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv(
-        "PKMODES_BACKEND", "numpy"
-    )  # a library for a machine of one's own takes a minute to build
+    # A library for a machine of one's own takes a minute to build.
+    monkeypatch.setenv("PKMODES_BACKEND", "numpy")
     printed = []
     for block in blocks("docs/an-effect-of-your-own.md"):
         if block.language == "sh":
@@ -74,6 +45,11 @@ def test_the_page_leads_to_a_machine_that_lacks_nothing(
             same(block.text, printed[-1], fit=True, shortened=True)
         elif block.language == "python":
             assert block.text.strip() in Path("loose_rail.py").read_text(encoding="utf-8")
+    assert "worn-delta: unexplained" in printed[0]
+    with Path("worn-delta.toml").open("rb") as file:
+        effect = tomllib.load(file)["effects"]["mount_carriage_2_y"]["compliance"]
+    value, sigma = (float(effect[key].split()[0]) for key in ("value", "sigma"))
+    assert abs(value - loose_rail_example.COMPLIANCE) < 3.0 * sigma
     assert "worn-delta: adequate" in printed[-1]
     folder = Path("worn-delta/linear_delta")
     assert run(["check", str(folder)]) == 0
@@ -86,7 +62,8 @@ def test_the_page_leads_to_a_machine_that_lacks_nothing(
 def test_without_a_class_nothing_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = tmp_path / "effect.py"
     loop = loose_rail_example.FOLDER.parent / "closed_loop"
-    words = ["diagnose", str(loop / "robot.toml"), str(loop / "measured.csv"), "--save-effect", str(target)]
+    files = [str(loop / name) for name in ("robot.toml", "measured.csv")]
+    words = ["diagnose", *files, "--candidates", "gearbox_compliance", "--save-effect", str(target)]
     assert run(words) == 2
     assert "there is nothing beyond the catalogue to write: terms were not tried" in capsys.readouterr().err
     assert not target.exists()
