@@ -64,7 +64,7 @@ def diagnose(
     criteria : Criteria, optional
         Thresholds.  The error rates in docs/diagnosis-measured.md hold for the default ones.
     terms : bool, optional
-        Whether a structure that is `Extensible`, such as a `MatrixStructure`, is tried with terms, one thing at one
+        Whether a structure that is extensible, such as a `MatrixStructure`, is tried with terms, one thing at one
         place, where the candidates do not explain the measurements.
 
     Returns
