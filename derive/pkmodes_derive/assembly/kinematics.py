@@ -88,8 +88,7 @@ class Kinematics:
                     first[symbol] = chain[symbol]
 
         take({s for expression in self.inverse.values() for s in expression.free_symbols})
-        # What holds a body may yield: its released displacement is zero in the reference configuration.
-        return {s: value.xreplace(self.reference) for s, value in {**first, **self.inverse, **chain}.items()}
+        return {**first, **self.inverse, **chain}
 
 
 def derive(machine: Machine) -> Kinematics:
@@ -121,6 +120,9 @@ def derive(machine: Machine) -> Kinematics:
     D_p = D[:, :n]
     U = tuple(_link_jacobian(machine, j, independent) for j in range(len(machine.links)))
     P = _second_derivatives(machine, closures, D_p, solver)
+    at_pose = {c.position: Integer(0) for c in machine.yielding}
+    for symbol in (s for link in machine.links for s in link.vector) if at_pose else ():
+        chain.redefine(symbol, chain.definitions[symbol].xreplace(at_pose))  # its derivatives are rules by now
     return Kinematics(
         chain,
         machine.inverse,
