@@ -122,7 +122,9 @@ def derive(machine: Machine) -> Kinematics:
     P = _second_derivatives(machine, closures, D_p, solver)
     at_pose = {c.position: Integer(0) for c in machine.yielding}
     for symbol in (s for link in machine.links for s in link.vector) if at_pose else ():
-        chain.redefine(symbol, chain.definitions[symbol].xreplace(at_pose))  # its derivatives are rules by now
+        chain.redefine(
+            symbol, chain.definitions[symbol].xreplace(at_pose)
+        )  # its derivatives are rules by now
     return Kinematics(
         chain,
         machine.inverse,
