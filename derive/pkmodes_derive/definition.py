@@ -59,12 +59,7 @@ def read(name: str, text: str, place: str) -> ModuleType:
     DefinitionError
         If it is not valid Python, raises an exception or lacks one of the three names.
     """
-    module = ModuleType(name)
-    module.__file__ = place
-    # Messages and tracebacks show the text that was run, even if the file has changed since.
-    linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
-    with as_definition_errors(place, "fix that line"):
-        exec(compile(text, place, "exec"), module.__dict__)
+    module = run(name, text, place)
     title, directions = (getattr(module, attribute, None) for attribute in ("TITLE", "DIRECTIONS"))
     if not isinstance(title, str) or not title.strip():
         raise DefinitionError(
@@ -79,6 +74,17 @@ def read(name: str, text: str, place: str) -> ModuleType:
     _check_rotations(getattr(module, "ROTATIONS", ()), tuple(directions), place)
     if not callable(getattr(module, "declare", None)):
         raise DefinitionError("there is no function declare(m)", place, "add it: it declares the mechanism")
+    return module
+
+
+def run(name: str, text: str, place: str) -> ModuleType:
+    """Run the text of a file and return its module; every exception becomes a `DefinitionError`."""
+    module = ModuleType(name)
+    module.__file__ = place
+    # Messages and tracebacks show the text that was run, even if the file has changed since.
+    linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
+    with as_definition_errors(place, "fix that line"):
+        exec(compile(text, place, "exec"), module.__dict__)
     return module
 
 

@@ -5,15 +5,13 @@ Every mistake in it is reported as what, where (file and line) and what to do, n
 
 from __future__ import annotations
 
-import linecache
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass
-from types import ModuleType
 
-from sympy import Expr, Integer, Symbol, nan, oo, zoo
+from sympy import Expr, Integer, nan, oo, zoo
 
-from pkmodes_derive.definition import DefinitionError, as_definition_errors
+from pkmodes_derive.definition import DefinitionError, run
 from pkmodes_derive.effect import Effect
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.machine import Machine
@@ -41,12 +39,7 @@ def read(text: str, place: str) -> Effect:
     DefinitionError
         If it is not valid Python, raises an exception, has no ``EFFECT``, or one with a name that is taken.
     """
-    module = ModuleType("effect")
-    module.__file__ = place
-    linecache.cache[place] = (len(text), None, text.splitlines(keepends=True), place)
-    with as_definition_errors(place, "fix that line"):
-        exec(compile(text, place, "exec"), module.__dict__)
-    effect = getattr(module, "EFFECT", None)
+    effect = getattr(run("effect", text, place), "EFFECT", None)
     if not isinstance(effect, Effect):
         what = "EFFECT is missing" if effect is None else "EFFECT is not an Effect"
         remedy = "write EFFECT = Effect(...), as in docs/adding-an-effect.md, or give a file of --save-effect"
@@ -80,7 +73,7 @@ def check(effect: Effect, bare: Machine, with_effect: Machine, place: str) -> No
         known = ", ".join(places(bare))
         what = f"the effect {effect.name} acts on parts that {bare.name} does not have"
         raise DefinitionError(what, place, f"its bodies are {known}: act on one of these")
-    zero = {s: Integer(0) for field in with_effect.effect_fields for s in field.symbols}
+    zero = {s: Integer(0) for group in with_effect.effect_fields for s in group.symbols}
     released = {s for c in with_effect.released for s in (c.position, c.rate)}
     if not zero:
         raise DefinitionError(
@@ -88,9 +81,9 @@ def check(effect: Effect, bare: Machine, with_effect: Machine, place: str) -> No
         )
     plain = dict(_expressions(bare))
     for name, value in _expressions(with_effect):
-        if not zero.keys() & value.free_symbols:
-            continue
         before, at_zero = plain.get(name, Integer(0)), value.xreplace(zero)
+        if value == before:
+            continue
         if at_zero.has(nan, oo, -oo, zoo):
             what = f"the effect {effect.name} is not defined where its parameters are 0"
             raise DefinitionError(what, place, "write it so that nothing is divided by a parameter")
@@ -126,12 +119,10 @@ def _expressions(machine: Machine) -> Iterator[tuple[tuple[str, ...], Expr]]:
     for name, parts in lists.items():
         for k, part in enumerate(parts):
             assert is_dataclass(part)
-            for one in fields(part):
-                value = getattr(part, one.name)
-                # Names of a machine are symbols, too; a load or spring exists only with an effect.
-                own = name in ("loads", "springs") or not isinstance(value, Symbol)
-                if isinstance(value, Expr) and own:
-                    yield (name, str(k), one.name), value
+            for field in fields(part):
+                value = getattr(part, field.name)
+                if isinstance(value, Expr):
+                    yield (name, str(k), field.name), value
     for name in ("kinetic", "elastic", "dissipation"):
         for k, energy in enumerate(getattr(machine, name)):
             yield (name, str(k)), energy

@@ -447,8 +447,7 @@ class Machine:
         along : sequence of sympy.Expr, optional
             Unit vector of the belt that leaves it, along which its bearing may yield, base frame.
         """
-        bearing = Clamp()
-        self.rotors.append(Rotor(coordinate, inertia, name, place, words, bearing, tuple(along)))
+        self.rotors.append(Rotor(coordinate, inertia, name, place, words, along=tuple(along)))
         return self.rotors[-1]
 
     def drive(

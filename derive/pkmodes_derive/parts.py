@@ -263,6 +263,19 @@ class Seat:
     legs: list[Leg] = field(default_factory=list)
 
 
+@dataclass(eq=False)
+class Clamp:
+    """What holds the end of a belt span: released coordinates move it along the span, with sign -1 against it."""
+
+    released: list[Coordinate] = field(default_factory=list)
+    sign: int = 1
+
+    @property
+    def reversed(self) -> Clamp:
+        """The same for an end that moves the other way."""
+        return Clamp(self.released, -self.sign)
+
+
 @dataclass
 class Rotor:
     """A body that turns on a bearing of the frame.
@@ -288,7 +301,7 @@ class Rotor:
     name: Symbol | None = None
     place: str = ""
     words: str = ""
-    bearing: Clamp = field(default_factory=lambda: Clamp())
+    bearing: Clamp = field(default_factory=Clamp)
     along: Position = ()
 
 
@@ -331,19 +344,6 @@ class Drive:
     def wound_rate(self) -> Expr:
         """Rate of this angle [rad/s]."""
         return Add(*(coordinate.rate for coordinate in self.wind_up))
-
-
-@dataclass(eq=False)
-class Clamp:
-    """What holds the end of a belt span: released coordinates move it along the span, with sign -1 against it."""
-
-    released: list[Coordinate] = field(default_factory=list)
-    sign: int = 1
-
-    @property
-    def reversed(self) -> Clamp:
-        """The same for an end that moves the other way."""
-        return Clamp(self.released, -self.sign)
 
 
 @dataclass
@@ -410,7 +410,7 @@ class PlacedSpring:
     places : tuple of Place
         One, or two whose relative displacement strains it.
     directions : tuple of str
-        Those in which it acts, each alike.
+        Those in which it acts, each alike; one, empty, between bodies with one freedom each.
     """
 
     stiffness: Expr

@@ -23,6 +23,7 @@ UNITS = {
     "reciprocal force": "1/N",
     "viscous friction": "N s/m",
     "torsional viscous friction": "N m s/rad",
+    "frequency": "Hz",
     "number": "1",
 }
 #: Kinds of keys that are choices: nothing is differentiated with respect to them.

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from pkmodes_derive import mechanisms
+from pkmodes_derive import effect_file, mechanisms
 from pkmodes_derive.definition import DefinitionError
+from pkmodes_derive.terms import compliance
+from pkmodes_derive.terms.enumeration import terms
 
 HEAD = """from sympy import Rational, sqrt
 from pkmodes_derive.effect import Effect, EffectParameter
@@ -34,6 +36,10 @@ WRONG = {
     "a place that is not there": ('EFFECT = mass("carriage_7")', ("acts on parts", "carriage_3")),
     "not null at 0": (
         "EFFECT = effect(applied(lambda k, x: (1 + k) * x**2))",
+        ("changes the machine where its parameters are 0", "null at 0"),
+    ),
+    "without its parameter": (
+        "EFFECT = effect(applied(lambda k, x: x**2))",
         ("changes the machine where its parameters are 0", "null at 0"),
     ),
     "no derivative at 0": (
@@ -67,3 +73,18 @@ def test_an_effect_of_ones_own_stands_among_those_of_the_catalogue() -> None:
     finally:
         mechanisms.add_effects("linear_delta", [])
     assert mechanisms.effects("linear_delta") == catalogue
+
+
+@pytest.mark.parametrize("name", ["linear_delta", "rotary_delta", "corexy", "cartesian", "bed_slinger"])
+def test_every_term_may_be_an_effect_of_ones_own(name: str) -> None:
+    bare = mechanisms.machine(name)
+    released = [
+        effect.released.name.format(i=place, j=place)
+        for effect in mechanisms.effects(name)
+        if effect.released is not None
+        for place in effect.places
+    ]
+    effects = [*(term.effect for term in terms(bare)), *map(compliance, released)]
+    assert len(effects) > 20
+    for effect in effects:
+        effect_file.check(effect, bare, mechanisms.machine(name, [effect]), "own.py")

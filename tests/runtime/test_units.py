@@ -35,6 +35,10 @@ CONVERSIONS = [
     ("1.5 kN", "force", 1500.0),
     ("2e-3 1/N", "reciprocal force", 0.002),
     ("2 1/kN", "reciprocal force", 0.002),
+    ("0.05 kHz", "frequency", 50.0),
+    ("100 rad/s", "frequency", 15.915494309189533577),
+    ("600 rpm", "frequency", 10.0),
+    ("90 deg/s", "frequency", 0.25),
     ("+1.m", "length", 1.0),
 ]
 

@@ -217,8 +217,7 @@ def _structure(machine: Machine) -> Expr:
     for arm in machine.arms:
         rate = machine.velocities[machine.coordinates.index(arm.angle)]
         along = tuple(machine.chain.derivative(component, arm.angle) for component in arm.centre)
-        u = machine.frame_rate
-        u = tuple(a + b for a, b in zip(u, arm.shift, strict=True))
+        u = tuple(a + b for a, b in zip(machine.frame_rate, arm.shift, strict=True))
         T += HALF * arm.inertia * rate**2 + arm.mass * (rate * dot(along, u) + HALF * dot(u, u))
     T += Add(*(_leg(machine, leg) for leg in machine.legs))
     if machine.turning is not None:

@@ -120,11 +120,10 @@ def derive(machine: Machine) -> Kinematics:
     D_p = D[:, :n]
     U = tuple(_link_jacobian(machine, j, independent) for j in range(len(machine.links)))
     P = _second_derivatives(machine, closures, D_p, solver)
-    at_pose = {c.position: Integer(0) for c in machine.yielding}
-    for symbol in (s for link in machine.links for s in link.vector) if at_pose else ():
-        chain.redefine(
-            symbol, chain.definitions[symbol].xreplace(at_pose)
-        )  # its derivatives are rules by now
+    if machine.yielding:  # the derivatives of link vectors are rules by now
+        at_pose = {c.position: Integer(0) for c in machine.yielding}
+        for symbol in (s for link in machine.links for s in link.vector):
+            chain.redefine(symbol, chain.definitions[symbol].xreplace(at_pose))
     return Kinematics(
         chain,
         machine.inverse,

@@ -67,7 +67,7 @@ def energy_of_springs(machine: Machine, kin: Kinematics) -> tuple[Expr, tuple[Sy
 def strains(machine: Machine, kin: Kinematics, spring: PlacedSpring) -> list[Row]:
     """Return the elongation or twist of a spring in each of its directions, per unit of every coordinate."""
     rows = []
-    for direction in spring.directions or ("",):
+    for direction in spring.directions:
         ends = [motion(machine, kin, place, direction) for place in spring.places]
         rows.append(ends[0] if len(ends) == 1 else [a - b for a, b in zip(*ends, strict=True)])
     return rows

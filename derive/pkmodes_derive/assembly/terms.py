@@ -18,7 +18,7 @@ from pkmodes_derive.functions import FieldGroup, Function, Model, Output
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.parts import Rod
 from pkmodes_derive.terms.enumeration import Term, terms
-from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places
+from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places, strained_directions
 from pkmodes_description import Named
 from pkmodes_description import Term as DescribedTerm
 
@@ -81,9 +81,7 @@ def _described(
     given = term.name, term.form, term.sentence, parameters
     place = term.ends[0]
     if term.form == "spring":
-        directions = (
-            (term.along,) if term.along else max((e.translations for e in term.ends), key=len) or ("",)
-        )
+        directions = (term.along,) if term.along else strained_directions(term.ends)
         strains = tuple(tuple(motions.row(end, along) for end in term.ends) for along in directions)
         return DescribedTerm(*given, strains=strains)
     if term.form == "mount":

@@ -41,12 +41,18 @@ def text(
     effects : mapping, optional
         Of effects of one's own: name and text of the copy by where the file comes from.
     """
+    copies = dict((effects or {}).values())
+    if definition is not None and definition[1] is not None:
+        copies[f"{mechanism}.py"] = definition[1]
     content: dict[str, object] = {
         "format": FORMAT,
         "product": product,
         "mechanism": mechanism,
         "generator": {"pkmodes_derive": pkmodes_derive.__version__, "sympy": sympy.__version__},
-        "sources": sources.source_digests(),
+        "sources": {
+            **sources.source_digests(),
+            **{name: sources.digest(of_copy) for name, of_copy in copies.items()},
+        },
         "outputs": {name: sources.digest(outputs[name]) for name in outputs},
         "operations": {
             name: {"written_out": p.operations_written_out, "emitted": p.operations}
@@ -54,13 +60,9 @@ def text(
         },
     }
     if definition is not None:
-        content["definition"], own = definition
-        if own is not None:
-            content["sources"] = {**sources.source_digests(), f"{mechanism}.py": sources.digest(own)}
+        content["definition"] = definition[0]
     if effects:
         content["effects"] = {path: name for path, (name, _) in effects.items()}
-        of_files = {name: sources.digest(text) for name, text in effects.values()}
-        content["sources"] = {**content["sources"], **of_files}  # type: ignore[dict-item]
     if specification is not None:
         content["robot"] = {
             "file": specification.robot_file,

@@ -73,7 +73,7 @@ def add(name: str, text: str, place: str) -> None:
     machine(name)
 
 
-def add_effects(name: str, files: Sequence[tuple[str, str]]) -> tuple[Effect, ...]:
+def add_effects(name: str, files: Sequence[tuple[str, str]]) -> None:
     """Add effects of one's own to a mechanism, in place of those that it has; with none it has its catalogue's.
 
     Parameters
@@ -83,17 +83,13 @@ def add_effects(name: str, files: Sequence[tuple[str, str]]) -> tuple[Effect, ..
     files : sequence of (str, str)
         Text of each file, and its place for messages.
 
-    Returns
-    -------
-    tuple of Effect
-
     Raises
     ------
     DefinitionError
         If a file has a mistake, or its effect does not apply to the mechanism or is not null at 0.
     """
-    if tuple(text for text, _ in files) == tuple(text for text, _ in _own_effects.get(name, ())):
-        return tuple(effect for _, effect in _own_effects.get(name, ()))
+    if [text for text, _ in files] == [text for text, _ in own_effects(name)]:
+        return
     _own_effects.pop(name, None)
     _forget()
     read: dict[str, tuple[str, Effect]] = {}
@@ -108,7 +104,6 @@ def add_effects(name: str, files: Sequence[tuple[str, str]]) -> tuple[Effect, ..
         effect_file.check(effect, bare, applied, place)
         read[effect.name] = text, effect
     _own_effects[name] = tuple(read.values())
-    return tuple(effect for _, effect in read.values())
 
 
 def own_effects(name: str) -> tuple[tuple[str, Effect], ...]:
@@ -161,11 +156,11 @@ def _machine(module: ModuleType, name: str, effects: Sequence[Effect], zeros: Ze
 def effects(name: str) -> tuple[Effect, ...]:
     """Return the effects that apply to a mechanism, which are those with parts to act on."""
     bare = machine(name)
-    own = tuple(effect for _, effect in own_effects(name))
-    every = (*catalogue(), *own)
+    # In an order that does not depend on that of the files.
+    own = sorted((effect for _, effect in own_effects(name)), key=lambda effect: effect.name)
+    applying = [effect for effect in (*catalogue(), *own) if effect.parts(bare)]
     # Those that release coordinates are last, in the order of their coordinates.
-    every = tuple(sorted(every, key=lambda effect: (effect.released is not None, effect.order)))
-    return tuple(effect for effect in every if effect.parts(bare))
+    return tuple(sorted(applying, key=lambda effect: (effect.released is not None, effect.order)))
 
 
 def _once(derive: Callable[..., T]) -> _lru_cache_wrapper[T]:

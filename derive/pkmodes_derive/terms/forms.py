@@ -21,17 +21,25 @@ from typing import Any
 
 from sympy import Dummy, Expr, Integer, Rational, Symbol, pi
 
-from pkmodes_derive.effect import COMPLIANCE, Coordinate, Effect, EffectParameter, Released
+from pkmodes_derive.effect import COMPLIANCE, Coordinate, Effect, EffectParameter, Positive, Released
 from pkmodes_derive.effects import catalogue
 from pkmodes_derive.machine import Machine
 from pkmodes_derive.parts import Arm, LegPart, PlacedSpring, PointMass, Rod, Rotor
-from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places
+from pkmodes_derive.terms.places import FRAME, PLATFORM, Place, places, strained_directions
 from pkmodes_derive.vectors import axis, dot
 from pkmodes_derive.vocabulary import AXES, DeclarationError
 
 HALF = Rational(1, 2)
 #: Coordinates of terms follow those of the catalogue.
 ORDER = 10
+#: What a resonator needs, whose mass would otherwise hang on nothing.
+SWINGS = Positive(
+    lambda parameters: parameters["frequency"],
+    "frequency",
+    "expected the natural frequency of the resonator above 0, found {value}",
+    "declare frequency, such as 50 Hz, beside the mass, or remove the table",
+    "Hz",
+)
 
 
 def mass(place: str, *, name: str = "", sentence: str = "") -> Effect:
@@ -73,9 +81,7 @@ def spring(place: str, other: str = "", along: str = "", *, name: str = "", sent
 
     def apply(machine: Machine, parameters: Mapping[str, Symbol], released: Sequence[Coordinate]) -> None:
         bodies = tuple(_found(machine, end) for end in ends)
-        # Bodies with one freedom each are strained along it.
-        every = max((body.translations for body in bodies), key=len)
-        directions = (along,) if along else every
+        directions = (along,) if along else strained_directions(bodies)
         machine.springs.append(PlacedSpring(parameters["stiffness"], bodies, directions))
 
     def parameters(machine: Machine) -> tuple[EffectParameter, ...]:
@@ -114,7 +120,7 @@ def mount(place: str, along: str = "", *, name: str = "", sentence: str = "") ->
         if not isinstance(body.part, Rotor):
             return (held,)
         what = f"mass that moves with the bearing of {body.words}"
-        return held, EffectParameter("mass", "kg", what, "m_X", "m_X", greater_than=0.0)
+        return held, EffectParameter("mass", "kg", what, "m_X", "m_X")
 
     known = name or "_".join(["mount", place, *([along] if along else [])])
     free = Released(f"w_{place}{along}", "m", f"displacement of what holds {place}", "w", order=ORDER)
@@ -220,7 +226,8 @@ def resonator(place: str, along: str = "", *, name: str = "", sentence: str = ""
     free = Released(
         f"y_{place}{along}", "m", f"displacement relative to {place}", "y", order=ORDER, sprung=False
     )
-    return _effect(known, sentence, (place,), parameters, apply, released=free, along=along)
+    made = _effect(known, sentence, (place,), parameters, apply, released=free, along=along)
+    return replace(made, needs=SWINGS)
 
 
 def _effect(
@@ -249,7 +256,7 @@ def _effect(
         parts=parts,
         parameters=(),
         parameters_on=lambda machine: tuple(
-            replace(p, symbol=f"{p.symbol}_{name}", latex=rf"{p.latex}") for p in parameters(machine)
+            replace(p, symbol=f"{p.symbol}_{name}") for p in parameters(machine)
         ),
         apply=apply,
         released=released,

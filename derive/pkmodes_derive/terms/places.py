@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from sympy import Expr, Rational, Symbol
@@ -67,6 +67,11 @@ class Place:
 def places(machine: Machine) -> dict[str, Place]:
     """Return the places of a machine by name, in the order of its parts."""
     return {place.name: place for place in _places(machine)}
+
+
+def strained_directions(ends: Sequence[Place]) -> tuple[str, ...]:
+    """Return the directions in which an isotropic spring acts: one, empty, for bodies with one freedom each."""
+    return max((place.translations for place in ends), key=len) or ("",)
 
 
 def _places(m: Machine) -> Iterator[Place]:

@@ -48,7 +48,7 @@ def derivation(name: str) -> ModuleType:
 
 @dataclass(frozen=True)
 class Definition:
-    """The Python source of a user-defined mechanism: its name, text and file."""
+    """The Python source of a user-defined mechanism or effect: its name, text and file."""
 
     name: str
     text: str
@@ -64,21 +64,44 @@ def read_definition(file: Path, name: str | None = None) -> Definition:
         If the file cannot be read.
     """
     remedy = "give a Python file with TITLE, DIRECTIONS and declare(m)"
-    if file.exists() and not file.is_file():
-        raise PkmodesError("cannot read the definition: it is not a file", str(file), remedy)
-    if name is None and file.suffix != ".py":
+    if name is None and file.suffix != ".py" and (file.is_file() or not file.exists()):
         raise PkmodesError("expected a Python file, or the folder of a mechanism", str(file), remedy)
+    text = python_text(file, "definition", remedy)
+    return Definition(file.stem if name is None else name, text, file)
+
+
+def read_effect(file: Path) -> Definition:
+    """Read the file of an effect.
+
+    Raises
+    ------
+    PkmodesError
+        If it cannot be read.
+    """
+    remedy = "give a Python file with EFFECT, as pkmodes diagnose --save-effect writes it"
+    return Definition(file.stem, python_text(file, "effect", remedy), file)
+
+
+def python_text(file: Path, noun: str, remedy: str) -> str:
+    """Read the text of a definition or effect, which the messages call by that noun.
+
+    Raises
+    ------
+    PkmodesError
+        If the file cannot be read.
+    """
+    if file.exists() and not file.is_file():
+        raise PkmodesError(f"cannot read the {noun}: it is not a file", str(file), remedy)
     try:
         if file.stat().st_size > LARGEST_FILE:
-            raise PkmodesError("cannot read the definition: it is larger than 1 MB", str(file), remedy)
-        text = file.read_text(encoding="utf-8-sig")
+            raise PkmodesError(f"cannot read the {noun}: it is larger than 1 MB", str(file), remedy)
+        return file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
         what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
         raise PkmodesError(what, str(file), "save the file as UTF-8") from None
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = (getattr(error, "strerror", None) or str(error)).lower()
-        raise PkmodesError(f"cannot read the definition: {reason}", str(file), remedy) from None
-    return Definition(file.stem if name is None else name, text, file)
+        raise PkmodesError(f"cannot read the {noun}: {reason}", str(file), remedy) from None
 
 
 def define(definition: Definition) -> None:
@@ -95,7 +118,7 @@ def define(definition: Definition) -> None:
 
 def definition_of(mechanism: Mechanism) -> Definition | None:
     """Return the definition stored with a mechanism's code, None for a mechanism that comes with pkmodes."""
-    if mechanism.name in supplied():  # perhaps with effects of one's own
+    if mechanism.name in supplied():
         return None
     file = Path(str(files(mechanism.package))) / DEFINITION
     if not file.is_file():
@@ -130,7 +153,15 @@ def add_effects(name: str, files: Sequence[Definition]) -> None:
 
 def effects_of(mechanism: Mechanism) -> list[Definition]:
     """Return the effects of one's own that are stored with a mechanism's code."""
-    return [read_definition(file) for file in effect_files(mechanism.package)]
+    return [read_effect(file) for file in effect_files(mechanism.package, mechanism.effects)]
+
+
+def with_stored_effects(mechanism: Mechanism, effects: Sequence[Definition]) -> list[Definition]:
+    """Return effects of one's own after those stored with a mechanism's code, without stored ones of equal name."""
+    own = derivation("effect_file")
+    with as_pkmodes_errors():
+        replaced = {own.file_name(own.read(effect.text, str(effect.file))) for effect in effects}
+    return [*(stored for stored in effects_of(mechanism) if stored.file.name not in replaced), *effects]
 
 
 def parametric(
@@ -155,7 +186,7 @@ def parametric(
     PkmodesError
         If the definition, or an effect, is invalid.
     """
-    files = dict(effects or {})
+    files = dict(sorted((effects or {}).items()))
     if definition is not None:
         define(definition)
     add_effects(name, list(files.values()))

@@ -20,7 +20,9 @@ from pkmodes.codegen.derivation import (
     effects_of,
     parametric,
     read_definition,
+    read_effect,
     staged,
+    with_stored_effects,
 )
 from pkmodes.codegen.product_folder import (
     MANIFEST,
@@ -32,8 +34,8 @@ from pkmodes.codegen.product_folder import (
     stale_outputs,
 )
 from pkmodes.core.base.errors import OutputError, PkmodesError, shown
+from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.packages import folder_of
-from pkmodes.core.mechanism.registry import add_folder, names
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.system.motors import springs_on_motors
@@ -135,8 +137,8 @@ def generate(
         A user-defined mechanism: either the Python file that defines it, whose code is written into the folder of
         its name in `out`, or a folder that was generated from such a file.
     effects : sequence of Path, optional
-        Python files of effects that the mechanism is to have beside the catalogue: its code with them is written
-        into the folder of its name in `out`.
+        Python files of effects that the mechanism is to have beside the catalogue, and beside those that it has in
+        the folder that is given: its code with them is written into the folder of its name in `out`.
 
     Returns
     -------
@@ -155,15 +157,15 @@ def generate(
     PkmodesError
         If the definition or an effect is invalid.
     """
-    definition = None if mechanism is None or mechanism.is_dir() else read_definition(mechanism)
-    if definition is None and mechanism is not None:
-        added = add_folder(mechanism)
-        if effects:
-            return _generate_both(robot_file, out, added.name, definition_of(added), effects)
-    if definition is not None:
-        return _generate_both(robot_file, out, definition.name, definition, effects)
-    if effects:
-        return _generate_both(robot_file, out, _mechanism_name(robot_file), None, effects)
+    own = [read_effect(file) for file in effects]
+    if mechanism is not None and not mechanism.is_dir():
+        definition = read_definition(mechanism)
+        return _generate_both(robot_file, out, definition.name, definition, own)
+    added = None if mechanism is None else registry.add_folder(mechanism)
+    if own:
+        bare = added or registry.mechanism(_mechanism_name(robot_file))
+        every = with_stored_effects(bare, own)
+        return _generate_both(robot_file, out, bare.name, definition_of(bare), every)
     robot = read_robot(robot_file)
     folder = _Folder.checked(out, robot_file)
     folder_of_mechanism = folder_of(robot.mechanism.package)
@@ -180,21 +182,22 @@ def _mechanism_name(robot_file: Path) -> str:
         name = tomllib.loads(robot_file.read_text(encoding="utf-8-sig"))["mechanism"]
     except (OSError, ValueError, KeyError):
         name = None
-    return name if isinstance(name, str) and name in names() else read_robot(robot_file).mechanism_name
+    return (
+        name if isinstance(name, str) and name in registry.names() else read_robot(robot_file).mechanism_name
+    )
 
 
 def _generate_both(
-    robot_file: Path, out: Path, name: str, definition: Definition | None, effects: Sequence[Path]
+    robot_file: Path, out: Path, name: str, definition: Definition | None, effects: Sequence[Definition]
 ) -> list[Path]:
     """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
     package = out / name
-    more = [read_definition(path) for path in effects]
-    given = [] if definition is None else [definition.file]
-    outer = _Folder.checked(out, robot_file, *given, *effects, package)
+    given = [source.file for source in (definition, *effects) if source is not None]
+    outer = _Folder.checked(out, robot_file, *given, package)
     check_no_link(package)
     inner = _Folder.checked(package)
     check_mechanism(package, inner.recorded, name)
-    references = {relative(one.file, package): one for one in more}
+    references = {relative(effect.file, package): effect for effect in effects}
     of_definition = "" if definition is None else relative(definition.file, package)
     of_mechanism = parametric(name, definition, of_definition, references)
     with staged(name, of_mechanism):
@@ -203,15 +206,15 @@ def _generate_both(
             what = f"the robot is a {robot.mechanism_name}, not a {name}"
             remedy = f'write mechanism = "{name}", or leave --mechanism out'
             raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
-        whole = definition is not None and not more
-        reference = relative(definition.file, out) if whole and definition is not None else name
-        of_robot = _texts(robot, robot_file, outer, reference)
+        # The folder of the mechanism has its definition and its effects; a definition alone is named itself.
+        source = package if definition is None or effects else definition.file
+        of_robot = _texts(robot, robot_file, outer, relative(source, out))
     with alone(out):
         check_no_link(package)
         inner.check_again(of_mechanism)
         outer.check_again(of_robot)
         written = [*inner.write(of_mechanism), *outer.write(of_robot)]
-    add_folder(package)
+    registry.add_folder(package)
     return written
 
 

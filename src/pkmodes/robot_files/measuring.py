@@ -85,6 +85,7 @@ BY_DIMENSION = {
     "torsional viscous friction": Way(
         "measure the torque at two speeds: its difference, divided by that of the speeds"
     ),
+    "frequency": Way("hold what it hangs on, tap it, and measure the frequency at which it rings"),
     "number": Way(""),
 }
 

@@ -5,31 +5,29 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pkmodes.codegen.derivation import Definition, derivation, read_definition
+from pkmodes.codegen.derivation import derivation, python_text
 from pkmodes.core.base.errors import PkmodesError, shown
 
 
-def check_definition(folder: Path, reference: str, name: str) -> tuple[list[Any], list[str]]:
-    """Check whether the file that a mechanism was derived from has changed; return findings and unchecked items."""
+def check_given_file(folder: Path, reference: str, source: str, noun: str) -> tuple[list[Any], list[str]]:
+    """Check whether a file has changed since a mechanism was derived from it; return findings and unchecked items.
+
+    Parameters
+    ----------
+    reference : str
+        Path of the file relative to the folder.
+    source : str
+        Its name among the sources of the manifest.
+    noun : str
+        What it is called: "definition" or "effect".
+    """
     try:
-        given = read_definition(folder / reference, name)
+        text = python_text(folder / reference, noun, "")
     except PkmodesError:
-        return [], [f"whether the definition {shown(reference)} has changed: it cannot be read"]
-    digests = derivation("sources")
+        return [], [f"whether the {noun} {shown(reference)} has changed: it cannot be read"]
     recorded = derivation("emit.currency").read_manifest(folder)["sources"]
-    if recorded.get(f"{name}.py") == digests.digest(given.text):
+    if recorded.get(source) == derivation("sources").digest(text):
         return [], []
-    message = f"the definition changed: {given.file.name} differs from the file this was derived from"
-    return [derivation("emit.currency").Finding("derivation", reference, message)], []
-
-
-def check_effect(folder: Path, reference: str, copy: Definition) -> tuple[list[Any], list[str]]:
-    """Check whether the file of an effect has changed since a mechanism was derived with it."""
-    try:
-        given = read_definition(folder / reference)
-    except PkmodesError:
-        return [], [f"whether the effect {shown(reference)} has changed: it cannot be read"]
-    if given.text == copy.text:
-        return [], []
-    message = f"the effect changed: {given.file.name} differs from the file this was derived with"
+    file = (folder / reference).name
+    message = f"the {noun} changed: {file} differs from the file this was derived from"
     return [derivation("emit.currency").Finding("derivation", reference, message)], []

@@ -19,12 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.codegen.checking.consistency import Check, check_consistency, check_drawing
-from pkmodes.codegen.checking.given_files import check_definition, check_effect
+from pkmodes.codegen.checking.given_files import check_given_file
 from pkmodes.codegen.derivation import (
     add_effects,
     derivation,
     parametric,
     read_definition,
+    read_effect,
     staged,
 )
 from pkmodes.codegen.generation import specialised, specification
@@ -104,17 +105,14 @@ def check_folder(folder: Path) -> Report:
         If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
     """
     recorded = _manifest_of(folder)
-    if (
-        "robot" not in recorded
-        and recorded.get("product") in registry.supplied()
-        and "effects" not in recorded
-    ):
+    of_ones_own = "definition" in recorded or "effects" in recorded
+    if "robot" not in recorded and of_ones_own:
+        return _check_mechanism(folder, recorded)
+    if "robot" not in recorded and recorded.get("product") in registry.supplied():
         add_effects(recorded["product"], [])
         findings = _findings_of(folder, derivation("emit.product").parametric(recorded["product"]))
         return Report(str(folder), findings, [], REGENERATE if findings else "")
-    if "robot" not in recorded and ("definition" in recorded or "effects" in recorded):
-        return _check_mechanism(folder, recorded)
-    if "definition" not in recorded:
+    if not of_ones_own:
         return _check_model(folder, recorded)
     name = recorded.get("mechanism")
     if name in registry.names() and "effects" not in recorded:
@@ -161,7 +159,7 @@ def _findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
 
 
 def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
-    """Check the folder of a mechanism that ``pkmodes generate --mechanism FILE.py`` wrote.
+    """Check the folder of a mechanism that was generated from files of one's own: a definition, effects, or both.
 
     Parameters
     ----------
@@ -171,7 +169,7 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     Raises
     ------
     PkmodesError
-        If the definition is missing or invalid.
+        If the definition or an effect is missing or invalid.
     """
     name, reference = recorded.get("product"), recorded.get("definition", "")
     of_effects = recorded.get("effects", {})
@@ -179,19 +177,18 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
         remedy = "generate it again with: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
         raise PkmodesError("the manifest does not name a mechanism", str(folder / MANIFEST), remedy)
     definition = read_definition(folder / DEFINITION, name) if reference else None
-    copies = {path: read_definition(folder / str(own)) for path, own in of_effects.items()}
+    copies = {path: read_effect(folder / str(copy)) for path, copy in of_effects.items()}
     fresh = parametric(name, definition, reference, copies)
-    changed, unchecked = check_definition(folder, reference, name) if reference else ([], [])
-    for path, copy in copies.items():
-        more, left = check_effect(folder, path, copy)
-        changed, unchecked = [*changed, *more], [*unchecked, *left]
-    findings = [*_findings_of(folder, fresh), *changed]
+    given = [(reference, f"{name}.py", "definition", "--mechanism")] if reference else []
+    given += [(path, copy.file.name, "effect", "--effect") for path, copy in copies.items()]
+    findings, unchecked, options = _findings_of(folder, fresh), list[str](), list[str]()
+    for path, source, noun, option in given:
+        changed, unreadable = check_given_file(folder, path, source, noun)
+        findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
+        options.append(f"{option} {'FILE.py' if unreadable else pasted(folder / path)}")
     with staged(name, fresh) as mechanism:
         checks = _checks_of_sample(mechanism)
-    source = "FILE.py" if unchecked else pasted(folder / reference)
-    given = [f"--mechanism {source}"] if reference else []
-    given += [f"--effect {pasted(folder / path)}" for path in copies]
-    fix = f"pkmodes generate {' '.join(given)} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
+    fix = f"pkmodes generate {' '.join(options)} ROBOT.toml --out {pasted(folder.parent)}" if findings else ""
     return Report(str(folder), findings, checks, fix, tuple(unchecked))
 
 
@@ -211,8 +208,8 @@ def _check_model(folder: Path, recorded: dict[str, Any]) -> Report:
     texts = specialised(specification(robot, reference, definition))
     findings = _findings_of(folder, texts)
     if definition and not (folder / definition).is_dir():
-        changed, left = check_definition(folder, definition, robot.mechanism_name)
-        findings, unchecked = [*findings, *changed], [*unchecked, *left]
+        changed, unreadable = check_given_file(folder, definition, f"{robot.mechanism_name}.py", "definition")
+        findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
     fix = _fix(folder, findings, f"{command} --out {pasted(folder)}")
     return Report(str(folder), findings, _checks(texts, robot), fix, tuple(unchecked))
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 import sys
+from collections.abc import Iterable
 from functools import cache
 from importlib import import_module
 from importlib.util import module_from_spec, spec_from_file_location
@@ -22,8 +23,8 @@ GROUP = "pkmodes.mechanisms"
 OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
-#: Files of effects that the mechanism in a folder has beside the catalogue.
-EFFECT_FILES = "effect_*.py"
+#: Prefix of the files of effects that the mechanism in a folder has beside the catalogue.
+EFFECT_PREFIX = "effect_"
 FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
 GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
 
@@ -68,10 +69,11 @@ def folder_of(package: str) -> str | None:
     return _folders.get(package)
 
 
-def effect_files(package: str) -> list[Path]:
-    """Return the files of effects of one's own in the folder of a mechanism, in the order of their names."""
+def effect_files(package: str, effects: Iterable[str]) -> list[Path]:
+    """Return the files of those effects of a mechanism that are not in the catalogue, in its folder."""
     folder = folder_of(package)
-    return [] if folder is None else sorted(Path(folder).glob(EFFECT_FILES))
+    files = [] if folder is None else [Path(folder) / f"{EFFECT_PREFIX}{name}.py" for name in effects]
+    return [file for file in files if file.is_file()]
 
 
 def place_of(package: str) -> str:

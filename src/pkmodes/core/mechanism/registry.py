@@ -90,8 +90,8 @@ def add(package: str) -> Mechanism:
         If it cannot be imported, or has the name of a mechanism of pkmodes.
     """
     added = _described_in(package)
-    extended = package == f"{GENERATED}.{added.name}" or effect_files(package)
-    if added.name in supplied() and not extended:
+    of_pkmodes = package == f"{GENERATED}.{added.name}" or effect_files(package, added.effects)
+    if added.name in supplied() and not of_pkmodes:
         what = f"{shown(added.name)} is a mechanism of pkmodes already"
         raise PkmodesError(what, place_of(package), "give your mechanism another name")
     _added[added.name] = package

@@ -7,10 +7,7 @@ from collections.abc import Mapping, Sequence
 from decimal import Decimal
 
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.core.robot.units import QuantityError, base_units, meant_as
-
-#: Radians per cycle, to convert an angular frequency to a frequency.
-CYCLE = Decimal("6.28318530717958647692528676656")
+from pkmodes.core.robot.units import CYCLE, QuantityError, base_units, meant_as
 
 #: A name, and a unit in square brackets, or in parentheses as many programs write it.
 IN_BRACKETS = re.compile(r"(.*?)\s*\[([^\[\]]*)\]")

@@ -46,11 +46,15 @@ EXAMPLES = {
     "reciprocal force": "1e-3 1/N",
     "viscous friction": "20 N*s/m",
     "torsional viscous friction": "1e-3 N*m*s/rad",
+    "frequency": "50 Hz",
     "number": "10",
 }
 #: Dimensions by name, with the SI unit and an example; the last one is of commands, not of robots.
 DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()} | {"time": ("s", "60 ms")}
 
+
+#: Radians per cycle, to convert an angular frequency to a frequency.
+CYCLE = Decimal("6.28318530717958647692528676656")
 
 #: Dimensions that have a name for messages, with their SI unit.
 KINDS = {
@@ -244,6 +248,8 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise _UnitError(f"whose unit {shown(unit)} is unknown") from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
+    if si_unit == "Hz" and _radians(given) == 1:
+        number, target = number / CYCLE, registry.Unit("rad/s")
     # Degrees and percent have no dimension, so a dimensional check alone would accept them as scale factors.
     scaling = [name for name in given._units if registry.Unit(name).dimensionless and name != "radian"]
     angles = all(_radians(registry.Unit(name)) == 1 for name in scaling)

@@ -61,12 +61,25 @@ def _joints(
             beyond = extended.Effects(**{**shared, name: shared.get(name, 0.0) + value})
             stiffness[place], rates[place] = (a[place] for a in extended.joint_stiffness(beyond))
     released = np.isfinite(stiffness)  # a joint without compliance is infinitely stiff: locked
+    released &= (stiffness != 0.0) | _held_by_effects(mechanism, dict(effects))
     free = np.concatenate([np.arange(base), base + np.flatnonzero(released)])
     joints = np.concatenate([np.zeros(base), np.where(released, stiffness, 0.0)])
     joint_rates = np.concatenate([np.zeros(base), np.where(released, rates, 0.0)])
     for array in (free, joints, joint_rates):
         array.flags.writeable = False
     return free, joints, joint_rates, tuple(extended.COORDINATES[i] for i in free)
+
+
+def _held_by_effects(mechanism: Mechanism, effects: Mapping[str, float]) -> NDArray[np.bool_]:
+    """Return which released coordinates have the energies of their effect: its first parameter is not null."""
+    present = {
+        coordinate.name
+        for effect in mechanism.effects.values()
+        if effects.get(f"{effect.name}.{effect.parameters[0].name}", 0.0) != 0.0
+        for coordinate in effect.coordinates
+    }
+    coordinates = mechanism.extended.COORDINATES[len(mechanism.coordinates) :]
+    return np.array([name in present for name in coordinates], dtype=bool)
 
 
 @cache
