@@ -37,6 +37,7 @@ from pkmodes.support.progress import say
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.diagnosis import Diagnosis
+    from pkmodes.diagnosis.verdict.terms import TermClass
 
 
 #: Stands for every verdict that is a failure by itself: all except adequate.
@@ -152,7 +153,7 @@ def diagnose(
     from pkmodes.cli.diagnosis_tables import show
     from pkmodes.measured.statements import parse_prior, parse_usable
     from pkmodes.updating.corrected_robot import corrected_robot
-    from pkmodes.updating.saved_term import effect_text, robot_with_term
+    from pkmodes.updating.saved_term import effect_text, robot_with_term, term_to_save
 
     plausible = dict(parse_prior(one, "--prior", "write --prior measurement:offset.z=2mm") for one in priors)
     limits = dict(parse_usable(one, "--usable", "write --usable z=40mm,300mm") for one in usable)
@@ -168,13 +169,13 @@ def diagnose(
             progress=progress,
             terms=not no_beyond,
         )
-    with_term = not result.settled and result.beyond is not None and result.beyond.found is not None
-    unsaved = save_to is not None and not (result.settled or with_term)
+    terms = term_to_save(result)
+    unsaved = save_to is not None and not result.settled and terms is None
     robot_file = ResultFile(
         None if unsaved else save_to,
-        lambda: robot_with_term(declared, result) if with_term else corrected_robot(declared, result),
+        lambda: robot_with_term(declared, result) if terms else corrected_robot(declared, result),
         lambda file: (
-            _with_term(file, effect_to, result) if with_term else _saved(file, mechanism, declared, result)
+            _with_term(file, effect_to, terms) if terms else _saved(file, mechanism, declared, result)
         ),
     )
     if effect_to is not None:
@@ -216,11 +217,11 @@ def _saved(file: Path, mechanism: Path | None, robot: Robot, result: Diagnosis) 
     ]
 
 
-def _with_term(file: Path, effect: Path | None, result: Diagnosis) -> list[str]:
+def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
     """Say what reads a saved robot that has what was found beyond the catalogue."""
     from pkmodes.updating.saved_term import is_declared
 
-    if is_declared(result):
+    if is_declared(terms):
         return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
     given = "FILE.py" if effect is None else pasted(effect)
     lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {given} --out DIR"]

@@ -111,6 +111,35 @@ def locked_joints(
     return locked
 
 
+def released(
+    matrices: tuple[Array, Array], free: Index, joints: Sequence[int], eigenvalues: Array, shapes: Array
+) -> tuple[Array, Array, Array]:
+    """Return what a compliance of locked joints changes, per unit.
+
+    Parameters
+    ----------
+    matrices : tuple of ndarray, shape (N, e, e)
+        M and K in all coordinates.
+    free : ndarray of int, shape (n,)
+    joints : sequence of int, length r
+    eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+
+    Returns
+    -------
+    force : ndarray, shape (N, m, r)
+        B(lambda) phi, with which the joints deflect.
+    change : ndarray, shape (N, m, n)
+        Of (K - lambda M) phi, -B^T B phi.
+    norm : ndarray, shape (N, m)
+        Of phi^T M phi, by the motion of the joints.
+    """
+    M, K = (matrix[:, list(joints)][..., free] for matrix in matrices)
+    inertia = shapes @ np.swapaxes(M, -1, -2)
+    force = shapes @ np.swapaxes(K, -1, -2) - eigenvalues[..., None] * inertia
+    change = eigenvalues[..., None] * (force @ M) - force @ K
+    return force, change, -2.0 * np.sum(force * inertia, axis=-1)
+
+
 class MatrixDerivatives:
     """Matrices of a robot at some poses, and their derivatives along parameter paths.
 
@@ -325,11 +354,7 @@ class MatrixDerivatives:
 
     def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:
         """Compute the forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
-        K, M = (
-            (a[:, list(joints)][..., self.free] @ np.swapaxes(shapes, -1, -2)).swapaxes(-1, -2)
-            for a in (self.stiffness, self.mass)
-        )
-        return np.asarray(K - eigenvalues[..., None] * M)
+        return released((self.mass, self.stiffness), self.free, joints, eigenvalues, shapes)[0]
 
     def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
         """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
@@ -350,10 +375,10 @@ class MatrixDerivatives:
         """
         change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
         for joints, weight in self.locked_joints[t]:
-            force = self.joint_forces(eigenvalues, shapes, joints)
-            K, M = (a[:, list(joints)][..., self.free] for a in (self.stiffness, self.mass))
-            change -= weight * (force @ K - eigenvalues[..., None] * (force @ M))
-            norm -= weight * 2.0 * np.sum(force * (shapes @ np.swapaxes(M, -1, -2)), axis=-1)
+            _, of_change, of_norm = released(
+                (self.mass, self.stiffness), self.free, joints, eigenvalues, shapes
+            )
+            change, norm = change + weight * of_change, norm + weight * of_norm
         return change, norm
 
     def stiff_change(self, pose: int, eigenvalues: Array, shapes: Array, dM: Array, dK: Array) -> Array:

@@ -16,8 +16,10 @@ from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.robot_files.saving import Correction, corrected_text, save_corrected
 from pkmodes.sensitivity.paths import resolve
+from pkmodes.support.writing import write_file
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
+from pkmodes.updating.saved_term import robot_with_term, term_to_save
 
 
 def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
@@ -121,7 +123,9 @@ def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
 
 
 def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> None:
-    """Write the corrected robot file, as `corrected_robot` returns it.
+    """Write the corrected robot file, as `corrected_robot` returns it, or with what was found beyond the catalogue.
+
+    A robot with a term is read where its effect, from `save_effect`, was derived.
 
     Parameters
     ----------
@@ -137,6 +141,9 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     PkmodesError
         If there is nothing to correct, or the file cannot be written.
     """
+    if term_to_save(found) is not None:
+        write_file(Path(target), robot_with_term(_from_file(robot), found))
+        return
     robot = _correctable(robot, found, str(target))
     changes = corrections(robot, found)
     save_corrected(Path(robot.source), Path(target), changes, covariance(robot, found))
@@ -151,6 +158,11 @@ def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robo
             where,
             "save a robot only where diagnosis.settled, or measure more",
         )
+    return _from_file(robot)
+
+
+def _from_file(given: Robot | Model) -> Robot:
+    robot = robot_of(given)
     if not Path(robot.source).is_file():
         what = f"expected a robot read from a file, found {shown(robot.source)}"
         raise PkmodesError(

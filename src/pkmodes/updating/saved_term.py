@@ -9,18 +9,15 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.terms import TermClass
+from pkmodes.diagnosis.verdict.terms import DECLARED, TermClass
 from pkmodes.robot_files.saving import Correction, corrected_text
 from pkmodes.sensitivity.paths import resolve
 from pkmodes.support.writing import write_file
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 
-#: Forms whose value the robot file has already.
-DECLARED = "parameter"
-#: Prefix of the paths of effects.
-EFFECTS = "effects."
-SIGNIFICANT = 10
+#: Significant digits of the value of an effect.
+DIGITS = 10
 
 
 def effect_name(term: str) -> str:
@@ -43,19 +40,19 @@ def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
     OutputError
         If no class was found, or its best member is a declared value or an effect of the catalogue.
     """
-    found, term = _found(result, where)
+    best, term = _best(result, where)
     form, _, place = term.partition(":")
-    if found.forms[term] == DECLARED:
+    if best.forms[term] == DECLARED:
         what = f"there is no effect to write: {term} is a value of the robot file"
         raise OutputError(what, where, "write the robot with that value: --save-robot FILE.toml")
     ends, _, along = place.partition(".")
-    noun = found.finding.member(term).words
+    noun = best.finding.member(term).words
     values = ", ".join(
-        f"{found.quantity(term, value)} {value.rounded} {value.unit}" for value in found.finding.parameters
+        f"{best.quantity(term, value)} {value.rounded} {value.unit}" for value in best.finding.parameters
     )
-    given = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{along}"'] if along else [])]
-    arguments = [*given, f'name="{effect_name(term)}"', f'sentence="there is {noun}"']
-    lines = "".join(f"    {one},\n" for one in arguments)
+    arguments = [*(f'"{end}"' for end in ends.split("/")), *([f'along="{along}"'] if along else [])]
+    arguments += [f'name="{effect_name(term)}"', f'sentence="there is {noun}"']
+    lines = "".join(f"    {argument},\n" for argument in arguments)
     return (
         f'"""{noun[0].upper()}{noun[1:]}.\n\n'
         f"Written by pkmodes diagnose, which found {term}: {values}.\n"
@@ -70,6 +67,7 @@ def save_effect(result: Diagnosis, target: str | Path) -> None:
     Parameters
     ----------
     result : Diagnosis
+        That found one class of terms.
     target : path-like
         A Python file; an existing one is replaced.
 
@@ -92,15 +90,14 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
         If no class was found.
     """
     declared = robot_of(robot)
-    found, term = _found(result, declared.source)
-    name = effect_name(term)
-    own = {value.name for value in found.finding.parameters}
+    best, term = _best(result, declared.source)
+    own = {value.name for value in best.finding.parameters}
     changes: dict[str, Correction] = {}
     added: list[Corrected] = []
-    for value in found.corrected:
+    for value in best.corrected:
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue
-        if value.name in own and found.forms[term] != DECLARED:
+        if value.name in own and best.forms[term] != DECLARED:
             added.append(value)
             continue
         before = resolve(declared, value.name).value
@@ -111,32 +108,36 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
     text = corrected_text(Path(declared.source), changes)
     if not added:
         return text
-    lines = [f"\n# {found.finding.member(term).words}, found by pkmodes diagnose\n[effects.{name}]\n"]
+    noun = best.finding.member(term).words
+    lines = [f"\n# {noun}, found by pkmodes diagnose\n[effects.{effect_name(term)}]\n"]
     for value in added:
         unit = value.unit.replace("*", " ")
-        sigma = f"{value.sigma:.3g} {unit}"
-        key = found.quantity(term, value)
-        lines.append(f'{key} = {{ value = "{value.value:.{SIGNIFICANT}g} {unit}", sigma = "{sigma}" }}\n')
+        quantity = f'value = "{value.value:.{DIGITS}g} {unit}", sigma = "{value.sigma:.3g} {unit}"'
+        lines.append(f"{best.quantity(term, value)} = {{ {quantity} }}\n")
     return text.rstrip("\n") + "\n" + "".join(lines)
 
 
-def is_declared(result: Diagnosis) -> bool:
-    """Return whether what was found beyond the catalogue is a value of the robot file, which needs no effect."""
-    found = None if result.beyond is None else result.beyond.found
-    return found is not None and found.forms[found.finding.name] == DECLARED
+def term_to_save(result: Diagnosis) -> TermClass | None:
+    """Return what was found beyond the catalogue, where the verdict itself leaves nothing to save."""
+    return None if result.settled or result.beyond is None else result.beyond.found
 
 
-def _found(result: Diagnosis, where: str) -> tuple[TermClass, str]:
-    """Return the class that was found, and its best member."""
-    found = None if result.beyond is None else result.beyond.found
-    if found is None:
+def is_declared(terms: TermClass) -> bool:
+    """Return whether the best member of a class is a value of the robot file, which needs no effect."""
+    return terms.forms[terms.finding.name] == DECLARED
+
+
+def _best(result: Diagnosis, where: str) -> tuple[TermClass, str]:
+    """Return the class that was found, and the name of its best member, which is a term."""
+    terms = None if result.beyond is None else result.beyond.found
+    if terms is None:
         status = "terms were not tried"
         if result.beyond is not None:
             status = f"the search among terms ended with {result.beyond.status}"
         what = f"there is nothing beyond the catalogue to write: {status}"
         raise OutputError(what, where, "write it only where the diagnosis found one class of terms")
-    term = found.finding.name
-    if not found.forms[term]:
-        what = f"there is no effect to write: {term} is in the catalogue"
+    name = terms.finding.name
+    if not terms.forms[name]:
+        what = f"there is no effect to write: {name} is in the catalogue"
         raise OutputError(what, where, "add it to the robot file with --candidates and --save-robot")
-    return found, term
+    return terms, name

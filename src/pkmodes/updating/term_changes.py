@@ -4,6 +4,9 @@ With the displacements J of the place (generated as ``place_motion``), a mass ad
 Hessian of its weight, a spring :math:`k\,J^T J`.  A mount and a resonator add a coordinate of their own: the rows of
 a mount are generated (``mount_matrices``), and a resonator is a mass that follows its place but for a displacement on
 its spring.  All of it is evaluated with numbers that may be complex, so that complex steps differentiate it exactly.
+
+These few products are here and not in the generated code because hundreds of terms share the displacements of some
+tens of places: emitted one by one, their matrices would be several times as long as the mechanism itself.
 """
 
 from __future__ import annotations
@@ -40,13 +43,28 @@ class Change(NamedTuple):
     M: Array
     K: Array
 
-    def real(self) -> Change:
-        """Return the real parts."""
-        return Change(np.real(self.M), np.real(self.K))
-
     def rates(self) -> Change:
         """Return the derivatives, after a complex step."""
         return Change(np.imag(self.M) / STEP, np.imag(self.K) / STEP)
+
+
+class Mounts(NamedTuple):
+    """Rows of M and K of W mounts, and the motion of the platform with them.
+
+    Attributes
+    ----------
+    M, K : ndarray, shape (N, W, e)
+        Beside all coordinates.
+    M_own, K_own : ndarray, shape (N, W)
+        Of the mounts themselves, without their springs.
+    platform : ndarray, shape (N, W, components)
+    """
+
+    M: Array
+    M_own: Array
+    K: Array
+    K_own: Array
+    platform: Array
 
 
 class Surroundings:
@@ -69,6 +87,7 @@ class Surroundings:
             self._parameters, self._effects, shift = numbers
             self.points = points + STEP * 1j * shift
         self._count = len(points)
+        self._inertias: dict[tuple[str, int], tuple[Array, Array]] = {}
 
     @property
     def _generated(self) -> Generated:
@@ -87,18 +106,24 @@ class Surroundings:
         return rows if self.system.basis is None else rows @ self.system.basis
 
     @cached_property
-    def mounts(self) -> tuple[Array, ...]:
-        """M_wq (N, W, e), M_ww (N, W), K_wq, K_ww, and the motion of the platform, (N, W, components)."""
-        given = [np.asarray(one) for one in self._generated.mount_matrices(self.points)]
-        tails = [one.shape[-2:] if k in (0, 2, 4) else one.shape[-1:] for k, one in enumerate(given)]
-        M, M_w, K, K_w, J = (self._at_poses(one, tail) for one, tail in zip(given, tails, strict=True))
-        return self._rows(M), M_w, self._rows(K), K_w, J
+    def mounts(self) -> Mounts:
+        """The rows of all mounts."""
+        rows, own, stiff_rows, stiff_own, platform = map(
+            np.asarray, self._generated.mount_matrices(self.points)
+        )
+        return Mounts(
+            self._rows(self._at_poses(rows, rows.shape[-2:])),
+            self._at_poses(own, own.shape[-1:]),
+            self._rows(self._at_poses(stiff_rows, stiff_rows.shape[-2:])),
+            self._at_poses(stiff_own, stiff_own.shape[-1:]),
+            self._at_poses(platform, platform.shape[-2:]),
+        )
 
     @cached_property
     def of_masses(self) -> tuple[Array, Array]:
         """Derivatives of M_wq (W, e) and M_ww (W,) with respect to the mass that moves with each mount."""
-        M, M_w = (np.asarray(one) for one in self._generated.mount_inertia())
-        return self._rows(M), M_w
+        rows, own = map(np.asarray, self._generated.mount_inertia())
+        return self._rows(rows), own
 
     @cached_property
     def platform(self) -> Array:
@@ -108,27 +133,18 @@ class Surroundings:
 
     def of_inertia(self, declared: tuple[str, int]) -> tuple[Array, Array]:
         """Return M and the Hessian of gravity per unit of a declared inertia, (N, e, e), in which both are linear."""
-        known = self._inertias
-        if declared not in known:
-            (M, G), (more, weight) = self._both(None), self._both(declared)
-            known[declared] = more - M, weight - G
-        return known[declared]
+        if declared not in self._inertias:
+            M, G = self._mass_and_weight(self._parameters, self._effects)
+            raised = (_raised(numbers, *declared) for numbers in (self._parameters, self._effects))
+            more_M, more_G = self._mass_and_weight(*raised)
+            self._inertias[declared] = more_M - M, more_G - G
+        return self._inertias[declared]
 
-    @cached_property
-    def _inertias(self) -> dict[tuple[str, int], tuple[Array, Array]]:
-        return {}
-
-    def _both(self, raised: tuple[str, int] | None) -> tuple[Array, Array]:
-        parameters, effects = self._parameters, self._effects
-        if raised is not None:
-            parameters, effects = (_raised(one, *raised) for one in (parameters, effects))
-        M, _, K_g = Generated(self.system.mechanism.extended, parameters, effects).extended_matrices(
-            self.points
-        )
-        e = M.shape[-1]
-        both = (self.system.in_basis(self._at_poses(one, (e, e))) for one in (M, K_g))
-        first, second = both
-        return first, second
+    def _mass_and_weight(self, parameters: Any, effects: Any) -> tuple[Array, Array]:
+        generated = Generated(self.system.mechanism.extended, parameters, effects)
+        M, _, G = generated.extended_matrices(self.points)
+        shape = M.shape[-2:]
+        return self.system.in_basis(self._at_poses(M, shape)), self.system.in_basis(self._at_poses(G, shape))
 
 
 def _raised(numbers: Any, field: str, index: int) -> Any:
@@ -158,15 +174,12 @@ def _mass(term: Term, values: Values, at: Surroundings) -> Change:
 
 def _inertia(term: Term, at: Surroundings) -> tuple[Array, Array]:
     """Return M and the Hessian of gravity per unit of the inertia of a mass or resonator, (N, e, e)."""
+    rows = at.motion[:, list(term.rows)]
+    M = np.swapaxes(rows, -1, -2) @ rows
     if term.declared is None:
-        rows = at.motion[:, list(term.rows)]
-        M = np.swapaxes(rows, -1, -2) @ rows
         return M, np.zeros_like(M)
-    M, G = at.of_inertia(term.declared)
-    if term.rows:
-        rows = at.motion[:, list(term.rows)]
-        M = np.swapaxes(rows, -1, -2) @ rows
-    return M, G
+    of_M, G = at.of_inertia(term.declared)
+    return (M if term.rows else of_M), G
 
 
 def strains(term: Term, at: Surroundings) -> Array:
@@ -185,14 +198,13 @@ def _spring(term: Term, values: Values, at: Surroundings) -> Change:
 
 def _mount(term: Term, values: Values, at: Surroundings) -> Change:
     """Return the rows of a mount with its spring 1/c; without it for an infinite one."""
-    c, w = values[0], term.mount
-    M, M_w, K, K_w, _ = at.mounts
+    c, mounts, w = values[0], at.mounts, term.mount
+    M, M_own = mounts.M[:, w], mounts.M_own[:, w]
     if len(values) > 1:
-        of_M, of_M_w = at.of_masses
-        M, M_w = M[:, w] + values[1] * of_M[w], M_w[:, w] + values[1] * of_M_w[w]
-    else:
-        M, M_w = M[:, w], M_w[:, w]
-    return Change(_bordered(M, M_w), _bordered(K[:, w], K_w[:, w] + (1.0 / c if c != 0.0 else 0.0)))
+        of_M, of_M_own = at.of_masses
+        M, M_own = M + values[1] * of_M[w], M_own + values[1] * of_M_own[w]
+    spring = 1.0 / c if c != 0.0 else 0.0
+    return Change(_bordered(M, M_own), _bordered(mounts.K[:, w], mounts.K_own[:, w] + spring))
 
 
 def _bordered(row: Array, own: Array) -> Array:
@@ -208,13 +220,10 @@ def _resonator(term: Term, values: Values, at: Surroundings) -> Change:
     m, f = values
     M, G = _inertia(term, at)
     swing = at.motion[:, term.swings]
-    own = np.ones(len(swing))
+    own, e = np.ones(len(swing)), M.shape[-1]
     inertia = _bordered(m * swing, m * own)
-    stiffness = _bordered(np.zeros_like(swing), m * (2.0 * np.pi * f) ** 2 * own)
-    e = M.shape[-1]
-    inertia[:, :e, :e] = m * M
-    stiffness = stiffness.astype(np.result_type(stiffness, m * G))
-    stiffness[:, :e, :e] = m * G
+    stiffness = _bordered(0.0 * m * G[:, 0], m * (2.0 * np.pi * f) ** 2 * own)
+    inertia[:, :e, :e], stiffness[:, :e, :e] = m * M, m * G
     return Change(inertia, stiffness)
 
 
@@ -254,20 +263,19 @@ def at_null(term: Term, values: Values, at: Surroundings, eigenvalues: Array, sh
         In all coordinates, mass-normalised.
     """
     if term.form == "mount":
-        M, _, K, _, J = at.mounts
-        w = term.mount
-        row = M[:, w] + (values[1] * at.of_masses[0][w] if len(values) > 1 else 0.0)
-        stiff = K[:, w]
+        mounts, w = at.mounts, term.mount
+        row = mounts.M[:, w] + (values[1] * at.of_masses[0][w] if len(values) > 1 else 0.0)
+        stiff = mounts.K[:, w]
         force = np.einsum("nie,ne->ni", shapes, stiff) - eigenvalues * np.einsum("nie,ne->ni", shapes, row)
         change = -force[..., None] * (stiff[:, None] - eigenvalues[..., None] * row[:, None])
         norm = -2.0 * force * np.einsum("nie,ne->ni", shapes, row)
-        return AtNull(change, norm, -force[..., None] * J[:, w][:, None])
+        return AtNull(change, norm, -force[..., None] * mounts.platform[:, w][:, None])
     if term.form == "resonator":
         M, G = _inertia(term, at)
         swing = at.motion[:, term.swings]
-        own = (2.0 * np.pi * values[1]) ** 2
-        apart = own - eigenvalues
-        apart = np.where(np.abs(apart) < NEAR * own, np.where(apart < 0.0, -NEAR * own, NEAR * own), apart)
+        resonance = (2.0 * np.pi * values[1]) ** 2
+        apart, least = resonance - eigenvalues, NEAR * resonance
+        apart = np.where(np.abs(apart) < least, np.where(apart < 0.0, -least, least), apart)
         moved = np.einsum("nie,ne->ni", shapes, swing)
         along = moved[..., None] * swing[:, None]
         inertia = shapes @ M

@@ -14,7 +14,7 @@ from pkmodes.diagnosis.verdict.evidence import Rule, Says
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.reasons import larger, names, noise
 from pkmodes.diagnosis.verdict.verdicts import FOUND, NOTHING, SEVERAL
-from pkmodes.support.numbers import p_in_words
+from pkmodes.support.numbers import p_in_words, plain
 
 
 def nothing(e: TermEvidence) -> str:
@@ -77,7 +77,7 @@ def not_specific(e: TermEvidence) -> str:
         return ""
     return (
         f"{_words(e)} would explain the residual, but the data are too few to rule out something that no term has: "
-        f"{100 * e.p_outside:.2g} % of such residuals would look like some term; measure more"
+        f"{plain(100 * e.p_outside, 2)} % of such residuals would look like some term; measure more"
     )
 
 
