@@ -20,6 +20,7 @@ os.environ["SYMPY_CACHE_SIZE"] = "50000"
 
 import importlib
 import math
+import sys
 import tempfile
 from collections.abc import Iterator
 from unittest.mock import Mock
@@ -33,6 +34,7 @@ from helpers.pages.browser import close_browsers
 from helpers.pages.without_drawing import without_drawing
 from helpers.runs.shared import Shared
 from pkmodes.core.compiled import build
+from pkmodes.core.mechanism import registry
 from pkmodes.core.solve.backends import VARIABLE
 from pkmodes_derive import kept
 
@@ -116,6 +118,16 @@ def no_drawing() -> Iterator[None]:
     """Pages are made without their figures."""
     with without_drawing():
         yield
+
+
+@pytest.fixture(autouse=True)
+def _mechanisms_as_supplied() -> Iterator[None]:
+    """No test leaves a mechanism of pkmodes with effects of its own to the tests after it."""
+    yield
+    assert not {*registry._added} & {*registry.supplied()}
+    if "pkmodes_derive.mechanisms" in sys.modules:
+        own_effects = sys.modules["pkmodes_derive.mechanisms"].own_effects
+        assert not [name for name in registry.supplied() if own_effects(name)]
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from helpers.commands.own_folder import inside
 from helpers.diagnoses import loose_rail_example
 from helpers.pages.documentation import ROOT, blocks, same
 from pkmodes.cli import run
@@ -32,9 +33,14 @@ def test_the_page_leads_to_a_machine_that_lacks_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "examples").symlink_to(ROOT / "examples", target_is_directory=True)
-    monkeypatch.chdir(tmp_path)
     # A library for a machine of one's own takes a minute to build.
     monkeypatch.setenv("PKMODES_BACKEND", "numpy")
+    with inside(tmp_path):
+        follow(capsys)
+
+
+def follow(capsys: pytest.CaptureFixture[str]) -> None:
+    """Run the page, and change the effect afterwards."""
     printed = []
     for block in blocks("docs/an-effect-of-your-own.md"):
         if block.language == "sh":

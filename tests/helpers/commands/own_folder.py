@@ -9,13 +9,18 @@ from pathlib import Path
 import pytest
 
 from pkmodes.core.mechanism import registry as known
+from pkmodes_derive import mechanisms
 
 
 @contextmanager
 def inside(folder: Path) -> Iterator[None]:
-    """Run commands in a folder, and forget the mechanisms that they add."""
+    """Run commands in a folder, and forget the mechanisms and effects that they add."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(known, "_added", {})
         patch.setenv("COLUMNS", "110")
         patch.chdir(folder)
-        yield
+        try:
+            yield
+        finally:
+            for name in [*mechanisms._own_effects]:
+                mechanisms.add_effects(name, [])
