@@ -3,8 +3,8 @@
     python examples/lumped_structure.py
 
 The model lacks the braces of the second storey.  The engine gets a callable for M and K, a list of candidates, and
-the measurements.  A second model knows nothing of braces: with ``terms=True`` the engine tries masses at and springs
-between the floors by itself, and finds the brace as a spring between the floors that it joins.
+the measurements.  A second model has no candidates: with ``terms=True`` the engine tries masses at the floors and
+springs between them, and finds the brace as a spring between the two floors that it joins.
 """
 
 import numpy as np
@@ -38,7 +38,7 @@ structure = MatrixStructure(parameters, candidates, matrices, channels=channels,
 
 
 def bare_matrices(values, setup):
-    """Return mass and stiffness of the same frame, whose author has not thought of braces."""
+    """Return mass and stiffness of the same frame, without a parameter for braces."""
     absent = {p.name: p.value for p in parameters}
     return matrices(absent | values, setup)
 
@@ -73,7 +73,7 @@ def main() -> None:
     for stage, (_, error) in result.errors.items():
         print(f"  {stage:6} rms {100 * error.rms_relative:.2f} %, chi2 per dof {error.chi2_per_dof:.3g}")
 
-    print("\nWithout being told of braces:")
+    print("\nWithout candidates:")
     result = diagnose(bare, data, terms=True)
     print(f"{result.verdict}: {result.reason}")
     print(f"  {result.beyond.status} among {result.beyond.tried} terms: {result.beyond.reason}")
