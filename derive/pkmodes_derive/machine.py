@@ -126,6 +126,8 @@ class Machine:
         What holds bodies of closed loops.
     yielding, swinging : list of Coordinate
         Released coordinates on which positions depend: of seats, which move closures, and of what swings on a body.
+    along_rails : dict of sympy.Symbol to list of (Coordinate, sympy.Expr)
+        By the coordinate of a carriage those of its seat, and the cosine of the angle between each and the rail.
     springs : list of PlacedSpring
         Springs that effects add between bodies, or from one to ground.
     kinetic, elastic : lists of sympy.Expr
@@ -185,6 +187,7 @@ class Machine:
         self.rails: list[Symbol] = []
         self.seats: list[Seat] = []
         self.yielding: list[Coordinate] = []
+        self.along_rails: dict[Symbol, list[tuple[Coordinate, Expr]]] = {}
         self.swinging: list[Coordinate] = []
         self.springs: list[PlacedSpring] = []
         self.kinetic: list[Expr] = []
@@ -536,6 +539,8 @@ class Machine:
     ) -> Expr:
         of = dict(zip(self.coordinates, values, strict=True))
         moved = [factor * of[q] for q, factor in form.items()]
+        for q, factor in form.items():  # the end of a belt on a carriage whose rail yields
+            moved += [factor * cosine * of_released(c) for c, cosine in self.along_rails.get(q, ())]
         beam = self.beam
         if beam is not None and beam.along in form:  # the end of a belt on what slides along the beam
             moved += [form.get(beam.across, 0) * beam.lever * of_released(c) for c in beam.released]

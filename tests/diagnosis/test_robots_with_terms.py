@@ -13,7 +13,7 @@ from pkmodes.updating.robot_with_terms import ExtensibleRobot, RobotWithTerms
 from pkmodes_rig.one_place import Fault, modes_of
 from pkmodes_rig.suites.specimens import MACHINES, robot_of
 
-#: A fault of each form, at places of each kind; the rails of the tower are parallel, so that a rail yields across.
+#: A fault of each form, at places of each kind; a rail yields across itself on the tower, and obliquely on the other.
 FAULTS = {
     "asymmetric": (
         Fault("mass", ("link_2",), values={"mass": 0.2}),
@@ -25,6 +25,7 @@ FAULTS = {
         Fault("mount", ("pulley_3_1",), values={"compliance": 5e-7, "mass": 0.4}),
         Fault("resonator", ("platform",), "z", {"mass": 0.3, "frequency": 40.0}),
         Fault("resonator", ("pulley_1_1",), values={"inertia": 1e-4, "frequency": 70.0}),
+        Fault("mount", ("carriage_3",), "y", {"compliance": 5e-7}),
     ),
     "tower": (Fault("mount", ("carriage_2",), "y", {"compliance": 5e-7}),),
     "hexapod": (

@@ -304,10 +304,13 @@ def _yield_bearing(machine: Machine, rotor: Rotor, w: Coordinate, m: Symbol) -> 
 
 
 def _yield_seat(machine: Machine, body: Place, w: Coordinate, direction: Sequence[Expr]) -> None:
-    """Displace what holds a body, with the start of its link; the belt stays where the body's coordinate is."""
+    """Displace what holds a body, with the start of its link; a belt follows a carriage along its rail."""
     seat = body.seat
     assert seat is not None
     machine.yielding.append(w)
+    if body.along:
+        (q,) = (s for s in machine.independent if any(r.has(s) for r in body.position))
+        machine.along_rails.setdefault(q, []).append((w, dot(body.along, direction)))
     components = [AXES.index(name) for name in machine.directions]
     for symbol, i in zip(seat.link.vector, components, strict=True):
         if direction[i] != 0:

@@ -385,7 +385,7 @@ def mount_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with these displacements released; without the springs of the mounts.
-    2775 operations; 3905157 with every named value expanded.
+    3018 operations; 3916785 with every named value expanded.
     """
     p_x, p_y, p_z = _entries(p, (3,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -580,700 +580,826 @@ def mount_matrices(p, parameters, effects):
     t41 = D_p_x_1*t40 + n_1_x*t36
     t42 = D_p_y_1*t40 + n_1_y*t36
     t43 = D_p_z_1*t40 + n_1_z*t36
-    t44 = (1/6)*m_d_2
-    t45 = D_p_x_2*t40 + n_2_x*t44
-    t46 = D_p_y_2*t40 + n_2_y*t44
-    t47 = D_p_z_2*t40 + n_2_z*t44
-    t48 = (1/6)*m_d_3
-    t49 = D_p_x_3*t40 + n_3_x*t48
-    t50 = D_p_y_3*t40 + n_3_y*t48
-    t51 = D_p_z_3*t40 + n_3_z*t48
-    t52 = D_delta_x_4*t40
-    t53 = D_delta_y_4*t40
-    t54 = D_delta_z_4*t40
-    t55 = m_t_1 + t28
-    t56 = D_delta_x_5*t40
-    t57 = D_delta_y_5*t40
-    t58 = D_delta_z_5*t40
-    t59 = D_delta_x_6*t40
-    t60 = D_delta_y_6*t40
-    t61 = D_delta_z_6*t40
-    t62 = D_delta_x_7*t40
-    t63 = D_delta_y_7*t40
-    t64 = D_delta_z_7*t40
-    t65 = m_t_2 + t29
-    t66 = D_delta_x_8*t40
-    t67 = D_delta_y_8*t40
-    t68 = D_delta_z_8*t40
-    t69 = D_delta_x_9*t40
-    t70 = D_delta_y_9*t40
-    t71 = D_delta_z_9*t40
-    t72 = D_delta_x_10*t40
-    t73 = D_delta_y_10*t40
-    t74 = D_delta_z_10*t40
-    t75 = m_t_3 + t30
-    t76 = D_delta_x_11*t40
-    t77 = D_delta_y_11*t40
-    t78 = D_delta_z_11*t40
-    t79 = D_delta_x_12*t40
-    t80 = D_delta_y_12*t40
-    t81 = D_delta_z_12*t40
-    t82 = (1/6)*rho_b
-    t83 = l_f_1_3*t82
-    t84 = (1/3)*rho_b
-    t85 = l_f_1_1*t84
-    t86 = R_p_1*t85
-    t87 = -R_p_1*l_f_1_1*t82
-    t88 = l_f_1_2*t82
-    t89 = l_f_2_3*t82
-    t90 = l_f_2_1*t84
-    t91 = R_p_2*t90
-    t92 = -R_p_2*l_f_2_1*t82
-    t93 = l_f_2_2*t82
-    t94 = l_f_3_3*t82
-    t95 = l_f_3_1*t84
-    t96 = R_p_3*t95
-    t97 = -R_p_3*l_f_3_1*t82
-    t98 = l_f_3_2*t82
-    t99 = D_delta_y_4**2
-    t100 = D_delta_z_4**2
-    t101 = m_t_1 + t37
-    t102 = D_delta_x_5**2
-    t103 = D_delta_z_5**2
-    t104 = D_delta_x_6**2
-    t105 = D_delta_y_6**2
-    t106 = D_delta_y_7**2
-    t107 = D_delta_z_7**2
-    t108 = m_t_2 + t38
-    t109 = D_delta_x_8**2
-    t110 = D_delta_z_8**2
-    t111 = D_delta_x_9**2
-    t112 = D_delta_y_9**2
-    t113 = D_delta_y_10**2
-    t114 = D_delta_z_10**2
-    t115 = m_t_3 + t39
-    t116 = D_delta_x_11**2
-    t117 = D_delta_z_11**2
-    t118 = D_delta_x_12**2
-    t119 = D_delta_y_12**2
-    t120 = D_delta_x_4*D_p_x_1
-    t121 = D_delta_y_4*D_p_y_1
-    t122 = D_delta_y_4*mu_1
-    t123 = D_delta_z_4*D_p_z_1
-    t124 = D_delta_z_4*mu_1
-    t125 = D_delta_x_4 - 1
-    t126 = mu_1*t125
-    t127 = D_delta_x_4*mu_3
-    t128 = D_delta_x_4*mu_2
-    t129 = D_delta_y_4*mu_3
-    t130 = D_delta_y_4*mu_2
-    t131 = D_delta_z_4*mu_3
-    t132 = D_delta_z_4*mu_2
-    t133 = D_delta_x_5*D_p_x_1
-    t134 = D_delta_x_5*mu_1
-    t135 = D_delta_y_5*D_p_y_1
-    t136 = D_delta_z_5*D_p_z_1
-    t137 = D_delta_z_5*mu_1
-    t138 = D_delta_y_5 - 1
-    t139 = mu_1*t138
-    t140 = D_delta_x_5*mu_3
-    t141 = D_delta_x_5*mu_2
-    t142 = D_delta_y_5*mu_3
-    t143 = D_delta_y_5*mu_2
-    t144 = D_delta_z_5*mu_3
-    t145 = D_delta_z_5*mu_2
-    t146 = D_delta_x_6*D_p_x_1
-    t147 = D_delta_x_6*mu_1
-    t148 = D_delta_y_6*D_p_y_1
-    t149 = D_delta_y_6*mu_1
-    t150 = D_delta_z_6*D_p_z_1
-    t151 = D_delta_z_6 - 1
-    t152 = mu_1*t151
-    t153 = D_delta_x_6*mu_3
-    t154 = D_delta_x_6*mu_2
-    t155 = D_delta_y_6*mu_3
-    t156 = D_delta_y_6*mu_2
-    t157 = D_delta_z_6*mu_3
-    t158 = D_delta_z_6*mu_2
-    t159 = D_delta_x_7*mu_3
-    t160 = D_delta_x_7*mu_1
-    t161 = D_delta_y_7*D_p_y_1
-    t162 = D_delta_y_7*mu_1
-    t163 = D_delta_z_7*D_p_z_1
-    t164 = D_delta_z_7*mu_1
-    t165 = D_delta_x_7 - 1
-    t166 = mu_2*t165
-    t167 = D_delta_y_7*mu_3
-    t168 = D_delta_y_7*mu_2
-    t169 = D_delta_z_7*mu_3
-    t170 = D_delta_z_7*mu_2
-    t171 = D_delta_x_8*D_p_x_1
-    t172 = D_delta_x_8*mu_1
-    t173 = D_delta_y_8*mu_3
-    t174 = D_delta_y_8*mu_1
-    t175 = D_delta_z_8*D_p_z_1
-    t176 = D_delta_z_8*mu_1
-    t177 = D_delta_y_8 - 1
-    t178 = mu_2*t177
-    t179 = D_delta_x_8*mu_3
-    t180 = D_delta_x_8*mu_2
-    t181 = D_delta_z_8*mu_3
-    t182 = D_delta_z_8*mu_2
-    t183 = D_delta_x_9*D_p_x_1
-    t184 = D_delta_x_9*mu_1
-    t185 = D_delta_y_9*D_p_y_1
-    t186 = D_delta_y_9*mu_1
-    t187 = D_delta_z_9*mu_3
-    t188 = D_delta_z_9*mu_1
-    t189 = D_delta_z_9 - 1
-    t190 = mu_2*t189
-    t191 = D_delta_x_9*mu_3
-    t192 = D_delta_x_9*mu_2
-    t193 = D_delta_y_9*mu_3
-    t194 = D_delta_y_9*mu_2
-    t195 = D_delta_x_10*mu_2
-    t196 = D_delta_x_10*mu_1
-    t197 = D_delta_y_10*D_p_y_1
-    t198 = D_delta_y_10*mu_1
-    t199 = D_delta_z_10*D_p_z_1
-    t200 = D_delta_z_10*mu_1
-    t201 = D_delta_x_10 - 1
-    t202 = mu_3*t201
-    t203 = D_delta_y_10*mu_3
-    t204 = D_delta_y_10*mu_2
-    t205 = D_delta_z_10*mu_3
-    t206 = D_delta_z_10*mu_2
-    t207 = D_delta_x_11*D_p_x_1
-    t208 = D_delta_x_11*mu_1
-    t209 = D_delta_y_11*mu_2
-    t210 = D_delta_y_11*mu_1
-    t211 = D_delta_z_11*D_p_z_1
-    t212 = D_delta_z_11*mu_1
-    t213 = D_delta_y_11 - 1
-    t214 = mu_3*t213
-    t215 = D_delta_x_11*mu_3
-    t216 = D_delta_x_11*mu_2
-    t217 = D_delta_z_11*mu_3
-    t218 = D_delta_z_11*mu_2
-    t219 = D_delta_x_12*D_p_x_1
-    t220 = D_delta_x_12*mu_1
-    t221 = D_delta_y_12*D_p_y_1
-    t222 = D_delta_y_12*mu_1
-    t223 = D_delta_z_12*mu_2
-    t224 = D_delta_z_12*mu_1
-    t225 = D_delta_z_12 - 1
-    t226 = mu_3*t225
-    t227 = D_delta_x_12*mu_3
-    t228 = D_delta_x_12*mu_2
-    t229 = D_delta_y_12*mu_3
-    t230 = D_delta_y_12*mu_2
-    t231 = R_p_1*k_1_1
-    t232 = R_p_2*k_2_1
-    t233 = R_p_3*k_3_1
-    t234 = D_delta_x_4**2
-    t235 = D_delta_y_5**2
-    t236 = D_delta_z_6**2
-    t237 = D_delta_x_7**2
-    t238 = D_delta_y_8**2
-    t239 = D_delta_z_9**2
-    t240 = D_delta_x_10**2
-    t241 = D_delta_y_11**2
-    t242 = D_delta_z_12**2
+    t44 = (1/3)*rho_b
+    t45 = l_f_1_2*t44
+    t46 = l_f_1_3*t44
+    t47 = n_1_x*t45 + n_1_x*t46
+    t48 = (1/6)*m_d_2
+    t49 = D_p_x_2*t40 + n_2_x*t48
+    t50 = D_p_y_2*t40 + n_2_y*t48
+    t51 = D_p_z_2*t40 + n_2_z*t48
+    t52 = (1/6)*m_d_3
+    t53 = D_p_x_3*t40 + n_3_x*t52
+    t54 = D_p_y_3*t40 + n_3_y*t52
+    t55 = D_p_z_3*t40 + n_3_z*t52
+    t56 = (1/6)*rho_b
+    t57 = l_f_1_3*t56
+    t58 = R_p_1*n_1_x
+    t59 = l_f_1_2*t56
+    t60 = D_delta_x_4*t40
+    t61 = D_delta_y_4*t40
+    t62 = D_delta_z_4*t40
+    t63 = m_t_1 + t28
+    t64 = n_1_y*t45 + n_1_y*t46
+    t65 = R_p_1*n_1_y
+    t66 = D_delta_x_5*t40
+    t67 = D_delta_y_5*t40
+    t68 = D_delta_z_5*t40
+    t69 = n_1_z*t45 + n_1_z*t46
+    t70 = R_p_1*n_1_z
+    t71 = D_delta_x_6*t40
+    t72 = D_delta_y_6*t40
+    t73 = D_delta_z_6*t40
+    t74 = l_f_2_2*t44
+    t75 = l_f_2_3*t44
+    t76 = n_2_x*t74 + n_2_x*t75
+    t77 = l_f_2_3*t56
+    t78 = R_p_2*n_2_x
+    t79 = l_f_2_2*t56
+    t80 = D_delta_x_7*t40
+    t81 = D_delta_y_7*t40
+    t82 = D_delta_z_7*t40
+    t83 = m_t_2 + t29
+    t84 = n_2_y*t74 + n_2_y*t75
+    t85 = R_p_2*n_2_y
+    t86 = D_delta_x_8*t40
+    t87 = D_delta_y_8*t40
+    t88 = D_delta_z_8*t40
+    t89 = n_2_z*t74 + n_2_z*t75
+    t90 = R_p_2*n_2_z
+    t91 = D_delta_y_9*t40
+    t92 = D_delta_z_9*t40
+    t93 = D_delta_x_9*t40
+    t94 = l_f_3_2*t44
+    t95 = l_f_3_3*t44
+    t96 = n_3_x*t94 + n_3_x*t95
+    t97 = l_f_3_3*t56
+    t98 = R_p_3*n_3_x
+    t99 = l_f_3_2*t56
+    t100 = D_delta_x_10*t40
+    t101 = D_delta_y_10*t40
+    t102 = D_delta_z_10*t40
+    t103 = m_t_3 + t30
+    t104 = n_3_y*t94 + n_3_y*t95
+    t105 = R_p_3*n_3_y
+    t106 = D_delta_x_11*t40
+    t107 = D_delta_y_11*t40
+    t108 = D_delta_z_11*t40
+    t109 = n_3_z*t94 + n_3_z*t95
+    t110 = R_p_3*n_3_z
+    t111 = D_delta_x_12*t40
+    t112 = D_delta_y_12*t40
+    t113 = D_delta_z_12*t40
+    t114 = l_f_1_1*t44
+    t115 = R_p_1*t114
+    t116 = -R_p_1*l_f_1_1*t56
+    t117 = l_f_2_1*t44
+    t118 = R_p_2*t117
+    t119 = -R_p_2*l_f_2_1*t56
+    t120 = l_f_3_1*t44
+    t121 = R_p_3*t120
+    t122 = -R_p_3*l_f_3_1*t56
+    t123 = D_delta_y_4**2
+    t124 = D_delta_z_4**2
+    t125 = n_1_x**2
+    t126 = m_t_1 + t37
+    t127 = D_delta_x_5**2
+    t128 = D_delta_z_5**2
+    t129 = n_1_y**2
+    t130 = D_delta_x_6**2
+    t131 = D_delta_y_6**2
+    t132 = n_1_z**2
+    t133 = D_delta_y_7**2
+    t134 = D_delta_z_7**2
+    t135 = n_2_x**2
+    t136 = m_t_2 + t38
+    t137 = D_delta_x_8**2
+    t138 = D_delta_z_8**2
+    t139 = n_2_y**2
+    t140 = D_delta_x_9**2
+    t141 = D_delta_y_9**2
+    t142 = n_2_z**2
+    t143 = D_delta_y_10**2
+    t144 = D_delta_z_10**2
+    t145 = n_3_x**2
+    t146 = m_t_3 + t39
+    t147 = D_delta_x_11**2
+    t148 = D_delta_z_11**2
+    t149 = n_3_y**2
+    t150 = D_delta_x_12**2
+    t151 = D_delta_y_12**2
+    t152 = n_3_z**2
+    t153 = D_delta_x_4*D_p_x_1
+    t154 = D_delta_y_4*D_p_y_1
+    t155 = D_delta_y_4*mu_1
+    t156 = D_delta_z_4*D_p_z_1
+    t157 = D_delta_z_4*mu_1
+    t158 = D_delta_x_4 - 1
+    t159 = mu_1*t158
+    t160 = D_delta_x_4*mu_3
+    t161 = D_delta_x_4*mu_2
+    t162 = D_delta_y_4*mu_3
+    t163 = D_delta_y_4*mu_2
+    t164 = D_delta_z_4*mu_3
+    t165 = D_delta_z_4*mu_2
+    t166 = k_1_3*n_1_x
+    t167 = k_1_2*n_1_x
+    t168 = D_delta_x_5*D_p_x_1
+    t169 = D_delta_x_5*mu_1
+    t170 = D_delta_y_5*D_p_y_1
+    t171 = D_delta_z_5*D_p_z_1
+    t172 = D_delta_z_5*mu_1
+    t173 = D_delta_y_5 - 1
+    t174 = mu_1*t173
+    t175 = D_delta_x_5*mu_3
+    t176 = D_delta_x_5*mu_2
+    t177 = D_delta_y_5*mu_3
+    t178 = D_delta_y_5*mu_2
+    t179 = D_delta_z_5*mu_3
+    t180 = D_delta_z_5*mu_2
+    t181 = k_1_3*n_1_y
+    t182 = k_1_2*n_1_y
+    t183 = D_delta_x_6*D_p_x_1
+    t184 = D_delta_x_6*mu_1
+    t185 = D_delta_y_6*D_p_y_1
+    t186 = D_delta_y_6*mu_1
+    t187 = D_delta_z_6*D_p_z_1
+    t188 = D_delta_z_6 - 1
+    t189 = mu_1*t188
+    t190 = D_delta_x_6*mu_3
+    t191 = D_delta_x_6*mu_2
+    t192 = D_delta_y_6*mu_3
+    t193 = D_delta_y_6*mu_2
+    t194 = D_delta_z_6*mu_3
+    t195 = D_delta_z_6*mu_2
+    t196 = k_1_3*n_1_z
+    t197 = k_1_2*n_1_z
+    t198 = D_delta_x_7*mu_3
+    t199 = D_delta_x_7*mu_1
+    t200 = D_delta_y_7*D_p_y_1
+    t201 = D_delta_y_7*mu_1
+    t202 = D_delta_z_7*D_p_z_1
+    t203 = D_delta_z_7*mu_1
+    t204 = D_delta_x_7 - 1
+    t205 = mu_2*t204
+    t206 = D_delta_y_7*mu_3
+    t207 = D_delta_y_7*mu_2
+    t208 = D_delta_z_7*mu_3
+    t209 = D_delta_z_7*mu_2
+    t210 = k_2_3*n_2_x
+    t211 = k_2_2*n_2_x
+    t212 = D_delta_x_8*D_p_x_1
+    t213 = D_delta_x_8*mu_1
+    t214 = D_delta_y_8*mu_3
+    t215 = D_delta_y_8*mu_1
+    t216 = D_delta_z_8*D_p_z_1
+    t217 = D_delta_z_8*mu_1
+    t218 = D_delta_y_8 - 1
+    t219 = mu_2*t218
+    t220 = D_delta_x_8*mu_3
+    t221 = D_delta_x_8*mu_2
+    t222 = D_delta_z_8*mu_3
+    t223 = D_delta_z_8*mu_2
+    t224 = k_2_3*n_2_y
+    t225 = k_2_2*n_2_y
+    t226 = D_delta_x_9*D_p_x_1
+    t227 = D_delta_x_9*mu_1
+    t228 = D_delta_y_9*D_p_y_1
+    t229 = D_delta_y_9*mu_1
+    t230 = D_delta_z_9*mu_3
+    t231 = D_delta_z_9*mu_1
+    t232 = D_delta_z_9 - 1
+    t233 = mu_2*t232
+    t234 = D_delta_x_9*mu_3
+    t235 = D_delta_x_9*mu_2
+    t236 = D_delta_y_9*mu_3
+    t237 = D_delta_y_9*mu_2
+    t238 = k_2_3*n_2_z
+    t239 = k_2_2*n_2_z
+    t240 = D_delta_x_10*mu_2
+    t241 = D_delta_x_10*mu_1
+    t242 = D_delta_y_10*D_p_y_1
+    t243 = D_delta_y_10*mu_1
+    t244 = D_delta_z_10*D_p_z_1
+    t245 = D_delta_z_10*mu_1
+    t246 = D_delta_x_10 - 1
+    t247 = mu_3*t246
+    t248 = D_delta_y_10*mu_3
+    t249 = D_delta_y_10*mu_2
+    t250 = D_delta_z_10*mu_3
+    t251 = D_delta_z_10*mu_2
+    t252 = k_3_3*n_3_x
+    t253 = k_3_2*n_3_x
+    t254 = D_delta_x_11*D_p_x_1
+    t255 = D_delta_x_11*mu_1
+    t256 = D_delta_y_11*mu_2
+    t257 = D_delta_y_11*mu_1
+    t258 = D_delta_z_11*D_p_z_1
+    t259 = D_delta_z_11*mu_1
+    t260 = D_delta_y_11 - 1
+    t261 = mu_3*t260
+    t262 = D_delta_x_11*mu_3
+    t263 = D_delta_x_11*mu_2
+    t264 = D_delta_z_11*mu_3
+    t265 = D_delta_z_11*mu_2
+    t266 = k_3_3*n_3_y
+    t267 = k_3_2*n_3_y
+    t268 = D_delta_x_12*D_p_x_1
+    t269 = D_delta_x_12*mu_1
+    t270 = D_delta_y_12*D_p_y_1
+    t271 = D_delta_y_12*mu_1
+    t272 = D_delta_z_12*mu_2
+    t273 = D_delta_z_12*mu_1
+    t274 = D_delta_z_12 - 1
+    t275 = mu_3*t274
+    t276 = D_delta_x_12*mu_3
+    t277 = D_delta_x_12*mu_2
+    t278 = D_delta_y_12*mu_3
+    t279 = D_delta_y_12*mu_2
+    t280 = k_3_3*n_3_z
+    t281 = k_3_2*n_3_z
+    t282 = R_p_1*k_1_1
+    t283 = R_p_2*k_2_1
+    t284 = R_p_3*k_3_1
+    t285 = D_delta_x_4**2
+    t286 = D_delta_y_5**2
+    t287 = D_delta_z_6**2
+    t288 = D_delta_x_7**2
+    t289 = D_delta_y_8**2
+    t290 = D_delta_z_9**2
+    t291 = D_delta_x_10**2
+    t292 = D_delta_y_11**2
+    t293 = D_delta_z_12**2
     M_wq_out = np.zeros((*batch, 15, 21), dtype)
     M_wq_out[..., 0, 0] = (
-        D_delta_x_4*t41 + D_delta_y_4*t42 + D_delta_z_4*t43 + D_p_x_1*t36 + m_t_1*n_1_x + n_1_x*t37
+        D_delta_x_4*t41 + D_delta_y_4*t42 + D_delta_z_4*t43 + D_p_x_1*t36 + m_t_1*n_1_x + n_1_x*t37 + t47
     )
-    M_wq_out[..., 0, 1] = D_delta_x_4*t45 + D_delta_y_4*t46 + D_delta_z_4*t47 + D_p_x_2*t36
-    M_wq_out[..., 0, 2] = D_delta_x_4*t49 + D_delta_y_4*t50 + D_delta_z_4*t51 + D_p_x_3*t36
-    M_wq_out[..., 0, 12] = D_delta_x_1*t36 + D_delta_x_1*t52 + D_delta_y_1*t53 + D_delta_z_1*t54
-    M_wq_out[..., 0, 13] = D_delta_x_2*t36 + D_delta_x_2*t52 + D_delta_y_2*t53 + D_delta_z_2*t54
-    M_wq_out[..., 0, 14] = D_delta_x_3*t36 + D_delta_x_3*t52 + D_delta_y_3*t53 + D_delta_z_3*t54
-    M_wq_out[..., 0, 18] = D_delta_x_4*t32 + t55
+    M_wq_out[..., 0, 1] = D_delta_x_4*t49 + D_delta_y_4*t50 + D_delta_z_4*t51 + D_p_x_2*t36
+    M_wq_out[..., 0, 2] = D_delta_x_4*t53 + D_delta_y_4*t54 + D_delta_z_4*t55 + D_p_x_3*t36
+    M_wq_out[..., 0, 3] = t57*t58
+    M_wq_out[..., 0, 6] = t58*t59
+    M_wq_out[..., 0, 12] = D_delta_x_1*t36 + D_delta_x_1*t60 + D_delta_y_1*t61 + D_delta_z_1*t62
+    M_wq_out[..., 0, 13] = D_delta_x_2*t36 + D_delta_x_2*t60 + D_delta_y_2*t61 + D_delta_z_2*t62
+    M_wq_out[..., 0, 14] = D_delta_x_3*t36 + D_delta_x_3*t60 + D_delta_y_3*t61 + D_delta_z_3*t62
+    M_wq_out[..., 0, 15] = t47
+    M_wq_out[..., 0, 18] = D_delta_x_4*t32 + t63
     M_wq_out[..., 0, 19] = D_delta_y_4*t32
     M_wq_out[..., 0, 20] = D_delta_z_4*t32
     M_wq_out[..., 1, 0] = (
-        D_delta_x_5*t41 + D_delta_y_5*t42 + D_delta_z_5*t43 + D_p_y_1*t36 + m_t_1*n_1_y + n_1_y*t37
+        D_delta_x_5*t41 + D_delta_y_5*t42 + D_delta_z_5*t43 + D_p_y_1*t36 + m_t_1*n_1_y + n_1_y*t37 + t64
     )
-    M_wq_out[..., 1, 1] = D_delta_x_5*t45 + D_delta_y_5*t46 + D_delta_z_5*t47 + D_p_y_2*t36
-    M_wq_out[..., 1, 2] = D_delta_x_5*t49 + D_delta_y_5*t50 + D_delta_z_5*t51 + D_p_y_3*t36
-    M_wq_out[..., 1, 12] = D_delta_x_1*t56 + D_delta_y_1*t36 + D_delta_y_1*t57 + D_delta_z_1*t58
-    M_wq_out[..., 1, 13] = D_delta_x_2*t56 + D_delta_y_2*t36 + D_delta_y_2*t57 + D_delta_z_2*t58
-    M_wq_out[..., 1, 14] = D_delta_x_3*t56 + D_delta_y_3*t36 + D_delta_y_3*t57 + D_delta_z_3*t58
+    M_wq_out[..., 1, 1] = D_delta_x_5*t49 + D_delta_y_5*t50 + D_delta_z_5*t51 + D_p_y_2*t36
+    M_wq_out[..., 1, 2] = D_delta_x_5*t53 + D_delta_y_5*t54 + D_delta_z_5*t55 + D_p_y_3*t36
+    M_wq_out[..., 1, 3] = t57*t65
+    M_wq_out[..., 1, 6] = t59*t65
+    M_wq_out[..., 1, 12] = D_delta_x_1*t66 + D_delta_y_1*t36 + D_delta_y_1*t67 + D_delta_z_1*t68
+    M_wq_out[..., 1, 13] = D_delta_x_2*t66 + D_delta_y_2*t36 + D_delta_y_2*t67 + D_delta_z_2*t68
+    M_wq_out[..., 1, 14] = D_delta_x_3*t66 + D_delta_y_3*t36 + D_delta_y_3*t67 + D_delta_z_3*t68
+    M_wq_out[..., 1, 15] = t64
     M_wq_out[..., 1, 18] = D_delta_x_5*t32
-    M_wq_out[..., 1, 19] = D_delta_y_5*t32 + t55
+    M_wq_out[..., 1, 19] = D_delta_y_5*t32 + t63
     M_wq_out[..., 1, 20] = D_delta_z_5*t32
     M_wq_out[..., 2, 0] = (
-        D_delta_x_6*t41 + D_delta_y_6*t42 + D_delta_z_6*t43 + D_p_z_1*t36 + m_t_1*n_1_z + n_1_z*t37
+        D_delta_x_6*t41 + D_delta_y_6*t42 + D_delta_z_6*t43 + D_p_z_1*t36 + m_t_1*n_1_z + n_1_z*t37 + t69
     )
-    M_wq_out[..., 2, 1] = D_delta_x_6*t45 + D_delta_y_6*t46 + D_delta_z_6*t47 + D_p_z_2*t36
-    M_wq_out[..., 2, 2] = D_delta_x_6*t49 + D_delta_y_6*t50 + D_delta_z_6*t51 + D_p_z_3*t36
-    M_wq_out[..., 2, 12] = D_delta_x_1*t59 + D_delta_y_1*t60 + D_delta_z_1*t36 + D_delta_z_1*t61
-    M_wq_out[..., 2, 13] = D_delta_x_2*t59 + D_delta_y_2*t60 + D_delta_z_2*t36 + D_delta_z_2*t61
-    M_wq_out[..., 2, 14] = D_delta_x_3*t59 + D_delta_y_3*t60 + D_delta_z_3*t36 + D_delta_z_3*t61
+    M_wq_out[..., 2, 1] = D_delta_x_6*t49 + D_delta_y_6*t50 + D_delta_z_6*t51 + D_p_z_2*t36
+    M_wq_out[..., 2, 2] = D_delta_x_6*t53 + D_delta_y_6*t54 + D_delta_z_6*t55 + D_p_z_3*t36
+    M_wq_out[..., 2, 3] = t57*t70
+    M_wq_out[..., 2, 6] = t59*t70
+    M_wq_out[..., 2, 12] = D_delta_x_1*t71 + D_delta_y_1*t72 + D_delta_z_1*t36 + D_delta_z_1*t73
+    M_wq_out[..., 2, 13] = D_delta_x_2*t71 + D_delta_y_2*t72 + D_delta_z_2*t36 + D_delta_z_2*t73
+    M_wq_out[..., 2, 14] = D_delta_x_3*t71 + D_delta_y_3*t72 + D_delta_z_3*t36 + D_delta_z_3*t73
+    M_wq_out[..., 2, 15] = t69
     M_wq_out[..., 2, 18] = D_delta_x_6*t32
     M_wq_out[..., 2, 19] = D_delta_y_6*t32
-    M_wq_out[..., 2, 20] = D_delta_z_6*t32 + t55
-    M_wq_out[..., 3, 0] = D_delta_x_7*t41 + D_delta_y_7*t42 + D_delta_z_7*t43 + D_p_x_1*t44
+    M_wq_out[..., 2, 20] = D_delta_z_6*t32 + t63
+    M_wq_out[..., 3, 0] = D_delta_x_7*t41 + D_delta_y_7*t42 + D_delta_z_7*t43 + D_p_x_1*t48
     M_wq_out[..., 3, 1] = (
-        D_delta_x_7*t45 + D_delta_y_7*t46 + D_delta_z_7*t47 + D_p_x_2*t44 + m_t_2*n_2_x + n_2_x*t38
+        D_delta_x_7*t49 + D_delta_y_7*t50 + D_delta_z_7*t51 + D_p_x_2*t48 + m_t_2*n_2_x + n_2_x*t38 + t76
     )
-    M_wq_out[..., 3, 2] = D_delta_x_7*t49 + D_delta_y_7*t50 + D_delta_z_7*t51 + D_p_x_3*t44
-    M_wq_out[..., 3, 12] = D_delta_x_1*t44 + D_delta_x_1*t62 + D_delta_y_1*t63 + D_delta_z_1*t64
-    M_wq_out[..., 3, 13] = D_delta_x_2*t44 + D_delta_x_2*t62 + D_delta_y_2*t63 + D_delta_z_2*t64
-    M_wq_out[..., 3, 14] = D_delta_x_3*t44 + D_delta_x_3*t62 + D_delta_y_3*t63 + D_delta_z_3*t64
-    M_wq_out[..., 3, 18] = D_delta_x_7*t32 + t65
+    M_wq_out[..., 3, 2] = D_delta_x_7*t53 + D_delta_y_7*t54 + D_delta_z_7*t55 + D_p_x_3*t48
+    M_wq_out[..., 3, 4] = t77*t78
+    M_wq_out[..., 3, 7] = t78*t79
+    M_wq_out[..., 3, 12] = D_delta_x_1*t48 + D_delta_x_1*t80 + D_delta_y_1*t81 + D_delta_z_1*t82
+    M_wq_out[..., 3, 13] = D_delta_x_2*t48 + D_delta_x_2*t80 + D_delta_y_2*t81 + D_delta_z_2*t82
+    M_wq_out[..., 3, 14] = D_delta_x_3*t48 + D_delta_x_3*t80 + D_delta_y_3*t81 + D_delta_z_3*t82
+    M_wq_out[..., 3, 16] = t76
+    M_wq_out[..., 3, 18] = D_delta_x_7*t32 + t83
     M_wq_out[..., 3, 19] = D_delta_y_7*t32
     M_wq_out[..., 3, 20] = D_delta_z_7*t32
-    M_wq_out[..., 4, 0] = D_delta_x_8*t41 + D_delta_y_8*t42 + D_delta_z_8*t43 + D_p_y_1*t44
+    M_wq_out[..., 4, 0] = D_delta_x_8*t41 + D_delta_y_8*t42 + D_delta_z_8*t43 + D_p_y_1*t48
     M_wq_out[..., 4, 1] = (
-        D_delta_x_8*t45 + D_delta_y_8*t46 + D_delta_z_8*t47 + D_p_y_2*t44 + m_t_2*n_2_y + n_2_y*t38
+        D_delta_x_8*t49 + D_delta_y_8*t50 + D_delta_z_8*t51 + D_p_y_2*t48 + m_t_2*n_2_y + n_2_y*t38 + t84
     )
-    M_wq_out[..., 4, 2] = D_delta_x_8*t49 + D_delta_y_8*t50 + D_delta_z_8*t51 + D_p_y_3*t44
-    M_wq_out[..., 4, 12] = D_delta_x_1*t66 + D_delta_y_1*t44 + D_delta_y_1*t67 + D_delta_z_1*t68
-    M_wq_out[..., 4, 13] = D_delta_x_2*t66 + D_delta_y_2*t44 + D_delta_y_2*t67 + D_delta_z_2*t68
-    M_wq_out[..., 4, 14] = D_delta_x_3*t66 + D_delta_y_3*t44 + D_delta_y_3*t67 + D_delta_z_3*t68
+    M_wq_out[..., 4, 2] = D_delta_x_8*t53 + D_delta_y_8*t54 + D_delta_z_8*t55 + D_p_y_3*t48
+    M_wq_out[..., 4, 4] = t77*t85
+    M_wq_out[..., 4, 7] = t79*t85
+    M_wq_out[..., 4, 12] = D_delta_x_1*t86 + D_delta_y_1*t48 + D_delta_y_1*t87 + D_delta_z_1*t88
+    M_wq_out[..., 4, 13] = D_delta_x_2*t86 + D_delta_y_2*t48 + D_delta_y_2*t87 + D_delta_z_2*t88
+    M_wq_out[..., 4, 14] = D_delta_x_3*t86 + D_delta_y_3*t48 + D_delta_y_3*t87 + D_delta_z_3*t88
+    M_wq_out[..., 4, 16] = t84
     M_wq_out[..., 4, 18] = D_delta_x_8*t32
-    M_wq_out[..., 4, 19] = D_delta_y_8*t32 + t65
+    M_wq_out[..., 4, 19] = D_delta_y_8*t32 + t83
     M_wq_out[..., 4, 20] = D_delta_z_8*t32
-    M_wq_out[..., 5, 0] = D_delta_x_9*t41 + D_delta_y_9*t42 + D_delta_z_9*t43 + D_p_z_1*t44
+    M_wq_out[..., 5, 0] = D_delta_x_9*t41 + D_delta_y_9*t42 + D_delta_z_9*t43 + D_p_z_1*t48
     M_wq_out[..., 5, 1] = (
-        D_delta_x_9*t45 + D_delta_y_9*t46 + D_delta_z_9*t47 + D_p_z_2*t44 + m_t_2*n_2_z + n_2_z*t38
+        D_delta_x_9*t49 + D_delta_y_9*t50 + D_delta_z_9*t51 + D_p_z_2*t48 + m_t_2*n_2_z + n_2_z*t38 + t89
     )
-    M_wq_out[..., 5, 2] = D_delta_x_9*t49 + D_delta_y_9*t50 + D_delta_z_9*t51 + D_p_z_3*t44
-    M_wq_out[..., 5, 12] = D_delta_x_1*t69 + D_delta_y_1*t70 + D_delta_z_1*t44 + D_delta_z_1*t71
-    M_wq_out[..., 5, 13] = D_delta_x_2*t69 + D_delta_y_2*t70 + D_delta_z_2*t44 + D_delta_z_2*t71
-    M_wq_out[..., 5, 14] = D_delta_x_3*t69 + D_delta_y_3*t70 + D_delta_z_3*t44 + D_delta_z_3*t71
+    M_wq_out[..., 5, 2] = D_delta_x_9*t53 + D_delta_y_9*t54 + D_delta_z_9*t55 + D_p_z_3*t48
+    M_wq_out[..., 5, 4] = t77*t90
+    M_wq_out[..., 5, 7] = t79*t90
+    M_wq_out[..., 5, 12] = D_delta_x_1*t93 + D_delta_y_1*t91 + D_delta_z_1*t48 + D_delta_z_1*t92
+    M_wq_out[..., 5, 13] = D_delta_x_2*t93 + D_delta_y_2*t91 + D_delta_z_2*t48 + D_delta_z_2*t92
+    M_wq_out[..., 5, 14] = D_delta_x_3*t93 + D_delta_y_3*t91 + D_delta_z_3*t48 + D_delta_z_3*t92
+    M_wq_out[..., 5, 16] = t89
     M_wq_out[..., 5, 18] = D_delta_x_9*t32
     M_wq_out[..., 5, 19] = D_delta_y_9*t32
-    M_wq_out[..., 5, 20] = D_delta_z_9*t32 + t65
-    M_wq_out[..., 6, 0] = D_delta_x_10*t41 + D_delta_y_10*t42 + D_delta_z_10*t43 + D_p_x_1*t48
-    M_wq_out[..., 6, 1] = D_delta_x_10*t45 + D_delta_y_10*t46 + D_delta_z_10*t47 + D_p_x_2*t48
+    M_wq_out[..., 5, 20] = D_delta_z_9*t32 + t83
+    M_wq_out[..., 6, 0] = D_delta_x_10*t41 + D_delta_y_10*t42 + D_delta_z_10*t43 + D_p_x_1*t52
+    M_wq_out[..., 6, 1] = D_delta_x_10*t49 + D_delta_y_10*t50 + D_delta_z_10*t51 + D_p_x_2*t52
     M_wq_out[..., 6, 2] = (
-        D_delta_x_10*t49 + D_delta_y_10*t50 + D_delta_z_10*t51 + D_p_x_3*t48 + m_t_3*n_3_x + n_3_x*t39
+        D_delta_x_10*t53 + D_delta_y_10*t54 + D_delta_z_10*t55 + D_p_x_3*t52 + m_t_3*n_3_x + n_3_x*t39 + t96
     )
-    M_wq_out[..., 6, 12] = D_delta_x_1*t48 + D_delta_x_1*t72 + D_delta_y_1*t73 + D_delta_z_1*t74
-    M_wq_out[..., 6, 13] = D_delta_x_2*t48 + D_delta_x_2*t72 + D_delta_y_2*t73 + D_delta_z_2*t74
-    M_wq_out[..., 6, 14] = D_delta_x_3*t48 + D_delta_x_3*t72 + D_delta_y_3*t73 + D_delta_z_3*t74
-    M_wq_out[..., 6, 18] = D_delta_x_10*t32 + t75
+    M_wq_out[..., 6, 5] = t97*t98
+    M_wq_out[..., 6, 8] = t98*t99
+    M_wq_out[..., 6, 12] = D_delta_x_1*t100 + D_delta_x_1*t52 + D_delta_y_1*t101 + D_delta_z_1*t102
+    M_wq_out[..., 6, 13] = D_delta_x_2*t100 + D_delta_x_2*t52 + D_delta_y_2*t101 + D_delta_z_2*t102
+    M_wq_out[..., 6, 14] = D_delta_x_3*t100 + D_delta_x_3*t52 + D_delta_y_3*t101 + D_delta_z_3*t102
+    M_wq_out[..., 6, 17] = t96
+    M_wq_out[..., 6, 18] = D_delta_x_10*t32 + t103
     M_wq_out[..., 6, 19] = D_delta_y_10*t32
     M_wq_out[..., 6, 20] = D_delta_z_10*t32
-    M_wq_out[..., 7, 0] = D_delta_x_11*t41 + D_delta_y_11*t42 + D_delta_z_11*t43 + D_p_y_1*t48
-    M_wq_out[..., 7, 1] = D_delta_x_11*t45 + D_delta_y_11*t46 + D_delta_z_11*t47 + D_p_y_2*t48
+    M_wq_out[..., 7, 0] = D_delta_x_11*t41 + D_delta_y_11*t42 + D_delta_z_11*t43 + D_p_y_1*t52
+    M_wq_out[..., 7, 1] = D_delta_x_11*t49 + D_delta_y_11*t50 + D_delta_z_11*t51 + D_p_y_2*t52
     M_wq_out[..., 7, 2] = (
-        D_delta_x_11*t49 + D_delta_y_11*t50 + D_delta_z_11*t51 + D_p_y_3*t48 + m_t_3*n_3_y + n_3_y*t39
+        D_delta_x_11*t53 + D_delta_y_11*t54 + D_delta_z_11*t55 + D_p_y_3*t52 + m_t_3*n_3_y + n_3_y*t39 + t104
     )
-    M_wq_out[..., 7, 12] = D_delta_x_1*t76 + D_delta_y_1*t48 + D_delta_y_1*t77 + D_delta_z_1*t78
-    M_wq_out[..., 7, 13] = D_delta_x_2*t76 + D_delta_y_2*t48 + D_delta_y_2*t77 + D_delta_z_2*t78
-    M_wq_out[..., 7, 14] = D_delta_x_3*t76 + D_delta_y_3*t48 + D_delta_y_3*t77 + D_delta_z_3*t78
+    M_wq_out[..., 7, 5] = t105*t97
+    M_wq_out[..., 7, 8] = t105*t99
+    M_wq_out[..., 7, 12] = D_delta_x_1*t106 + D_delta_y_1*t107 + D_delta_y_1*t52 + D_delta_z_1*t108
+    M_wq_out[..., 7, 13] = D_delta_x_2*t106 + D_delta_y_2*t107 + D_delta_y_2*t52 + D_delta_z_2*t108
+    M_wq_out[..., 7, 14] = D_delta_x_3*t106 + D_delta_y_3*t107 + D_delta_y_3*t52 + D_delta_z_3*t108
+    M_wq_out[..., 7, 17] = t104
     M_wq_out[..., 7, 18] = D_delta_x_11*t32
-    M_wq_out[..., 7, 19] = D_delta_y_11*t32 + t75
+    M_wq_out[..., 7, 19] = D_delta_y_11*t32 + t103
     M_wq_out[..., 7, 20] = D_delta_z_11*t32
-    M_wq_out[..., 8, 0] = D_delta_x_12*t41 + D_delta_y_12*t42 + D_delta_z_12*t43 + D_p_z_1*t48
-    M_wq_out[..., 8, 1] = D_delta_x_12*t45 + D_delta_y_12*t46 + D_delta_z_12*t47 + D_p_z_2*t48
+    M_wq_out[..., 8, 0] = D_delta_x_12*t41 + D_delta_y_12*t42 + D_delta_z_12*t43 + D_p_z_1*t52
+    M_wq_out[..., 8, 1] = D_delta_x_12*t49 + D_delta_y_12*t50 + D_delta_z_12*t51 + D_p_z_2*t52
     M_wq_out[..., 8, 2] = (
-        D_delta_x_12*t49 + D_delta_y_12*t50 + D_delta_z_12*t51 + D_p_z_3*t48 + m_t_3*n_3_z + n_3_z*t39
+        D_delta_x_12*t53 + D_delta_y_12*t54 + D_delta_z_12*t55 + D_p_z_3*t52 + m_t_3*n_3_z + n_3_z*t39 + t109
     )
-    M_wq_out[..., 8, 12] = D_delta_x_1*t79 + D_delta_y_1*t80 + D_delta_z_1*t48 + D_delta_z_1*t81
-    M_wq_out[..., 8, 13] = D_delta_x_2*t79 + D_delta_y_2*t80 + D_delta_z_2*t48 + D_delta_z_2*t81
-    M_wq_out[..., 8, 14] = D_delta_x_3*t79 + D_delta_y_3*t80 + D_delta_z_3*t48 + D_delta_z_3*t81
+    M_wq_out[..., 8, 5] = t110*t97
+    M_wq_out[..., 8, 8] = t110*t99
+    M_wq_out[..., 8, 12] = D_delta_x_1*t111 + D_delta_y_1*t112 + D_delta_z_1*t113 + D_delta_z_1*t52
+    M_wq_out[..., 8, 13] = D_delta_x_2*t111 + D_delta_y_2*t112 + D_delta_z_2*t113 + D_delta_z_2*t52
+    M_wq_out[..., 8, 14] = D_delta_x_3*t111 + D_delta_y_3*t112 + D_delta_z_3*t113 + D_delta_z_3*t52
+    M_wq_out[..., 8, 17] = t109
     M_wq_out[..., 8, 18] = D_delta_x_12*t32
     M_wq_out[..., 8, 19] = D_delta_y_12*t32
-    M_wq_out[..., 8, 20] = D_delta_z_12*t32 + t75
-    M_wq_out[..., 9, 0] = t83
-    M_wq_out[..., 9, 3] = (1/3)*R_p_1*l_f_1_3*rho_b - t86
-    M_wq_out[..., 9, 6] = t87
-    M_wq_out[..., 9, 15] = t83
-    M_wq_out[..., 10, 0] = t88
-    M_wq_out[..., 10, 3] = t87
-    M_wq_out[..., 10, 6] = (1/3)*R_p_1*l_f_1_2*rho_b - t86
-    M_wq_out[..., 10, 15] = t88
-    M_wq_out[..., 11, 1] = t89
-    M_wq_out[..., 11, 4] = (1/3)*R_p_2*l_f_2_3*rho_b - t91
-    M_wq_out[..., 11, 7] = t92
-    M_wq_out[..., 11, 16] = t89
-    M_wq_out[..., 12, 1] = t93
-    M_wq_out[..., 12, 4] = t92
-    M_wq_out[..., 12, 7] = (1/3)*R_p_2*l_f_2_2*rho_b - t91
-    M_wq_out[..., 12, 16] = t93
-    M_wq_out[..., 13, 2] = t94
-    M_wq_out[..., 13, 5] = (1/3)*R_p_3*l_f_3_3*rho_b - t96
-    M_wq_out[..., 13, 8] = t97
-    M_wq_out[..., 13, 17] = t94
-    M_wq_out[..., 14, 2] = t98
-    M_wq_out[..., 14, 5] = t97
-    M_wq_out[..., 14, 8] = (1/3)*R_p_3*l_f_3_2*rho_b - t96
-    M_wq_out[..., 14, 17] = t98
+    M_wq_out[..., 8, 20] = D_delta_z_12*t32 + t103
+    M_wq_out[..., 9, 0] = t57
+    M_wq_out[..., 9, 3] = (1/3)*R_p_1*l_f_1_3*rho_b - t115
+    M_wq_out[..., 9, 6] = t116
+    M_wq_out[..., 9, 15] = t57
+    M_wq_out[..., 10, 0] = t59
+    M_wq_out[..., 10, 3] = t116
+    M_wq_out[..., 10, 6] = (1/3)*R_p_1*l_f_1_2*rho_b - t115
+    M_wq_out[..., 10, 15] = t59
+    M_wq_out[..., 11, 1] = t77
+    M_wq_out[..., 11, 4] = (1/3)*R_p_2*l_f_2_3*rho_b - t118
+    M_wq_out[..., 11, 7] = t119
+    M_wq_out[..., 11, 16] = t77
+    M_wq_out[..., 12, 1] = t79
+    M_wq_out[..., 12, 4] = t119
+    M_wq_out[..., 12, 7] = (1/3)*R_p_2*l_f_2_2*rho_b - t118
+    M_wq_out[..., 12, 16] = t79
+    M_wq_out[..., 13, 2] = t97
+    M_wq_out[..., 13, 5] = (1/3)*R_p_3*l_f_3_3*rho_b - t121
+    M_wq_out[..., 13, 8] = t122
+    M_wq_out[..., 13, 17] = t97
+    M_wq_out[..., 14, 2] = t99
+    M_wq_out[..., 14, 5] = t122
+    M_wq_out[..., 14, 8] = (1/3)*R_p_3*l_f_3_2*rho_b - t121
+    M_wq_out[..., 14, 17] = t99
     M_ww_out = np.empty((*batch, 15), dtype)
-    M_ww_out[..., 0] = D_delta_x_4*t36 + D_delta_x_4*(t36 + t52) + t100*t40 + t101 + t40*t99
-    M_ww_out[..., 1] = D_delta_y_5*t36 + D_delta_y_5*(t36 + t57) + t101 + t102*t40 + t103*t40
-    M_ww_out[..., 2] = D_delta_z_6*t36 + D_delta_z_6*(t36 + t61) + t101 + t104*t40 + t105*t40
-    M_ww_out[..., 3] = D_delta_x_7*t44 + D_delta_x_7*(t44 + t62) + t106*t40 + t107*t40 + t108
-    M_ww_out[..., 4] = D_delta_y_8*t44 + D_delta_y_8*(t44 + t67) + t108 + t109*t40 + t110*t40
-    M_ww_out[..., 5] = D_delta_z_9*t44 + D_delta_z_9*(t44 + t71) + t108 + t111*t40 + t112*t40
-    M_ww_out[..., 6] = D_delta_x_10*t48 + D_delta_x_10*(t48 + t72) + t113*t40 + t114*t40 + t115
-    M_ww_out[..., 7] = D_delta_y_11*t48 + D_delta_y_11*(t48 + t77) + t115 + t116*t40 + t117*t40
-    M_ww_out[..., 8] = D_delta_z_12*t48 + D_delta_z_12*(t48 + t81) + t115 + t118*t40 + t119*t40
-    M_ww_out[..., 9] = l_f_1_3*t84 + t85
-    M_ww_out[..., 10] = l_f_1_2*t84 + t85
-    M_ww_out[..., 11] = l_f_2_3*t84 + t90
-    M_ww_out[..., 12] = l_f_2_2*t84 + t90
-    M_ww_out[..., 13] = l_f_3_3*t84 + t95
-    M_ww_out[..., 14] = l_f_3_2*t84 + t95
+    M_ww_out[..., 0] = (
+        D_delta_x_4*t36 + D_delta_x_4*(t36 + t60) + t123*t40 + t124*t40 + t125*t45 + t125*t46 + t126
+    )
+    M_ww_out[..., 1] = (
+        D_delta_y_5*t36 + D_delta_y_5*(t36 + t67) + t126 + t127*t40 + t128*t40 + t129*t45 + t129*t46
+    )
+    M_ww_out[..., 2] = (
+        D_delta_z_6*t36 + D_delta_z_6*(t36 + t73) + t126 + t130*t40 + t131*t40 + t132*t45 + t132*t46
+    )
+    M_ww_out[..., 3] = (
+        D_delta_x_7*t48 + D_delta_x_7*(t48 + t80) + t133*t40 + t134*t40 + t135*t74 + t135*t75 + t136
+    )
+    M_ww_out[..., 4] = (
+        D_delta_y_8*t48 + D_delta_y_8*(t48 + t87) + t136 + t137*t40 + t138*t40 + t139*t74 + t139*t75
+    )
+    M_ww_out[..., 5] = (
+        D_delta_z_9*t48 + D_delta_z_9*(t48 + t92) + t136 + t140*t40 + t141*t40 + t142*t74 + t142*t75
+    )
+    M_ww_out[..., 6] = (
+        D_delta_x_10*t52 + D_delta_x_10*(t100 + t52) + t143*t40 + t144*t40 + t145*t94 + t145*t95 + t146
+    )
+    M_ww_out[..., 7] = (
+        D_delta_y_11*t52 + D_delta_y_11*(t107 + t52) + t146 + t147*t40 + t148*t40 + t149*t94 + t149*t95
+    )
+    M_ww_out[..., 8] = (
+        D_delta_z_12*t52 + D_delta_z_12*(t113 + t52) + t146 + t150*t40 + t151*t40 + t152*t94 + t152*t95
+    )
+    M_ww_out[..., 9] = t114 + t46
+    M_ww_out[..., 10] = t114 + t45
+    M_ww_out[..., 11] = t117 + t75
+    M_ww_out[..., 12] = t117 + t74
+    M_ww_out[..., 13] = t120 + t95
+    M_ww_out[..., 14] = t120 + t94
     K_wq_out = np.zeros((*batch, 15, 21), dtype)
     K_wq_out[..., 0, 0] = (
-        D_delta_x_4*D_p_x_1*k_C + D_delta_y_4*D_p_y_1*k_C + D_delta_z_4*D_p_z_1*k_C - U_1_x_1*t126
-        - U_1_y_1*t122 - U_1_z_1*t124 - mu_2*t120 - mu_2*t121 - mu_2*t123 - mu_3*t120 - mu_3*t121 - mu_3*t123
+        D_delta_x_4*D_p_x_1*k_C + D_delta_y_4*D_p_y_1*k_C + D_delta_z_4*D_p_z_1*k_C - U_1_x_1*t159
+        - U_1_y_1*t155 - U_1_z_1*t157 + k_1_2*n_1_x + k_1_3*n_1_x - mu_2*t153 - mu_2*t154 - mu_2*t156
+        - mu_3*t153 - mu_3*t154 - mu_3*t156
     )
     K_wq_out[..., 0, 1] = (
-        D_delta_x_4*D_p_x_2*k_C + D_delta_y_4*D_p_y_2*k_C + D_delta_z_4*D_p_z_2*k_C - D_p_x_2*t126
-        - D_p_x_2*t127 - D_p_y_2*t122 - D_p_y_2*t129 - D_p_z_2*t124 - D_p_z_2*t131 - U_2_x_2*t128
-        - U_2_y_2*t130 - U_2_z_2*t132
+        D_delta_x_4*D_p_x_2*k_C + D_delta_y_4*D_p_y_2*k_C + D_delta_z_4*D_p_z_2*k_C - D_p_x_2*t159
+        - D_p_x_2*t160 - D_p_y_2*t155 - D_p_y_2*t162 - D_p_z_2*t157 - D_p_z_2*t164 - U_2_x_2*t161
+        - U_2_y_2*t163 - U_2_z_2*t165
     )
     K_wq_out[..., 0, 2] = (
-        D_delta_x_4*D_p_x_3*k_C + D_delta_y_4*D_p_y_3*k_C + D_delta_z_4*D_p_z_3*k_C - D_p_x_3*t126
-        - D_p_x_3*t128 - D_p_y_3*t122 - D_p_y_3*t130 - D_p_z_3*t124 - D_p_z_3*t132 - U_3_x_3*t127
-        - U_3_y_3*t129 - U_3_z_3*t131
+        D_delta_x_4*D_p_x_3*k_C + D_delta_y_4*D_p_y_3*k_C + D_delta_z_4*D_p_z_3*k_C - D_p_x_3*t159
+        - D_p_x_3*t161 - D_p_y_3*t155 - D_p_y_3*t163 - D_p_z_3*t157 - D_p_z_3*t165 - U_3_x_3*t160
+        - U_3_y_3*t162 - U_3_z_3*t164
     )
+    K_wq_out[..., 0, 3] = -R_p_1*t166
+    K_wq_out[..., 0, 6] = -R_p_1*t167
     K_wq_out[..., 0, 12] = (
-        D_delta_x_1*D_delta_x_4*k_C - D_delta_x_1*t126 - D_delta_x_1*t127 - D_delta_x_1*t128
-        + D_delta_y_1*D_delta_y_4*k_C - D_delta_y_1*t122 - D_delta_y_1*t129 - D_delta_y_1*t130
-        + D_delta_z_1*D_delta_z_4*k_C - D_delta_z_1*t124 - D_delta_z_1*t131 - D_delta_z_1*t132
+        D_delta_x_1*D_delta_x_4*k_C - D_delta_x_1*t159 - D_delta_x_1*t160 - D_delta_x_1*t161
+        + D_delta_y_1*D_delta_y_4*k_C - D_delta_y_1*t155 - D_delta_y_1*t162 - D_delta_y_1*t163
+        + D_delta_z_1*D_delta_z_4*k_C - D_delta_z_1*t157 - D_delta_z_1*t164 - D_delta_z_1*t165
     )
     K_wq_out[..., 0, 13] = (
-        D_delta_x_2*D_delta_x_4*k_C - D_delta_x_2*t126 - D_delta_x_2*t127 - D_delta_x_2*t128
-        + D_delta_y_2*D_delta_y_4*k_C - D_delta_y_2*t122 - D_delta_y_2*t129 - D_delta_y_2*t130
-        + D_delta_z_2*D_delta_z_4*k_C - D_delta_z_2*t124 - D_delta_z_2*t131 - D_delta_z_2*t132
+        D_delta_x_2*D_delta_x_4*k_C - D_delta_x_2*t159 - D_delta_x_2*t160 - D_delta_x_2*t161
+        + D_delta_y_2*D_delta_y_4*k_C - D_delta_y_2*t155 - D_delta_y_2*t162 - D_delta_y_2*t163
+        + D_delta_z_2*D_delta_z_4*k_C - D_delta_z_2*t157 - D_delta_z_2*t164 - D_delta_z_2*t165
     )
     K_wq_out[..., 0, 14] = (
-        D_delta_x_3*D_delta_x_4*k_C - D_delta_x_3*t126 - D_delta_x_3*t127 - D_delta_x_3*t128
-        + D_delta_y_3*D_delta_y_4*k_C - D_delta_y_3*t122 - D_delta_y_3*t129 - D_delta_y_3*t130
-        + D_delta_z_3*D_delta_z_4*k_C - D_delta_z_3*t124 - D_delta_z_3*t131 - D_delta_z_3*t132
+        D_delta_x_3*D_delta_x_4*k_C - D_delta_x_3*t159 - D_delta_x_3*t160 - D_delta_x_3*t161
+        + D_delta_y_3*D_delta_y_4*k_C - D_delta_y_3*t155 - D_delta_y_3*t162 - D_delta_y_3*t163
+        + D_delta_z_3*D_delta_z_4*k_C - D_delta_z_3*t157 - D_delta_z_3*t164 - D_delta_z_3*t165
     )
+    K_wq_out[..., 0, 15] = t166 + t167
     K_wq_out[..., 0, 18] = D_delta_x_4*k_C
     K_wq_out[..., 0, 19] = D_delta_y_4*k_C
     K_wq_out[..., 0, 20] = D_delta_z_4*k_C
     K_wq_out[..., 1, 0] = (
-        D_delta_x_5*D_p_x_1*k_C + D_delta_y_5*D_p_y_1*k_C + D_delta_z_5*D_p_z_1*k_C - U_1_x_1*t134
-        - U_1_y_1*t139 - U_1_z_1*t137 - mu_2*t133 - mu_2*t135 - mu_2*t136 - mu_3*t133 - mu_3*t135 - mu_3*t136
+        D_delta_x_5*D_p_x_1*k_C + D_delta_y_5*D_p_y_1*k_C + D_delta_z_5*D_p_z_1*k_C - U_1_x_1*t169
+        - U_1_y_1*t174 - U_1_z_1*t172 + k_1_2*n_1_y + k_1_3*n_1_y - mu_2*t168 - mu_2*t170 - mu_2*t171
+        - mu_3*t168 - mu_3*t170 - mu_3*t171
     )
     K_wq_out[..., 1, 1] = (
-        D_delta_x_5*D_p_x_2*k_C + D_delta_y_5*D_p_y_2*k_C + D_delta_z_5*D_p_z_2*k_C - D_p_x_2*t134
-        - D_p_x_2*t140 - D_p_y_2*t139 - D_p_y_2*t142 - D_p_z_2*t137 - D_p_z_2*t144 - U_2_x_2*t141
-        - U_2_y_2*t143 - U_2_z_2*t145
+        D_delta_x_5*D_p_x_2*k_C + D_delta_y_5*D_p_y_2*k_C + D_delta_z_5*D_p_z_2*k_C - D_p_x_2*t169
+        - D_p_x_2*t175 - D_p_y_2*t174 - D_p_y_2*t177 - D_p_z_2*t172 - D_p_z_2*t179 - U_2_x_2*t176
+        - U_2_y_2*t178 - U_2_z_2*t180
     )
     K_wq_out[..., 1, 2] = (
-        D_delta_x_5*D_p_x_3*k_C + D_delta_y_5*D_p_y_3*k_C + D_delta_z_5*D_p_z_3*k_C - D_p_x_3*t134
-        - D_p_x_3*t141 - D_p_y_3*t139 - D_p_y_3*t143 - D_p_z_3*t137 - D_p_z_3*t145 - U_3_x_3*t140
-        - U_3_y_3*t142 - U_3_z_3*t144
+        D_delta_x_5*D_p_x_3*k_C + D_delta_y_5*D_p_y_3*k_C + D_delta_z_5*D_p_z_3*k_C - D_p_x_3*t169
+        - D_p_x_3*t176 - D_p_y_3*t174 - D_p_y_3*t178 - D_p_z_3*t172 - D_p_z_3*t180 - U_3_x_3*t175
+        - U_3_y_3*t177 - U_3_z_3*t179
     )
+    K_wq_out[..., 1, 3] = -R_p_1*t181
+    K_wq_out[..., 1, 6] = -R_p_1*t182
     K_wq_out[..., 1, 12] = (
-        D_delta_x_1*D_delta_x_5*k_C - D_delta_x_1*t134 - D_delta_x_1*t140 - D_delta_x_1*t141
-        + D_delta_y_1*D_delta_y_5*k_C - D_delta_y_1*t139 - D_delta_y_1*t142 - D_delta_y_1*t143
-        + D_delta_z_1*D_delta_z_5*k_C - D_delta_z_1*t137 - D_delta_z_1*t144 - D_delta_z_1*t145
+        D_delta_x_1*D_delta_x_5*k_C - D_delta_x_1*t169 - D_delta_x_1*t175 - D_delta_x_1*t176
+        + D_delta_y_1*D_delta_y_5*k_C - D_delta_y_1*t174 - D_delta_y_1*t177 - D_delta_y_1*t178
+        + D_delta_z_1*D_delta_z_5*k_C - D_delta_z_1*t172 - D_delta_z_1*t179 - D_delta_z_1*t180
     )
     K_wq_out[..., 1, 13] = (
-        D_delta_x_2*D_delta_x_5*k_C - D_delta_x_2*t134 - D_delta_x_2*t140 - D_delta_x_2*t141
-        + D_delta_y_2*D_delta_y_5*k_C - D_delta_y_2*t139 - D_delta_y_2*t142 - D_delta_y_2*t143
-        + D_delta_z_2*D_delta_z_5*k_C - D_delta_z_2*t137 - D_delta_z_2*t144 - D_delta_z_2*t145
+        D_delta_x_2*D_delta_x_5*k_C - D_delta_x_2*t169 - D_delta_x_2*t175 - D_delta_x_2*t176
+        + D_delta_y_2*D_delta_y_5*k_C - D_delta_y_2*t174 - D_delta_y_2*t177 - D_delta_y_2*t178
+        + D_delta_z_2*D_delta_z_5*k_C - D_delta_z_2*t172 - D_delta_z_2*t179 - D_delta_z_2*t180
     )
     K_wq_out[..., 1, 14] = (
-        D_delta_x_3*D_delta_x_5*k_C - D_delta_x_3*t134 - D_delta_x_3*t140 - D_delta_x_3*t141
-        + D_delta_y_3*D_delta_y_5*k_C - D_delta_y_3*t139 - D_delta_y_3*t142 - D_delta_y_3*t143
-        + D_delta_z_3*D_delta_z_5*k_C - D_delta_z_3*t137 - D_delta_z_3*t144 - D_delta_z_3*t145
+        D_delta_x_3*D_delta_x_5*k_C - D_delta_x_3*t169 - D_delta_x_3*t175 - D_delta_x_3*t176
+        + D_delta_y_3*D_delta_y_5*k_C - D_delta_y_3*t174 - D_delta_y_3*t177 - D_delta_y_3*t178
+        + D_delta_z_3*D_delta_z_5*k_C - D_delta_z_3*t172 - D_delta_z_3*t179 - D_delta_z_3*t180
     )
+    K_wq_out[..., 1, 15] = t181 + t182
     K_wq_out[..., 1, 18] = D_delta_x_5*k_C
     K_wq_out[..., 1, 19] = D_delta_y_5*k_C
     K_wq_out[..., 1, 20] = D_delta_z_5*k_C
     K_wq_out[..., 2, 0] = (
-        D_delta_x_6*D_p_x_1*k_C + D_delta_y_6*D_p_y_1*k_C + D_delta_z_6*D_p_z_1*k_C - U_1_x_1*t147
-        - U_1_y_1*t149 - U_1_z_1*t152 - mu_2*t146 - mu_2*t148 - mu_2*t150 - mu_3*t146 - mu_3*t148 - mu_3*t150
+        D_delta_x_6*D_p_x_1*k_C + D_delta_y_6*D_p_y_1*k_C + D_delta_z_6*D_p_z_1*k_C - U_1_x_1*t184
+        - U_1_y_1*t186 - U_1_z_1*t189 + k_1_2*n_1_z + k_1_3*n_1_z - mu_2*t183 - mu_2*t185 - mu_2*t187
+        - mu_3*t183 - mu_3*t185 - mu_3*t187
     )
     K_wq_out[..., 2, 1] = (
-        D_delta_x_6*D_p_x_2*k_C + D_delta_y_6*D_p_y_2*k_C + D_delta_z_6*D_p_z_2*k_C - D_p_x_2*t147
-        - D_p_x_2*t153 - D_p_y_2*t149 - D_p_y_2*t155 - D_p_z_2*t152 - D_p_z_2*t157 - U_2_x_2*t154
-        - U_2_y_2*t156 - U_2_z_2*t158
+        D_delta_x_6*D_p_x_2*k_C + D_delta_y_6*D_p_y_2*k_C + D_delta_z_6*D_p_z_2*k_C - D_p_x_2*t184
+        - D_p_x_2*t190 - D_p_y_2*t186 - D_p_y_2*t192 - D_p_z_2*t189 - D_p_z_2*t194 - U_2_x_2*t191
+        - U_2_y_2*t193 - U_2_z_2*t195
     )
     K_wq_out[..., 2, 2] = (
-        D_delta_x_6*D_p_x_3*k_C + D_delta_y_6*D_p_y_3*k_C + D_delta_z_6*D_p_z_3*k_C - D_p_x_3*t147
-        - D_p_x_3*t154 - D_p_y_3*t149 - D_p_y_3*t156 - D_p_z_3*t152 - D_p_z_3*t158 - U_3_x_3*t153
-        - U_3_y_3*t155 - U_3_z_3*t157
+        D_delta_x_6*D_p_x_3*k_C + D_delta_y_6*D_p_y_3*k_C + D_delta_z_6*D_p_z_3*k_C - D_p_x_3*t184
+        - D_p_x_3*t191 - D_p_y_3*t186 - D_p_y_3*t193 - D_p_z_3*t189 - D_p_z_3*t195 - U_3_x_3*t190
+        - U_3_y_3*t192 - U_3_z_3*t194
     )
+    K_wq_out[..., 2, 3] = -R_p_1*t196
+    K_wq_out[..., 2, 6] = -R_p_1*t197
     K_wq_out[..., 2, 12] = (
-        D_delta_x_1*D_delta_x_6*k_C - D_delta_x_1*t147 - D_delta_x_1*t153 - D_delta_x_1*t154
-        + D_delta_y_1*D_delta_y_6*k_C - D_delta_y_1*t149 - D_delta_y_1*t155 - D_delta_y_1*t156
-        + D_delta_z_1*D_delta_z_6*k_C - D_delta_z_1*t152 - D_delta_z_1*t157 - D_delta_z_1*t158
+        D_delta_x_1*D_delta_x_6*k_C - D_delta_x_1*t184 - D_delta_x_1*t190 - D_delta_x_1*t191
+        + D_delta_y_1*D_delta_y_6*k_C - D_delta_y_1*t186 - D_delta_y_1*t192 - D_delta_y_1*t193
+        + D_delta_z_1*D_delta_z_6*k_C - D_delta_z_1*t189 - D_delta_z_1*t194 - D_delta_z_1*t195
     )
     K_wq_out[..., 2, 13] = (
-        D_delta_x_2*D_delta_x_6*k_C - D_delta_x_2*t147 - D_delta_x_2*t153 - D_delta_x_2*t154
-        + D_delta_y_2*D_delta_y_6*k_C - D_delta_y_2*t149 - D_delta_y_2*t155 - D_delta_y_2*t156
-        + D_delta_z_2*D_delta_z_6*k_C - D_delta_z_2*t152 - D_delta_z_2*t157 - D_delta_z_2*t158
+        D_delta_x_2*D_delta_x_6*k_C - D_delta_x_2*t184 - D_delta_x_2*t190 - D_delta_x_2*t191
+        + D_delta_y_2*D_delta_y_6*k_C - D_delta_y_2*t186 - D_delta_y_2*t192 - D_delta_y_2*t193
+        + D_delta_z_2*D_delta_z_6*k_C - D_delta_z_2*t189 - D_delta_z_2*t194 - D_delta_z_2*t195
     )
     K_wq_out[..., 2, 14] = (
-        D_delta_x_3*D_delta_x_6*k_C - D_delta_x_3*t147 - D_delta_x_3*t153 - D_delta_x_3*t154
-        + D_delta_y_3*D_delta_y_6*k_C - D_delta_y_3*t149 - D_delta_y_3*t155 - D_delta_y_3*t156
-        + D_delta_z_3*D_delta_z_6*k_C - D_delta_z_3*t152 - D_delta_z_3*t157 - D_delta_z_3*t158
+        D_delta_x_3*D_delta_x_6*k_C - D_delta_x_3*t184 - D_delta_x_3*t190 - D_delta_x_3*t191
+        + D_delta_y_3*D_delta_y_6*k_C - D_delta_y_3*t186 - D_delta_y_3*t192 - D_delta_y_3*t193
+        + D_delta_z_3*D_delta_z_6*k_C - D_delta_z_3*t189 - D_delta_z_3*t194 - D_delta_z_3*t195
     )
+    K_wq_out[..., 2, 15] = t196 + t197
     K_wq_out[..., 2, 18] = D_delta_x_6*k_C
     K_wq_out[..., 2, 19] = D_delta_y_6*k_C
     K_wq_out[..., 2, 20] = D_delta_z_6*k_C
     K_wq_out[..., 3, 0] = (
-        D_delta_x_7*D_p_x_1*k_C + D_delta_y_7*D_p_y_1*k_C + D_delta_z_7*D_p_z_1*k_C - D_p_x_1*t159
-        - D_p_x_1*t166 - U_1_x_1*t160 - U_1_y_1*t162 - U_1_z_1*t164 - mu_2*t161 - mu_2*t163 - mu_3*t161
-        - mu_3*t163
+        D_delta_x_7*D_p_x_1*k_C + D_delta_y_7*D_p_y_1*k_C + D_delta_z_7*D_p_z_1*k_C - D_p_x_1*t198
+        - D_p_x_1*t205 - U_1_x_1*t199 - U_1_y_1*t201 - U_1_z_1*t203 - mu_2*t200 - mu_2*t202 - mu_3*t200
+        - mu_3*t202
     )
     K_wq_out[..., 3, 1] = (
-        D_delta_x_7*D_p_x_2*k_C + D_delta_y_7*D_p_y_2*k_C + D_delta_z_7*D_p_z_2*k_C - D_p_x_2*t159
-        - D_p_x_2*t160 - D_p_y_2*t162 - D_p_y_2*t167 - D_p_z_2*t164 - D_p_z_2*t169 - U_2_x_2*t166
-        - U_2_y_2*t168 - U_2_z_2*t170
+        D_delta_x_7*D_p_x_2*k_C + D_delta_y_7*D_p_y_2*k_C + D_delta_z_7*D_p_z_2*k_C - D_p_x_2*t198
+        - D_p_x_2*t199 - D_p_y_2*t201 - D_p_y_2*t206 - D_p_z_2*t203 - D_p_z_2*t208 - U_2_x_2*t205
+        - U_2_y_2*t207 - U_2_z_2*t209 + k_2_2*n_2_x + k_2_3*n_2_x
     )
     K_wq_out[..., 3, 2] = (
-        D_delta_x_7*D_p_x_3*k_C + D_delta_y_7*D_p_y_3*k_C + D_delta_z_7*D_p_z_3*k_C - D_p_x_3*t160
-        - D_p_x_3*t166 - D_p_y_3*t162 - D_p_y_3*t168 - D_p_z_3*t164 - D_p_z_3*t170 - U_3_x_3*t159
-        - U_3_y_3*t167 - U_3_z_3*t169
+        D_delta_x_7*D_p_x_3*k_C + D_delta_y_7*D_p_y_3*k_C + D_delta_z_7*D_p_z_3*k_C - D_p_x_3*t199
+        - D_p_x_3*t205 - D_p_y_3*t201 - D_p_y_3*t207 - D_p_z_3*t203 - D_p_z_3*t209 - U_3_x_3*t198
+        - U_3_y_3*t206 - U_3_z_3*t208
     )
+    K_wq_out[..., 3, 4] = -R_p_2*t210
+    K_wq_out[..., 3, 7] = -R_p_2*t211
     K_wq_out[..., 3, 12] = (
-        D_delta_x_1*D_delta_x_7*k_C - D_delta_x_1*t159 - D_delta_x_1*t160 - D_delta_x_1*t166
-        + D_delta_y_1*D_delta_y_7*k_C - D_delta_y_1*t162 - D_delta_y_1*t167 - D_delta_y_1*t168
-        + D_delta_z_1*D_delta_z_7*k_C - D_delta_z_1*t164 - D_delta_z_1*t169 - D_delta_z_1*t170
+        D_delta_x_1*D_delta_x_7*k_C - D_delta_x_1*t198 - D_delta_x_1*t199 - D_delta_x_1*t205
+        + D_delta_y_1*D_delta_y_7*k_C - D_delta_y_1*t201 - D_delta_y_1*t206 - D_delta_y_1*t207
+        + D_delta_z_1*D_delta_z_7*k_C - D_delta_z_1*t203 - D_delta_z_1*t208 - D_delta_z_1*t209
     )
     K_wq_out[..., 3, 13] = (
-        D_delta_x_2*D_delta_x_7*k_C - D_delta_x_2*t159 - D_delta_x_2*t160 - D_delta_x_2*t166
-        + D_delta_y_2*D_delta_y_7*k_C - D_delta_y_2*t162 - D_delta_y_2*t167 - D_delta_y_2*t168
-        + D_delta_z_2*D_delta_z_7*k_C - D_delta_z_2*t164 - D_delta_z_2*t169 - D_delta_z_2*t170
+        D_delta_x_2*D_delta_x_7*k_C - D_delta_x_2*t198 - D_delta_x_2*t199 - D_delta_x_2*t205
+        + D_delta_y_2*D_delta_y_7*k_C - D_delta_y_2*t201 - D_delta_y_2*t206 - D_delta_y_2*t207
+        + D_delta_z_2*D_delta_z_7*k_C - D_delta_z_2*t203 - D_delta_z_2*t208 - D_delta_z_2*t209
     )
     K_wq_out[..., 3, 14] = (
-        D_delta_x_3*D_delta_x_7*k_C - D_delta_x_3*t159 - D_delta_x_3*t160 - D_delta_x_3*t166
-        + D_delta_y_3*D_delta_y_7*k_C - D_delta_y_3*t162 - D_delta_y_3*t167 - D_delta_y_3*t168
-        + D_delta_z_3*D_delta_z_7*k_C - D_delta_z_3*t164 - D_delta_z_3*t169 - D_delta_z_3*t170
+        D_delta_x_3*D_delta_x_7*k_C - D_delta_x_3*t198 - D_delta_x_3*t199 - D_delta_x_3*t205
+        + D_delta_y_3*D_delta_y_7*k_C - D_delta_y_3*t201 - D_delta_y_3*t206 - D_delta_y_3*t207
+        + D_delta_z_3*D_delta_z_7*k_C - D_delta_z_3*t203 - D_delta_z_3*t208 - D_delta_z_3*t209
     )
+    K_wq_out[..., 3, 16] = t210 + t211
     K_wq_out[..., 3, 18] = D_delta_x_7*k_C
     K_wq_out[..., 3, 19] = D_delta_y_7*k_C
     K_wq_out[..., 3, 20] = D_delta_z_7*k_C
     K_wq_out[..., 4, 0] = (
-        D_delta_x_8*D_p_x_1*k_C + D_delta_y_8*D_p_y_1*k_C + D_delta_z_8*D_p_z_1*k_C - D_p_y_1*t173
-        - D_p_y_1*t178 - U_1_x_1*t172 - U_1_y_1*t174 - U_1_z_1*t176 - mu_2*t171 - mu_2*t175 - mu_3*t171
-        - mu_3*t175
+        D_delta_x_8*D_p_x_1*k_C + D_delta_y_8*D_p_y_1*k_C + D_delta_z_8*D_p_z_1*k_C - D_p_y_1*t214
+        - D_p_y_1*t219 - U_1_x_1*t213 - U_1_y_1*t215 - U_1_z_1*t217 - mu_2*t212 - mu_2*t216 - mu_3*t212
+        - mu_3*t216
     )
     K_wq_out[..., 4, 1] = (
-        D_delta_x_8*D_p_x_2*k_C + D_delta_y_8*D_p_y_2*k_C + D_delta_z_8*D_p_z_2*k_C - D_p_x_2*t172
-        - D_p_x_2*t179 - D_p_y_2*t173 - D_p_y_2*t174 - D_p_z_2*t176 - D_p_z_2*t181 - U_2_x_2*t180
-        - U_2_y_2*t178 - U_2_z_2*t182
+        D_delta_x_8*D_p_x_2*k_C + D_delta_y_8*D_p_y_2*k_C + D_delta_z_8*D_p_z_2*k_C - D_p_x_2*t213
+        - D_p_x_2*t220 - D_p_y_2*t214 - D_p_y_2*t215 - D_p_z_2*t217 - D_p_z_2*t222 - U_2_x_2*t221
+        - U_2_y_2*t219 - U_2_z_2*t223 + k_2_2*n_2_y + k_2_3*n_2_y
     )
     K_wq_out[..., 4, 2] = (
-        D_delta_x_8*D_p_x_3*k_C + D_delta_y_8*D_p_y_3*k_C + D_delta_z_8*D_p_z_3*k_C - D_p_x_3*t172
-        - D_p_x_3*t180 - D_p_y_3*t174 - D_p_y_3*t178 - D_p_z_3*t176 - D_p_z_3*t182 - U_3_x_3*t179
-        - U_3_y_3*t173 - U_3_z_3*t181
+        D_delta_x_8*D_p_x_3*k_C + D_delta_y_8*D_p_y_3*k_C + D_delta_z_8*D_p_z_3*k_C - D_p_x_3*t213
+        - D_p_x_3*t221 - D_p_y_3*t215 - D_p_y_3*t219 - D_p_z_3*t217 - D_p_z_3*t223 - U_3_x_3*t220
+        - U_3_y_3*t214 - U_3_z_3*t222
     )
+    K_wq_out[..., 4, 4] = -R_p_2*t224
+    K_wq_out[..., 4, 7] = -R_p_2*t225
     K_wq_out[..., 4, 12] = (
-        D_delta_x_1*D_delta_x_8*k_C - D_delta_x_1*t172 - D_delta_x_1*t179 - D_delta_x_1*t180
-        + D_delta_y_1*D_delta_y_8*k_C - D_delta_y_1*t173 - D_delta_y_1*t174 - D_delta_y_1*t178
-        + D_delta_z_1*D_delta_z_8*k_C - D_delta_z_1*t176 - D_delta_z_1*t181 - D_delta_z_1*t182
+        D_delta_x_1*D_delta_x_8*k_C - D_delta_x_1*t213 - D_delta_x_1*t220 - D_delta_x_1*t221
+        + D_delta_y_1*D_delta_y_8*k_C - D_delta_y_1*t214 - D_delta_y_1*t215 - D_delta_y_1*t219
+        + D_delta_z_1*D_delta_z_8*k_C - D_delta_z_1*t217 - D_delta_z_1*t222 - D_delta_z_1*t223
     )
     K_wq_out[..., 4, 13] = (
-        D_delta_x_2*D_delta_x_8*k_C - D_delta_x_2*t172 - D_delta_x_2*t179 - D_delta_x_2*t180
-        + D_delta_y_2*D_delta_y_8*k_C - D_delta_y_2*t173 - D_delta_y_2*t174 - D_delta_y_2*t178
-        + D_delta_z_2*D_delta_z_8*k_C - D_delta_z_2*t176 - D_delta_z_2*t181 - D_delta_z_2*t182
+        D_delta_x_2*D_delta_x_8*k_C - D_delta_x_2*t213 - D_delta_x_2*t220 - D_delta_x_2*t221
+        + D_delta_y_2*D_delta_y_8*k_C - D_delta_y_2*t214 - D_delta_y_2*t215 - D_delta_y_2*t219
+        + D_delta_z_2*D_delta_z_8*k_C - D_delta_z_2*t217 - D_delta_z_2*t222 - D_delta_z_2*t223
     )
     K_wq_out[..., 4, 14] = (
-        D_delta_x_3*D_delta_x_8*k_C - D_delta_x_3*t172 - D_delta_x_3*t179 - D_delta_x_3*t180
-        + D_delta_y_3*D_delta_y_8*k_C - D_delta_y_3*t173 - D_delta_y_3*t174 - D_delta_y_3*t178
-        + D_delta_z_3*D_delta_z_8*k_C - D_delta_z_3*t176 - D_delta_z_3*t181 - D_delta_z_3*t182
+        D_delta_x_3*D_delta_x_8*k_C - D_delta_x_3*t213 - D_delta_x_3*t220 - D_delta_x_3*t221
+        + D_delta_y_3*D_delta_y_8*k_C - D_delta_y_3*t214 - D_delta_y_3*t215 - D_delta_y_3*t219
+        + D_delta_z_3*D_delta_z_8*k_C - D_delta_z_3*t217 - D_delta_z_3*t222 - D_delta_z_3*t223
     )
+    K_wq_out[..., 4, 16] = t224 + t225
     K_wq_out[..., 4, 18] = D_delta_x_8*k_C
     K_wq_out[..., 4, 19] = D_delta_y_8*k_C
     K_wq_out[..., 4, 20] = D_delta_z_8*k_C
     K_wq_out[..., 5, 0] = (
-        D_delta_x_9*D_p_x_1*k_C + D_delta_y_9*D_p_y_1*k_C + D_delta_z_9*D_p_z_1*k_C - D_p_z_1*t187
-        - D_p_z_1*t190 - U_1_x_1*t184 - U_1_y_1*t186 - U_1_z_1*t188 - mu_2*t183 - mu_2*t185 - mu_3*t183
-        - mu_3*t185
+        D_delta_x_9*D_p_x_1*k_C + D_delta_y_9*D_p_y_1*k_C + D_delta_z_9*D_p_z_1*k_C - D_p_z_1*t230
+        - D_p_z_1*t233 - U_1_x_1*t227 - U_1_y_1*t229 - U_1_z_1*t231 - mu_2*t226 - mu_2*t228 - mu_3*t226
+        - mu_3*t228
     )
     K_wq_out[..., 5, 1] = (
-        D_delta_x_9*D_p_x_2*k_C + D_delta_y_9*D_p_y_2*k_C + D_delta_z_9*D_p_z_2*k_C - D_p_x_2*t184
-        - D_p_x_2*t191 - D_p_y_2*t186 - D_p_y_2*t193 - D_p_z_2*t187 - D_p_z_2*t188 - U_2_x_2*t192
-        - U_2_y_2*t194 - U_2_z_2*t190
+        D_delta_x_9*D_p_x_2*k_C + D_delta_y_9*D_p_y_2*k_C + D_delta_z_9*D_p_z_2*k_C - D_p_x_2*t227
+        - D_p_x_2*t234 - D_p_y_2*t229 - D_p_y_2*t236 - D_p_z_2*t230 - D_p_z_2*t231 - U_2_x_2*t235
+        - U_2_y_2*t237 - U_2_z_2*t233 + k_2_2*n_2_z + k_2_3*n_2_z
     )
     K_wq_out[..., 5, 2] = (
-        D_delta_x_9*D_p_x_3*k_C + D_delta_y_9*D_p_y_3*k_C + D_delta_z_9*D_p_z_3*k_C - D_p_x_3*t184
-        - D_p_x_3*t192 - D_p_y_3*t186 - D_p_y_3*t194 - D_p_z_3*t188 - D_p_z_3*t190 - U_3_x_3*t191
-        - U_3_y_3*t193 - U_3_z_3*t187
+        D_delta_x_9*D_p_x_3*k_C + D_delta_y_9*D_p_y_3*k_C + D_delta_z_9*D_p_z_3*k_C - D_p_x_3*t227
+        - D_p_x_3*t235 - D_p_y_3*t229 - D_p_y_3*t237 - D_p_z_3*t231 - D_p_z_3*t233 - U_3_x_3*t234
+        - U_3_y_3*t236 - U_3_z_3*t230
     )
+    K_wq_out[..., 5, 4] = -R_p_2*t238
+    K_wq_out[..., 5, 7] = -R_p_2*t239
     K_wq_out[..., 5, 12] = (
-        D_delta_x_1*D_delta_x_9*k_C - D_delta_x_1*t184 - D_delta_x_1*t191 - D_delta_x_1*t192
-        + D_delta_y_1*D_delta_y_9*k_C - D_delta_y_1*t186 - D_delta_y_1*t193 - D_delta_y_1*t194
-        + D_delta_z_1*D_delta_z_9*k_C - D_delta_z_1*t187 - D_delta_z_1*t188 - D_delta_z_1*t190
+        D_delta_x_1*D_delta_x_9*k_C - D_delta_x_1*t227 - D_delta_x_1*t234 - D_delta_x_1*t235
+        + D_delta_y_1*D_delta_y_9*k_C - D_delta_y_1*t229 - D_delta_y_1*t236 - D_delta_y_1*t237
+        + D_delta_z_1*D_delta_z_9*k_C - D_delta_z_1*t230 - D_delta_z_1*t231 - D_delta_z_1*t233
     )
     K_wq_out[..., 5, 13] = (
-        D_delta_x_2*D_delta_x_9*k_C - D_delta_x_2*t184 - D_delta_x_2*t191 - D_delta_x_2*t192
-        + D_delta_y_2*D_delta_y_9*k_C - D_delta_y_2*t186 - D_delta_y_2*t193 - D_delta_y_2*t194
-        + D_delta_z_2*D_delta_z_9*k_C - D_delta_z_2*t187 - D_delta_z_2*t188 - D_delta_z_2*t190
+        D_delta_x_2*D_delta_x_9*k_C - D_delta_x_2*t227 - D_delta_x_2*t234 - D_delta_x_2*t235
+        + D_delta_y_2*D_delta_y_9*k_C - D_delta_y_2*t229 - D_delta_y_2*t236 - D_delta_y_2*t237
+        + D_delta_z_2*D_delta_z_9*k_C - D_delta_z_2*t230 - D_delta_z_2*t231 - D_delta_z_2*t233
     )
     K_wq_out[..., 5, 14] = (
-        D_delta_x_3*D_delta_x_9*k_C - D_delta_x_3*t184 - D_delta_x_3*t191 - D_delta_x_3*t192
-        + D_delta_y_3*D_delta_y_9*k_C - D_delta_y_3*t186 - D_delta_y_3*t193 - D_delta_y_3*t194
-        + D_delta_z_3*D_delta_z_9*k_C - D_delta_z_3*t187 - D_delta_z_3*t188 - D_delta_z_3*t190
+        D_delta_x_3*D_delta_x_9*k_C - D_delta_x_3*t227 - D_delta_x_3*t234 - D_delta_x_3*t235
+        + D_delta_y_3*D_delta_y_9*k_C - D_delta_y_3*t229 - D_delta_y_3*t236 - D_delta_y_3*t237
+        + D_delta_z_3*D_delta_z_9*k_C - D_delta_z_3*t230 - D_delta_z_3*t231 - D_delta_z_3*t233
     )
+    K_wq_out[..., 5, 16] = t238 + t239
     K_wq_out[..., 5, 18] = D_delta_x_9*k_C
     K_wq_out[..., 5, 19] = D_delta_y_9*k_C
     K_wq_out[..., 5, 20] = D_delta_z_9*k_C
     K_wq_out[..., 6, 0] = (
-        D_delta_x_10*D_p_x_1*k_C + D_delta_y_10*D_p_y_1*k_C + D_delta_z_10*D_p_z_1*k_C - D_p_x_1*t195
-        - D_p_x_1*t202 - U_1_x_1*t196 - U_1_y_1*t198 - U_1_z_1*t200 - mu_2*t197 - mu_2*t199 - mu_3*t197
-        - mu_3*t199
+        D_delta_x_10*D_p_x_1*k_C + D_delta_y_10*D_p_y_1*k_C + D_delta_z_10*D_p_z_1*k_C - D_p_x_1*t240
+        - D_p_x_1*t247 - U_1_x_1*t241 - U_1_y_1*t243 - U_1_z_1*t245 - mu_2*t242 - mu_2*t244 - mu_3*t242
+        - mu_3*t244
     )
     K_wq_out[..., 6, 1] = (
-        D_delta_x_10*D_p_x_2*k_C + D_delta_y_10*D_p_y_2*k_C + D_delta_z_10*D_p_z_2*k_C - D_p_x_2*t196
-        - D_p_x_2*t202 - D_p_y_2*t198 - D_p_y_2*t203 - D_p_z_2*t200 - D_p_z_2*t205 - U_2_x_2*t195
-        - U_2_y_2*t204 - U_2_z_2*t206
+        D_delta_x_10*D_p_x_2*k_C + D_delta_y_10*D_p_y_2*k_C + D_delta_z_10*D_p_z_2*k_C - D_p_x_2*t241
+        - D_p_x_2*t247 - D_p_y_2*t243 - D_p_y_2*t248 - D_p_z_2*t245 - D_p_z_2*t250 - U_2_x_2*t240
+        - U_2_y_2*t249 - U_2_z_2*t251
     )
     K_wq_out[..., 6, 2] = (
-        D_delta_x_10*D_p_x_3*k_C + D_delta_y_10*D_p_y_3*k_C + D_delta_z_10*D_p_z_3*k_C - D_p_x_3*t195
-        - D_p_x_3*t196 - D_p_y_3*t198 - D_p_y_3*t204 - D_p_z_3*t200 - D_p_z_3*t206 - U_3_x_3*t202
-        - U_3_y_3*t203 - U_3_z_3*t205
+        D_delta_x_10*D_p_x_3*k_C + D_delta_y_10*D_p_y_3*k_C + D_delta_z_10*D_p_z_3*k_C - D_p_x_3*t240
+        - D_p_x_3*t241 - D_p_y_3*t243 - D_p_y_3*t249 - D_p_z_3*t245 - D_p_z_3*t251 - U_3_x_3*t247
+        - U_3_y_3*t248 - U_3_z_3*t250 + k_3_2*n_3_x + k_3_3*n_3_x
     )
+    K_wq_out[..., 6, 5] = -R_p_3*t252
+    K_wq_out[..., 6, 8] = -R_p_3*t253
     K_wq_out[..., 6, 12] = (
-        D_delta_x_1*D_delta_x_10*k_C - D_delta_x_1*t195 - D_delta_x_1*t196 - D_delta_x_1*t202
-        + D_delta_y_1*D_delta_y_10*k_C - D_delta_y_1*t198 - D_delta_y_1*t203 - D_delta_y_1*t204
-        + D_delta_z_1*D_delta_z_10*k_C - D_delta_z_1*t200 - D_delta_z_1*t205 - D_delta_z_1*t206
+        D_delta_x_1*D_delta_x_10*k_C - D_delta_x_1*t240 - D_delta_x_1*t241 - D_delta_x_1*t247
+        + D_delta_y_1*D_delta_y_10*k_C - D_delta_y_1*t243 - D_delta_y_1*t248 - D_delta_y_1*t249
+        + D_delta_z_1*D_delta_z_10*k_C - D_delta_z_1*t245 - D_delta_z_1*t250 - D_delta_z_1*t251
     )
     K_wq_out[..., 6, 13] = (
-        D_delta_x_10*D_delta_x_2*k_C - D_delta_x_2*t195 - D_delta_x_2*t196 - D_delta_x_2*t202
-        + D_delta_y_10*D_delta_y_2*k_C - D_delta_y_2*t198 - D_delta_y_2*t203 - D_delta_y_2*t204
-        + D_delta_z_10*D_delta_z_2*k_C - D_delta_z_2*t200 - D_delta_z_2*t205 - D_delta_z_2*t206
+        D_delta_x_10*D_delta_x_2*k_C - D_delta_x_2*t240 - D_delta_x_2*t241 - D_delta_x_2*t247
+        + D_delta_y_10*D_delta_y_2*k_C - D_delta_y_2*t243 - D_delta_y_2*t248 - D_delta_y_2*t249
+        + D_delta_z_10*D_delta_z_2*k_C - D_delta_z_2*t245 - D_delta_z_2*t250 - D_delta_z_2*t251
     )
     K_wq_out[..., 6, 14] = (
-        D_delta_x_10*D_delta_x_3*k_C - D_delta_x_3*t195 - D_delta_x_3*t196 - D_delta_x_3*t202
-        + D_delta_y_10*D_delta_y_3*k_C - D_delta_y_3*t198 - D_delta_y_3*t203 - D_delta_y_3*t204
-        + D_delta_z_10*D_delta_z_3*k_C - D_delta_z_3*t200 - D_delta_z_3*t205 - D_delta_z_3*t206
+        D_delta_x_10*D_delta_x_3*k_C - D_delta_x_3*t240 - D_delta_x_3*t241 - D_delta_x_3*t247
+        + D_delta_y_10*D_delta_y_3*k_C - D_delta_y_3*t243 - D_delta_y_3*t248 - D_delta_y_3*t249
+        + D_delta_z_10*D_delta_z_3*k_C - D_delta_z_3*t245 - D_delta_z_3*t250 - D_delta_z_3*t251
     )
+    K_wq_out[..., 6, 17] = t252 + t253
     K_wq_out[..., 6, 18] = D_delta_x_10*k_C
     K_wq_out[..., 6, 19] = D_delta_y_10*k_C
     K_wq_out[..., 6, 20] = D_delta_z_10*k_C
     K_wq_out[..., 7, 0] = (
-        D_delta_x_11*D_p_x_1*k_C + D_delta_y_11*D_p_y_1*k_C + D_delta_z_11*D_p_z_1*k_C - D_p_y_1*t209
-        - D_p_y_1*t214 - U_1_x_1*t208 - U_1_y_1*t210 - U_1_z_1*t212 - mu_2*t207 - mu_2*t211 - mu_3*t207
-        - mu_3*t211
+        D_delta_x_11*D_p_x_1*k_C + D_delta_y_11*D_p_y_1*k_C + D_delta_z_11*D_p_z_1*k_C - D_p_y_1*t256
+        - D_p_y_1*t261 - U_1_x_1*t255 - U_1_y_1*t257 - U_1_z_1*t259 - mu_2*t254 - mu_2*t258 - mu_3*t254
+        - mu_3*t258
     )
     K_wq_out[..., 7, 1] = (
-        D_delta_x_11*D_p_x_2*k_C + D_delta_y_11*D_p_y_2*k_C + D_delta_z_11*D_p_z_2*k_C - D_p_x_2*t208
-        - D_p_x_2*t215 - D_p_y_2*t210 - D_p_y_2*t214 - D_p_z_2*t212 - D_p_z_2*t217 - U_2_x_2*t216
-        - U_2_y_2*t209 - U_2_z_2*t218
+        D_delta_x_11*D_p_x_2*k_C + D_delta_y_11*D_p_y_2*k_C + D_delta_z_11*D_p_z_2*k_C - D_p_x_2*t255
+        - D_p_x_2*t262 - D_p_y_2*t257 - D_p_y_2*t261 - D_p_z_2*t259 - D_p_z_2*t264 - U_2_x_2*t263
+        - U_2_y_2*t256 - U_2_z_2*t265
     )
     K_wq_out[..., 7, 2] = (
-        D_delta_x_11*D_p_x_3*k_C + D_delta_y_11*D_p_y_3*k_C + D_delta_z_11*D_p_z_3*k_C - D_p_x_3*t208
-        - D_p_x_3*t216 - D_p_y_3*t209 - D_p_y_3*t210 - D_p_z_3*t212 - D_p_z_3*t218 - U_3_x_3*t215
-        - U_3_y_3*t214 - U_3_z_3*t217
+        D_delta_x_11*D_p_x_3*k_C + D_delta_y_11*D_p_y_3*k_C + D_delta_z_11*D_p_z_3*k_C - D_p_x_3*t255
+        - D_p_x_3*t263 - D_p_y_3*t256 - D_p_y_3*t257 - D_p_z_3*t259 - D_p_z_3*t265 - U_3_x_3*t262
+        - U_3_y_3*t261 - U_3_z_3*t264 + k_3_2*n_3_y + k_3_3*n_3_y
     )
+    K_wq_out[..., 7, 5] = -R_p_3*t266
+    K_wq_out[..., 7, 8] = -R_p_3*t267
     K_wq_out[..., 7, 12] = (
-        D_delta_x_1*D_delta_x_11*k_C - D_delta_x_1*t208 - D_delta_x_1*t215 - D_delta_x_1*t216
-        + D_delta_y_1*D_delta_y_11*k_C - D_delta_y_1*t209 - D_delta_y_1*t210 - D_delta_y_1*t214
-        + D_delta_z_1*D_delta_z_11*k_C - D_delta_z_1*t212 - D_delta_z_1*t217 - D_delta_z_1*t218
+        D_delta_x_1*D_delta_x_11*k_C - D_delta_x_1*t255 - D_delta_x_1*t262 - D_delta_x_1*t263
+        + D_delta_y_1*D_delta_y_11*k_C - D_delta_y_1*t256 - D_delta_y_1*t257 - D_delta_y_1*t261
+        + D_delta_z_1*D_delta_z_11*k_C - D_delta_z_1*t259 - D_delta_z_1*t264 - D_delta_z_1*t265
     )
     K_wq_out[..., 7, 13] = (
-        D_delta_x_11*D_delta_x_2*k_C - D_delta_x_2*t208 - D_delta_x_2*t215 - D_delta_x_2*t216
-        + D_delta_y_11*D_delta_y_2*k_C - D_delta_y_2*t209 - D_delta_y_2*t210 - D_delta_y_2*t214
-        + D_delta_z_11*D_delta_z_2*k_C - D_delta_z_2*t212 - D_delta_z_2*t217 - D_delta_z_2*t218
+        D_delta_x_11*D_delta_x_2*k_C - D_delta_x_2*t255 - D_delta_x_2*t262 - D_delta_x_2*t263
+        + D_delta_y_11*D_delta_y_2*k_C - D_delta_y_2*t256 - D_delta_y_2*t257 - D_delta_y_2*t261
+        + D_delta_z_11*D_delta_z_2*k_C - D_delta_z_2*t259 - D_delta_z_2*t264 - D_delta_z_2*t265
     )
     K_wq_out[..., 7, 14] = (
-        D_delta_x_11*D_delta_x_3*k_C - D_delta_x_3*t208 - D_delta_x_3*t215 - D_delta_x_3*t216
-        + D_delta_y_11*D_delta_y_3*k_C - D_delta_y_3*t209 - D_delta_y_3*t210 - D_delta_y_3*t214
-        + D_delta_z_11*D_delta_z_3*k_C - D_delta_z_3*t212 - D_delta_z_3*t217 - D_delta_z_3*t218
+        D_delta_x_11*D_delta_x_3*k_C - D_delta_x_3*t255 - D_delta_x_3*t262 - D_delta_x_3*t263
+        + D_delta_y_11*D_delta_y_3*k_C - D_delta_y_3*t256 - D_delta_y_3*t257 - D_delta_y_3*t261
+        + D_delta_z_11*D_delta_z_3*k_C - D_delta_z_3*t259 - D_delta_z_3*t264 - D_delta_z_3*t265
     )
+    K_wq_out[..., 7, 17] = t266 + t267
     K_wq_out[..., 7, 18] = D_delta_x_11*k_C
     K_wq_out[..., 7, 19] = D_delta_y_11*k_C
     K_wq_out[..., 7, 20] = D_delta_z_11*k_C
     K_wq_out[..., 8, 0] = (
-        D_delta_x_12*D_p_x_1*k_C + D_delta_y_12*D_p_y_1*k_C + D_delta_z_12*D_p_z_1*k_C - D_p_z_1*t223
-        - D_p_z_1*t226 - U_1_x_1*t220 - U_1_y_1*t222 - U_1_z_1*t224 - mu_2*t219 - mu_2*t221 - mu_3*t219
-        - mu_3*t221
+        D_delta_x_12*D_p_x_1*k_C + D_delta_y_12*D_p_y_1*k_C + D_delta_z_12*D_p_z_1*k_C - D_p_z_1*t272
+        - D_p_z_1*t275 - U_1_x_1*t269 - U_1_y_1*t271 - U_1_z_1*t273 - mu_2*t268 - mu_2*t270 - mu_3*t268
+        - mu_3*t270
     )
     K_wq_out[..., 8, 1] = (
-        D_delta_x_12*D_p_x_2*k_C + D_delta_y_12*D_p_y_2*k_C + D_delta_z_12*D_p_z_2*k_C - D_p_x_2*t220
-        - D_p_x_2*t227 - D_p_y_2*t222 - D_p_y_2*t229 - D_p_z_2*t224 - D_p_z_2*t226 - U_2_x_2*t228
-        - U_2_y_2*t230 - U_2_z_2*t223
+        D_delta_x_12*D_p_x_2*k_C + D_delta_y_12*D_p_y_2*k_C + D_delta_z_12*D_p_z_2*k_C - D_p_x_2*t269
+        - D_p_x_2*t276 - D_p_y_2*t271 - D_p_y_2*t278 - D_p_z_2*t273 - D_p_z_2*t275 - U_2_x_2*t277
+        - U_2_y_2*t279 - U_2_z_2*t272
     )
     K_wq_out[..., 8, 2] = (
-        D_delta_x_12*D_p_x_3*k_C + D_delta_y_12*D_p_y_3*k_C + D_delta_z_12*D_p_z_3*k_C - D_p_x_3*t220
-        - D_p_x_3*t228 - D_p_y_3*t222 - D_p_y_3*t230 - D_p_z_3*t223 - D_p_z_3*t224 - U_3_x_3*t227
-        - U_3_y_3*t229 - U_3_z_3*t226
+        D_delta_x_12*D_p_x_3*k_C + D_delta_y_12*D_p_y_3*k_C + D_delta_z_12*D_p_z_3*k_C - D_p_x_3*t269
+        - D_p_x_3*t277 - D_p_y_3*t271 - D_p_y_3*t279 - D_p_z_3*t272 - D_p_z_3*t273 - U_3_x_3*t276
+        - U_3_y_3*t278 - U_3_z_3*t275 + k_3_2*n_3_z + k_3_3*n_3_z
     )
+    K_wq_out[..., 8, 5] = -R_p_3*t280
+    K_wq_out[..., 8, 8] = -R_p_3*t281
     K_wq_out[..., 8, 12] = (
-        D_delta_x_1*D_delta_x_12*k_C - D_delta_x_1*t220 - D_delta_x_1*t227 - D_delta_x_1*t228
-        + D_delta_y_1*D_delta_y_12*k_C - D_delta_y_1*t222 - D_delta_y_1*t229 - D_delta_y_1*t230
-        + D_delta_z_1*D_delta_z_12*k_C - D_delta_z_1*t223 - D_delta_z_1*t224 - D_delta_z_1*t226
+        D_delta_x_1*D_delta_x_12*k_C - D_delta_x_1*t269 - D_delta_x_1*t276 - D_delta_x_1*t277
+        + D_delta_y_1*D_delta_y_12*k_C - D_delta_y_1*t271 - D_delta_y_1*t278 - D_delta_y_1*t279
+        + D_delta_z_1*D_delta_z_12*k_C - D_delta_z_1*t272 - D_delta_z_1*t273 - D_delta_z_1*t275
     )
     K_wq_out[..., 8, 13] = (
-        D_delta_x_12*D_delta_x_2*k_C - D_delta_x_2*t220 - D_delta_x_2*t227 - D_delta_x_2*t228
-        + D_delta_y_12*D_delta_y_2*k_C - D_delta_y_2*t222 - D_delta_y_2*t229 - D_delta_y_2*t230
-        + D_delta_z_12*D_delta_z_2*k_C - D_delta_z_2*t223 - D_delta_z_2*t224 - D_delta_z_2*t226
+        D_delta_x_12*D_delta_x_2*k_C - D_delta_x_2*t269 - D_delta_x_2*t276 - D_delta_x_2*t277
+        + D_delta_y_12*D_delta_y_2*k_C - D_delta_y_2*t271 - D_delta_y_2*t278 - D_delta_y_2*t279
+        + D_delta_z_12*D_delta_z_2*k_C - D_delta_z_2*t272 - D_delta_z_2*t273 - D_delta_z_2*t275
     )
     K_wq_out[..., 8, 14] = (
-        D_delta_x_12*D_delta_x_3*k_C - D_delta_x_3*t220 - D_delta_x_3*t227 - D_delta_x_3*t228
-        + D_delta_y_12*D_delta_y_3*k_C - D_delta_y_3*t222 - D_delta_y_3*t229 - D_delta_y_3*t230
-        + D_delta_z_12*D_delta_z_3*k_C - D_delta_z_3*t223 - D_delta_z_3*t224 - D_delta_z_3*t226
+        D_delta_x_12*D_delta_x_3*k_C - D_delta_x_3*t269 - D_delta_x_3*t276 - D_delta_x_3*t277
+        + D_delta_y_12*D_delta_y_3*k_C - D_delta_y_3*t271 - D_delta_y_3*t278 - D_delta_y_3*t279
+        + D_delta_z_12*D_delta_z_3*k_C - D_delta_z_3*t272 - D_delta_z_3*t273 - D_delta_z_3*t275
     )
+    K_wq_out[..., 8, 17] = t280 + t281
     K_wq_out[..., 8, 18] = D_delta_x_12*k_C
     K_wq_out[..., 8, 19] = D_delta_y_12*k_C
     K_wq_out[..., 8, 20] = D_delta_z_12*k_C
     K_wq_out[..., 9, 0] = -k_1_3
-    K_wq_out[..., 9, 3] = R_p_1*k_1_3 - t231
-    K_wq_out[..., 9, 6] = t231
+    K_wq_out[..., 9, 3] = R_p_1*k_1_3 - t282
+    K_wq_out[..., 9, 6] = t282
     K_wq_out[..., 9, 15] = -k_1_3
     K_wq_out[..., 10, 0] = -k_1_2
-    K_wq_out[..., 10, 3] = t231
-    K_wq_out[..., 10, 6] = R_p_1*k_1_2 - t231
+    K_wq_out[..., 10, 3] = t282
+    K_wq_out[..., 10, 6] = R_p_1*k_1_2 - t282
     K_wq_out[..., 10, 15] = -k_1_2
     K_wq_out[..., 11, 1] = -k_2_3
-    K_wq_out[..., 11, 4] = R_p_2*k_2_3 - t232
-    K_wq_out[..., 11, 7] = t232
+    K_wq_out[..., 11, 4] = R_p_2*k_2_3 - t283
+    K_wq_out[..., 11, 7] = t283
     K_wq_out[..., 11, 16] = -k_2_3
     K_wq_out[..., 12, 1] = -k_2_2
-    K_wq_out[..., 12, 4] = t232
-    K_wq_out[..., 12, 7] = R_p_2*k_2_2 - t232
+    K_wq_out[..., 12, 4] = t283
+    K_wq_out[..., 12, 7] = R_p_2*k_2_2 - t283
     K_wq_out[..., 12, 16] = -k_2_2
     K_wq_out[..., 13, 2] = -k_3_3
-    K_wq_out[..., 13, 5] = R_p_3*k_3_3 - t233
-    K_wq_out[..., 13, 8] = t233
+    K_wq_out[..., 13, 5] = R_p_3*k_3_3 - t284
+    K_wq_out[..., 13, 8] = t284
     K_wq_out[..., 13, 17] = -k_3_3
     K_wq_out[..., 14, 2] = -k_3_2
-    K_wq_out[..., 14, 5] = t233
-    K_wq_out[..., 14, 8] = R_p_3*k_3_2 - t233
+    K_wq_out[..., 14, 5] = t284
+    K_wq_out[..., 14, 8] = R_p_3*k_3_2 - t284
     K_wq_out[..., 14, 17] = -k_3_2
     K_ww_out = np.empty((*batch, 15), dtype)
     K_ww_out[..., 0] = (
-        k_C*t100 + k_C*t234 + k_C*t99 - mu_1*t100 - mu_1*t125**2 - mu_1*t99 - mu_2*t100 - mu_2*t234 - mu_2*t99
-        - mu_3*t100 - mu_3*t234 - mu_3*t99
+        k_1_2*t125 + k_1_3*t125 + k_C*t123 + k_C*t124 + k_C*t285 - mu_1*t123 - mu_1*t124 - mu_1*t158**2
+        - mu_2*t123 - mu_2*t124 - mu_2*t285 - mu_3*t123 - mu_3*t124 - mu_3*t285
     )
     K_ww_out[..., 1] = (
-        k_C*t102 + k_C*t103 + k_C*t235 - mu_1*t102 - mu_1*t103 - mu_1*t138**2 - mu_2*t102 - mu_2*t103
-        - mu_2*t235 - mu_3*t102 - mu_3*t103 - mu_3*t235
+        k_1_2*t129 + k_1_3*t129 + k_C*t127 + k_C*t128 + k_C*t286 - mu_1*t127 - mu_1*t128 - mu_1*t173**2
+        - mu_2*t127 - mu_2*t128 - mu_2*t286 - mu_3*t127 - mu_3*t128 - mu_3*t286
     )
     K_ww_out[..., 2] = (
-        k_C*t104 + k_C*t105 + k_C*t236 - mu_1*t104 - mu_1*t105 - mu_1*t151**2 - mu_2*t104 - mu_2*t105
-        - mu_2*t236 - mu_3*t104 - mu_3*t105 - mu_3*t236
+        k_1_2*t132 + k_1_3*t132 + k_C*t130 + k_C*t131 + k_C*t287 - mu_1*t130 - mu_1*t131 - mu_1*t188**2
+        - mu_2*t130 - mu_2*t131 - mu_2*t287 - mu_3*t130 - mu_3*t131 - mu_3*t287
     )
     K_ww_out[..., 3] = (
-        k_C*t106 + k_C*t107 + k_C*t237 - mu_1*t106 - mu_1*t107 - mu_1*t237 - mu_2*t106 - mu_2*t107
-        - mu_2*t165**2 - mu_3*t106 - mu_3*t107 - mu_3*t237
+        k_2_2*t135 + k_2_3*t135 + k_C*t133 + k_C*t134 + k_C*t288 - mu_1*t133 - mu_1*t134 - mu_1*t288
+        - mu_2*t133 - mu_2*t134 - mu_2*t204**2 - mu_3*t133 - mu_3*t134 - mu_3*t288
     )
     K_ww_out[..., 4] = (
-        k_C*t109 + k_C*t110 + k_C*t238 - mu_1*t109 - mu_1*t110 - mu_1*t238 - mu_2*t109 - mu_2*t110
-        - mu_2*t177**2 - mu_3*t109 - mu_3*t110 - mu_3*t238
+        k_2_2*t139 + k_2_3*t139 + k_C*t137 + k_C*t138 + k_C*t289 - mu_1*t137 - mu_1*t138 - mu_1*t289
+        - mu_2*t137 - mu_2*t138 - mu_2*t218**2 - mu_3*t137 - mu_3*t138 - mu_3*t289
     )
     K_ww_out[..., 5] = (
-        k_C*t111 + k_C*t112 + k_C*t239 - mu_1*t111 - mu_1*t112 - mu_1*t239 - mu_2*t111 - mu_2*t112
-        - mu_2*t189**2 - mu_3*t111 - mu_3*t112 - mu_3*t239
+        k_2_2*t142 + k_2_3*t142 + k_C*t140 + k_C*t141 + k_C*t290 - mu_1*t140 - mu_1*t141 - mu_1*t290
+        - mu_2*t140 - mu_2*t141 - mu_2*t232**2 - mu_3*t140 - mu_3*t141 - mu_3*t290
     )
     K_ww_out[..., 6] = (
-        k_C*t113 + k_C*t114 + k_C*t240 - mu_1*t113 - mu_1*t114 - mu_1*t240 - mu_2*t113 - mu_2*t114 - mu_2*t240
-        - mu_3*t113 - mu_3*t114 - mu_3*t201**2
+        k_3_2*t145 + k_3_3*t145 + k_C*t143 + k_C*t144 + k_C*t291 - mu_1*t143 - mu_1*t144 - mu_1*t291
+        - mu_2*t143 - mu_2*t144 - mu_2*t291 - mu_3*t143 - mu_3*t144 - mu_3*t246**2
     )
     K_ww_out[..., 7] = (
-        k_C*t116 + k_C*t117 + k_C*t241 - mu_1*t116 - mu_1*t117 - mu_1*t241 - mu_2*t116 - mu_2*t117 - mu_2*t241
-        - mu_3*t116 - mu_3*t117 - mu_3*t213**2
+        k_3_2*t149 + k_3_3*t149 + k_C*t147 + k_C*t148 + k_C*t292 - mu_1*t147 - mu_1*t148 - mu_1*t292
+        - mu_2*t147 - mu_2*t148 - mu_2*t292 - mu_3*t147 - mu_3*t148 - mu_3*t260**2
     )
     K_ww_out[..., 8] = (
-        k_C*t118 + k_C*t119 + k_C*t242 - mu_1*t118 - mu_1*t119 - mu_1*t242 - mu_2*t118 - mu_2*t119 - mu_2*t242
-        - mu_3*t118 - mu_3*t119 - mu_3*t225**2
+        k_3_2*t152 + k_3_3*t152 + k_C*t150 + k_C*t151 + k_C*t293 - mu_1*t150 - mu_1*t151 - mu_1*t293
+        - mu_2*t150 - mu_2*t151 - mu_2*t293 - mu_3*t150 - mu_3*t151 - mu_3*t274**2
     )
     K_ww_out[..., 9] = k_1_1 + k_1_3
     K_ww_out[..., 10] = k_1_1 + k_1_2
