@@ -58,6 +58,8 @@ class Element:
         The spring that it is.
     turns : sympy.Symbol or None
         The coordinate by which a wheel turns, right-handed about its axis.
+    place : str
+        The body that it shows, as a place of terms; empty for the one whose words are its name, or none.
     """
 
     shape: ElementShape
@@ -66,6 +68,7 @@ class Element:
     points: tuple[Point, ...]
     spring: Run | Reducer | None = None
     turns: Symbol | None = None
+    place: str = ""
 
 
 @dataclass(frozen=True)
@@ -117,9 +120,10 @@ class Drawing:
         name: str,
         *points: Place,
         spring: Run | Reducer | None = None,
+        place: str = "",
     ) -> None:
         """Draw a line through points: a rail, a rod, an arm, a belt span."""
-        self._add("line", kind, name, points, spring)
+        self._add("line", kind, name, points, spring, place=place)
 
     def wheel(
         self,
@@ -131,9 +135,10 @@ class Drawing:
         *,
         turns: Symbol | None = None,
         spring: Run | Reducer | None = None,
+        place: str = "",
     ) -> None:
         """Draw a wheel with a unit vector as its axis; `turns` is the coordinate by which it turns."""
-        self._add("wheel", kind, name, (centre, _beside(centre, axis, radius)), spring, turns)
+        self._add("wheel", kind, name, (centre, _beside(centre, axis, radius)), spring, turns, place)
 
     def block(
         self, kind: str, name: str, centre: Sequence[object], along: Sequence[object], half: object
@@ -145,9 +150,9 @@ class Drawing:
         """Draw the flat body that connects some points: a platform, a base."""
         self._add("plate", kind, name, points)
 
-    def ball(self, kind: str, name: str, centre: Sequence[object]) -> None:
+    def ball(self, kind: str, name: str, centre: Sequence[object], *, place: str = "") -> None:
         """Draw a body without a direction at a point."""
-        self._add("ball", kind, name, (centre,))
+        self._add("ball", kind, name, (centre,), place=place)
 
     def move(self, moved: Callable[[Vector], Vector]) -> None:
         """Replace all positions of the elements by functions of them."""
@@ -164,9 +169,10 @@ class Drawing:
         points: Sequence[Place],
         spring: Run | Reducer | None = None,
         turns: Symbol | None = None,
+        place: str = "",
     ) -> None:
-        places = tuple(p if isinstance(p, Point) else Point(_exact(p)) for p in points)
-        self.elements.append(Element(shape, kind, name, places, spring, turns))
+        through = tuple(p if isinstance(p, Point) else Point(_exact(p)) for p in points)
+        self.elements.append(Element(shape, kind, name, through, spring, turns, place))
 
 
 def from_parts(
@@ -185,14 +191,17 @@ def from_parts(
     """
     drawing = Drawing()
     for number, rod in enumerate(rods, start=1):
-        drawing.line("link", _named(vocabulary, rod.mass, f"rod {number}"), *rod.ends)
+        name = _named(vocabulary, rod.mass, f"rod {number}")
+        drawing.line("link", name, *rod.ends, place=rod.place or f"rod_{number}")
     for number, leg in enumerate(legs, start=1):
         drawing.line("link", f"leg {number}", *leg.ends)
     for number, arm in enumerate(arms, start=1):
-        drawing.ball("arm", _named(vocabulary, arm.mass, f"arm {number}"), arm.centre)
+        name = _named(vocabulary, arm.mass, f"arm {number}")
+        drawing.ball("arm", name, arm.centre, place=arm.place or f"arm_{number}")
     for number, body in enumerate(points, start=1):
         kind = "platform" if tuple(body.position) == tuple(platform) else "body"
-        drawing.ball(kind, _named(vocabulary, body.mass, f"body {number}"), body.position)
+        name = _named(vocabulary, body.mass, f"body {number}")
+        drawing.ball(kind, name, body.position, place=body.place)
     for turned in bodies:
         drawing.ball("body", "centre of mass of the platform", turned.centre)
     if joints:

@@ -299,6 +299,8 @@ class Element(Part, frozen=True):
         Index of the spring that it is, -1 for none.
     turns : str
         The coordinate by which a wheel turns, right-handed about its axis; empty for none.
+    place : str
+        The body that it shows, as a place of terms; empty for none.
     """
 
     shape: ElementShape
@@ -307,6 +309,7 @@ class Element(Part, frozen=True):
     points: Annotated[Index, Meta(min_length=1)]
     spring: Annotated[int, Meta(ge=-1)] = -1
     turns: str = ""
+    place: str = ""
 
 
 class Drawing(Part, frozen=True):

@@ -6,7 +6,7 @@ of them each point has.  The first point is the centre of the platform.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from sympy import Expr, Integer, Symbol
 
@@ -15,6 +15,7 @@ from pkmodes_derive.assembly.springs import Spring, springs
 from pkmodes_derive.drawing import Element, Point, from_parts
 from pkmodes_derive.functions import Argument, FieldGroup, Function, Model, Output
 from pkmodes_derive.machine import Machine
+from pkmodes_derive.terms.places import places
 from pkmodes_derive.vectors import placed
 from pkmodes_derive.vocabulary import AXES, DeclarationError
 from pkmodes_description import Drawing as DescribedDrawing
@@ -40,9 +41,10 @@ def drawing(machine: Machine) -> tuple[Model, DescribedDrawing]:
     moved = [_motion(d, point) for point in points]
     motions = list(dict.fromkeys(moved))
     of_springs = springs(d)
+    bodies = {place.words.removeprefix("the "): name for name, place in places(machine).items()}
     data = DescribedDrawing(
         tuple(motions.index(motion) for motion in moved),
-        tuple(_data(element, points, of_springs) for element in elements),
+        tuple(_data(element, points, of_springs, bodies) for element in elements),
         tuple(spring.named for spring in of_springs),
         len(machine.draw.uprights),
     )
@@ -71,7 +73,9 @@ def _motion(d: Derived, point: Point) -> Motion:
     return tuple(rows)
 
 
-def _data(element: Element, points: Sequence[Point], of_springs: Sequence[Spring]) -> DescribedElement:
+def _data(
+    element: Element, points: Sequence[Point], of_springs: Sequence[Spring], bodies: Mapping[str, str]
+) -> DescribedElement:
     spring = next(
         (i for i, s in enumerate(of_springs) if s.part is not None and s.part is element.spring), -1
     )
@@ -82,6 +86,7 @@ def _data(element: Element, points: Sequence[Point], of_springs: Sequence[Spring
         tuple(points.index(point) for point in element.points),
         spring,
         "" if element.turns is None else element.turns.name,
+        element.place or bodies.get(element.name, ""),
     )
 
 

@@ -77,7 +77,8 @@ def straight_belt(
 
     low, high = (of.centre[along] + sign * of.half[along] for sign in (-1, 1))
     direction = tuple(Integer(i == along) for i in range(3))
-    m.draw.wheel("pulley", f"motor pulley {number}", at(low, 1), (0, 0, 1), r, turns=belt.turns)
+    name, place = f"motor pulley {number}", f"pulley_{number}"
+    m.draw.wheel("pulley", name, at(low, 1), (0, 0, 1), r, turns=belt.turns, place=place)
     m.draw.wheel("idler", f"idler of belt {number}", at(high, 1), (0, 0, 1), r)
     head = m.draw.fastened(clamped, belt.clamp, direction)
     m.draw.line("belt", f"belt {number}", head, at(low, 0), spring=belt.runs[0])

@@ -56,7 +56,8 @@ def draw(m: Machine, axes: Sequence[Axis], *, parallelograms: bool) -> None:
             beside = tuple(sign * HALF_WIDTH * a.link * side[i] for i in range(3))
             foot = tuple(c + d for c, d in zip(at(a.position, 0), beside, strict=True))
             corners.append(tuple(m.dependent[i] + a.lever[i] + beside[i] for i in range(3)))
-            m.draw.line("link", f"rod of linkage {j}" if parallelograms else f"rod {j}", foot, corners[-1])
+            name = f"rod of linkage {j}" if parallelograms else f"rod {j}"
+            m.draw.line("link", name, foot, corners[-1], place=f"link_{j}")
         for k, (end, turned) in enumerate(zip(a.ends, a.turns, strict=True), start=1):
             m.draw.wheel("pulley", f"pulley {k} of axis {j}", at(end, 0), side, a.radius, turns=turned)
         top, bottom = ([at(end, sign * a.radius) for end in a.ends] for sign in (1, -1))

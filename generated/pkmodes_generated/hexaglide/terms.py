@@ -1273,7 +1273,7 @@ def mount_matrices(p, parameters, effects):
     Notes
     -----
     Equations 24 to 48 with these displacements released; without the springs of the mounts.
-    14832 operations; 649660143624 with every named value expanded.
+    15264 operations; 649660801920 with every named value expanded.
     """
     p_x, p_y, p_z, rot_x, rot_y, rot_z = _entries(p, (6,))
     (m_p,) = _entries(parameters.platform_mass, ())
@@ -2943,235 +2943,357 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_24*M_p_rx_rz + D_delta_ry_24*M_p_ry_rz + D_delta_rz_24*M_p_rz_rz + D_delta_x_24*M_p_x_rz
         + D_delta_y_24*M_p_y_rz
     )
-    t255 = D_delta_x_7*t210
-    t256 = n_1_y*t210
-    t257 = n_1_z*t210
-    t258 = t210*(B_1_y*n_1_z - B_1_z*n_1_y)
-    t259 = t210*(-B_1_x*n_1_z + B_1_z*n_1_x)
-    t260 = t210*(B_1_x*n_1_y - B_1_y*n_1_x)
-    t261 = n_2_x*t213
-    t262 = n_2_y*t213
-    t263 = n_2_z*t213
-    t264 = t213*(B_2_y*n_2_z - B_2_z*n_2_y)
-    t265 = t213*(-B_2_x*n_2_z + B_2_z*n_2_x)
-    t266 = t213*(B_2_x*n_2_y - B_2_y*n_2_x)
-    t267 = n_3_x*t216
-    t268 = n_3_y*t216
-    t269 = n_3_z*t216
-    t270 = t216*(B_3_y*n_3_z - B_3_z*n_3_y)
-    t271 = t216*(-B_3_x*n_3_z + B_3_z*n_3_x)
-    t272 = t216*(B_3_x*n_3_y - B_3_y*n_3_x)
-    t273 = n_4_x*t219
-    t274 = n_4_y*t219
-    t275 = n_4_z*t219
-    t276 = t219*(B_4_y*n_4_z - B_4_z*n_4_y)
-    t277 = t219*(-B_4_x*n_4_z + B_4_z*n_4_x)
-    t278 = t219*(B_4_x*n_4_y - B_4_y*n_4_x)
-    t279 = n_5_x*t222
-    t280 = n_5_y*t222
-    t281 = n_5_z*t222
-    t282 = t222*(B_5_y*n_5_z - B_5_z*n_5_y)
-    t283 = t222*(-B_5_x*n_5_z + B_5_z*n_5_x)
-    t284 = t222*(B_5_x*n_5_y - B_5_y*n_5_x)
-    t285 = n_6_x*t225
-    t286 = n_6_y*t225
-    t287 = n_6_z*t225
-    t288 = t225*(B_6_y*n_6_z - B_6_z*n_6_y)
-    t289 = t225*(-B_6_x*n_6_z + B_6_z*n_6_x)
-    t290 = t225*(B_6_x*n_6_y - B_6_y*n_6_x)
-    t291 = t237 + t239 + t241 + t243 + t245 + t247
-    t292 = t238 + t240 + t242 + t244 + t246 + t248
-    t293 = t210 + t213 + t216 + t219 + t222 + t225
-    t294 = m_t_1 + t183
-    t295 = t249 + t250 + t251 + t252 + t253 + t254
-    t296 = n_1_x*t210
-    t297 = D_delta_y_8*t210
-    t298 = D_delta_z_9*t210
-    t299 = D_delta_x_10*t213
-    t300 = m_t_2 + t184
-    t301 = D_delta_y_11*t213
-    t302 = D_delta_z_12*t213
-    t303 = D_delta_x_13*t216
-    t304 = m_t_3 + t185
-    t305 = D_delta_y_14*t216
-    t306 = D_delta_z_15*t216
-    t307 = D_delta_x_16*t219
-    t308 = m_t_4 + t186
-    t309 = D_delta_y_17*t219
-    t310 = D_delta_z_18*t219
-    t311 = D_delta_x_19*t222
-    t312 = m_t_5 + t187
-    t313 = D_delta_y_20*t222
-    t314 = D_delta_z_21*t222
-    t315 = D_delta_x_22*t225
-    t316 = m_t_6 + t188
-    t317 = D_delta_y_23*t225
-    t318 = D_delta_z_24*t225
-    t319 = (1/6)*rho_b
-    t320 = l_f_1_3*t319
-    t321 = (1/3)*rho_b
-    t322 = l_f_1_1*t321
-    t323 = R_p_1*t322
-    t324 = -R_p_1*l_f_1_1*t319
-    t325 = l_f_1_2*t319
-    t326 = l_f_2_3*t319
-    t327 = l_f_2_1*t321
-    t328 = R_p_2*t327
-    t329 = -R_p_2*l_f_2_1*t319
-    t330 = l_f_2_2*t319
-    t331 = l_f_3_3*t319
-    t332 = l_f_3_1*t321
-    t333 = R_p_3*t332
-    t334 = -R_p_3*l_f_3_1*t319
-    t335 = l_f_3_2*t319
-    t336 = l_f_4_3*t319
-    t337 = l_f_4_1*t321
-    t338 = R_p_4*t337
-    t339 = -R_p_4*l_f_4_1*t319
-    t340 = l_f_4_2*t319
-    t341 = l_f_5_3*t319
-    t342 = l_f_5_1*t321
-    t343 = R_p_5*t342
-    t344 = -R_p_5*l_f_5_1*t319
-    t345 = l_f_5_2*t319
-    t346 = l_f_6_3*t319
-    t347 = l_f_6_1*t321
-    t348 = R_p_6*t347
-    t349 = -R_p_6*l_f_6_1*t319
-    t350 = l_f_6_2*t319
-    t351 = mu_1*n_1_x
-    t352 = D_delta_x_7*k_C
-    t353 = D_delta_y_7*k_C
-    t354 = mu_1*n_1_y
-    t355 = D_delta_z_7*k_C
-    t356 = mu_1*n_1_z
-    t357 = -n_1_y*t128 + n_1_z*t134
-    t358 = B_1_z*mu_1*n_1_x - n_1_z*t140
-    t359 = -n_1_x*t134 + n_1_y*t140
-    t360 = mu_2*n_2_x
-    t361 = mu_2*n_2_y
-    t362 = mu_2*n_2_z
-    t363 = -n_2_y*t129 + n_2_z*t135
-    t364 = B_2_z*mu_2*n_2_x - n_2_z*t141
-    t365 = -n_2_x*t135 + n_2_y*t141
-    t366 = mu_3*n_3_x
-    t367 = mu_3*n_3_y
-    t368 = mu_3*n_3_z
-    t369 = -n_3_y*t130 + n_3_z*t136
-    t370 = B_3_z*mu_3*n_3_x - n_3_z*t142
-    t371 = -n_3_x*t136 + n_3_y*t142
-    t372 = mu_4*n_4_x
-    t373 = mu_4*n_4_y
-    t374 = mu_4*n_4_z
-    t375 = -n_4_y*t131 + n_4_z*t137
-    t376 = B_4_z*mu_4*n_4_x - n_4_z*t143
-    t377 = -n_4_x*t137 + n_4_y*t143
-    t378 = mu_5*n_5_x
-    t379 = mu_5*n_5_y
-    t380 = mu_5*n_5_z
-    t381 = -n_5_y*t132 + n_5_z*t138
-    t382 = B_5_z*mu_5*n_5_x - n_5_z*t144
-    t383 = -n_5_x*t138 + n_5_y*t144
-    t384 = mu_6*n_6_x
-    t385 = mu_6*n_6_y
-    t386 = mu_6*n_6_z
-    t387 = -n_6_y*t133 + n_6_z*t139
-    t388 = B_6_z*mu_6*n_6_x - n_6_z*t145
-    t389 = -n_6_x*t139 + n_6_y*t145
-    t390 = D_delta_x_8*k_C
-    t391 = D_delta_y_8*k_C
-    t392 = D_delta_z_8*k_C
-    t393 = D_delta_x_9*k_C
-    t394 = D_delta_y_9*k_C
-    t395 = D_delta_z_9*k_C
-    t396 = D_delta_x_10*k_C
-    t397 = D_delta_y_10*k_C
-    t398 = D_delta_z_10*k_C
-    t399 = D_delta_x_11*k_C
-    t400 = D_delta_y_11*k_C
-    t401 = D_delta_z_11*k_C
-    t402 = D_delta_x_12*k_C
-    t403 = D_delta_y_12*k_C
-    t404 = D_delta_z_12*k_C
-    t405 = D_delta_x_13*k_C
-    t406 = D_delta_y_13*k_C
-    t407 = D_delta_z_13*k_C
-    t408 = D_delta_x_14*k_C
-    t409 = D_delta_y_14*k_C
-    t410 = D_delta_z_14*k_C
-    t411 = D_delta_x_15*k_C
-    t412 = D_delta_y_15*k_C
-    t413 = D_delta_z_15*k_C
-    t414 = D_delta_x_16*k_C
-    t415 = D_delta_y_16*k_C
-    t416 = D_delta_z_16*k_C
-    t417 = D_delta_x_17*k_C
-    t418 = D_delta_y_17*k_C
-    t419 = D_delta_z_17*k_C
-    t420 = D_delta_x_18*k_C
-    t421 = D_delta_y_18*k_C
-    t422 = D_delta_z_18*k_C
-    t423 = D_delta_x_19*k_C
-    t424 = D_delta_y_19*k_C
-    t425 = D_delta_z_19*k_C
-    t426 = D_delta_x_20*k_C
-    t427 = D_delta_y_20*k_C
-    t428 = D_delta_z_20*k_C
-    t429 = D_delta_x_21*k_C
-    t430 = D_delta_y_21*k_C
-    t431 = D_delta_z_21*k_C
-    t432 = D_delta_x_22*k_C
-    t433 = D_delta_y_22*k_C
-    t434 = D_delta_z_22*k_C
-    t435 = D_delta_x_23*k_C
-    t436 = D_delta_y_23*k_C
-    t437 = D_delta_z_23*k_C
-    t438 = D_delta_x_24*k_C
-    t439 = D_delta_y_24*k_C
-    t440 = D_delta_z_24*k_C
-    t441 = R_p_1*k_1_1
-    t442 = R_p_2*k_2_1
-    t443 = R_p_3*k_3_1
-    t444 = R_p_4*k_4_1
-    t445 = R_p_5*k_5_1
-    t446 = R_p_6*k_6_1
+    t255 = t210*(B_1_y*n_1_z - B_1_z*n_1_y)
+    t256 = t210*(-B_1_x*n_1_z + B_1_z*n_1_x)
+    t257 = t210*(B_1_x*n_1_y - B_1_y*n_1_x)
+    t258 = D_delta_x_7*t210
+    t259 = n_1_y*t210
+    t260 = n_1_z*t210
+    t261 = (1/3)*rho_b
+    t262 = l_f_1_2*t261
+    t263 = l_f_1_3*t261
+    t264 = n_1_x*t262 + n_1_x*t263
+    t265 = n_2_x*t213
+    t266 = n_2_y*t213
+    t267 = n_2_z*t213
+    t268 = t213*(B_2_y*n_2_z - B_2_z*n_2_y)
+    t269 = t213*(-B_2_x*n_2_z + B_2_z*n_2_x)
+    t270 = t213*(B_2_x*n_2_y - B_2_y*n_2_x)
+    t271 = n_3_x*t216
+    t272 = n_3_y*t216
+    t273 = n_3_z*t216
+    t274 = t216*(B_3_y*n_3_z - B_3_z*n_3_y)
+    t275 = t216*(-B_3_x*n_3_z + B_3_z*n_3_x)
+    t276 = t216*(B_3_x*n_3_y - B_3_y*n_3_x)
+    t277 = n_4_x*t219
+    t278 = n_4_y*t219
+    t279 = n_4_z*t219
+    t280 = t219*(B_4_y*n_4_z - B_4_z*n_4_y)
+    t281 = t219*(-B_4_x*n_4_z + B_4_z*n_4_x)
+    t282 = t219*(B_4_x*n_4_y - B_4_y*n_4_x)
+    t283 = n_5_x*t222
+    t284 = n_5_y*t222
+    t285 = n_5_z*t222
+    t286 = t222*(B_5_y*n_5_z - B_5_z*n_5_y)
+    t287 = t222*(-B_5_x*n_5_z + B_5_z*n_5_x)
+    t288 = t222*(B_5_x*n_5_y - B_5_y*n_5_x)
+    t289 = n_6_x*t225
+    t290 = n_6_y*t225
+    t291 = n_6_z*t225
+    t292 = t225*(B_6_y*n_6_z - B_6_z*n_6_y)
+    t293 = t225*(-B_6_x*n_6_z + B_6_z*n_6_x)
+    t294 = t225*(B_6_x*n_6_y - B_6_y*n_6_x)
+    t295 = (1/6)*rho_b
+    t296 = l_f_1_3*t295
+    t297 = R_p_1*n_1_x
+    t298 = l_f_1_2*t295
+    t299 = t237 + t239 + t241 + t243 + t245 + t247
+    t300 = t238 + t240 + t242 + t244 + t246 + t248
+    t301 = t210 + t213 + t216 + t219 + t222 + t225
+    t302 = m_t_1 + t183
+    t303 = t249 + t250 + t251 + t252 + t253 + t254
+    t304 = n_1_x*t210
+    t305 = D_delta_y_8*t210
+    t306 = n_1_y*t262 + n_1_y*t263
+    t307 = R_p_1*n_1_y
+    t308 = D_delta_z_9*t210
+    t309 = n_1_z*t262 + n_1_z*t263
+    t310 = R_p_1*n_1_z
+    t311 = D_delta_x_10*t213
+    t312 = l_f_2_2*t261
+    t313 = l_f_2_3*t261
+    t314 = n_2_x*t312 + n_2_x*t313
+    t315 = l_f_2_3*t295
+    t316 = R_p_2*n_2_x
+    t317 = l_f_2_2*t295
+    t318 = m_t_2 + t184
+    t319 = D_delta_y_11*t213
+    t320 = n_2_y*t312 + n_2_y*t313
+    t321 = R_p_2*n_2_y
+    t322 = D_delta_z_12*t213
+    t323 = n_2_z*t312 + n_2_z*t313
+    t324 = R_p_2*n_2_z
+    t325 = D_delta_x_13*t216
+    t326 = l_f_3_2*t261
+    t327 = l_f_3_3*t261
+    t328 = n_3_x*t326 + n_3_x*t327
+    t329 = l_f_3_3*t295
+    t330 = R_p_3*n_3_x
+    t331 = l_f_3_2*t295
+    t332 = m_t_3 + t185
+    t333 = D_delta_y_14*t216
+    t334 = n_3_y*t326 + n_3_y*t327
+    t335 = R_p_3*n_3_y
+    t336 = D_delta_z_15*t216
+    t337 = n_3_z*t326 + n_3_z*t327
+    t338 = R_p_3*n_3_z
+    t339 = D_delta_x_16*t219
+    t340 = l_f_4_2*t261
+    t341 = l_f_4_3*t261
+    t342 = n_4_x*t340 + n_4_x*t341
+    t343 = l_f_4_3*t295
+    t344 = R_p_4*n_4_x
+    t345 = l_f_4_2*t295
+    t346 = m_t_4 + t186
+    t347 = D_delta_y_17*t219
+    t348 = n_4_y*t340 + n_4_y*t341
+    t349 = R_p_4*n_4_y
+    t350 = D_delta_z_18*t219
+    t351 = n_4_z*t340 + n_4_z*t341
+    t352 = R_p_4*n_4_z
+    t353 = D_delta_x_19*t222
+    t354 = l_f_5_2*t261
+    t355 = l_f_5_3*t261
+    t356 = n_5_x*t354 + n_5_x*t355
+    t357 = l_f_5_3*t295
+    t358 = R_p_5*n_5_x
+    t359 = l_f_5_2*t295
+    t360 = m_t_5 + t187
+    t361 = D_delta_y_20*t222
+    t362 = n_5_y*t354 + n_5_y*t355
+    t363 = R_p_5*n_5_y
+    t364 = D_delta_z_21*t222
+    t365 = n_5_z*t354 + n_5_z*t355
+    t366 = R_p_5*n_5_z
+    t367 = D_delta_x_22*t225
+    t368 = l_f_6_2*t261
+    t369 = l_f_6_3*t261
+    t370 = n_6_x*t368 + n_6_x*t369
+    t371 = l_f_6_3*t295
+    t372 = R_p_6*n_6_x
+    t373 = l_f_6_2*t295
+    t374 = m_t_6 + t188
+    t375 = D_delta_y_23*t225
+    t376 = n_6_y*t368 + n_6_y*t369
+    t377 = R_p_6*n_6_y
+    t378 = D_delta_z_24*t225
+    t379 = n_6_z*t368 + n_6_z*t369
+    t380 = R_p_6*n_6_z
+    t381 = l_f_1_1*t261
+    t382 = R_p_1*t381
+    t383 = -R_p_1*l_f_1_1*t295
+    t384 = l_f_2_1*t261
+    t385 = R_p_2*t384
+    t386 = -R_p_2*l_f_2_1*t295
+    t387 = l_f_3_1*t261
+    t388 = R_p_3*t387
+    t389 = -R_p_3*l_f_3_1*t295
+    t390 = l_f_4_1*t261
+    t391 = R_p_4*t390
+    t392 = -R_p_4*l_f_4_1*t295
+    t393 = l_f_5_1*t261
+    t394 = R_p_5*t393
+    t395 = -R_p_5*l_f_5_1*t295
+    t396 = l_f_6_1*t261
+    t397 = R_p_6*t396
+    t398 = -R_p_6*l_f_6_1*t295
+    t399 = n_1_x**2
+    t400 = n_1_y**2
+    t401 = n_1_z**2
+    t402 = n_2_x**2
+    t403 = n_2_y**2
+    t404 = n_2_z**2
+    t405 = n_3_x**2
+    t406 = n_3_y**2
+    t407 = n_3_z**2
+    t408 = n_4_x**2
+    t409 = n_4_y**2
+    t410 = n_4_z**2
+    t411 = n_5_x**2
+    t412 = n_5_y**2
+    t413 = n_5_z**2
+    t414 = n_6_x**2
+    t415 = n_6_y**2
+    t416 = n_6_z**2
+    t417 = -n_1_y*t128 + n_1_z*t134
+    t418 = B_1_z*mu_1*n_1_x - n_1_z*t140
+    t419 = -n_1_x*t134 + n_1_y*t140
+    t420 = mu_1*n_1_x
+    t421 = D_delta_x_7*k_C
+    t422 = D_delta_y_7*k_C
+    t423 = mu_1*n_1_y
+    t424 = D_delta_z_7*k_C
+    t425 = mu_1*n_1_z
+    t426 = k_1_2*n_1_x
+    t427 = k_1_3*n_1_x
+    t428 = t426 + t427
+    t429 = mu_2*n_2_x
+    t430 = mu_2*n_2_y
+    t431 = mu_2*n_2_z
+    t432 = -n_2_y*t129 + n_2_z*t135
+    t433 = B_2_z*mu_2*n_2_x - n_2_z*t141
+    t434 = -n_2_x*t135 + n_2_y*t141
+    t435 = mu_3*n_3_x
+    t436 = mu_3*n_3_y
+    t437 = mu_3*n_3_z
+    t438 = -n_3_y*t130 + n_3_z*t136
+    t439 = B_3_z*mu_3*n_3_x - n_3_z*t142
+    t440 = -n_3_x*t136 + n_3_y*t142
+    t441 = mu_4*n_4_x
+    t442 = mu_4*n_4_y
+    t443 = mu_4*n_4_z
+    t444 = -n_4_y*t131 + n_4_z*t137
+    t445 = B_4_z*mu_4*n_4_x - n_4_z*t143
+    t446 = -n_4_x*t137 + n_4_y*t143
+    t447 = mu_5*n_5_x
+    t448 = mu_5*n_5_y
+    t449 = mu_5*n_5_z
+    t450 = -n_5_y*t132 + n_5_z*t138
+    t451 = B_5_z*mu_5*n_5_x - n_5_z*t144
+    t452 = -n_5_x*t138 + n_5_y*t144
+    t453 = mu_6*n_6_x
+    t454 = mu_6*n_6_y
+    t455 = mu_6*n_6_z
+    t456 = -n_6_y*t133 + n_6_z*t139
+    t457 = B_6_z*mu_6*n_6_x - n_6_z*t145
+    t458 = -n_6_x*t139 + n_6_y*t145
+    t459 = D_delta_x_8*k_C
+    t460 = D_delta_y_8*k_C
+    t461 = D_delta_z_8*k_C
+    t462 = k_1_2*n_1_y
+    t463 = k_1_3*n_1_y
+    t464 = t462 + t463
+    t465 = D_delta_x_9*k_C
+    t466 = D_delta_y_9*k_C
+    t467 = D_delta_z_9*k_C
+    t468 = k_1_2*n_1_z
+    t469 = k_1_3*n_1_z
+    t470 = t468 + t469
+    t471 = D_delta_x_10*k_C
+    t472 = D_delta_y_10*k_C
+    t473 = D_delta_z_10*k_C
+    t474 = k_2_2*n_2_x
+    t475 = k_2_3*n_2_x
+    t476 = t474 + t475
+    t477 = D_delta_x_11*k_C
+    t478 = D_delta_y_11*k_C
+    t479 = D_delta_z_11*k_C
+    t480 = k_2_2*n_2_y
+    t481 = k_2_3*n_2_y
+    t482 = t480 + t481
+    t483 = D_delta_x_12*k_C
+    t484 = D_delta_y_12*k_C
+    t485 = D_delta_z_12*k_C
+    t486 = k_2_2*n_2_z
+    t487 = k_2_3*n_2_z
+    t488 = t486 + t487
+    t489 = D_delta_x_13*k_C
+    t490 = D_delta_y_13*k_C
+    t491 = D_delta_z_13*k_C
+    t492 = k_3_2*n_3_x
+    t493 = k_3_3*n_3_x
+    t494 = t492 + t493
+    t495 = D_delta_x_14*k_C
+    t496 = D_delta_y_14*k_C
+    t497 = D_delta_z_14*k_C
+    t498 = k_3_2*n_3_y
+    t499 = k_3_3*n_3_y
+    t500 = t498 + t499
+    t501 = D_delta_x_15*k_C
+    t502 = D_delta_y_15*k_C
+    t503 = D_delta_z_15*k_C
+    t504 = k_3_2*n_3_z
+    t505 = k_3_3*n_3_z
+    t506 = t504 + t505
+    t507 = D_delta_x_16*k_C
+    t508 = D_delta_y_16*k_C
+    t509 = D_delta_z_16*k_C
+    t510 = k_4_2*n_4_x
+    t511 = k_4_3*n_4_x
+    t512 = t510 + t511
+    t513 = D_delta_x_17*k_C
+    t514 = D_delta_y_17*k_C
+    t515 = D_delta_z_17*k_C
+    t516 = k_4_2*n_4_y
+    t517 = k_4_3*n_4_y
+    t518 = t516 + t517
+    t519 = D_delta_x_18*k_C
+    t520 = D_delta_y_18*k_C
+    t521 = D_delta_z_18*k_C
+    t522 = k_4_2*n_4_z
+    t523 = k_4_3*n_4_z
+    t524 = t522 + t523
+    t525 = D_delta_x_19*k_C
+    t526 = D_delta_y_19*k_C
+    t527 = D_delta_z_19*k_C
+    t528 = k_5_2*n_5_x
+    t529 = k_5_3*n_5_x
+    t530 = t528 + t529
+    t531 = D_delta_x_20*k_C
+    t532 = D_delta_y_20*k_C
+    t533 = D_delta_z_20*k_C
+    t534 = k_5_2*n_5_y
+    t535 = k_5_3*n_5_y
+    t536 = t534 + t535
+    t537 = D_delta_x_21*k_C
+    t538 = D_delta_y_21*k_C
+    t539 = D_delta_z_21*k_C
+    t540 = k_5_2*n_5_z
+    t541 = k_5_3*n_5_z
+    t542 = t540 + t541
+    t543 = D_delta_x_22*k_C
+    t544 = D_delta_y_22*k_C
+    t545 = D_delta_z_22*k_C
+    t546 = k_6_2*n_6_x
+    t547 = k_6_3*n_6_x
+    t548 = t546 + t547
+    t549 = D_delta_x_23*k_C
+    t550 = D_delta_y_23*k_C
+    t551 = D_delta_z_23*k_C
+    t552 = k_6_2*n_6_y
+    t553 = k_6_3*n_6_y
+    t554 = t552 + t553
+    t555 = D_delta_x_24*k_C
+    t556 = D_delta_y_24*k_C
+    t557 = D_delta_z_24*k_C
+    t558 = k_6_2*n_6_z
+    t559 = k_6_3*n_6_z
+    t560 = t558 + t559
+    t561 = R_p_1*k_1_1
+    t562 = R_p_2*k_2_1
+    t563 = R_p_3*k_3_1
+    t564 = R_p_4*k_4_1
+    t565 = R_p_5*k_5_1
+    t566 = R_p_6*k_6_1
     M_wq_out = np.zeros((*batch, 30, 39), dtype)
     M_wq_out[..., 0, 0] = (
-        D_delta_rx_7*t258 + D_delta_ry_7*t259 + D_delta_rz_7*t260 + D_delta_y_7*t256 + D_delta_z_7*t257
+        D_delta_rx_7*t255 + D_delta_ry_7*t256 + D_delta_rz_7*t257 + D_delta_y_7*t259 + D_delta_z_7*t260
         + D_p_rx_1*h_rx_w_carriage_1x + D_p_ry_1*h_ry_w_carriage_1x + D_p_rz_1*h_rz_w_carriage_1x
         + D_p_x_1*h_x_w_carriage_1x + D_p_y_1*h_y_w_carriage_1x + D_p_z_1*h_z_w_carriage_1x + m_t_1*n_1_x
-        + n_1_x*t183 + n_1_x*t255
+        + n_1_x*t183 + n_1_x*t258 + t264
     )
     M_wq_out[..., 0, 1] = (
-        D_delta_rx_7*t264 + D_delta_ry_7*t265 + D_delta_rz_7*t266 + D_delta_x_7*t261 + D_delta_y_7*t262
-        + D_delta_z_7*t263 + D_p_rx_2*h_rx_w_carriage_1x + D_p_ry_2*h_ry_w_carriage_1x
+        D_delta_rx_7*t268 + D_delta_ry_7*t269 + D_delta_rz_7*t270 + D_delta_x_7*t265 + D_delta_y_7*t266
+        + D_delta_z_7*t267 + D_p_rx_2*h_rx_w_carriage_1x + D_p_ry_2*h_ry_w_carriage_1x
         + D_p_rz_2*h_rz_w_carriage_1x + D_p_x_2*h_x_w_carriage_1x + D_p_y_2*h_y_w_carriage_1x
         + D_p_z_2*h_z_w_carriage_1x
     )
     M_wq_out[..., 0, 2] = (
-        D_delta_rx_7*t270 + D_delta_ry_7*t271 + D_delta_rz_7*t272 + D_delta_x_7*t267 + D_delta_y_7*t268
-        + D_delta_z_7*t269 + D_p_rx_3*h_rx_w_carriage_1x + D_p_ry_3*h_ry_w_carriage_1x
+        D_delta_rx_7*t274 + D_delta_ry_7*t275 + D_delta_rz_7*t276 + D_delta_x_7*t271 + D_delta_y_7*t272
+        + D_delta_z_7*t273 + D_p_rx_3*h_rx_w_carriage_1x + D_p_ry_3*h_ry_w_carriage_1x
         + D_p_rz_3*h_rz_w_carriage_1x + D_p_x_3*h_x_w_carriage_1x + D_p_y_3*h_y_w_carriage_1x
         + D_p_z_3*h_z_w_carriage_1x
     )
     M_wq_out[..., 0, 3] = (
-        D_delta_rx_7*t276 + D_delta_ry_7*t277 + D_delta_rz_7*t278 + D_delta_x_7*t273 + D_delta_y_7*t274
-        + D_delta_z_7*t275 + D_p_rx_4*h_rx_w_carriage_1x + D_p_ry_4*h_ry_w_carriage_1x
+        D_delta_rx_7*t280 + D_delta_ry_7*t281 + D_delta_rz_7*t282 + D_delta_x_7*t277 + D_delta_y_7*t278
+        + D_delta_z_7*t279 + D_p_rx_4*h_rx_w_carriage_1x + D_p_ry_4*h_ry_w_carriage_1x
         + D_p_rz_4*h_rz_w_carriage_1x + D_p_x_4*h_x_w_carriage_1x + D_p_y_4*h_y_w_carriage_1x
         + D_p_z_4*h_z_w_carriage_1x
     )
     M_wq_out[..., 0, 4] = (
-        D_delta_rx_7*t282 + D_delta_ry_7*t283 + D_delta_rz_7*t284 + D_delta_x_7*t279 + D_delta_y_7*t280
-        + D_delta_z_7*t281 + D_p_rx_5*h_rx_w_carriage_1x + D_p_ry_5*h_ry_w_carriage_1x
+        D_delta_rx_7*t286 + D_delta_ry_7*t287 + D_delta_rz_7*t288 + D_delta_x_7*t283 + D_delta_y_7*t284
+        + D_delta_z_7*t285 + D_p_rx_5*h_rx_w_carriage_1x + D_p_ry_5*h_ry_w_carriage_1x
         + D_p_rz_5*h_rz_w_carriage_1x + D_p_x_5*h_x_w_carriage_1x + D_p_y_5*h_y_w_carriage_1x
         + D_p_z_5*h_z_w_carriage_1x
     )
     M_wq_out[..., 0, 5] = (
-        D_delta_rx_7*t288 + D_delta_ry_7*t289 + D_delta_rz_7*t290 + D_delta_x_7*t285 + D_delta_y_7*t286
-        + D_delta_z_7*t287 + D_p_rx_6*h_rx_w_carriage_1x + D_p_ry_6*h_ry_w_carriage_1x
+        D_delta_rx_7*t292 + D_delta_ry_7*t293 + D_delta_rz_7*t294 + D_delta_x_7*t289 + D_delta_y_7*t290
+        + D_delta_z_7*t291 + D_p_rx_6*h_rx_w_carriage_1x + D_p_ry_6*h_ry_w_carriage_1x
         + D_p_rz_6*h_rz_w_carriage_1x + D_p_x_6*h_x_w_carriage_1x + D_p_y_6*h_y_w_carriage_1x
         + D_p_z_6*h_z_w_carriage_1x
     )
+    M_wq_out[..., 0, 6] = t296*t297
+    M_wq_out[..., 0, 12] = t297*t298
     M_wq_out[..., 0, 24] = (
         D_delta_rx_1*h_rx_w_carriage_1x + D_delta_ry_1*h_ry_w_carriage_1x + D_delta_rz_1*h_rz_w_carriage_1x
         + D_delta_x_1*h_x_w_carriage_1x + D_delta_y_1*h_y_w_carriage_1x + D_delta_z_1*h_z_w_carriage_1x
@@ -3196,45 +3318,48 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_1x + D_delta_ry_6*h_ry_w_carriage_1x + D_delta_rz_6*h_rz_w_carriage_1x
         + D_delta_x_6*h_x_w_carriage_1x + D_delta_y_6*h_y_w_carriage_1x + D_delta_z_6*h_z_w_carriage_1x
     )
-    M_wq_out[..., 0, 36] = D_delta_ry_7*t291 - D_delta_rz_7*t292 + D_delta_x_7*t293 + h_x_w_carriage_1x + t294
-    M_wq_out[..., 0, 37] = -D_delta_rx_7*t291 + D_delta_rz_7*t295 + D_delta_y_7*t293 + h_y_w_carriage_1x
-    M_wq_out[..., 0, 38] = D_delta_rx_7*t292 - D_delta_ry_7*t295 + D_delta_z_7*t293 + h_z_w_carriage_1x
+    M_wq_out[..., 0, 30] = t264
+    M_wq_out[..., 0, 36] = D_delta_ry_7*t299 - D_delta_rz_7*t300 + D_delta_x_7*t301 + h_x_w_carriage_1x + t302
+    M_wq_out[..., 0, 37] = -D_delta_rx_7*t299 + D_delta_rz_7*t303 + D_delta_y_7*t301 + h_y_w_carriage_1x
+    M_wq_out[..., 0, 38] = D_delta_rx_7*t300 - D_delta_ry_7*t303 + D_delta_z_7*t301 + h_z_w_carriage_1x
     M_wq_out[..., 1, 0] = (
-        D_delta_rx_8*t258 + D_delta_ry_8*t259 + D_delta_rz_8*t260 + D_delta_x_8*t296 + D_delta_z_8*t257
+        D_delta_rx_8*t255 + D_delta_ry_8*t256 + D_delta_rz_8*t257 + D_delta_x_8*t304 + D_delta_z_8*t260
         + D_p_rx_1*h_rx_w_carriage_1y + D_p_ry_1*h_ry_w_carriage_1y + D_p_rz_1*h_rz_w_carriage_1y
         + D_p_x_1*h_x_w_carriage_1y + D_p_y_1*h_y_w_carriage_1y + D_p_z_1*h_z_w_carriage_1y + m_t_1*n_1_y
-        + n_1_y*t183 + n_1_y*t297
+        + n_1_y*t183 + n_1_y*t305 + t306
     )
     M_wq_out[..., 1, 1] = (
-        D_delta_rx_8*t264 + D_delta_ry_8*t265 + D_delta_rz_8*t266 + D_delta_x_8*t261 + D_delta_y_8*t262
-        + D_delta_z_8*t263 + D_p_rx_2*h_rx_w_carriage_1y + D_p_ry_2*h_ry_w_carriage_1y
+        D_delta_rx_8*t268 + D_delta_ry_8*t269 + D_delta_rz_8*t270 + D_delta_x_8*t265 + D_delta_y_8*t266
+        + D_delta_z_8*t267 + D_p_rx_2*h_rx_w_carriage_1y + D_p_ry_2*h_ry_w_carriage_1y
         + D_p_rz_2*h_rz_w_carriage_1y + D_p_x_2*h_x_w_carriage_1y + D_p_y_2*h_y_w_carriage_1y
         + D_p_z_2*h_z_w_carriage_1y
     )
     M_wq_out[..., 1, 2] = (
-        D_delta_rx_8*t270 + D_delta_ry_8*t271 + D_delta_rz_8*t272 + D_delta_x_8*t267 + D_delta_y_8*t268
-        + D_delta_z_8*t269 + D_p_rx_3*h_rx_w_carriage_1y + D_p_ry_3*h_ry_w_carriage_1y
+        D_delta_rx_8*t274 + D_delta_ry_8*t275 + D_delta_rz_8*t276 + D_delta_x_8*t271 + D_delta_y_8*t272
+        + D_delta_z_8*t273 + D_p_rx_3*h_rx_w_carriage_1y + D_p_ry_3*h_ry_w_carriage_1y
         + D_p_rz_3*h_rz_w_carriage_1y + D_p_x_3*h_x_w_carriage_1y + D_p_y_3*h_y_w_carriage_1y
         + D_p_z_3*h_z_w_carriage_1y
     )
     M_wq_out[..., 1, 3] = (
-        D_delta_rx_8*t276 + D_delta_ry_8*t277 + D_delta_rz_8*t278 + D_delta_x_8*t273 + D_delta_y_8*t274
-        + D_delta_z_8*t275 + D_p_rx_4*h_rx_w_carriage_1y + D_p_ry_4*h_ry_w_carriage_1y
+        D_delta_rx_8*t280 + D_delta_ry_8*t281 + D_delta_rz_8*t282 + D_delta_x_8*t277 + D_delta_y_8*t278
+        + D_delta_z_8*t279 + D_p_rx_4*h_rx_w_carriage_1y + D_p_ry_4*h_ry_w_carriage_1y
         + D_p_rz_4*h_rz_w_carriage_1y + D_p_x_4*h_x_w_carriage_1y + D_p_y_4*h_y_w_carriage_1y
         + D_p_z_4*h_z_w_carriage_1y
     )
     M_wq_out[..., 1, 4] = (
-        D_delta_rx_8*t282 + D_delta_ry_8*t283 + D_delta_rz_8*t284 + D_delta_x_8*t279 + D_delta_y_8*t280
-        + D_delta_z_8*t281 + D_p_rx_5*h_rx_w_carriage_1y + D_p_ry_5*h_ry_w_carriage_1y
+        D_delta_rx_8*t286 + D_delta_ry_8*t287 + D_delta_rz_8*t288 + D_delta_x_8*t283 + D_delta_y_8*t284
+        + D_delta_z_8*t285 + D_p_rx_5*h_rx_w_carriage_1y + D_p_ry_5*h_ry_w_carriage_1y
         + D_p_rz_5*h_rz_w_carriage_1y + D_p_x_5*h_x_w_carriage_1y + D_p_y_5*h_y_w_carriage_1y
         + D_p_z_5*h_z_w_carriage_1y
     )
     M_wq_out[..., 1, 5] = (
-        D_delta_rx_8*t288 + D_delta_ry_8*t289 + D_delta_rz_8*t290 + D_delta_x_8*t285 + D_delta_y_8*t286
-        + D_delta_z_8*t287 + D_p_rx_6*h_rx_w_carriage_1y + D_p_ry_6*h_ry_w_carriage_1y
+        D_delta_rx_8*t292 + D_delta_ry_8*t293 + D_delta_rz_8*t294 + D_delta_x_8*t289 + D_delta_y_8*t290
+        + D_delta_z_8*t291 + D_p_rx_6*h_rx_w_carriage_1y + D_p_ry_6*h_ry_w_carriage_1y
         + D_p_rz_6*h_rz_w_carriage_1y + D_p_x_6*h_x_w_carriage_1y + D_p_y_6*h_y_w_carriage_1y
         + D_p_z_6*h_z_w_carriage_1y
     )
+    M_wq_out[..., 1, 6] = t296*t307
+    M_wq_out[..., 1, 12] = t298*t307
     M_wq_out[..., 1, 24] = (
         D_delta_rx_1*h_rx_w_carriage_1y + D_delta_ry_1*h_ry_w_carriage_1y + D_delta_rz_1*h_rz_w_carriage_1y
         + D_delta_x_1*h_x_w_carriage_1y + D_delta_y_1*h_y_w_carriage_1y + D_delta_z_1*h_z_w_carriage_1y
@@ -3259,47 +3384,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_1y + D_delta_ry_6*h_ry_w_carriage_1y + D_delta_rz_6*h_rz_w_carriage_1y
         + D_delta_x_6*h_x_w_carriage_1y + D_delta_y_6*h_y_w_carriage_1y + D_delta_z_6*h_z_w_carriage_1y
     )
-    M_wq_out[..., 1, 36] = D_delta_ry_8*t291 - D_delta_rz_8*t292 + D_delta_x_8*t293 + h_x_w_carriage_1y
+    M_wq_out[..., 1, 30] = t306
+    M_wq_out[..., 1, 36] = D_delta_ry_8*t299 - D_delta_rz_8*t300 + D_delta_x_8*t301 + h_x_w_carriage_1y
     M_wq_out[..., 1, 37] = (
-        -D_delta_rx_8*t291 + D_delta_rz_8*t295 + D_delta_y_8*t293 + h_y_w_carriage_1y + t294
+        -D_delta_rx_8*t299 + D_delta_rz_8*t303 + D_delta_y_8*t301 + h_y_w_carriage_1y + t302
     )
-    M_wq_out[..., 1, 38] = D_delta_rx_8*t292 - D_delta_ry_8*t295 + D_delta_z_8*t293 + h_z_w_carriage_1y
+    M_wq_out[..., 1, 38] = D_delta_rx_8*t300 - D_delta_ry_8*t303 + D_delta_z_8*t301 + h_z_w_carriage_1y
     M_wq_out[..., 2, 0] = (
-        D_delta_rx_9*t258 + D_delta_ry_9*t259 + D_delta_rz_9*t260 + D_delta_x_9*t296 + D_delta_y_9*t256
+        D_delta_rx_9*t255 + D_delta_ry_9*t256 + D_delta_rz_9*t257 + D_delta_x_9*t304 + D_delta_y_9*t259
         + D_p_rx_1*h_rx_w_carriage_1z + D_p_ry_1*h_ry_w_carriage_1z + D_p_rz_1*h_rz_w_carriage_1z
         + D_p_x_1*h_x_w_carriage_1z + D_p_y_1*h_y_w_carriage_1z + D_p_z_1*h_z_w_carriage_1z + m_t_1*n_1_z
-        + n_1_z*t183 + n_1_z*t298
+        + n_1_z*t183 + n_1_z*t308 + t309
     )
     M_wq_out[..., 2, 1] = (
-        D_delta_rx_9*t264 + D_delta_ry_9*t265 + D_delta_rz_9*t266 + D_delta_x_9*t261 + D_delta_y_9*t262
-        + D_delta_z_9*t263 + D_p_rx_2*h_rx_w_carriage_1z + D_p_ry_2*h_ry_w_carriage_1z
+        D_delta_rx_9*t268 + D_delta_ry_9*t269 + D_delta_rz_9*t270 + D_delta_x_9*t265 + D_delta_y_9*t266
+        + D_delta_z_9*t267 + D_p_rx_2*h_rx_w_carriage_1z + D_p_ry_2*h_ry_w_carriage_1z
         + D_p_rz_2*h_rz_w_carriage_1z + D_p_x_2*h_x_w_carriage_1z + D_p_y_2*h_y_w_carriage_1z
         + D_p_z_2*h_z_w_carriage_1z
     )
     M_wq_out[..., 2, 2] = (
-        D_delta_rx_9*t270 + D_delta_ry_9*t271 + D_delta_rz_9*t272 + D_delta_x_9*t267 + D_delta_y_9*t268
-        + D_delta_z_9*t269 + D_p_rx_3*h_rx_w_carriage_1z + D_p_ry_3*h_ry_w_carriage_1z
+        D_delta_rx_9*t274 + D_delta_ry_9*t275 + D_delta_rz_9*t276 + D_delta_x_9*t271 + D_delta_y_9*t272
+        + D_delta_z_9*t273 + D_p_rx_3*h_rx_w_carriage_1z + D_p_ry_3*h_ry_w_carriage_1z
         + D_p_rz_3*h_rz_w_carriage_1z + D_p_x_3*h_x_w_carriage_1z + D_p_y_3*h_y_w_carriage_1z
         + D_p_z_3*h_z_w_carriage_1z
     )
     M_wq_out[..., 2, 3] = (
-        D_delta_rx_9*t276 + D_delta_ry_9*t277 + D_delta_rz_9*t278 + D_delta_x_9*t273 + D_delta_y_9*t274
-        + D_delta_z_9*t275 + D_p_rx_4*h_rx_w_carriage_1z + D_p_ry_4*h_ry_w_carriage_1z
+        D_delta_rx_9*t280 + D_delta_ry_9*t281 + D_delta_rz_9*t282 + D_delta_x_9*t277 + D_delta_y_9*t278
+        + D_delta_z_9*t279 + D_p_rx_4*h_rx_w_carriage_1z + D_p_ry_4*h_ry_w_carriage_1z
         + D_p_rz_4*h_rz_w_carriage_1z + D_p_x_4*h_x_w_carriage_1z + D_p_y_4*h_y_w_carriage_1z
         + D_p_z_4*h_z_w_carriage_1z
     )
     M_wq_out[..., 2, 4] = (
-        D_delta_rx_9*t282 + D_delta_ry_9*t283 + D_delta_rz_9*t284 + D_delta_x_9*t279 + D_delta_y_9*t280
-        + D_delta_z_9*t281 + D_p_rx_5*h_rx_w_carriage_1z + D_p_ry_5*h_ry_w_carriage_1z
+        D_delta_rx_9*t286 + D_delta_ry_9*t287 + D_delta_rz_9*t288 + D_delta_x_9*t283 + D_delta_y_9*t284
+        + D_delta_z_9*t285 + D_p_rx_5*h_rx_w_carriage_1z + D_p_ry_5*h_ry_w_carriage_1z
         + D_p_rz_5*h_rz_w_carriage_1z + D_p_x_5*h_x_w_carriage_1z + D_p_y_5*h_y_w_carriage_1z
         + D_p_z_5*h_z_w_carriage_1z
     )
     M_wq_out[..., 2, 5] = (
-        D_delta_rx_9*t288 + D_delta_ry_9*t289 + D_delta_rz_9*t290 + D_delta_x_9*t285 + D_delta_y_9*t286
-        + D_delta_z_9*t287 + D_p_rx_6*h_rx_w_carriage_1z + D_p_ry_6*h_ry_w_carriage_1z
+        D_delta_rx_9*t292 + D_delta_ry_9*t293 + D_delta_rz_9*t294 + D_delta_x_9*t289 + D_delta_y_9*t290
+        + D_delta_z_9*t291 + D_p_rx_6*h_rx_w_carriage_1z + D_p_ry_6*h_ry_w_carriage_1z
         + D_p_rz_6*h_rz_w_carriage_1z + D_p_x_6*h_x_w_carriage_1z + D_p_y_6*h_y_w_carriage_1z
         + D_p_z_6*h_z_w_carriage_1z
     )
+    M_wq_out[..., 2, 6] = t296*t310
+    M_wq_out[..., 2, 12] = t298*t310
     M_wq_out[..., 2, 24] = (
         D_delta_rx_1*h_rx_w_carriage_1z + D_delta_ry_1*h_ry_w_carriage_1z + D_delta_rz_1*h_rz_w_carriage_1z
         + D_delta_x_1*h_x_w_carriage_1z + D_delta_y_1*h_y_w_carriage_1z + D_delta_z_1*h_z_w_carriage_1z
@@ -3324,45 +3452,48 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_1z + D_delta_ry_6*h_ry_w_carriage_1z + D_delta_rz_6*h_rz_w_carriage_1z
         + D_delta_x_6*h_x_w_carriage_1z + D_delta_y_6*h_y_w_carriage_1z + D_delta_z_6*h_z_w_carriage_1z
     )
-    M_wq_out[..., 2, 36] = D_delta_ry_9*t291 - D_delta_rz_9*t292 + D_delta_x_9*t293 + h_x_w_carriage_1z
-    M_wq_out[..., 2, 37] = -D_delta_rx_9*t291 + D_delta_rz_9*t295 + D_delta_y_9*t293 + h_y_w_carriage_1z
-    M_wq_out[..., 2, 38] = D_delta_rx_9*t292 - D_delta_ry_9*t295 + D_delta_z_9*t293 + h_z_w_carriage_1z + t294
+    M_wq_out[..., 2, 30] = t309
+    M_wq_out[..., 2, 36] = D_delta_ry_9*t299 - D_delta_rz_9*t300 + D_delta_x_9*t301 + h_x_w_carriage_1z
+    M_wq_out[..., 2, 37] = -D_delta_rx_9*t299 + D_delta_rz_9*t303 + D_delta_y_9*t301 + h_y_w_carriage_1z
+    M_wq_out[..., 2, 38] = D_delta_rx_9*t300 - D_delta_ry_9*t303 + D_delta_z_9*t301 + h_z_w_carriage_1z + t302
     M_wq_out[..., 3, 0] = (
-        D_delta_rx_10*t258 + D_delta_ry_10*t259 + D_delta_rz_10*t260 + D_delta_x_10*t296 + D_delta_y_10*t256
-        + D_delta_z_10*t257 + D_p_rx_1*h_rx_w_carriage_2x + D_p_ry_1*h_ry_w_carriage_2x
+        D_delta_rx_10*t255 + D_delta_ry_10*t256 + D_delta_rz_10*t257 + D_delta_x_10*t304 + D_delta_y_10*t259
+        + D_delta_z_10*t260 + D_p_rx_1*h_rx_w_carriage_2x + D_p_ry_1*h_ry_w_carriage_2x
         + D_p_rz_1*h_rz_w_carriage_2x + D_p_x_1*h_x_w_carriage_2x + D_p_y_1*h_y_w_carriage_2x
         + D_p_z_1*h_z_w_carriage_2x
     )
     M_wq_out[..., 3, 1] = (
-        D_delta_rx_10*t264 + D_delta_ry_10*t265 + D_delta_rz_10*t266 + D_delta_y_10*t262 + D_delta_z_10*t263
+        D_delta_rx_10*t268 + D_delta_ry_10*t269 + D_delta_rz_10*t270 + D_delta_y_10*t266 + D_delta_z_10*t267
         + D_p_rx_2*h_rx_w_carriage_2x + D_p_ry_2*h_ry_w_carriage_2x + D_p_rz_2*h_rz_w_carriage_2x
         + D_p_x_2*h_x_w_carriage_2x + D_p_y_2*h_y_w_carriage_2x + D_p_z_2*h_z_w_carriage_2x + m_t_2*n_2_x
-        + n_2_x*t184 + n_2_x*t299
+        + n_2_x*t184 + n_2_x*t311 + t314
     )
     M_wq_out[..., 3, 2] = (
-        D_delta_rx_10*t270 + D_delta_ry_10*t271 + D_delta_rz_10*t272 + D_delta_x_10*t267 + D_delta_y_10*t268
-        + D_delta_z_10*t269 + D_p_rx_3*h_rx_w_carriage_2x + D_p_ry_3*h_ry_w_carriage_2x
+        D_delta_rx_10*t274 + D_delta_ry_10*t275 + D_delta_rz_10*t276 + D_delta_x_10*t271 + D_delta_y_10*t272
+        + D_delta_z_10*t273 + D_p_rx_3*h_rx_w_carriage_2x + D_p_ry_3*h_ry_w_carriage_2x
         + D_p_rz_3*h_rz_w_carriage_2x + D_p_x_3*h_x_w_carriage_2x + D_p_y_3*h_y_w_carriage_2x
         + D_p_z_3*h_z_w_carriage_2x
     )
     M_wq_out[..., 3, 3] = (
-        D_delta_rx_10*t276 + D_delta_ry_10*t277 + D_delta_rz_10*t278 + D_delta_x_10*t273 + D_delta_y_10*t274
-        + D_delta_z_10*t275 + D_p_rx_4*h_rx_w_carriage_2x + D_p_ry_4*h_ry_w_carriage_2x
+        D_delta_rx_10*t280 + D_delta_ry_10*t281 + D_delta_rz_10*t282 + D_delta_x_10*t277 + D_delta_y_10*t278
+        + D_delta_z_10*t279 + D_p_rx_4*h_rx_w_carriage_2x + D_p_ry_4*h_ry_w_carriage_2x
         + D_p_rz_4*h_rz_w_carriage_2x + D_p_x_4*h_x_w_carriage_2x + D_p_y_4*h_y_w_carriage_2x
         + D_p_z_4*h_z_w_carriage_2x
     )
     M_wq_out[..., 3, 4] = (
-        D_delta_rx_10*t282 + D_delta_ry_10*t283 + D_delta_rz_10*t284 + D_delta_x_10*t279 + D_delta_y_10*t280
-        + D_delta_z_10*t281 + D_p_rx_5*h_rx_w_carriage_2x + D_p_ry_5*h_ry_w_carriage_2x
+        D_delta_rx_10*t286 + D_delta_ry_10*t287 + D_delta_rz_10*t288 + D_delta_x_10*t283 + D_delta_y_10*t284
+        + D_delta_z_10*t285 + D_p_rx_5*h_rx_w_carriage_2x + D_p_ry_5*h_ry_w_carriage_2x
         + D_p_rz_5*h_rz_w_carriage_2x + D_p_x_5*h_x_w_carriage_2x + D_p_y_5*h_y_w_carriage_2x
         + D_p_z_5*h_z_w_carriage_2x
     )
     M_wq_out[..., 3, 5] = (
-        D_delta_rx_10*t288 + D_delta_ry_10*t289 + D_delta_rz_10*t290 + D_delta_x_10*t285 + D_delta_y_10*t286
-        + D_delta_z_10*t287 + D_p_rx_6*h_rx_w_carriage_2x + D_p_ry_6*h_ry_w_carriage_2x
+        D_delta_rx_10*t292 + D_delta_ry_10*t293 + D_delta_rz_10*t294 + D_delta_x_10*t289 + D_delta_y_10*t290
+        + D_delta_z_10*t291 + D_p_rx_6*h_rx_w_carriage_2x + D_p_ry_6*h_ry_w_carriage_2x
         + D_p_rz_6*h_rz_w_carriage_2x + D_p_x_6*h_x_w_carriage_2x + D_p_y_6*h_y_w_carriage_2x
         + D_p_z_6*h_z_w_carriage_2x
     )
+    M_wq_out[..., 3, 7] = t315*t316
+    M_wq_out[..., 3, 13] = t316*t317
     M_wq_out[..., 3, 24] = (
         D_delta_rx_1*h_rx_w_carriage_2x + D_delta_ry_1*h_ry_w_carriage_2x + D_delta_rz_1*h_rz_w_carriage_2x
         + D_delta_x_1*h_x_w_carriage_2x + D_delta_y_1*h_y_w_carriage_2x + D_delta_z_1*h_z_w_carriage_2x
@@ -3387,47 +3518,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_2x + D_delta_ry_6*h_ry_w_carriage_2x + D_delta_rz_6*h_rz_w_carriage_2x
         + D_delta_x_6*h_x_w_carriage_2x + D_delta_y_6*h_y_w_carriage_2x + D_delta_z_6*h_z_w_carriage_2x
     )
+    M_wq_out[..., 3, 31] = t314
     M_wq_out[..., 3, 36] = (
-        D_delta_ry_10*t291 - D_delta_rz_10*t292 + D_delta_x_10*t293 + h_x_w_carriage_2x + t300
+        D_delta_ry_10*t299 - D_delta_rz_10*t300 + D_delta_x_10*t301 + h_x_w_carriage_2x + t318
     )
-    M_wq_out[..., 3, 37] = -D_delta_rx_10*t291 + D_delta_rz_10*t295 + D_delta_y_10*t293 + h_y_w_carriage_2x
-    M_wq_out[..., 3, 38] = D_delta_rx_10*t292 - D_delta_ry_10*t295 + D_delta_z_10*t293 + h_z_w_carriage_2x
+    M_wq_out[..., 3, 37] = -D_delta_rx_10*t299 + D_delta_rz_10*t303 + D_delta_y_10*t301 + h_y_w_carriage_2x
+    M_wq_out[..., 3, 38] = D_delta_rx_10*t300 - D_delta_ry_10*t303 + D_delta_z_10*t301 + h_z_w_carriage_2x
     M_wq_out[..., 4, 0] = (
-        D_delta_rx_11*t258 + D_delta_ry_11*t259 + D_delta_rz_11*t260 + D_delta_x_11*t296 + D_delta_y_11*t256
-        + D_delta_z_11*t257 + D_p_rx_1*h_rx_w_carriage_2y + D_p_ry_1*h_ry_w_carriage_2y
+        D_delta_rx_11*t255 + D_delta_ry_11*t256 + D_delta_rz_11*t257 + D_delta_x_11*t304 + D_delta_y_11*t259
+        + D_delta_z_11*t260 + D_p_rx_1*h_rx_w_carriage_2y + D_p_ry_1*h_ry_w_carriage_2y
         + D_p_rz_1*h_rz_w_carriage_2y + D_p_x_1*h_x_w_carriage_2y + D_p_y_1*h_y_w_carriage_2y
         + D_p_z_1*h_z_w_carriage_2y
     )
     M_wq_out[..., 4, 1] = (
-        D_delta_rx_11*t264 + D_delta_ry_11*t265 + D_delta_rz_11*t266 + D_delta_x_11*t261 + D_delta_z_11*t263
+        D_delta_rx_11*t268 + D_delta_ry_11*t269 + D_delta_rz_11*t270 + D_delta_x_11*t265 + D_delta_z_11*t267
         + D_p_rx_2*h_rx_w_carriage_2y + D_p_ry_2*h_ry_w_carriage_2y + D_p_rz_2*h_rz_w_carriage_2y
         + D_p_x_2*h_x_w_carriage_2y + D_p_y_2*h_y_w_carriage_2y + D_p_z_2*h_z_w_carriage_2y + m_t_2*n_2_y
-        + n_2_y*t184 + n_2_y*t301
+        + n_2_y*t184 + n_2_y*t319 + t320
     )
     M_wq_out[..., 4, 2] = (
-        D_delta_rx_11*t270 + D_delta_ry_11*t271 + D_delta_rz_11*t272 + D_delta_x_11*t267 + D_delta_y_11*t268
-        + D_delta_z_11*t269 + D_p_rx_3*h_rx_w_carriage_2y + D_p_ry_3*h_ry_w_carriage_2y
+        D_delta_rx_11*t274 + D_delta_ry_11*t275 + D_delta_rz_11*t276 + D_delta_x_11*t271 + D_delta_y_11*t272
+        + D_delta_z_11*t273 + D_p_rx_3*h_rx_w_carriage_2y + D_p_ry_3*h_ry_w_carriage_2y
         + D_p_rz_3*h_rz_w_carriage_2y + D_p_x_3*h_x_w_carriage_2y + D_p_y_3*h_y_w_carriage_2y
         + D_p_z_3*h_z_w_carriage_2y
     )
     M_wq_out[..., 4, 3] = (
-        D_delta_rx_11*t276 + D_delta_ry_11*t277 + D_delta_rz_11*t278 + D_delta_x_11*t273 + D_delta_y_11*t274
-        + D_delta_z_11*t275 + D_p_rx_4*h_rx_w_carriage_2y + D_p_ry_4*h_ry_w_carriage_2y
+        D_delta_rx_11*t280 + D_delta_ry_11*t281 + D_delta_rz_11*t282 + D_delta_x_11*t277 + D_delta_y_11*t278
+        + D_delta_z_11*t279 + D_p_rx_4*h_rx_w_carriage_2y + D_p_ry_4*h_ry_w_carriage_2y
         + D_p_rz_4*h_rz_w_carriage_2y + D_p_x_4*h_x_w_carriage_2y + D_p_y_4*h_y_w_carriage_2y
         + D_p_z_4*h_z_w_carriage_2y
     )
     M_wq_out[..., 4, 4] = (
-        D_delta_rx_11*t282 + D_delta_ry_11*t283 + D_delta_rz_11*t284 + D_delta_x_11*t279 + D_delta_y_11*t280
-        + D_delta_z_11*t281 + D_p_rx_5*h_rx_w_carriage_2y + D_p_ry_5*h_ry_w_carriage_2y
+        D_delta_rx_11*t286 + D_delta_ry_11*t287 + D_delta_rz_11*t288 + D_delta_x_11*t283 + D_delta_y_11*t284
+        + D_delta_z_11*t285 + D_p_rx_5*h_rx_w_carriage_2y + D_p_ry_5*h_ry_w_carriage_2y
         + D_p_rz_5*h_rz_w_carriage_2y + D_p_x_5*h_x_w_carriage_2y + D_p_y_5*h_y_w_carriage_2y
         + D_p_z_5*h_z_w_carriage_2y
     )
     M_wq_out[..., 4, 5] = (
-        D_delta_rx_11*t288 + D_delta_ry_11*t289 + D_delta_rz_11*t290 + D_delta_x_11*t285 + D_delta_y_11*t286
-        + D_delta_z_11*t287 + D_p_rx_6*h_rx_w_carriage_2y + D_p_ry_6*h_ry_w_carriage_2y
+        D_delta_rx_11*t292 + D_delta_ry_11*t293 + D_delta_rz_11*t294 + D_delta_x_11*t289 + D_delta_y_11*t290
+        + D_delta_z_11*t291 + D_p_rx_6*h_rx_w_carriage_2y + D_p_ry_6*h_ry_w_carriage_2y
         + D_p_rz_6*h_rz_w_carriage_2y + D_p_x_6*h_x_w_carriage_2y + D_p_y_6*h_y_w_carriage_2y
         + D_p_z_6*h_z_w_carriage_2y
     )
+    M_wq_out[..., 4, 7] = t315*t321
+    M_wq_out[..., 4, 13] = t317*t321
     M_wq_out[..., 4, 24] = (
         D_delta_rx_1*h_rx_w_carriage_2y + D_delta_ry_1*h_ry_w_carriage_2y + D_delta_rz_1*h_rz_w_carriage_2y
         + D_delta_x_1*h_x_w_carriage_2y + D_delta_y_1*h_y_w_carriage_2y + D_delta_z_1*h_z_w_carriage_2y
@@ -3452,47 +3586,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_2y + D_delta_ry_6*h_ry_w_carriage_2y + D_delta_rz_6*h_rz_w_carriage_2y
         + D_delta_x_6*h_x_w_carriage_2y + D_delta_y_6*h_y_w_carriage_2y + D_delta_z_6*h_z_w_carriage_2y
     )
-    M_wq_out[..., 4, 36] = D_delta_ry_11*t291 - D_delta_rz_11*t292 + D_delta_x_11*t293 + h_x_w_carriage_2y
+    M_wq_out[..., 4, 31] = t320
+    M_wq_out[..., 4, 36] = D_delta_ry_11*t299 - D_delta_rz_11*t300 + D_delta_x_11*t301 + h_x_w_carriage_2y
     M_wq_out[..., 4, 37] = (
-        -D_delta_rx_11*t291 + D_delta_rz_11*t295 + D_delta_y_11*t293 + h_y_w_carriage_2y + t300
+        -D_delta_rx_11*t299 + D_delta_rz_11*t303 + D_delta_y_11*t301 + h_y_w_carriage_2y + t318
     )
-    M_wq_out[..., 4, 38] = D_delta_rx_11*t292 - D_delta_ry_11*t295 + D_delta_z_11*t293 + h_z_w_carriage_2y
+    M_wq_out[..., 4, 38] = D_delta_rx_11*t300 - D_delta_ry_11*t303 + D_delta_z_11*t301 + h_z_w_carriage_2y
     M_wq_out[..., 5, 0] = (
-        D_delta_rx_12*t258 + D_delta_ry_12*t259 + D_delta_rz_12*t260 + D_delta_x_12*t296 + D_delta_y_12*t256
-        + D_delta_z_12*t257 + D_p_rx_1*h_rx_w_carriage_2z + D_p_ry_1*h_ry_w_carriage_2z
+        D_delta_rx_12*t255 + D_delta_ry_12*t256 + D_delta_rz_12*t257 + D_delta_x_12*t304 + D_delta_y_12*t259
+        + D_delta_z_12*t260 + D_p_rx_1*h_rx_w_carriage_2z + D_p_ry_1*h_ry_w_carriage_2z
         + D_p_rz_1*h_rz_w_carriage_2z + D_p_x_1*h_x_w_carriage_2z + D_p_y_1*h_y_w_carriage_2z
         + D_p_z_1*h_z_w_carriage_2z
     )
     M_wq_out[..., 5, 1] = (
-        D_delta_rx_12*t264 + D_delta_ry_12*t265 + D_delta_rz_12*t266 + D_delta_x_12*t261 + D_delta_y_12*t262
+        D_delta_rx_12*t268 + D_delta_ry_12*t269 + D_delta_rz_12*t270 + D_delta_x_12*t265 + D_delta_y_12*t266
         + D_p_rx_2*h_rx_w_carriage_2z + D_p_ry_2*h_ry_w_carriage_2z + D_p_rz_2*h_rz_w_carriage_2z
         + D_p_x_2*h_x_w_carriage_2z + D_p_y_2*h_y_w_carriage_2z + D_p_z_2*h_z_w_carriage_2z + m_t_2*n_2_z
-        + n_2_z*t184 + n_2_z*t302
+        + n_2_z*t184 + n_2_z*t322 + t323
     )
     M_wq_out[..., 5, 2] = (
-        D_delta_rx_12*t270 + D_delta_ry_12*t271 + D_delta_rz_12*t272 + D_delta_x_12*t267 + D_delta_y_12*t268
-        + D_delta_z_12*t269 + D_p_rx_3*h_rx_w_carriage_2z + D_p_ry_3*h_ry_w_carriage_2z
+        D_delta_rx_12*t274 + D_delta_ry_12*t275 + D_delta_rz_12*t276 + D_delta_x_12*t271 + D_delta_y_12*t272
+        + D_delta_z_12*t273 + D_p_rx_3*h_rx_w_carriage_2z + D_p_ry_3*h_ry_w_carriage_2z
         + D_p_rz_3*h_rz_w_carriage_2z + D_p_x_3*h_x_w_carriage_2z + D_p_y_3*h_y_w_carriage_2z
         + D_p_z_3*h_z_w_carriage_2z
     )
     M_wq_out[..., 5, 3] = (
-        D_delta_rx_12*t276 + D_delta_ry_12*t277 + D_delta_rz_12*t278 + D_delta_x_12*t273 + D_delta_y_12*t274
-        + D_delta_z_12*t275 + D_p_rx_4*h_rx_w_carriage_2z + D_p_ry_4*h_ry_w_carriage_2z
+        D_delta_rx_12*t280 + D_delta_ry_12*t281 + D_delta_rz_12*t282 + D_delta_x_12*t277 + D_delta_y_12*t278
+        + D_delta_z_12*t279 + D_p_rx_4*h_rx_w_carriage_2z + D_p_ry_4*h_ry_w_carriage_2z
         + D_p_rz_4*h_rz_w_carriage_2z + D_p_x_4*h_x_w_carriage_2z + D_p_y_4*h_y_w_carriage_2z
         + D_p_z_4*h_z_w_carriage_2z
     )
     M_wq_out[..., 5, 4] = (
-        D_delta_rx_12*t282 + D_delta_ry_12*t283 + D_delta_rz_12*t284 + D_delta_x_12*t279 + D_delta_y_12*t280
-        + D_delta_z_12*t281 + D_p_rx_5*h_rx_w_carriage_2z + D_p_ry_5*h_ry_w_carriage_2z
+        D_delta_rx_12*t286 + D_delta_ry_12*t287 + D_delta_rz_12*t288 + D_delta_x_12*t283 + D_delta_y_12*t284
+        + D_delta_z_12*t285 + D_p_rx_5*h_rx_w_carriage_2z + D_p_ry_5*h_ry_w_carriage_2z
         + D_p_rz_5*h_rz_w_carriage_2z + D_p_x_5*h_x_w_carriage_2z + D_p_y_5*h_y_w_carriage_2z
         + D_p_z_5*h_z_w_carriage_2z
     )
     M_wq_out[..., 5, 5] = (
-        D_delta_rx_12*t288 + D_delta_ry_12*t289 + D_delta_rz_12*t290 + D_delta_x_12*t285 + D_delta_y_12*t286
-        + D_delta_z_12*t287 + D_p_rx_6*h_rx_w_carriage_2z + D_p_ry_6*h_ry_w_carriage_2z
+        D_delta_rx_12*t292 + D_delta_ry_12*t293 + D_delta_rz_12*t294 + D_delta_x_12*t289 + D_delta_y_12*t290
+        + D_delta_z_12*t291 + D_p_rx_6*h_rx_w_carriage_2z + D_p_ry_6*h_ry_w_carriage_2z
         + D_p_rz_6*h_rz_w_carriage_2z + D_p_x_6*h_x_w_carriage_2z + D_p_y_6*h_y_w_carriage_2z
         + D_p_z_6*h_z_w_carriage_2z
     )
+    M_wq_out[..., 5, 7] = t315*t324
+    M_wq_out[..., 5, 13] = t317*t324
     M_wq_out[..., 5, 24] = (
         D_delta_rx_1*h_rx_w_carriage_2z + D_delta_ry_1*h_ry_w_carriage_2z + D_delta_rz_1*h_rz_w_carriage_2z
         + D_delta_x_1*h_x_w_carriage_2z + D_delta_y_1*h_y_w_carriage_2z + D_delta_z_1*h_z_w_carriage_2z
@@ -3517,47 +3654,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_2z + D_delta_ry_6*h_ry_w_carriage_2z + D_delta_rz_6*h_rz_w_carriage_2z
         + D_delta_x_6*h_x_w_carriage_2z + D_delta_y_6*h_y_w_carriage_2z + D_delta_z_6*h_z_w_carriage_2z
     )
-    M_wq_out[..., 5, 36] = D_delta_ry_12*t291 - D_delta_rz_12*t292 + D_delta_x_12*t293 + h_x_w_carriage_2z
-    M_wq_out[..., 5, 37] = -D_delta_rx_12*t291 + D_delta_rz_12*t295 + D_delta_y_12*t293 + h_y_w_carriage_2z
+    M_wq_out[..., 5, 31] = t323
+    M_wq_out[..., 5, 36] = D_delta_ry_12*t299 - D_delta_rz_12*t300 + D_delta_x_12*t301 + h_x_w_carriage_2z
+    M_wq_out[..., 5, 37] = -D_delta_rx_12*t299 + D_delta_rz_12*t303 + D_delta_y_12*t301 + h_y_w_carriage_2z
     M_wq_out[..., 5, 38] = (
-        D_delta_rx_12*t292 - D_delta_ry_12*t295 + D_delta_z_12*t293 + h_z_w_carriage_2z + t300
+        D_delta_rx_12*t300 - D_delta_ry_12*t303 + D_delta_z_12*t301 + h_z_w_carriage_2z + t318
     )
     M_wq_out[..., 6, 0] = (
-        D_delta_rx_13*t258 + D_delta_ry_13*t259 + D_delta_rz_13*t260 + D_delta_x_13*t296 + D_delta_y_13*t256
-        + D_delta_z_13*t257 + D_p_rx_1*h_rx_w_carriage_3x + D_p_ry_1*h_ry_w_carriage_3x
+        D_delta_rx_13*t255 + D_delta_ry_13*t256 + D_delta_rz_13*t257 + D_delta_x_13*t304 + D_delta_y_13*t259
+        + D_delta_z_13*t260 + D_p_rx_1*h_rx_w_carriage_3x + D_p_ry_1*h_ry_w_carriage_3x
         + D_p_rz_1*h_rz_w_carriage_3x + D_p_x_1*h_x_w_carriage_3x + D_p_y_1*h_y_w_carriage_3x
         + D_p_z_1*h_z_w_carriage_3x
     )
     M_wq_out[..., 6, 1] = (
-        D_delta_rx_13*t264 + D_delta_ry_13*t265 + D_delta_rz_13*t266 + D_delta_x_13*t261 + D_delta_y_13*t262
-        + D_delta_z_13*t263 + D_p_rx_2*h_rx_w_carriage_3x + D_p_ry_2*h_ry_w_carriage_3x
+        D_delta_rx_13*t268 + D_delta_ry_13*t269 + D_delta_rz_13*t270 + D_delta_x_13*t265 + D_delta_y_13*t266
+        + D_delta_z_13*t267 + D_p_rx_2*h_rx_w_carriage_3x + D_p_ry_2*h_ry_w_carriage_3x
         + D_p_rz_2*h_rz_w_carriage_3x + D_p_x_2*h_x_w_carriage_3x + D_p_y_2*h_y_w_carriage_3x
         + D_p_z_2*h_z_w_carriage_3x
     )
     M_wq_out[..., 6, 2] = (
-        D_delta_rx_13*t270 + D_delta_ry_13*t271 + D_delta_rz_13*t272 + D_delta_y_13*t268 + D_delta_z_13*t269
+        D_delta_rx_13*t274 + D_delta_ry_13*t275 + D_delta_rz_13*t276 + D_delta_y_13*t272 + D_delta_z_13*t273
         + D_p_rx_3*h_rx_w_carriage_3x + D_p_ry_3*h_ry_w_carriage_3x + D_p_rz_3*h_rz_w_carriage_3x
         + D_p_x_3*h_x_w_carriage_3x + D_p_y_3*h_y_w_carriage_3x + D_p_z_3*h_z_w_carriage_3x + m_t_3*n_3_x
-        + n_3_x*t185 + n_3_x*t303
+        + n_3_x*t185 + n_3_x*t325 + t328
     )
     M_wq_out[..., 6, 3] = (
-        D_delta_rx_13*t276 + D_delta_ry_13*t277 + D_delta_rz_13*t278 + D_delta_x_13*t273 + D_delta_y_13*t274
-        + D_delta_z_13*t275 + D_p_rx_4*h_rx_w_carriage_3x + D_p_ry_4*h_ry_w_carriage_3x
+        D_delta_rx_13*t280 + D_delta_ry_13*t281 + D_delta_rz_13*t282 + D_delta_x_13*t277 + D_delta_y_13*t278
+        + D_delta_z_13*t279 + D_p_rx_4*h_rx_w_carriage_3x + D_p_ry_4*h_ry_w_carriage_3x
         + D_p_rz_4*h_rz_w_carriage_3x + D_p_x_4*h_x_w_carriage_3x + D_p_y_4*h_y_w_carriage_3x
         + D_p_z_4*h_z_w_carriage_3x
     )
     M_wq_out[..., 6, 4] = (
-        D_delta_rx_13*t282 + D_delta_ry_13*t283 + D_delta_rz_13*t284 + D_delta_x_13*t279 + D_delta_y_13*t280
-        + D_delta_z_13*t281 + D_p_rx_5*h_rx_w_carriage_3x + D_p_ry_5*h_ry_w_carriage_3x
+        D_delta_rx_13*t286 + D_delta_ry_13*t287 + D_delta_rz_13*t288 + D_delta_x_13*t283 + D_delta_y_13*t284
+        + D_delta_z_13*t285 + D_p_rx_5*h_rx_w_carriage_3x + D_p_ry_5*h_ry_w_carriage_3x
         + D_p_rz_5*h_rz_w_carriage_3x + D_p_x_5*h_x_w_carriage_3x + D_p_y_5*h_y_w_carriage_3x
         + D_p_z_5*h_z_w_carriage_3x
     )
     M_wq_out[..., 6, 5] = (
-        D_delta_rx_13*t288 + D_delta_ry_13*t289 + D_delta_rz_13*t290 + D_delta_x_13*t285 + D_delta_y_13*t286
-        + D_delta_z_13*t287 + D_p_rx_6*h_rx_w_carriage_3x + D_p_ry_6*h_ry_w_carriage_3x
+        D_delta_rx_13*t292 + D_delta_ry_13*t293 + D_delta_rz_13*t294 + D_delta_x_13*t289 + D_delta_y_13*t290
+        + D_delta_z_13*t291 + D_p_rx_6*h_rx_w_carriage_3x + D_p_ry_6*h_ry_w_carriage_3x
         + D_p_rz_6*h_rz_w_carriage_3x + D_p_x_6*h_x_w_carriage_3x + D_p_y_6*h_y_w_carriage_3x
         + D_p_z_6*h_z_w_carriage_3x
     )
+    M_wq_out[..., 6, 8] = t329*t330
+    M_wq_out[..., 6, 14] = t330*t331
     M_wq_out[..., 6, 24] = (
         D_delta_rx_1*h_rx_w_carriage_3x + D_delta_ry_1*h_ry_w_carriage_3x + D_delta_rz_1*h_rz_w_carriage_3x
         + D_delta_x_1*h_x_w_carriage_3x + D_delta_y_1*h_y_w_carriage_3x + D_delta_z_1*h_z_w_carriage_3x
@@ -3582,47 +3722,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_3x + D_delta_ry_6*h_ry_w_carriage_3x + D_delta_rz_6*h_rz_w_carriage_3x
         + D_delta_x_6*h_x_w_carriage_3x + D_delta_y_6*h_y_w_carriage_3x + D_delta_z_6*h_z_w_carriage_3x
     )
+    M_wq_out[..., 6, 32] = t328
     M_wq_out[..., 6, 36] = (
-        D_delta_ry_13*t291 - D_delta_rz_13*t292 + D_delta_x_13*t293 + h_x_w_carriage_3x + t304
+        D_delta_ry_13*t299 - D_delta_rz_13*t300 + D_delta_x_13*t301 + h_x_w_carriage_3x + t332
     )
-    M_wq_out[..., 6, 37] = -D_delta_rx_13*t291 + D_delta_rz_13*t295 + D_delta_y_13*t293 + h_y_w_carriage_3x
-    M_wq_out[..., 6, 38] = D_delta_rx_13*t292 - D_delta_ry_13*t295 + D_delta_z_13*t293 + h_z_w_carriage_3x
+    M_wq_out[..., 6, 37] = -D_delta_rx_13*t299 + D_delta_rz_13*t303 + D_delta_y_13*t301 + h_y_w_carriage_3x
+    M_wq_out[..., 6, 38] = D_delta_rx_13*t300 - D_delta_ry_13*t303 + D_delta_z_13*t301 + h_z_w_carriage_3x
     M_wq_out[..., 7, 0] = (
-        D_delta_rx_14*t258 + D_delta_ry_14*t259 + D_delta_rz_14*t260 + D_delta_x_14*t296 + D_delta_y_14*t256
-        + D_delta_z_14*t257 + D_p_rx_1*h_rx_w_carriage_3y + D_p_ry_1*h_ry_w_carriage_3y
+        D_delta_rx_14*t255 + D_delta_ry_14*t256 + D_delta_rz_14*t257 + D_delta_x_14*t304 + D_delta_y_14*t259
+        + D_delta_z_14*t260 + D_p_rx_1*h_rx_w_carriage_3y + D_p_ry_1*h_ry_w_carriage_3y
         + D_p_rz_1*h_rz_w_carriage_3y + D_p_x_1*h_x_w_carriage_3y + D_p_y_1*h_y_w_carriage_3y
         + D_p_z_1*h_z_w_carriage_3y
     )
     M_wq_out[..., 7, 1] = (
-        D_delta_rx_14*t264 + D_delta_ry_14*t265 + D_delta_rz_14*t266 + D_delta_x_14*t261 + D_delta_y_14*t262
-        + D_delta_z_14*t263 + D_p_rx_2*h_rx_w_carriage_3y + D_p_ry_2*h_ry_w_carriage_3y
+        D_delta_rx_14*t268 + D_delta_ry_14*t269 + D_delta_rz_14*t270 + D_delta_x_14*t265 + D_delta_y_14*t266
+        + D_delta_z_14*t267 + D_p_rx_2*h_rx_w_carriage_3y + D_p_ry_2*h_ry_w_carriage_3y
         + D_p_rz_2*h_rz_w_carriage_3y + D_p_x_2*h_x_w_carriage_3y + D_p_y_2*h_y_w_carriage_3y
         + D_p_z_2*h_z_w_carriage_3y
     )
     M_wq_out[..., 7, 2] = (
-        D_delta_rx_14*t270 + D_delta_ry_14*t271 + D_delta_rz_14*t272 + D_delta_x_14*t267 + D_delta_z_14*t269
+        D_delta_rx_14*t274 + D_delta_ry_14*t275 + D_delta_rz_14*t276 + D_delta_x_14*t271 + D_delta_z_14*t273
         + D_p_rx_3*h_rx_w_carriage_3y + D_p_ry_3*h_ry_w_carriage_3y + D_p_rz_3*h_rz_w_carriage_3y
         + D_p_x_3*h_x_w_carriage_3y + D_p_y_3*h_y_w_carriage_3y + D_p_z_3*h_z_w_carriage_3y + m_t_3*n_3_y
-        + n_3_y*t185 + n_3_y*t305
+        + n_3_y*t185 + n_3_y*t333 + t334
     )
     M_wq_out[..., 7, 3] = (
-        D_delta_rx_14*t276 + D_delta_ry_14*t277 + D_delta_rz_14*t278 + D_delta_x_14*t273 + D_delta_y_14*t274
-        + D_delta_z_14*t275 + D_p_rx_4*h_rx_w_carriage_3y + D_p_ry_4*h_ry_w_carriage_3y
+        D_delta_rx_14*t280 + D_delta_ry_14*t281 + D_delta_rz_14*t282 + D_delta_x_14*t277 + D_delta_y_14*t278
+        + D_delta_z_14*t279 + D_p_rx_4*h_rx_w_carriage_3y + D_p_ry_4*h_ry_w_carriage_3y
         + D_p_rz_4*h_rz_w_carriage_3y + D_p_x_4*h_x_w_carriage_3y + D_p_y_4*h_y_w_carriage_3y
         + D_p_z_4*h_z_w_carriage_3y
     )
     M_wq_out[..., 7, 4] = (
-        D_delta_rx_14*t282 + D_delta_ry_14*t283 + D_delta_rz_14*t284 + D_delta_x_14*t279 + D_delta_y_14*t280
-        + D_delta_z_14*t281 + D_p_rx_5*h_rx_w_carriage_3y + D_p_ry_5*h_ry_w_carriage_3y
+        D_delta_rx_14*t286 + D_delta_ry_14*t287 + D_delta_rz_14*t288 + D_delta_x_14*t283 + D_delta_y_14*t284
+        + D_delta_z_14*t285 + D_p_rx_5*h_rx_w_carriage_3y + D_p_ry_5*h_ry_w_carriage_3y
         + D_p_rz_5*h_rz_w_carriage_3y + D_p_x_5*h_x_w_carriage_3y + D_p_y_5*h_y_w_carriage_3y
         + D_p_z_5*h_z_w_carriage_3y
     )
     M_wq_out[..., 7, 5] = (
-        D_delta_rx_14*t288 + D_delta_ry_14*t289 + D_delta_rz_14*t290 + D_delta_x_14*t285 + D_delta_y_14*t286
-        + D_delta_z_14*t287 + D_p_rx_6*h_rx_w_carriage_3y + D_p_ry_6*h_ry_w_carriage_3y
+        D_delta_rx_14*t292 + D_delta_ry_14*t293 + D_delta_rz_14*t294 + D_delta_x_14*t289 + D_delta_y_14*t290
+        + D_delta_z_14*t291 + D_p_rx_6*h_rx_w_carriage_3y + D_p_ry_6*h_ry_w_carriage_3y
         + D_p_rz_6*h_rz_w_carriage_3y + D_p_x_6*h_x_w_carriage_3y + D_p_y_6*h_y_w_carriage_3y
         + D_p_z_6*h_z_w_carriage_3y
     )
+    M_wq_out[..., 7, 8] = t329*t335
+    M_wq_out[..., 7, 14] = t331*t335
     M_wq_out[..., 7, 24] = (
         D_delta_rx_1*h_rx_w_carriage_3y + D_delta_ry_1*h_ry_w_carriage_3y + D_delta_rz_1*h_rz_w_carriage_3y
         + D_delta_x_1*h_x_w_carriage_3y + D_delta_y_1*h_y_w_carriage_3y + D_delta_z_1*h_z_w_carriage_3y
@@ -3647,47 +3790,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_3y + D_delta_ry_6*h_ry_w_carriage_3y + D_delta_rz_6*h_rz_w_carriage_3y
         + D_delta_x_6*h_x_w_carriage_3y + D_delta_y_6*h_y_w_carriage_3y + D_delta_z_6*h_z_w_carriage_3y
     )
-    M_wq_out[..., 7, 36] = D_delta_ry_14*t291 - D_delta_rz_14*t292 + D_delta_x_14*t293 + h_x_w_carriage_3y
+    M_wq_out[..., 7, 32] = t334
+    M_wq_out[..., 7, 36] = D_delta_ry_14*t299 - D_delta_rz_14*t300 + D_delta_x_14*t301 + h_x_w_carriage_3y
     M_wq_out[..., 7, 37] = (
-        -D_delta_rx_14*t291 + D_delta_rz_14*t295 + D_delta_y_14*t293 + h_y_w_carriage_3y + t304
+        -D_delta_rx_14*t299 + D_delta_rz_14*t303 + D_delta_y_14*t301 + h_y_w_carriage_3y + t332
     )
-    M_wq_out[..., 7, 38] = D_delta_rx_14*t292 - D_delta_ry_14*t295 + D_delta_z_14*t293 + h_z_w_carriage_3y
+    M_wq_out[..., 7, 38] = D_delta_rx_14*t300 - D_delta_ry_14*t303 + D_delta_z_14*t301 + h_z_w_carriage_3y
     M_wq_out[..., 8, 0] = (
-        D_delta_rx_15*t258 + D_delta_ry_15*t259 + D_delta_rz_15*t260 + D_delta_x_15*t296 + D_delta_y_15*t256
-        + D_delta_z_15*t257 + D_p_rx_1*h_rx_w_carriage_3z + D_p_ry_1*h_ry_w_carriage_3z
+        D_delta_rx_15*t255 + D_delta_ry_15*t256 + D_delta_rz_15*t257 + D_delta_x_15*t304 + D_delta_y_15*t259
+        + D_delta_z_15*t260 + D_p_rx_1*h_rx_w_carriage_3z + D_p_ry_1*h_ry_w_carriage_3z
         + D_p_rz_1*h_rz_w_carriage_3z + D_p_x_1*h_x_w_carriage_3z + D_p_y_1*h_y_w_carriage_3z
         + D_p_z_1*h_z_w_carriage_3z
     )
     M_wq_out[..., 8, 1] = (
-        D_delta_rx_15*t264 + D_delta_ry_15*t265 + D_delta_rz_15*t266 + D_delta_x_15*t261 + D_delta_y_15*t262
-        + D_delta_z_15*t263 + D_p_rx_2*h_rx_w_carriage_3z + D_p_ry_2*h_ry_w_carriage_3z
+        D_delta_rx_15*t268 + D_delta_ry_15*t269 + D_delta_rz_15*t270 + D_delta_x_15*t265 + D_delta_y_15*t266
+        + D_delta_z_15*t267 + D_p_rx_2*h_rx_w_carriage_3z + D_p_ry_2*h_ry_w_carriage_3z
         + D_p_rz_2*h_rz_w_carriage_3z + D_p_x_2*h_x_w_carriage_3z + D_p_y_2*h_y_w_carriage_3z
         + D_p_z_2*h_z_w_carriage_3z
     )
     M_wq_out[..., 8, 2] = (
-        D_delta_rx_15*t270 + D_delta_ry_15*t271 + D_delta_rz_15*t272 + D_delta_x_15*t267 + D_delta_y_15*t268
+        D_delta_rx_15*t274 + D_delta_ry_15*t275 + D_delta_rz_15*t276 + D_delta_x_15*t271 + D_delta_y_15*t272
         + D_p_rx_3*h_rx_w_carriage_3z + D_p_ry_3*h_ry_w_carriage_3z + D_p_rz_3*h_rz_w_carriage_3z
         + D_p_x_3*h_x_w_carriage_3z + D_p_y_3*h_y_w_carriage_3z + D_p_z_3*h_z_w_carriage_3z + m_t_3*n_3_z
-        + n_3_z*t185 + n_3_z*t306
+        + n_3_z*t185 + n_3_z*t336 + t337
     )
     M_wq_out[..., 8, 3] = (
-        D_delta_rx_15*t276 + D_delta_ry_15*t277 + D_delta_rz_15*t278 + D_delta_x_15*t273 + D_delta_y_15*t274
-        + D_delta_z_15*t275 + D_p_rx_4*h_rx_w_carriage_3z + D_p_ry_4*h_ry_w_carriage_3z
+        D_delta_rx_15*t280 + D_delta_ry_15*t281 + D_delta_rz_15*t282 + D_delta_x_15*t277 + D_delta_y_15*t278
+        + D_delta_z_15*t279 + D_p_rx_4*h_rx_w_carriage_3z + D_p_ry_4*h_ry_w_carriage_3z
         + D_p_rz_4*h_rz_w_carriage_3z + D_p_x_4*h_x_w_carriage_3z + D_p_y_4*h_y_w_carriage_3z
         + D_p_z_4*h_z_w_carriage_3z
     )
     M_wq_out[..., 8, 4] = (
-        D_delta_rx_15*t282 + D_delta_ry_15*t283 + D_delta_rz_15*t284 + D_delta_x_15*t279 + D_delta_y_15*t280
-        + D_delta_z_15*t281 + D_p_rx_5*h_rx_w_carriage_3z + D_p_ry_5*h_ry_w_carriage_3z
+        D_delta_rx_15*t286 + D_delta_ry_15*t287 + D_delta_rz_15*t288 + D_delta_x_15*t283 + D_delta_y_15*t284
+        + D_delta_z_15*t285 + D_p_rx_5*h_rx_w_carriage_3z + D_p_ry_5*h_ry_w_carriage_3z
         + D_p_rz_5*h_rz_w_carriage_3z + D_p_x_5*h_x_w_carriage_3z + D_p_y_5*h_y_w_carriage_3z
         + D_p_z_5*h_z_w_carriage_3z
     )
     M_wq_out[..., 8, 5] = (
-        D_delta_rx_15*t288 + D_delta_ry_15*t289 + D_delta_rz_15*t290 + D_delta_x_15*t285 + D_delta_y_15*t286
-        + D_delta_z_15*t287 + D_p_rx_6*h_rx_w_carriage_3z + D_p_ry_6*h_ry_w_carriage_3z
+        D_delta_rx_15*t292 + D_delta_ry_15*t293 + D_delta_rz_15*t294 + D_delta_x_15*t289 + D_delta_y_15*t290
+        + D_delta_z_15*t291 + D_p_rx_6*h_rx_w_carriage_3z + D_p_ry_6*h_ry_w_carriage_3z
         + D_p_rz_6*h_rz_w_carriage_3z + D_p_x_6*h_x_w_carriage_3z + D_p_y_6*h_y_w_carriage_3z
         + D_p_z_6*h_z_w_carriage_3z
     )
+    M_wq_out[..., 8, 8] = t329*t338
+    M_wq_out[..., 8, 14] = t331*t338
     M_wq_out[..., 8, 24] = (
         D_delta_rx_1*h_rx_w_carriage_3z + D_delta_ry_1*h_ry_w_carriage_3z + D_delta_rz_1*h_rz_w_carriage_3z
         + D_delta_x_1*h_x_w_carriage_3z + D_delta_y_1*h_y_w_carriage_3z + D_delta_z_1*h_z_w_carriage_3z
@@ -3712,47 +3858,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_3z + D_delta_ry_6*h_ry_w_carriage_3z + D_delta_rz_6*h_rz_w_carriage_3z
         + D_delta_x_6*h_x_w_carriage_3z + D_delta_y_6*h_y_w_carriage_3z + D_delta_z_6*h_z_w_carriage_3z
     )
-    M_wq_out[..., 8, 36] = D_delta_ry_15*t291 - D_delta_rz_15*t292 + D_delta_x_15*t293 + h_x_w_carriage_3z
-    M_wq_out[..., 8, 37] = -D_delta_rx_15*t291 + D_delta_rz_15*t295 + D_delta_y_15*t293 + h_y_w_carriage_3z
+    M_wq_out[..., 8, 32] = t337
+    M_wq_out[..., 8, 36] = D_delta_ry_15*t299 - D_delta_rz_15*t300 + D_delta_x_15*t301 + h_x_w_carriage_3z
+    M_wq_out[..., 8, 37] = -D_delta_rx_15*t299 + D_delta_rz_15*t303 + D_delta_y_15*t301 + h_y_w_carriage_3z
     M_wq_out[..., 8, 38] = (
-        D_delta_rx_15*t292 - D_delta_ry_15*t295 + D_delta_z_15*t293 + h_z_w_carriage_3z + t304
+        D_delta_rx_15*t300 - D_delta_ry_15*t303 + D_delta_z_15*t301 + h_z_w_carriage_3z + t332
     )
     M_wq_out[..., 9, 0] = (
-        D_delta_rx_16*t258 + D_delta_ry_16*t259 + D_delta_rz_16*t260 + D_delta_x_16*t296 + D_delta_y_16*t256
-        + D_delta_z_16*t257 + D_p_rx_1*h_rx_w_carriage_4x + D_p_ry_1*h_ry_w_carriage_4x
+        D_delta_rx_16*t255 + D_delta_ry_16*t256 + D_delta_rz_16*t257 + D_delta_x_16*t304 + D_delta_y_16*t259
+        + D_delta_z_16*t260 + D_p_rx_1*h_rx_w_carriage_4x + D_p_ry_1*h_ry_w_carriage_4x
         + D_p_rz_1*h_rz_w_carriage_4x + D_p_x_1*h_x_w_carriage_4x + D_p_y_1*h_y_w_carriage_4x
         + D_p_z_1*h_z_w_carriage_4x
     )
     M_wq_out[..., 9, 1] = (
-        D_delta_rx_16*t264 + D_delta_ry_16*t265 + D_delta_rz_16*t266 + D_delta_x_16*t261 + D_delta_y_16*t262
-        + D_delta_z_16*t263 + D_p_rx_2*h_rx_w_carriage_4x + D_p_ry_2*h_ry_w_carriage_4x
+        D_delta_rx_16*t268 + D_delta_ry_16*t269 + D_delta_rz_16*t270 + D_delta_x_16*t265 + D_delta_y_16*t266
+        + D_delta_z_16*t267 + D_p_rx_2*h_rx_w_carriage_4x + D_p_ry_2*h_ry_w_carriage_4x
         + D_p_rz_2*h_rz_w_carriage_4x + D_p_x_2*h_x_w_carriage_4x + D_p_y_2*h_y_w_carriage_4x
         + D_p_z_2*h_z_w_carriage_4x
     )
     M_wq_out[..., 9, 2] = (
-        D_delta_rx_16*t270 + D_delta_ry_16*t271 + D_delta_rz_16*t272 + D_delta_x_16*t267 + D_delta_y_16*t268
-        + D_delta_z_16*t269 + D_p_rx_3*h_rx_w_carriage_4x + D_p_ry_3*h_ry_w_carriage_4x
+        D_delta_rx_16*t274 + D_delta_ry_16*t275 + D_delta_rz_16*t276 + D_delta_x_16*t271 + D_delta_y_16*t272
+        + D_delta_z_16*t273 + D_p_rx_3*h_rx_w_carriage_4x + D_p_ry_3*h_ry_w_carriage_4x
         + D_p_rz_3*h_rz_w_carriage_4x + D_p_x_3*h_x_w_carriage_4x + D_p_y_3*h_y_w_carriage_4x
         + D_p_z_3*h_z_w_carriage_4x
     )
     M_wq_out[..., 9, 3] = (
-        D_delta_rx_16*t276 + D_delta_ry_16*t277 + D_delta_rz_16*t278 + D_delta_y_16*t274 + D_delta_z_16*t275
+        D_delta_rx_16*t280 + D_delta_ry_16*t281 + D_delta_rz_16*t282 + D_delta_y_16*t278 + D_delta_z_16*t279
         + D_p_rx_4*h_rx_w_carriage_4x + D_p_ry_4*h_ry_w_carriage_4x + D_p_rz_4*h_rz_w_carriage_4x
         + D_p_x_4*h_x_w_carriage_4x + D_p_y_4*h_y_w_carriage_4x + D_p_z_4*h_z_w_carriage_4x + m_t_4*n_4_x
-        + n_4_x*t186 + n_4_x*t307
+        + n_4_x*t186 + n_4_x*t339 + t342
     )
     M_wq_out[..., 9, 4] = (
-        D_delta_rx_16*t282 + D_delta_ry_16*t283 + D_delta_rz_16*t284 + D_delta_x_16*t279 + D_delta_y_16*t280
-        + D_delta_z_16*t281 + D_p_rx_5*h_rx_w_carriage_4x + D_p_ry_5*h_ry_w_carriage_4x
+        D_delta_rx_16*t286 + D_delta_ry_16*t287 + D_delta_rz_16*t288 + D_delta_x_16*t283 + D_delta_y_16*t284
+        + D_delta_z_16*t285 + D_p_rx_5*h_rx_w_carriage_4x + D_p_ry_5*h_ry_w_carriage_4x
         + D_p_rz_5*h_rz_w_carriage_4x + D_p_x_5*h_x_w_carriage_4x + D_p_y_5*h_y_w_carriage_4x
         + D_p_z_5*h_z_w_carriage_4x
     )
     M_wq_out[..., 9, 5] = (
-        D_delta_rx_16*t288 + D_delta_ry_16*t289 + D_delta_rz_16*t290 + D_delta_x_16*t285 + D_delta_y_16*t286
-        + D_delta_z_16*t287 + D_p_rx_6*h_rx_w_carriage_4x + D_p_ry_6*h_ry_w_carriage_4x
+        D_delta_rx_16*t292 + D_delta_ry_16*t293 + D_delta_rz_16*t294 + D_delta_x_16*t289 + D_delta_y_16*t290
+        + D_delta_z_16*t291 + D_p_rx_6*h_rx_w_carriage_4x + D_p_ry_6*h_ry_w_carriage_4x
         + D_p_rz_6*h_rz_w_carriage_4x + D_p_x_6*h_x_w_carriage_4x + D_p_y_6*h_y_w_carriage_4x
         + D_p_z_6*h_z_w_carriage_4x
     )
+    M_wq_out[..., 9, 9] = t343*t344
+    M_wq_out[..., 9, 15] = t344*t345
     M_wq_out[..., 9, 24] = (
         D_delta_rx_1*h_rx_w_carriage_4x + D_delta_ry_1*h_ry_w_carriage_4x + D_delta_rz_1*h_rz_w_carriage_4x
         + D_delta_x_1*h_x_w_carriage_4x + D_delta_y_1*h_y_w_carriage_4x + D_delta_z_1*h_z_w_carriage_4x
@@ -3777,47 +3926,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_4x + D_delta_ry_6*h_ry_w_carriage_4x + D_delta_rz_6*h_rz_w_carriage_4x
         + D_delta_x_6*h_x_w_carriage_4x + D_delta_y_6*h_y_w_carriage_4x + D_delta_z_6*h_z_w_carriage_4x
     )
+    M_wq_out[..., 9, 33] = t342
     M_wq_out[..., 9, 36] = (
-        D_delta_ry_16*t291 - D_delta_rz_16*t292 + D_delta_x_16*t293 + h_x_w_carriage_4x + t308
+        D_delta_ry_16*t299 - D_delta_rz_16*t300 + D_delta_x_16*t301 + h_x_w_carriage_4x + t346
     )
-    M_wq_out[..., 9, 37] = -D_delta_rx_16*t291 + D_delta_rz_16*t295 + D_delta_y_16*t293 + h_y_w_carriage_4x
-    M_wq_out[..., 9, 38] = D_delta_rx_16*t292 - D_delta_ry_16*t295 + D_delta_z_16*t293 + h_z_w_carriage_4x
+    M_wq_out[..., 9, 37] = -D_delta_rx_16*t299 + D_delta_rz_16*t303 + D_delta_y_16*t301 + h_y_w_carriage_4x
+    M_wq_out[..., 9, 38] = D_delta_rx_16*t300 - D_delta_ry_16*t303 + D_delta_z_16*t301 + h_z_w_carriage_4x
     M_wq_out[..., 10, 0] = (
-        D_delta_rx_17*t258 + D_delta_ry_17*t259 + D_delta_rz_17*t260 + D_delta_x_17*t296 + D_delta_y_17*t256
-        + D_delta_z_17*t257 + D_p_rx_1*h_rx_w_carriage_4y + D_p_ry_1*h_ry_w_carriage_4y
+        D_delta_rx_17*t255 + D_delta_ry_17*t256 + D_delta_rz_17*t257 + D_delta_x_17*t304 + D_delta_y_17*t259
+        + D_delta_z_17*t260 + D_p_rx_1*h_rx_w_carriage_4y + D_p_ry_1*h_ry_w_carriage_4y
         + D_p_rz_1*h_rz_w_carriage_4y + D_p_x_1*h_x_w_carriage_4y + D_p_y_1*h_y_w_carriage_4y
         + D_p_z_1*h_z_w_carriage_4y
     )
     M_wq_out[..., 10, 1] = (
-        D_delta_rx_17*t264 + D_delta_ry_17*t265 + D_delta_rz_17*t266 + D_delta_x_17*t261 + D_delta_y_17*t262
-        + D_delta_z_17*t263 + D_p_rx_2*h_rx_w_carriage_4y + D_p_ry_2*h_ry_w_carriage_4y
+        D_delta_rx_17*t268 + D_delta_ry_17*t269 + D_delta_rz_17*t270 + D_delta_x_17*t265 + D_delta_y_17*t266
+        + D_delta_z_17*t267 + D_p_rx_2*h_rx_w_carriage_4y + D_p_ry_2*h_ry_w_carriage_4y
         + D_p_rz_2*h_rz_w_carriage_4y + D_p_x_2*h_x_w_carriage_4y + D_p_y_2*h_y_w_carriage_4y
         + D_p_z_2*h_z_w_carriage_4y
     )
     M_wq_out[..., 10, 2] = (
-        D_delta_rx_17*t270 + D_delta_ry_17*t271 + D_delta_rz_17*t272 + D_delta_x_17*t267 + D_delta_y_17*t268
-        + D_delta_z_17*t269 + D_p_rx_3*h_rx_w_carriage_4y + D_p_ry_3*h_ry_w_carriage_4y
+        D_delta_rx_17*t274 + D_delta_ry_17*t275 + D_delta_rz_17*t276 + D_delta_x_17*t271 + D_delta_y_17*t272
+        + D_delta_z_17*t273 + D_p_rx_3*h_rx_w_carriage_4y + D_p_ry_3*h_ry_w_carriage_4y
         + D_p_rz_3*h_rz_w_carriage_4y + D_p_x_3*h_x_w_carriage_4y + D_p_y_3*h_y_w_carriage_4y
         + D_p_z_3*h_z_w_carriage_4y
     )
     M_wq_out[..., 10, 3] = (
-        D_delta_rx_17*t276 + D_delta_ry_17*t277 + D_delta_rz_17*t278 + D_delta_x_17*t273 + D_delta_z_17*t275
+        D_delta_rx_17*t280 + D_delta_ry_17*t281 + D_delta_rz_17*t282 + D_delta_x_17*t277 + D_delta_z_17*t279
         + D_p_rx_4*h_rx_w_carriage_4y + D_p_ry_4*h_ry_w_carriage_4y + D_p_rz_4*h_rz_w_carriage_4y
         + D_p_x_4*h_x_w_carriage_4y + D_p_y_4*h_y_w_carriage_4y + D_p_z_4*h_z_w_carriage_4y + m_t_4*n_4_y
-        + n_4_y*t186 + n_4_y*t309
+        + n_4_y*t186 + n_4_y*t347 + t348
     )
     M_wq_out[..., 10, 4] = (
-        D_delta_rx_17*t282 + D_delta_ry_17*t283 + D_delta_rz_17*t284 + D_delta_x_17*t279 + D_delta_y_17*t280
-        + D_delta_z_17*t281 + D_p_rx_5*h_rx_w_carriage_4y + D_p_ry_5*h_ry_w_carriage_4y
+        D_delta_rx_17*t286 + D_delta_ry_17*t287 + D_delta_rz_17*t288 + D_delta_x_17*t283 + D_delta_y_17*t284
+        + D_delta_z_17*t285 + D_p_rx_5*h_rx_w_carriage_4y + D_p_ry_5*h_ry_w_carriage_4y
         + D_p_rz_5*h_rz_w_carriage_4y + D_p_x_5*h_x_w_carriage_4y + D_p_y_5*h_y_w_carriage_4y
         + D_p_z_5*h_z_w_carriage_4y
     )
     M_wq_out[..., 10, 5] = (
-        D_delta_rx_17*t288 + D_delta_ry_17*t289 + D_delta_rz_17*t290 + D_delta_x_17*t285 + D_delta_y_17*t286
-        + D_delta_z_17*t287 + D_p_rx_6*h_rx_w_carriage_4y + D_p_ry_6*h_ry_w_carriage_4y
+        D_delta_rx_17*t292 + D_delta_ry_17*t293 + D_delta_rz_17*t294 + D_delta_x_17*t289 + D_delta_y_17*t290
+        + D_delta_z_17*t291 + D_p_rx_6*h_rx_w_carriage_4y + D_p_ry_6*h_ry_w_carriage_4y
         + D_p_rz_6*h_rz_w_carriage_4y + D_p_x_6*h_x_w_carriage_4y + D_p_y_6*h_y_w_carriage_4y
         + D_p_z_6*h_z_w_carriage_4y
     )
+    M_wq_out[..., 10, 9] = t343*t349
+    M_wq_out[..., 10, 15] = t345*t349
     M_wq_out[..., 10, 24] = (
         D_delta_rx_1*h_rx_w_carriage_4y + D_delta_ry_1*h_ry_w_carriage_4y + D_delta_rz_1*h_rz_w_carriage_4y
         + D_delta_x_1*h_x_w_carriage_4y + D_delta_y_1*h_y_w_carriage_4y + D_delta_z_1*h_z_w_carriage_4y
@@ -3842,47 +3994,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_4y + D_delta_ry_6*h_ry_w_carriage_4y + D_delta_rz_6*h_rz_w_carriage_4y
         + D_delta_x_6*h_x_w_carriage_4y + D_delta_y_6*h_y_w_carriage_4y + D_delta_z_6*h_z_w_carriage_4y
     )
-    M_wq_out[..., 10, 36] = D_delta_ry_17*t291 - D_delta_rz_17*t292 + D_delta_x_17*t293 + h_x_w_carriage_4y
+    M_wq_out[..., 10, 33] = t348
+    M_wq_out[..., 10, 36] = D_delta_ry_17*t299 - D_delta_rz_17*t300 + D_delta_x_17*t301 + h_x_w_carriage_4y
     M_wq_out[..., 10, 37] = (
-        -D_delta_rx_17*t291 + D_delta_rz_17*t295 + D_delta_y_17*t293 + h_y_w_carriage_4y + t308
+        -D_delta_rx_17*t299 + D_delta_rz_17*t303 + D_delta_y_17*t301 + h_y_w_carriage_4y + t346
     )
-    M_wq_out[..., 10, 38] = D_delta_rx_17*t292 - D_delta_ry_17*t295 + D_delta_z_17*t293 + h_z_w_carriage_4y
+    M_wq_out[..., 10, 38] = D_delta_rx_17*t300 - D_delta_ry_17*t303 + D_delta_z_17*t301 + h_z_w_carriage_4y
     M_wq_out[..., 11, 0] = (
-        D_delta_rx_18*t258 + D_delta_ry_18*t259 + D_delta_rz_18*t260 + D_delta_x_18*t296 + D_delta_y_18*t256
-        + D_delta_z_18*t257 + D_p_rx_1*h_rx_w_carriage_4z + D_p_ry_1*h_ry_w_carriage_4z
+        D_delta_rx_18*t255 + D_delta_ry_18*t256 + D_delta_rz_18*t257 + D_delta_x_18*t304 + D_delta_y_18*t259
+        + D_delta_z_18*t260 + D_p_rx_1*h_rx_w_carriage_4z + D_p_ry_1*h_ry_w_carriage_4z
         + D_p_rz_1*h_rz_w_carriage_4z + D_p_x_1*h_x_w_carriage_4z + D_p_y_1*h_y_w_carriage_4z
         + D_p_z_1*h_z_w_carriage_4z
     )
     M_wq_out[..., 11, 1] = (
-        D_delta_rx_18*t264 + D_delta_ry_18*t265 + D_delta_rz_18*t266 + D_delta_x_18*t261 + D_delta_y_18*t262
-        + D_delta_z_18*t263 + D_p_rx_2*h_rx_w_carriage_4z + D_p_ry_2*h_ry_w_carriage_4z
+        D_delta_rx_18*t268 + D_delta_ry_18*t269 + D_delta_rz_18*t270 + D_delta_x_18*t265 + D_delta_y_18*t266
+        + D_delta_z_18*t267 + D_p_rx_2*h_rx_w_carriage_4z + D_p_ry_2*h_ry_w_carriage_4z
         + D_p_rz_2*h_rz_w_carriage_4z + D_p_x_2*h_x_w_carriage_4z + D_p_y_2*h_y_w_carriage_4z
         + D_p_z_2*h_z_w_carriage_4z
     )
     M_wq_out[..., 11, 2] = (
-        D_delta_rx_18*t270 + D_delta_ry_18*t271 + D_delta_rz_18*t272 + D_delta_x_18*t267 + D_delta_y_18*t268
-        + D_delta_z_18*t269 + D_p_rx_3*h_rx_w_carriage_4z + D_p_ry_3*h_ry_w_carriage_4z
+        D_delta_rx_18*t274 + D_delta_ry_18*t275 + D_delta_rz_18*t276 + D_delta_x_18*t271 + D_delta_y_18*t272
+        + D_delta_z_18*t273 + D_p_rx_3*h_rx_w_carriage_4z + D_p_ry_3*h_ry_w_carriage_4z
         + D_p_rz_3*h_rz_w_carriage_4z + D_p_x_3*h_x_w_carriage_4z + D_p_y_3*h_y_w_carriage_4z
         + D_p_z_3*h_z_w_carriage_4z
     )
     M_wq_out[..., 11, 3] = (
-        D_delta_rx_18*t276 + D_delta_ry_18*t277 + D_delta_rz_18*t278 + D_delta_x_18*t273 + D_delta_y_18*t274
+        D_delta_rx_18*t280 + D_delta_ry_18*t281 + D_delta_rz_18*t282 + D_delta_x_18*t277 + D_delta_y_18*t278
         + D_p_rx_4*h_rx_w_carriage_4z + D_p_ry_4*h_ry_w_carriage_4z + D_p_rz_4*h_rz_w_carriage_4z
         + D_p_x_4*h_x_w_carriage_4z + D_p_y_4*h_y_w_carriage_4z + D_p_z_4*h_z_w_carriage_4z + m_t_4*n_4_z
-        + n_4_z*t186 + n_4_z*t310
+        + n_4_z*t186 + n_4_z*t350 + t351
     )
     M_wq_out[..., 11, 4] = (
-        D_delta_rx_18*t282 + D_delta_ry_18*t283 + D_delta_rz_18*t284 + D_delta_x_18*t279 + D_delta_y_18*t280
-        + D_delta_z_18*t281 + D_p_rx_5*h_rx_w_carriage_4z + D_p_ry_5*h_ry_w_carriage_4z
+        D_delta_rx_18*t286 + D_delta_ry_18*t287 + D_delta_rz_18*t288 + D_delta_x_18*t283 + D_delta_y_18*t284
+        + D_delta_z_18*t285 + D_p_rx_5*h_rx_w_carriage_4z + D_p_ry_5*h_ry_w_carriage_4z
         + D_p_rz_5*h_rz_w_carriage_4z + D_p_x_5*h_x_w_carriage_4z + D_p_y_5*h_y_w_carriage_4z
         + D_p_z_5*h_z_w_carriage_4z
     )
     M_wq_out[..., 11, 5] = (
-        D_delta_rx_18*t288 + D_delta_ry_18*t289 + D_delta_rz_18*t290 + D_delta_x_18*t285 + D_delta_y_18*t286
-        + D_delta_z_18*t287 + D_p_rx_6*h_rx_w_carriage_4z + D_p_ry_6*h_ry_w_carriage_4z
+        D_delta_rx_18*t292 + D_delta_ry_18*t293 + D_delta_rz_18*t294 + D_delta_x_18*t289 + D_delta_y_18*t290
+        + D_delta_z_18*t291 + D_p_rx_6*h_rx_w_carriage_4z + D_p_ry_6*h_ry_w_carriage_4z
         + D_p_rz_6*h_rz_w_carriage_4z + D_p_x_6*h_x_w_carriage_4z + D_p_y_6*h_y_w_carriage_4z
         + D_p_z_6*h_z_w_carriage_4z
     )
+    M_wq_out[..., 11, 9] = t343*t352
+    M_wq_out[..., 11, 15] = t345*t352
     M_wq_out[..., 11, 24] = (
         D_delta_rx_1*h_rx_w_carriage_4z + D_delta_ry_1*h_ry_w_carriage_4z + D_delta_rz_1*h_rz_w_carriage_4z
         + D_delta_x_1*h_x_w_carriage_4z + D_delta_y_1*h_y_w_carriage_4z + D_delta_z_1*h_z_w_carriage_4z
@@ -3907,47 +4062,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_4z + D_delta_ry_6*h_ry_w_carriage_4z + D_delta_rz_6*h_rz_w_carriage_4z
         + D_delta_x_6*h_x_w_carriage_4z + D_delta_y_6*h_y_w_carriage_4z + D_delta_z_6*h_z_w_carriage_4z
     )
-    M_wq_out[..., 11, 36] = D_delta_ry_18*t291 - D_delta_rz_18*t292 + D_delta_x_18*t293 + h_x_w_carriage_4z
-    M_wq_out[..., 11, 37] = -D_delta_rx_18*t291 + D_delta_rz_18*t295 + D_delta_y_18*t293 + h_y_w_carriage_4z
+    M_wq_out[..., 11, 33] = t351
+    M_wq_out[..., 11, 36] = D_delta_ry_18*t299 - D_delta_rz_18*t300 + D_delta_x_18*t301 + h_x_w_carriage_4z
+    M_wq_out[..., 11, 37] = -D_delta_rx_18*t299 + D_delta_rz_18*t303 + D_delta_y_18*t301 + h_y_w_carriage_4z
     M_wq_out[..., 11, 38] = (
-        D_delta_rx_18*t292 - D_delta_ry_18*t295 + D_delta_z_18*t293 + h_z_w_carriage_4z + t308
+        D_delta_rx_18*t300 - D_delta_ry_18*t303 + D_delta_z_18*t301 + h_z_w_carriage_4z + t346
     )
     M_wq_out[..., 12, 0] = (
-        D_delta_rx_19*t258 + D_delta_ry_19*t259 + D_delta_rz_19*t260 + D_delta_x_19*t296 + D_delta_y_19*t256
-        + D_delta_z_19*t257 + D_p_rx_1*h_rx_w_carriage_5x + D_p_ry_1*h_ry_w_carriage_5x
+        D_delta_rx_19*t255 + D_delta_ry_19*t256 + D_delta_rz_19*t257 + D_delta_x_19*t304 + D_delta_y_19*t259
+        + D_delta_z_19*t260 + D_p_rx_1*h_rx_w_carriage_5x + D_p_ry_1*h_ry_w_carriage_5x
         + D_p_rz_1*h_rz_w_carriage_5x + D_p_x_1*h_x_w_carriage_5x + D_p_y_1*h_y_w_carriage_5x
         + D_p_z_1*h_z_w_carriage_5x
     )
     M_wq_out[..., 12, 1] = (
-        D_delta_rx_19*t264 + D_delta_ry_19*t265 + D_delta_rz_19*t266 + D_delta_x_19*t261 + D_delta_y_19*t262
-        + D_delta_z_19*t263 + D_p_rx_2*h_rx_w_carriage_5x + D_p_ry_2*h_ry_w_carriage_5x
+        D_delta_rx_19*t268 + D_delta_ry_19*t269 + D_delta_rz_19*t270 + D_delta_x_19*t265 + D_delta_y_19*t266
+        + D_delta_z_19*t267 + D_p_rx_2*h_rx_w_carriage_5x + D_p_ry_2*h_ry_w_carriage_5x
         + D_p_rz_2*h_rz_w_carriage_5x + D_p_x_2*h_x_w_carriage_5x + D_p_y_2*h_y_w_carriage_5x
         + D_p_z_2*h_z_w_carriage_5x
     )
     M_wq_out[..., 12, 2] = (
-        D_delta_rx_19*t270 + D_delta_ry_19*t271 + D_delta_rz_19*t272 + D_delta_x_19*t267 + D_delta_y_19*t268
-        + D_delta_z_19*t269 + D_p_rx_3*h_rx_w_carriage_5x + D_p_ry_3*h_ry_w_carriage_5x
+        D_delta_rx_19*t274 + D_delta_ry_19*t275 + D_delta_rz_19*t276 + D_delta_x_19*t271 + D_delta_y_19*t272
+        + D_delta_z_19*t273 + D_p_rx_3*h_rx_w_carriage_5x + D_p_ry_3*h_ry_w_carriage_5x
         + D_p_rz_3*h_rz_w_carriage_5x + D_p_x_3*h_x_w_carriage_5x + D_p_y_3*h_y_w_carriage_5x
         + D_p_z_3*h_z_w_carriage_5x
     )
     M_wq_out[..., 12, 3] = (
-        D_delta_rx_19*t276 + D_delta_ry_19*t277 + D_delta_rz_19*t278 + D_delta_x_19*t273 + D_delta_y_19*t274
-        + D_delta_z_19*t275 + D_p_rx_4*h_rx_w_carriage_5x + D_p_ry_4*h_ry_w_carriage_5x
+        D_delta_rx_19*t280 + D_delta_ry_19*t281 + D_delta_rz_19*t282 + D_delta_x_19*t277 + D_delta_y_19*t278
+        + D_delta_z_19*t279 + D_p_rx_4*h_rx_w_carriage_5x + D_p_ry_4*h_ry_w_carriage_5x
         + D_p_rz_4*h_rz_w_carriage_5x + D_p_x_4*h_x_w_carriage_5x + D_p_y_4*h_y_w_carriage_5x
         + D_p_z_4*h_z_w_carriage_5x
     )
     M_wq_out[..., 12, 4] = (
-        D_delta_rx_19*t282 + D_delta_ry_19*t283 + D_delta_rz_19*t284 + D_delta_y_19*t280 + D_delta_z_19*t281
+        D_delta_rx_19*t286 + D_delta_ry_19*t287 + D_delta_rz_19*t288 + D_delta_y_19*t284 + D_delta_z_19*t285
         + D_p_rx_5*h_rx_w_carriage_5x + D_p_ry_5*h_ry_w_carriage_5x + D_p_rz_5*h_rz_w_carriage_5x
         + D_p_x_5*h_x_w_carriage_5x + D_p_y_5*h_y_w_carriage_5x + D_p_z_5*h_z_w_carriage_5x + m_t_5*n_5_x
-        + n_5_x*t187 + n_5_x*t311
+        + n_5_x*t187 + n_5_x*t353 + t356
     )
     M_wq_out[..., 12, 5] = (
-        D_delta_rx_19*t288 + D_delta_ry_19*t289 + D_delta_rz_19*t290 + D_delta_x_19*t285 + D_delta_y_19*t286
-        + D_delta_z_19*t287 + D_p_rx_6*h_rx_w_carriage_5x + D_p_ry_6*h_ry_w_carriage_5x
+        D_delta_rx_19*t292 + D_delta_ry_19*t293 + D_delta_rz_19*t294 + D_delta_x_19*t289 + D_delta_y_19*t290
+        + D_delta_z_19*t291 + D_p_rx_6*h_rx_w_carriage_5x + D_p_ry_6*h_ry_w_carriage_5x
         + D_p_rz_6*h_rz_w_carriage_5x + D_p_x_6*h_x_w_carriage_5x + D_p_y_6*h_y_w_carriage_5x
         + D_p_z_6*h_z_w_carriage_5x
     )
+    M_wq_out[..., 12, 10] = t357*t358
+    M_wq_out[..., 12, 16] = t358*t359
     M_wq_out[..., 12, 24] = (
         D_delta_rx_1*h_rx_w_carriage_5x + D_delta_ry_1*h_ry_w_carriage_5x + D_delta_rz_1*h_rz_w_carriage_5x
         + D_delta_x_1*h_x_w_carriage_5x + D_delta_y_1*h_y_w_carriage_5x + D_delta_z_1*h_z_w_carriage_5x
@@ -3972,47 +4130,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_5x + D_delta_ry_6*h_ry_w_carriage_5x + D_delta_rz_6*h_rz_w_carriage_5x
         + D_delta_x_6*h_x_w_carriage_5x + D_delta_y_6*h_y_w_carriage_5x + D_delta_z_6*h_z_w_carriage_5x
     )
+    M_wq_out[..., 12, 34] = t356
     M_wq_out[..., 12, 36] = (
-        D_delta_ry_19*t291 - D_delta_rz_19*t292 + D_delta_x_19*t293 + h_x_w_carriage_5x + t312
+        D_delta_ry_19*t299 - D_delta_rz_19*t300 + D_delta_x_19*t301 + h_x_w_carriage_5x + t360
     )
-    M_wq_out[..., 12, 37] = -D_delta_rx_19*t291 + D_delta_rz_19*t295 + D_delta_y_19*t293 + h_y_w_carriage_5x
-    M_wq_out[..., 12, 38] = D_delta_rx_19*t292 - D_delta_ry_19*t295 + D_delta_z_19*t293 + h_z_w_carriage_5x
+    M_wq_out[..., 12, 37] = -D_delta_rx_19*t299 + D_delta_rz_19*t303 + D_delta_y_19*t301 + h_y_w_carriage_5x
+    M_wq_out[..., 12, 38] = D_delta_rx_19*t300 - D_delta_ry_19*t303 + D_delta_z_19*t301 + h_z_w_carriage_5x
     M_wq_out[..., 13, 0] = (
-        D_delta_rx_20*t258 + D_delta_ry_20*t259 + D_delta_rz_20*t260 + D_delta_x_20*t296 + D_delta_y_20*t256
-        + D_delta_z_20*t257 + D_p_rx_1*h_rx_w_carriage_5y + D_p_ry_1*h_ry_w_carriage_5y
+        D_delta_rx_20*t255 + D_delta_ry_20*t256 + D_delta_rz_20*t257 + D_delta_x_20*t304 + D_delta_y_20*t259
+        + D_delta_z_20*t260 + D_p_rx_1*h_rx_w_carriage_5y + D_p_ry_1*h_ry_w_carriage_5y
         + D_p_rz_1*h_rz_w_carriage_5y + D_p_x_1*h_x_w_carriage_5y + D_p_y_1*h_y_w_carriage_5y
         + D_p_z_1*h_z_w_carriage_5y
     )
     M_wq_out[..., 13, 1] = (
-        D_delta_rx_20*t264 + D_delta_ry_20*t265 + D_delta_rz_20*t266 + D_delta_x_20*t261 + D_delta_y_20*t262
-        + D_delta_z_20*t263 + D_p_rx_2*h_rx_w_carriage_5y + D_p_ry_2*h_ry_w_carriage_5y
+        D_delta_rx_20*t268 + D_delta_ry_20*t269 + D_delta_rz_20*t270 + D_delta_x_20*t265 + D_delta_y_20*t266
+        + D_delta_z_20*t267 + D_p_rx_2*h_rx_w_carriage_5y + D_p_ry_2*h_ry_w_carriage_5y
         + D_p_rz_2*h_rz_w_carriage_5y + D_p_x_2*h_x_w_carriage_5y + D_p_y_2*h_y_w_carriage_5y
         + D_p_z_2*h_z_w_carriage_5y
     )
     M_wq_out[..., 13, 2] = (
-        D_delta_rx_20*t270 + D_delta_ry_20*t271 + D_delta_rz_20*t272 + D_delta_x_20*t267 + D_delta_y_20*t268
-        + D_delta_z_20*t269 + D_p_rx_3*h_rx_w_carriage_5y + D_p_ry_3*h_ry_w_carriage_5y
+        D_delta_rx_20*t274 + D_delta_ry_20*t275 + D_delta_rz_20*t276 + D_delta_x_20*t271 + D_delta_y_20*t272
+        + D_delta_z_20*t273 + D_p_rx_3*h_rx_w_carriage_5y + D_p_ry_3*h_ry_w_carriage_5y
         + D_p_rz_3*h_rz_w_carriage_5y + D_p_x_3*h_x_w_carriage_5y + D_p_y_3*h_y_w_carriage_5y
         + D_p_z_3*h_z_w_carriage_5y
     )
     M_wq_out[..., 13, 3] = (
-        D_delta_rx_20*t276 + D_delta_ry_20*t277 + D_delta_rz_20*t278 + D_delta_x_20*t273 + D_delta_y_20*t274
-        + D_delta_z_20*t275 + D_p_rx_4*h_rx_w_carriage_5y + D_p_ry_4*h_ry_w_carriage_5y
+        D_delta_rx_20*t280 + D_delta_ry_20*t281 + D_delta_rz_20*t282 + D_delta_x_20*t277 + D_delta_y_20*t278
+        + D_delta_z_20*t279 + D_p_rx_4*h_rx_w_carriage_5y + D_p_ry_4*h_ry_w_carriage_5y
         + D_p_rz_4*h_rz_w_carriage_5y + D_p_x_4*h_x_w_carriage_5y + D_p_y_4*h_y_w_carriage_5y
         + D_p_z_4*h_z_w_carriage_5y
     )
     M_wq_out[..., 13, 4] = (
-        D_delta_rx_20*t282 + D_delta_ry_20*t283 + D_delta_rz_20*t284 + D_delta_x_20*t279 + D_delta_z_20*t281
+        D_delta_rx_20*t286 + D_delta_ry_20*t287 + D_delta_rz_20*t288 + D_delta_x_20*t283 + D_delta_z_20*t285
         + D_p_rx_5*h_rx_w_carriage_5y + D_p_ry_5*h_ry_w_carriage_5y + D_p_rz_5*h_rz_w_carriage_5y
         + D_p_x_5*h_x_w_carriage_5y + D_p_y_5*h_y_w_carriage_5y + D_p_z_5*h_z_w_carriage_5y + m_t_5*n_5_y
-        + n_5_y*t187 + n_5_y*t313
+        + n_5_y*t187 + n_5_y*t361 + t362
     )
     M_wq_out[..., 13, 5] = (
-        D_delta_rx_20*t288 + D_delta_ry_20*t289 + D_delta_rz_20*t290 + D_delta_x_20*t285 + D_delta_y_20*t286
-        + D_delta_z_20*t287 + D_p_rx_6*h_rx_w_carriage_5y + D_p_ry_6*h_ry_w_carriage_5y
+        D_delta_rx_20*t292 + D_delta_ry_20*t293 + D_delta_rz_20*t294 + D_delta_x_20*t289 + D_delta_y_20*t290
+        + D_delta_z_20*t291 + D_p_rx_6*h_rx_w_carriage_5y + D_p_ry_6*h_ry_w_carriage_5y
         + D_p_rz_6*h_rz_w_carriage_5y + D_p_x_6*h_x_w_carriage_5y + D_p_y_6*h_y_w_carriage_5y
         + D_p_z_6*h_z_w_carriage_5y
     )
+    M_wq_out[..., 13, 10] = t357*t363
+    M_wq_out[..., 13, 16] = t359*t363
     M_wq_out[..., 13, 24] = (
         D_delta_rx_1*h_rx_w_carriage_5y + D_delta_ry_1*h_ry_w_carriage_5y + D_delta_rz_1*h_rz_w_carriage_5y
         + D_delta_x_1*h_x_w_carriage_5y + D_delta_y_1*h_y_w_carriage_5y + D_delta_z_1*h_z_w_carriage_5y
@@ -4037,47 +4198,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_5y + D_delta_ry_6*h_ry_w_carriage_5y + D_delta_rz_6*h_rz_w_carriage_5y
         + D_delta_x_6*h_x_w_carriage_5y + D_delta_y_6*h_y_w_carriage_5y + D_delta_z_6*h_z_w_carriage_5y
     )
-    M_wq_out[..., 13, 36] = D_delta_ry_20*t291 - D_delta_rz_20*t292 + D_delta_x_20*t293 + h_x_w_carriage_5y
+    M_wq_out[..., 13, 34] = t362
+    M_wq_out[..., 13, 36] = D_delta_ry_20*t299 - D_delta_rz_20*t300 + D_delta_x_20*t301 + h_x_w_carriage_5y
     M_wq_out[..., 13, 37] = (
-        -D_delta_rx_20*t291 + D_delta_rz_20*t295 + D_delta_y_20*t293 + h_y_w_carriage_5y + t312
+        -D_delta_rx_20*t299 + D_delta_rz_20*t303 + D_delta_y_20*t301 + h_y_w_carriage_5y + t360
     )
-    M_wq_out[..., 13, 38] = D_delta_rx_20*t292 - D_delta_ry_20*t295 + D_delta_z_20*t293 + h_z_w_carriage_5y
+    M_wq_out[..., 13, 38] = D_delta_rx_20*t300 - D_delta_ry_20*t303 + D_delta_z_20*t301 + h_z_w_carriage_5y
     M_wq_out[..., 14, 0] = (
-        D_delta_rx_21*t258 + D_delta_ry_21*t259 + D_delta_rz_21*t260 + D_delta_x_21*t296 + D_delta_y_21*t256
-        + D_delta_z_21*t257 + D_p_rx_1*h_rx_w_carriage_5z + D_p_ry_1*h_ry_w_carriage_5z
+        D_delta_rx_21*t255 + D_delta_ry_21*t256 + D_delta_rz_21*t257 + D_delta_x_21*t304 + D_delta_y_21*t259
+        + D_delta_z_21*t260 + D_p_rx_1*h_rx_w_carriage_5z + D_p_ry_1*h_ry_w_carriage_5z
         + D_p_rz_1*h_rz_w_carriage_5z + D_p_x_1*h_x_w_carriage_5z + D_p_y_1*h_y_w_carriage_5z
         + D_p_z_1*h_z_w_carriage_5z
     )
     M_wq_out[..., 14, 1] = (
-        D_delta_rx_21*t264 + D_delta_ry_21*t265 + D_delta_rz_21*t266 + D_delta_x_21*t261 + D_delta_y_21*t262
-        + D_delta_z_21*t263 + D_p_rx_2*h_rx_w_carriage_5z + D_p_ry_2*h_ry_w_carriage_5z
+        D_delta_rx_21*t268 + D_delta_ry_21*t269 + D_delta_rz_21*t270 + D_delta_x_21*t265 + D_delta_y_21*t266
+        + D_delta_z_21*t267 + D_p_rx_2*h_rx_w_carriage_5z + D_p_ry_2*h_ry_w_carriage_5z
         + D_p_rz_2*h_rz_w_carriage_5z + D_p_x_2*h_x_w_carriage_5z + D_p_y_2*h_y_w_carriage_5z
         + D_p_z_2*h_z_w_carriage_5z
     )
     M_wq_out[..., 14, 2] = (
-        D_delta_rx_21*t270 + D_delta_ry_21*t271 + D_delta_rz_21*t272 + D_delta_x_21*t267 + D_delta_y_21*t268
-        + D_delta_z_21*t269 + D_p_rx_3*h_rx_w_carriage_5z + D_p_ry_3*h_ry_w_carriage_5z
+        D_delta_rx_21*t274 + D_delta_ry_21*t275 + D_delta_rz_21*t276 + D_delta_x_21*t271 + D_delta_y_21*t272
+        + D_delta_z_21*t273 + D_p_rx_3*h_rx_w_carriage_5z + D_p_ry_3*h_ry_w_carriage_5z
         + D_p_rz_3*h_rz_w_carriage_5z + D_p_x_3*h_x_w_carriage_5z + D_p_y_3*h_y_w_carriage_5z
         + D_p_z_3*h_z_w_carriage_5z
     )
     M_wq_out[..., 14, 3] = (
-        D_delta_rx_21*t276 + D_delta_ry_21*t277 + D_delta_rz_21*t278 + D_delta_x_21*t273 + D_delta_y_21*t274
-        + D_delta_z_21*t275 + D_p_rx_4*h_rx_w_carriage_5z + D_p_ry_4*h_ry_w_carriage_5z
+        D_delta_rx_21*t280 + D_delta_ry_21*t281 + D_delta_rz_21*t282 + D_delta_x_21*t277 + D_delta_y_21*t278
+        + D_delta_z_21*t279 + D_p_rx_4*h_rx_w_carriage_5z + D_p_ry_4*h_ry_w_carriage_5z
         + D_p_rz_4*h_rz_w_carriage_5z + D_p_x_4*h_x_w_carriage_5z + D_p_y_4*h_y_w_carriage_5z
         + D_p_z_4*h_z_w_carriage_5z
     )
     M_wq_out[..., 14, 4] = (
-        D_delta_rx_21*t282 + D_delta_ry_21*t283 + D_delta_rz_21*t284 + D_delta_x_21*t279 + D_delta_y_21*t280
+        D_delta_rx_21*t286 + D_delta_ry_21*t287 + D_delta_rz_21*t288 + D_delta_x_21*t283 + D_delta_y_21*t284
         + D_p_rx_5*h_rx_w_carriage_5z + D_p_ry_5*h_ry_w_carriage_5z + D_p_rz_5*h_rz_w_carriage_5z
         + D_p_x_5*h_x_w_carriage_5z + D_p_y_5*h_y_w_carriage_5z + D_p_z_5*h_z_w_carriage_5z + m_t_5*n_5_z
-        + n_5_z*t187 + n_5_z*t314
+        + n_5_z*t187 + n_5_z*t364 + t365
     )
     M_wq_out[..., 14, 5] = (
-        D_delta_rx_21*t288 + D_delta_ry_21*t289 + D_delta_rz_21*t290 + D_delta_x_21*t285 + D_delta_y_21*t286
-        + D_delta_z_21*t287 + D_p_rx_6*h_rx_w_carriage_5z + D_p_ry_6*h_ry_w_carriage_5z
+        D_delta_rx_21*t292 + D_delta_ry_21*t293 + D_delta_rz_21*t294 + D_delta_x_21*t289 + D_delta_y_21*t290
+        + D_delta_z_21*t291 + D_p_rx_6*h_rx_w_carriage_5z + D_p_ry_6*h_ry_w_carriage_5z
         + D_p_rz_6*h_rz_w_carriage_5z + D_p_x_6*h_x_w_carriage_5z + D_p_y_6*h_y_w_carriage_5z
         + D_p_z_6*h_z_w_carriage_5z
     )
+    M_wq_out[..., 14, 10] = t357*t366
+    M_wq_out[..., 14, 16] = t359*t366
     M_wq_out[..., 14, 24] = (
         D_delta_rx_1*h_rx_w_carriage_5z + D_delta_ry_1*h_ry_w_carriage_5z + D_delta_rz_1*h_rz_w_carriage_5z
         + D_delta_x_1*h_x_w_carriage_5z + D_delta_y_1*h_y_w_carriage_5z + D_delta_z_1*h_z_w_carriage_5z
@@ -4102,47 +4266,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_5z + D_delta_ry_6*h_ry_w_carriage_5z + D_delta_rz_6*h_rz_w_carriage_5z
         + D_delta_x_6*h_x_w_carriage_5z + D_delta_y_6*h_y_w_carriage_5z + D_delta_z_6*h_z_w_carriage_5z
     )
-    M_wq_out[..., 14, 36] = D_delta_ry_21*t291 - D_delta_rz_21*t292 + D_delta_x_21*t293 + h_x_w_carriage_5z
-    M_wq_out[..., 14, 37] = -D_delta_rx_21*t291 + D_delta_rz_21*t295 + D_delta_y_21*t293 + h_y_w_carriage_5z
+    M_wq_out[..., 14, 34] = t365
+    M_wq_out[..., 14, 36] = D_delta_ry_21*t299 - D_delta_rz_21*t300 + D_delta_x_21*t301 + h_x_w_carriage_5z
+    M_wq_out[..., 14, 37] = -D_delta_rx_21*t299 + D_delta_rz_21*t303 + D_delta_y_21*t301 + h_y_w_carriage_5z
     M_wq_out[..., 14, 38] = (
-        D_delta_rx_21*t292 - D_delta_ry_21*t295 + D_delta_z_21*t293 + h_z_w_carriage_5z + t312
+        D_delta_rx_21*t300 - D_delta_ry_21*t303 + D_delta_z_21*t301 + h_z_w_carriage_5z + t360
     )
     M_wq_out[..., 15, 0] = (
-        D_delta_rx_22*t258 + D_delta_ry_22*t259 + D_delta_rz_22*t260 + D_delta_x_22*t296 + D_delta_y_22*t256
-        + D_delta_z_22*t257 + D_p_rx_1*h_rx_w_carriage_6x + D_p_ry_1*h_ry_w_carriage_6x
+        D_delta_rx_22*t255 + D_delta_ry_22*t256 + D_delta_rz_22*t257 + D_delta_x_22*t304 + D_delta_y_22*t259
+        + D_delta_z_22*t260 + D_p_rx_1*h_rx_w_carriage_6x + D_p_ry_1*h_ry_w_carriage_6x
         + D_p_rz_1*h_rz_w_carriage_6x + D_p_x_1*h_x_w_carriage_6x + D_p_y_1*h_y_w_carriage_6x
         + D_p_z_1*h_z_w_carriage_6x
     )
     M_wq_out[..., 15, 1] = (
-        D_delta_rx_22*t264 + D_delta_ry_22*t265 + D_delta_rz_22*t266 + D_delta_x_22*t261 + D_delta_y_22*t262
-        + D_delta_z_22*t263 + D_p_rx_2*h_rx_w_carriage_6x + D_p_ry_2*h_ry_w_carriage_6x
+        D_delta_rx_22*t268 + D_delta_ry_22*t269 + D_delta_rz_22*t270 + D_delta_x_22*t265 + D_delta_y_22*t266
+        + D_delta_z_22*t267 + D_p_rx_2*h_rx_w_carriage_6x + D_p_ry_2*h_ry_w_carriage_6x
         + D_p_rz_2*h_rz_w_carriage_6x + D_p_x_2*h_x_w_carriage_6x + D_p_y_2*h_y_w_carriage_6x
         + D_p_z_2*h_z_w_carriage_6x
     )
     M_wq_out[..., 15, 2] = (
-        D_delta_rx_22*t270 + D_delta_ry_22*t271 + D_delta_rz_22*t272 + D_delta_x_22*t267 + D_delta_y_22*t268
-        + D_delta_z_22*t269 + D_p_rx_3*h_rx_w_carriage_6x + D_p_ry_3*h_ry_w_carriage_6x
+        D_delta_rx_22*t274 + D_delta_ry_22*t275 + D_delta_rz_22*t276 + D_delta_x_22*t271 + D_delta_y_22*t272
+        + D_delta_z_22*t273 + D_p_rx_3*h_rx_w_carriage_6x + D_p_ry_3*h_ry_w_carriage_6x
         + D_p_rz_3*h_rz_w_carriage_6x + D_p_x_3*h_x_w_carriage_6x + D_p_y_3*h_y_w_carriage_6x
         + D_p_z_3*h_z_w_carriage_6x
     )
     M_wq_out[..., 15, 3] = (
-        D_delta_rx_22*t276 + D_delta_ry_22*t277 + D_delta_rz_22*t278 + D_delta_x_22*t273 + D_delta_y_22*t274
-        + D_delta_z_22*t275 + D_p_rx_4*h_rx_w_carriage_6x + D_p_ry_4*h_ry_w_carriage_6x
+        D_delta_rx_22*t280 + D_delta_ry_22*t281 + D_delta_rz_22*t282 + D_delta_x_22*t277 + D_delta_y_22*t278
+        + D_delta_z_22*t279 + D_p_rx_4*h_rx_w_carriage_6x + D_p_ry_4*h_ry_w_carriage_6x
         + D_p_rz_4*h_rz_w_carriage_6x + D_p_x_4*h_x_w_carriage_6x + D_p_y_4*h_y_w_carriage_6x
         + D_p_z_4*h_z_w_carriage_6x
     )
     M_wq_out[..., 15, 4] = (
-        D_delta_rx_22*t282 + D_delta_ry_22*t283 + D_delta_rz_22*t284 + D_delta_x_22*t279 + D_delta_y_22*t280
-        + D_delta_z_22*t281 + D_p_rx_5*h_rx_w_carriage_6x + D_p_ry_5*h_ry_w_carriage_6x
+        D_delta_rx_22*t286 + D_delta_ry_22*t287 + D_delta_rz_22*t288 + D_delta_x_22*t283 + D_delta_y_22*t284
+        + D_delta_z_22*t285 + D_p_rx_5*h_rx_w_carriage_6x + D_p_ry_5*h_ry_w_carriage_6x
         + D_p_rz_5*h_rz_w_carriage_6x + D_p_x_5*h_x_w_carriage_6x + D_p_y_5*h_y_w_carriage_6x
         + D_p_z_5*h_z_w_carriage_6x
     )
     M_wq_out[..., 15, 5] = (
-        D_delta_rx_22*t288 + D_delta_ry_22*t289 + D_delta_rz_22*t290 + D_delta_y_22*t286 + D_delta_z_22*t287
+        D_delta_rx_22*t292 + D_delta_ry_22*t293 + D_delta_rz_22*t294 + D_delta_y_22*t290 + D_delta_z_22*t291
         + D_p_rx_6*h_rx_w_carriage_6x + D_p_ry_6*h_ry_w_carriage_6x + D_p_rz_6*h_rz_w_carriage_6x
         + D_p_x_6*h_x_w_carriage_6x + D_p_y_6*h_y_w_carriage_6x + D_p_z_6*h_z_w_carriage_6x + m_t_6*n_6_x
-        + n_6_x*t188 + n_6_x*t315
+        + n_6_x*t188 + n_6_x*t367 + t370
     )
+    M_wq_out[..., 15, 11] = t371*t372
+    M_wq_out[..., 15, 17] = t372*t373
     M_wq_out[..., 15, 24] = (
         D_delta_rx_1*h_rx_w_carriage_6x + D_delta_ry_1*h_ry_w_carriage_6x + D_delta_rz_1*h_rz_w_carriage_6x
         + D_delta_x_1*h_x_w_carriage_6x + D_delta_y_1*h_y_w_carriage_6x + D_delta_z_1*h_z_w_carriage_6x
@@ -4167,47 +4334,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_6x + D_delta_ry_6*h_ry_w_carriage_6x + D_delta_rz_6*h_rz_w_carriage_6x
         + D_delta_x_6*h_x_w_carriage_6x + D_delta_y_6*h_y_w_carriage_6x + D_delta_z_6*h_z_w_carriage_6x
     )
+    M_wq_out[..., 15, 35] = t370
     M_wq_out[..., 15, 36] = (
-        D_delta_ry_22*t291 - D_delta_rz_22*t292 + D_delta_x_22*t293 + h_x_w_carriage_6x + t316
+        D_delta_ry_22*t299 - D_delta_rz_22*t300 + D_delta_x_22*t301 + h_x_w_carriage_6x + t374
     )
-    M_wq_out[..., 15, 37] = -D_delta_rx_22*t291 + D_delta_rz_22*t295 + D_delta_y_22*t293 + h_y_w_carriage_6x
-    M_wq_out[..., 15, 38] = D_delta_rx_22*t292 - D_delta_ry_22*t295 + D_delta_z_22*t293 + h_z_w_carriage_6x
+    M_wq_out[..., 15, 37] = -D_delta_rx_22*t299 + D_delta_rz_22*t303 + D_delta_y_22*t301 + h_y_w_carriage_6x
+    M_wq_out[..., 15, 38] = D_delta_rx_22*t300 - D_delta_ry_22*t303 + D_delta_z_22*t301 + h_z_w_carriage_6x
     M_wq_out[..., 16, 0] = (
-        D_delta_rx_23*t258 + D_delta_ry_23*t259 + D_delta_rz_23*t260 + D_delta_x_23*t296 + D_delta_y_23*t256
-        + D_delta_z_23*t257 + D_p_rx_1*h_rx_w_carriage_6y + D_p_ry_1*h_ry_w_carriage_6y
+        D_delta_rx_23*t255 + D_delta_ry_23*t256 + D_delta_rz_23*t257 + D_delta_x_23*t304 + D_delta_y_23*t259
+        + D_delta_z_23*t260 + D_p_rx_1*h_rx_w_carriage_6y + D_p_ry_1*h_ry_w_carriage_6y
         + D_p_rz_1*h_rz_w_carriage_6y + D_p_x_1*h_x_w_carriage_6y + D_p_y_1*h_y_w_carriage_6y
         + D_p_z_1*h_z_w_carriage_6y
     )
     M_wq_out[..., 16, 1] = (
-        D_delta_rx_23*t264 + D_delta_ry_23*t265 + D_delta_rz_23*t266 + D_delta_x_23*t261 + D_delta_y_23*t262
-        + D_delta_z_23*t263 + D_p_rx_2*h_rx_w_carriage_6y + D_p_ry_2*h_ry_w_carriage_6y
+        D_delta_rx_23*t268 + D_delta_ry_23*t269 + D_delta_rz_23*t270 + D_delta_x_23*t265 + D_delta_y_23*t266
+        + D_delta_z_23*t267 + D_p_rx_2*h_rx_w_carriage_6y + D_p_ry_2*h_ry_w_carriage_6y
         + D_p_rz_2*h_rz_w_carriage_6y + D_p_x_2*h_x_w_carriage_6y + D_p_y_2*h_y_w_carriage_6y
         + D_p_z_2*h_z_w_carriage_6y
     )
     M_wq_out[..., 16, 2] = (
-        D_delta_rx_23*t270 + D_delta_ry_23*t271 + D_delta_rz_23*t272 + D_delta_x_23*t267 + D_delta_y_23*t268
-        + D_delta_z_23*t269 + D_p_rx_3*h_rx_w_carriage_6y + D_p_ry_3*h_ry_w_carriage_6y
+        D_delta_rx_23*t274 + D_delta_ry_23*t275 + D_delta_rz_23*t276 + D_delta_x_23*t271 + D_delta_y_23*t272
+        + D_delta_z_23*t273 + D_p_rx_3*h_rx_w_carriage_6y + D_p_ry_3*h_ry_w_carriage_6y
         + D_p_rz_3*h_rz_w_carriage_6y + D_p_x_3*h_x_w_carriage_6y + D_p_y_3*h_y_w_carriage_6y
         + D_p_z_3*h_z_w_carriage_6y
     )
     M_wq_out[..., 16, 3] = (
-        D_delta_rx_23*t276 + D_delta_ry_23*t277 + D_delta_rz_23*t278 + D_delta_x_23*t273 + D_delta_y_23*t274
-        + D_delta_z_23*t275 + D_p_rx_4*h_rx_w_carriage_6y + D_p_ry_4*h_ry_w_carriage_6y
+        D_delta_rx_23*t280 + D_delta_ry_23*t281 + D_delta_rz_23*t282 + D_delta_x_23*t277 + D_delta_y_23*t278
+        + D_delta_z_23*t279 + D_p_rx_4*h_rx_w_carriage_6y + D_p_ry_4*h_ry_w_carriage_6y
         + D_p_rz_4*h_rz_w_carriage_6y + D_p_x_4*h_x_w_carriage_6y + D_p_y_4*h_y_w_carriage_6y
         + D_p_z_4*h_z_w_carriage_6y
     )
     M_wq_out[..., 16, 4] = (
-        D_delta_rx_23*t282 + D_delta_ry_23*t283 + D_delta_rz_23*t284 + D_delta_x_23*t279 + D_delta_y_23*t280
-        + D_delta_z_23*t281 + D_p_rx_5*h_rx_w_carriage_6y + D_p_ry_5*h_ry_w_carriage_6y
+        D_delta_rx_23*t286 + D_delta_ry_23*t287 + D_delta_rz_23*t288 + D_delta_x_23*t283 + D_delta_y_23*t284
+        + D_delta_z_23*t285 + D_p_rx_5*h_rx_w_carriage_6y + D_p_ry_5*h_ry_w_carriage_6y
         + D_p_rz_5*h_rz_w_carriage_6y + D_p_x_5*h_x_w_carriage_6y + D_p_y_5*h_y_w_carriage_6y
         + D_p_z_5*h_z_w_carriage_6y
     )
     M_wq_out[..., 16, 5] = (
-        D_delta_rx_23*t288 + D_delta_ry_23*t289 + D_delta_rz_23*t290 + D_delta_x_23*t285 + D_delta_z_23*t287
+        D_delta_rx_23*t292 + D_delta_ry_23*t293 + D_delta_rz_23*t294 + D_delta_x_23*t289 + D_delta_z_23*t291
         + D_p_rx_6*h_rx_w_carriage_6y + D_p_ry_6*h_ry_w_carriage_6y + D_p_rz_6*h_rz_w_carriage_6y
         + D_p_x_6*h_x_w_carriage_6y + D_p_y_6*h_y_w_carriage_6y + D_p_z_6*h_z_w_carriage_6y + m_t_6*n_6_y
-        + n_6_y*t188 + n_6_y*t317
+        + n_6_y*t188 + n_6_y*t375 + t376
     )
+    M_wq_out[..., 16, 11] = t371*t377
+    M_wq_out[..., 16, 17] = t373*t377
     M_wq_out[..., 16, 24] = (
         D_delta_rx_1*h_rx_w_carriage_6y + D_delta_ry_1*h_ry_w_carriage_6y + D_delta_rz_1*h_rz_w_carriage_6y
         + D_delta_x_1*h_x_w_carriage_6y + D_delta_y_1*h_y_w_carriage_6y + D_delta_z_1*h_z_w_carriage_6y
@@ -4232,47 +4402,50 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_6y + D_delta_ry_6*h_ry_w_carriage_6y + D_delta_rz_6*h_rz_w_carriage_6y
         + D_delta_x_6*h_x_w_carriage_6y + D_delta_y_6*h_y_w_carriage_6y + D_delta_z_6*h_z_w_carriage_6y
     )
-    M_wq_out[..., 16, 36] = D_delta_ry_23*t291 - D_delta_rz_23*t292 + D_delta_x_23*t293 + h_x_w_carriage_6y
+    M_wq_out[..., 16, 35] = t376
+    M_wq_out[..., 16, 36] = D_delta_ry_23*t299 - D_delta_rz_23*t300 + D_delta_x_23*t301 + h_x_w_carriage_6y
     M_wq_out[..., 16, 37] = (
-        -D_delta_rx_23*t291 + D_delta_rz_23*t295 + D_delta_y_23*t293 + h_y_w_carriage_6y + t316
+        -D_delta_rx_23*t299 + D_delta_rz_23*t303 + D_delta_y_23*t301 + h_y_w_carriage_6y + t374
     )
-    M_wq_out[..., 16, 38] = D_delta_rx_23*t292 - D_delta_ry_23*t295 + D_delta_z_23*t293 + h_z_w_carriage_6y
+    M_wq_out[..., 16, 38] = D_delta_rx_23*t300 - D_delta_ry_23*t303 + D_delta_z_23*t301 + h_z_w_carriage_6y
     M_wq_out[..., 17, 0] = (
-        D_delta_rx_24*t258 + D_delta_ry_24*t259 + D_delta_rz_24*t260 + D_delta_x_24*t296 + D_delta_y_24*t256
-        + D_delta_z_24*t257 + D_p_rx_1*h_rx_w_carriage_6z + D_p_ry_1*h_ry_w_carriage_6z
+        D_delta_rx_24*t255 + D_delta_ry_24*t256 + D_delta_rz_24*t257 + D_delta_x_24*t304 + D_delta_y_24*t259
+        + D_delta_z_24*t260 + D_p_rx_1*h_rx_w_carriage_6z + D_p_ry_1*h_ry_w_carriage_6z
         + D_p_rz_1*h_rz_w_carriage_6z + D_p_x_1*h_x_w_carriage_6z + D_p_y_1*h_y_w_carriage_6z
         + D_p_z_1*h_z_w_carriage_6z
     )
     M_wq_out[..., 17, 1] = (
-        D_delta_rx_24*t264 + D_delta_ry_24*t265 + D_delta_rz_24*t266 + D_delta_x_24*t261 + D_delta_y_24*t262
-        + D_delta_z_24*t263 + D_p_rx_2*h_rx_w_carriage_6z + D_p_ry_2*h_ry_w_carriage_6z
+        D_delta_rx_24*t268 + D_delta_ry_24*t269 + D_delta_rz_24*t270 + D_delta_x_24*t265 + D_delta_y_24*t266
+        + D_delta_z_24*t267 + D_p_rx_2*h_rx_w_carriage_6z + D_p_ry_2*h_ry_w_carriage_6z
         + D_p_rz_2*h_rz_w_carriage_6z + D_p_x_2*h_x_w_carriage_6z + D_p_y_2*h_y_w_carriage_6z
         + D_p_z_2*h_z_w_carriage_6z
     )
     M_wq_out[..., 17, 2] = (
-        D_delta_rx_24*t270 + D_delta_ry_24*t271 + D_delta_rz_24*t272 + D_delta_x_24*t267 + D_delta_y_24*t268
-        + D_delta_z_24*t269 + D_p_rx_3*h_rx_w_carriage_6z + D_p_ry_3*h_ry_w_carriage_6z
+        D_delta_rx_24*t274 + D_delta_ry_24*t275 + D_delta_rz_24*t276 + D_delta_x_24*t271 + D_delta_y_24*t272
+        + D_delta_z_24*t273 + D_p_rx_3*h_rx_w_carriage_6z + D_p_ry_3*h_ry_w_carriage_6z
         + D_p_rz_3*h_rz_w_carriage_6z + D_p_x_3*h_x_w_carriage_6z + D_p_y_3*h_y_w_carriage_6z
         + D_p_z_3*h_z_w_carriage_6z
     )
     M_wq_out[..., 17, 3] = (
-        D_delta_rx_24*t276 + D_delta_ry_24*t277 + D_delta_rz_24*t278 + D_delta_x_24*t273 + D_delta_y_24*t274
-        + D_delta_z_24*t275 + D_p_rx_4*h_rx_w_carriage_6z + D_p_ry_4*h_ry_w_carriage_6z
+        D_delta_rx_24*t280 + D_delta_ry_24*t281 + D_delta_rz_24*t282 + D_delta_x_24*t277 + D_delta_y_24*t278
+        + D_delta_z_24*t279 + D_p_rx_4*h_rx_w_carriage_6z + D_p_ry_4*h_ry_w_carriage_6z
         + D_p_rz_4*h_rz_w_carriage_6z + D_p_x_4*h_x_w_carriage_6z + D_p_y_4*h_y_w_carriage_6z
         + D_p_z_4*h_z_w_carriage_6z
     )
     M_wq_out[..., 17, 4] = (
-        D_delta_rx_24*t282 + D_delta_ry_24*t283 + D_delta_rz_24*t284 + D_delta_x_24*t279 + D_delta_y_24*t280
-        + D_delta_z_24*t281 + D_p_rx_5*h_rx_w_carriage_6z + D_p_ry_5*h_ry_w_carriage_6z
+        D_delta_rx_24*t286 + D_delta_ry_24*t287 + D_delta_rz_24*t288 + D_delta_x_24*t283 + D_delta_y_24*t284
+        + D_delta_z_24*t285 + D_p_rx_5*h_rx_w_carriage_6z + D_p_ry_5*h_ry_w_carriage_6z
         + D_p_rz_5*h_rz_w_carriage_6z + D_p_x_5*h_x_w_carriage_6z + D_p_y_5*h_y_w_carriage_6z
         + D_p_z_5*h_z_w_carriage_6z
     )
     M_wq_out[..., 17, 5] = (
-        D_delta_rx_24*t288 + D_delta_ry_24*t289 + D_delta_rz_24*t290 + D_delta_x_24*t285 + D_delta_y_24*t286
+        D_delta_rx_24*t292 + D_delta_ry_24*t293 + D_delta_rz_24*t294 + D_delta_x_24*t289 + D_delta_y_24*t290
         + D_p_rx_6*h_rx_w_carriage_6z + D_p_ry_6*h_ry_w_carriage_6z + D_p_rz_6*h_rz_w_carriage_6z
         + D_p_x_6*h_x_w_carriage_6z + D_p_y_6*h_y_w_carriage_6z + D_p_z_6*h_z_w_carriage_6z + m_t_6*n_6_z
-        + n_6_z*t188 + n_6_z*t318
+        + n_6_z*t188 + n_6_z*t378 + t379
     )
+    M_wq_out[..., 17, 11] = t371*t380
+    M_wq_out[..., 17, 17] = t373*t380
     M_wq_out[..., 17, 24] = (
         D_delta_rx_1*h_rx_w_carriage_6z + D_delta_ry_1*h_ry_w_carriage_6z + D_delta_rz_1*h_rz_w_carriage_6z
         + D_delta_x_1*h_x_w_carriage_6z + D_delta_y_1*h_y_w_carriage_6z + D_delta_z_1*h_z_w_carriage_6z
@@ -4297,1561 +4470,1649 @@ def mount_matrices(p, parameters, effects):
         D_delta_rx_6*h_rx_w_carriage_6z + D_delta_ry_6*h_ry_w_carriage_6z + D_delta_rz_6*h_rz_w_carriage_6z
         + D_delta_x_6*h_x_w_carriage_6z + D_delta_y_6*h_y_w_carriage_6z + D_delta_z_6*h_z_w_carriage_6z
     )
-    M_wq_out[..., 17, 36] = D_delta_ry_24*t291 - D_delta_rz_24*t292 + D_delta_x_24*t293 + h_x_w_carriage_6z
-    M_wq_out[..., 17, 37] = -D_delta_rx_24*t291 + D_delta_rz_24*t295 + D_delta_y_24*t293 + h_y_w_carriage_6z
+    M_wq_out[..., 17, 35] = t379
+    M_wq_out[..., 17, 36] = D_delta_ry_24*t299 - D_delta_rz_24*t300 + D_delta_x_24*t301 + h_x_w_carriage_6z
+    M_wq_out[..., 17, 37] = -D_delta_rx_24*t299 + D_delta_rz_24*t303 + D_delta_y_24*t301 + h_y_w_carriage_6z
     M_wq_out[..., 17, 38] = (
-        D_delta_rx_24*t292 - D_delta_ry_24*t295 + D_delta_z_24*t293 + h_z_w_carriage_6z + t316
+        D_delta_rx_24*t300 - D_delta_ry_24*t303 + D_delta_z_24*t301 + h_z_w_carriage_6z + t374
     )
-    M_wq_out[..., 18, 0] = t320
-    M_wq_out[..., 18, 6] = (1/3)*R_p_1*l_f_1_3*rho_b - t323
-    M_wq_out[..., 18, 12] = t324
-    M_wq_out[..., 18, 30] = t320
-    M_wq_out[..., 19, 0] = t325
-    M_wq_out[..., 19, 6] = t324
-    M_wq_out[..., 19, 12] = (1/3)*R_p_1*l_f_1_2*rho_b - t323
-    M_wq_out[..., 19, 30] = t325
-    M_wq_out[..., 20, 1] = t326
-    M_wq_out[..., 20, 7] = (1/3)*R_p_2*l_f_2_3*rho_b - t328
-    M_wq_out[..., 20, 13] = t329
-    M_wq_out[..., 20, 31] = t326
-    M_wq_out[..., 21, 1] = t330
-    M_wq_out[..., 21, 7] = t329
-    M_wq_out[..., 21, 13] = (1/3)*R_p_2*l_f_2_2*rho_b - t328
-    M_wq_out[..., 21, 31] = t330
-    M_wq_out[..., 22, 2] = t331
-    M_wq_out[..., 22, 8] = (1/3)*R_p_3*l_f_3_3*rho_b - t333
-    M_wq_out[..., 22, 14] = t334
-    M_wq_out[..., 22, 32] = t331
-    M_wq_out[..., 23, 2] = t335
-    M_wq_out[..., 23, 8] = t334
-    M_wq_out[..., 23, 14] = (1/3)*R_p_3*l_f_3_2*rho_b - t333
-    M_wq_out[..., 23, 32] = t335
-    M_wq_out[..., 24, 3] = t336
-    M_wq_out[..., 24, 9] = (1/3)*R_p_4*l_f_4_3*rho_b - t338
-    M_wq_out[..., 24, 15] = t339
-    M_wq_out[..., 24, 33] = t336
-    M_wq_out[..., 25, 3] = t340
-    M_wq_out[..., 25, 9] = t339
-    M_wq_out[..., 25, 15] = (1/3)*R_p_4*l_f_4_2*rho_b - t338
-    M_wq_out[..., 25, 33] = t340
-    M_wq_out[..., 26, 4] = t341
-    M_wq_out[..., 26, 10] = (1/3)*R_p_5*l_f_5_3*rho_b - t343
-    M_wq_out[..., 26, 16] = t344
-    M_wq_out[..., 26, 34] = t341
-    M_wq_out[..., 27, 4] = t345
-    M_wq_out[..., 27, 10] = t344
-    M_wq_out[..., 27, 16] = (1/3)*R_p_5*l_f_5_2*rho_b - t343
-    M_wq_out[..., 27, 34] = t345
-    M_wq_out[..., 28, 5] = t346
-    M_wq_out[..., 28, 11] = (1/3)*R_p_6*l_f_6_3*rho_b - t348
-    M_wq_out[..., 28, 17] = t349
-    M_wq_out[..., 28, 35] = t346
-    M_wq_out[..., 29, 5] = t350
-    M_wq_out[..., 29, 11] = t349
-    M_wq_out[..., 29, 17] = (1/3)*R_p_6*l_f_6_2*rho_b - t348
-    M_wq_out[..., 29, 35] = t350
+    M_wq_out[..., 18, 0] = t296
+    M_wq_out[..., 18, 6] = (1/3)*R_p_1*l_f_1_3*rho_b - t382
+    M_wq_out[..., 18, 12] = t383
+    M_wq_out[..., 18, 30] = t296
+    M_wq_out[..., 19, 0] = t298
+    M_wq_out[..., 19, 6] = t383
+    M_wq_out[..., 19, 12] = (1/3)*R_p_1*l_f_1_2*rho_b - t382
+    M_wq_out[..., 19, 30] = t298
+    M_wq_out[..., 20, 1] = t315
+    M_wq_out[..., 20, 7] = (1/3)*R_p_2*l_f_2_3*rho_b - t385
+    M_wq_out[..., 20, 13] = t386
+    M_wq_out[..., 20, 31] = t315
+    M_wq_out[..., 21, 1] = t317
+    M_wq_out[..., 21, 7] = t386
+    M_wq_out[..., 21, 13] = (1/3)*R_p_2*l_f_2_2*rho_b - t385
+    M_wq_out[..., 21, 31] = t317
+    M_wq_out[..., 22, 2] = t329
+    M_wq_out[..., 22, 8] = (1/3)*R_p_3*l_f_3_3*rho_b - t388
+    M_wq_out[..., 22, 14] = t389
+    M_wq_out[..., 22, 32] = t329
+    M_wq_out[..., 23, 2] = t331
+    M_wq_out[..., 23, 8] = t389
+    M_wq_out[..., 23, 14] = (1/3)*R_p_3*l_f_3_2*rho_b - t388
+    M_wq_out[..., 23, 32] = t331
+    M_wq_out[..., 24, 3] = t343
+    M_wq_out[..., 24, 9] = (1/3)*R_p_4*l_f_4_3*rho_b - t391
+    M_wq_out[..., 24, 15] = t392
+    M_wq_out[..., 24, 33] = t343
+    M_wq_out[..., 25, 3] = t345
+    M_wq_out[..., 25, 9] = t392
+    M_wq_out[..., 25, 15] = (1/3)*R_p_4*l_f_4_2*rho_b - t391
+    M_wq_out[..., 25, 33] = t345
+    M_wq_out[..., 26, 4] = t357
+    M_wq_out[..., 26, 10] = (1/3)*R_p_5*l_f_5_3*rho_b - t394
+    M_wq_out[..., 26, 16] = t395
+    M_wq_out[..., 26, 34] = t357
+    M_wq_out[..., 27, 4] = t359
+    M_wq_out[..., 27, 10] = t395
+    M_wq_out[..., 27, 16] = (1/3)*R_p_5*l_f_5_2*rho_b - t394
+    M_wq_out[..., 27, 34] = t359
+    M_wq_out[..., 28, 5] = t371
+    M_wq_out[..., 28, 11] = (1/3)*R_p_6*l_f_6_3*rho_b - t397
+    M_wq_out[..., 28, 17] = t398
+    M_wq_out[..., 28, 35] = t371
+    M_wq_out[..., 29, 5] = t373
+    M_wq_out[..., 29, 11] = t398
+    M_wq_out[..., 29, 17] = (1/3)*R_p_6*l_f_6_2*rho_b - t397
+    M_wq_out[..., 29, 35] = t373
     M_ww_out = np.empty((*batch, 30), dtype)
     M_ww_out[..., 0] = (
         D_delta_rx_7*h_rx_w_carriage_1x + D_delta_ry_7*h_ry_w_carriage_1x + D_delta_ry_7*t237
         + D_delta_rz_7*h_rz_w_carriage_1x - D_delta_rz_7*t238 + D_delta_x_7*h_x_w_carriage_1x
-        + D_delta_y_7*h_y_w_carriage_1x + D_delta_z_7*h_z_w_carriage_1x + t255 + t294
+        + D_delta_y_7*h_y_w_carriage_1x + D_delta_z_7*h_z_w_carriage_1x + t258 + t262*t399 + t263*t399 + t302
     )
     M_ww_out[..., 1] = (
         D_delta_rx_8*h_rx_w_carriage_1y - D_delta_rx_8*t237 + D_delta_ry_8*h_ry_w_carriage_1y
         + D_delta_rz_8*h_rz_w_carriage_1y + D_delta_rz_8*t249 + D_delta_x_8*h_x_w_carriage_1y
-        + D_delta_y_8*h_y_w_carriage_1y + D_delta_z_8*h_z_w_carriage_1y + t294 + t297
+        + D_delta_y_8*h_y_w_carriage_1y + D_delta_z_8*h_z_w_carriage_1y + t262*t400 + t263*t400 + t302 + t305
     )
     M_ww_out[..., 2] = (
         D_delta_rx_9*h_rx_w_carriage_1z + D_delta_rx_9*t238 + D_delta_ry_9*h_ry_w_carriage_1z
         - D_delta_ry_9*t249 + D_delta_rz_9*h_rz_w_carriage_1z + D_delta_x_9*h_x_w_carriage_1z
-        + D_delta_y_9*h_y_w_carriage_1z + D_delta_z_9*h_z_w_carriage_1z + t294 + t298
+        + D_delta_y_9*h_y_w_carriage_1z + D_delta_z_9*h_z_w_carriage_1z + t262*t401 + t263*t401 + t302 + t308
     )
     M_ww_out[..., 3] = (
         D_delta_rx_10*h_rx_w_carriage_2x + D_delta_ry_10*h_ry_w_carriage_2x + D_delta_ry_10*t239
         + D_delta_rz_10*h_rz_w_carriage_2x - D_delta_rz_10*t240 + D_delta_x_10*h_x_w_carriage_2x
-        + D_delta_y_10*h_y_w_carriage_2x + D_delta_z_10*h_z_w_carriage_2x + t299 + t300
+        + D_delta_y_10*h_y_w_carriage_2x + D_delta_z_10*h_z_w_carriage_2x + t311 + t312*t402 + t313*t402
+        + t318
     )
     M_ww_out[..., 4] = (
         D_delta_rx_11*h_rx_w_carriage_2y - D_delta_rx_11*t239 + D_delta_ry_11*h_ry_w_carriage_2y
         + D_delta_rz_11*h_rz_w_carriage_2y + D_delta_rz_11*t250 + D_delta_x_11*h_x_w_carriage_2y
-        + D_delta_y_11*h_y_w_carriage_2y + D_delta_z_11*h_z_w_carriage_2y + t300 + t301
+        + D_delta_y_11*h_y_w_carriage_2y + D_delta_z_11*h_z_w_carriage_2y + t312*t403 + t313*t403 + t318
+        + t319
     )
     M_ww_out[..., 5] = (
         D_delta_rx_12*h_rx_w_carriage_2z + D_delta_rx_12*t240 + D_delta_ry_12*h_ry_w_carriage_2z
         - D_delta_ry_12*t250 + D_delta_rz_12*h_rz_w_carriage_2z + D_delta_x_12*h_x_w_carriage_2z
-        + D_delta_y_12*h_y_w_carriage_2z + D_delta_z_12*h_z_w_carriage_2z + t300 + t302
+        + D_delta_y_12*h_y_w_carriage_2z + D_delta_z_12*h_z_w_carriage_2z + t312*t404 + t313*t404 + t318
+        + t322
     )
     M_ww_out[..., 6] = (
         D_delta_rx_13*h_rx_w_carriage_3x + D_delta_ry_13*h_ry_w_carriage_3x + D_delta_ry_13*t241
         + D_delta_rz_13*h_rz_w_carriage_3x - D_delta_rz_13*t242 + D_delta_x_13*h_x_w_carriage_3x
-        + D_delta_y_13*h_y_w_carriage_3x + D_delta_z_13*h_z_w_carriage_3x + t303 + t304
+        + D_delta_y_13*h_y_w_carriage_3x + D_delta_z_13*h_z_w_carriage_3x + t325 + t326*t405 + t327*t405
+        + t332
     )
     M_ww_out[..., 7] = (
         D_delta_rx_14*h_rx_w_carriage_3y - D_delta_rx_14*t241 + D_delta_ry_14*h_ry_w_carriage_3y
         + D_delta_rz_14*h_rz_w_carriage_3y + D_delta_rz_14*t251 + D_delta_x_14*h_x_w_carriage_3y
-        + D_delta_y_14*h_y_w_carriage_3y + D_delta_z_14*h_z_w_carriage_3y + t304 + t305
+        + D_delta_y_14*h_y_w_carriage_3y + D_delta_z_14*h_z_w_carriage_3y + t326*t406 + t327*t406 + t332
+        + t333
     )
     M_ww_out[..., 8] = (
         D_delta_rx_15*h_rx_w_carriage_3z + D_delta_rx_15*t242 + D_delta_ry_15*h_ry_w_carriage_3z
         - D_delta_ry_15*t251 + D_delta_rz_15*h_rz_w_carriage_3z + D_delta_x_15*h_x_w_carriage_3z
-        + D_delta_y_15*h_y_w_carriage_3z + D_delta_z_15*h_z_w_carriage_3z + t304 + t306
+        + D_delta_y_15*h_y_w_carriage_3z + D_delta_z_15*h_z_w_carriage_3z + t326*t407 + t327*t407 + t332
+        + t336
     )
     M_ww_out[..., 9] = (
         D_delta_rx_16*h_rx_w_carriage_4x + D_delta_ry_16*h_ry_w_carriage_4x + D_delta_ry_16*t243
         + D_delta_rz_16*h_rz_w_carriage_4x - D_delta_rz_16*t244 + D_delta_x_16*h_x_w_carriage_4x
-        + D_delta_y_16*h_y_w_carriage_4x + D_delta_z_16*h_z_w_carriage_4x + t307 + t308
+        + D_delta_y_16*h_y_w_carriage_4x + D_delta_z_16*h_z_w_carriage_4x + t339 + t340*t408 + t341*t408
+        + t346
     )
     M_ww_out[..., 10] = (
         D_delta_rx_17*h_rx_w_carriage_4y - D_delta_rx_17*t243 + D_delta_ry_17*h_ry_w_carriage_4y
         + D_delta_rz_17*h_rz_w_carriage_4y + D_delta_rz_17*t252 + D_delta_x_17*h_x_w_carriage_4y
-        + D_delta_y_17*h_y_w_carriage_4y + D_delta_z_17*h_z_w_carriage_4y + t308 + t309
+        + D_delta_y_17*h_y_w_carriage_4y + D_delta_z_17*h_z_w_carriage_4y + t340*t409 + t341*t409 + t346
+        + t347
     )
     M_ww_out[..., 11] = (
         D_delta_rx_18*h_rx_w_carriage_4z + D_delta_rx_18*t244 + D_delta_ry_18*h_ry_w_carriage_4z
         - D_delta_ry_18*t252 + D_delta_rz_18*h_rz_w_carriage_4z + D_delta_x_18*h_x_w_carriage_4z
-        + D_delta_y_18*h_y_w_carriage_4z + D_delta_z_18*h_z_w_carriage_4z + t308 + t310
+        + D_delta_y_18*h_y_w_carriage_4z + D_delta_z_18*h_z_w_carriage_4z + t340*t410 + t341*t410 + t346
+        + t350
     )
     M_ww_out[..., 12] = (
         D_delta_rx_19*h_rx_w_carriage_5x + D_delta_ry_19*h_ry_w_carriage_5x + D_delta_ry_19*t245
         + D_delta_rz_19*h_rz_w_carriage_5x - D_delta_rz_19*t246 + D_delta_x_19*h_x_w_carriage_5x
-        + D_delta_y_19*h_y_w_carriage_5x + D_delta_z_19*h_z_w_carriage_5x + t311 + t312
+        + D_delta_y_19*h_y_w_carriage_5x + D_delta_z_19*h_z_w_carriage_5x + t353 + t354*t411 + t355*t411
+        + t360
     )
     M_ww_out[..., 13] = (
         D_delta_rx_20*h_rx_w_carriage_5y - D_delta_rx_20*t245 + D_delta_ry_20*h_ry_w_carriage_5y
         + D_delta_rz_20*h_rz_w_carriage_5y + D_delta_rz_20*t253 + D_delta_x_20*h_x_w_carriage_5y
-        + D_delta_y_20*h_y_w_carriage_5y + D_delta_z_20*h_z_w_carriage_5y + t312 + t313
+        + D_delta_y_20*h_y_w_carriage_5y + D_delta_z_20*h_z_w_carriage_5y + t354*t412 + t355*t412 + t360
+        + t361
     )
     M_ww_out[..., 14] = (
         D_delta_rx_21*h_rx_w_carriage_5z + D_delta_rx_21*t246 + D_delta_ry_21*h_ry_w_carriage_5z
         - D_delta_ry_21*t253 + D_delta_rz_21*h_rz_w_carriage_5z + D_delta_x_21*h_x_w_carriage_5z
-        + D_delta_y_21*h_y_w_carriage_5z + D_delta_z_21*h_z_w_carriage_5z + t312 + t314
+        + D_delta_y_21*h_y_w_carriage_5z + D_delta_z_21*h_z_w_carriage_5z + t354*t413 + t355*t413 + t360
+        + t364
     )
     M_ww_out[..., 15] = (
         D_delta_rx_22*h_rx_w_carriage_6x + D_delta_ry_22*h_ry_w_carriage_6x + D_delta_ry_22*t247
         + D_delta_rz_22*h_rz_w_carriage_6x - D_delta_rz_22*t248 + D_delta_x_22*h_x_w_carriage_6x
-        + D_delta_y_22*h_y_w_carriage_6x + D_delta_z_22*h_z_w_carriage_6x + t315 + t316
+        + D_delta_y_22*h_y_w_carriage_6x + D_delta_z_22*h_z_w_carriage_6x + t367 + t368*t414 + t369*t414
+        + t374
     )
     M_ww_out[..., 16] = (
         D_delta_rx_23*h_rx_w_carriage_6y - D_delta_rx_23*t247 + D_delta_ry_23*h_ry_w_carriage_6y
         + D_delta_rz_23*h_rz_w_carriage_6y + D_delta_rz_23*t254 + D_delta_x_23*h_x_w_carriage_6y
-        + D_delta_y_23*h_y_w_carriage_6y + D_delta_z_23*h_z_w_carriage_6y + t316 + t317
+        + D_delta_y_23*h_y_w_carriage_6y + D_delta_z_23*h_z_w_carriage_6y + t368*t415 + t369*t415 + t374
+        + t375
     )
     M_ww_out[..., 17] = (
         D_delta_rx_24*h_rx_w_carriage_6z + D_delta_rx_24*t248 + D_delta_ry_24*h_ry_w_carriage_6z
         - D_delta_ry_24*t254 + D_delta_rz_24*h_rz_w_carriage_6z + D_delta_x_24*h_x_w_carriage_6z
-        + D_delta_y_24*h_y_w_carriage_6z + D_delta_z_24*h_z_w_carriage_6z + t316 + t318
+        + D_delta_y_24*h_y_w_carriage_6z + D_delta_z_24*h_z_w_carriage_6z + t368*t416 + t369*t416 + t374
+        + t378
     )
-    M_ww_out[..., 18] = l_f_1_3*t321 + t322
-    M_ww_out[..., 19] = l_f_1_2*t321 + t322
-    M_ww_out[..., 20] = l_f_2_3*t321 + t327
-    M_ww_out[..., 21] = l_f_2_2*t321 + t327
-    M_ww_out[..., 22] = l_f_3_3*t321 + t332
-    M_ww_out[..., 23] = l_f_3_2*t321 + t332
-    M_ww_out[..., 24] = l_f_4_3*t321 + t337
-    M_ww_out[..., 25] = l_f_4_2*t321 + t337
-    M_ww_out[..., 26] = l_f_5_3*t321 + t342
-    M_ww_out[..., 27] = l_f_5_2*t321 + t342
-    M_ww_out[..., 28] = l_f_6_3*t321 + t347
-    M_ww_out[..., 29] = l_f_6_2*t321 + t347
+    M_ww_out[..., 18] = t263 + t381
+    M_ww_out[..., 19] = t262 + t381
+    M_ww_out[..., 20] = t313 + t384
+    M_ww_out[..., 21] = t312 + t384
+    M_ww_out[..., 22] = t327 + t387
+    M_ww_out[..., 23] = t326 + t387
+    M_ww_out[..., 24] = t341 + t390
+    M_ww_out[..., 25] = t340 + t390
+    M_ww_out[..., 26] = t355 + t393
+    M_ww_out[..., 27] = t354 + t393
+    M_ww_out[..., 28] = t369 + t396
+    M_ww_out[..., 29] = t368 + t396
     K_wq_out = np.zeros((*batch, 30, 39), dtype)
     K_wq_out[..., 0, 0] = (
-        D_delta_rx_7*t357 + D_delta_ry_7*t358 + D_delta_rz_7*t359 + D_delta_x_7*t351 + D_delta_y_7*t354
-        + D_delta_z_7*t356 + D_p_rx_1*f_rx_w_carriage_1x + D_p_ry_1*f_ry_w_carriage_1x
-        + D_p_rz_1*f_rz_w_carriage_1x + D_p_x_1*f_x_w_carriage_1x + D_p_x_1*t352 + D_p_y_1*f_y_w_carriage_1x
-        + D_p_y_1*t353 + D_p_z_1*f_z_w_carriage_1x + D_p_z_1*t355 - t351
+        D_delta_rx_7*t417 + D_delta_ry_7*t418 + D_delta_rz_7*t419 + D_delta_x_7*t420 + D_delta_y_7*t423
+        + D_delta_z_7*t425 + D_p_rx_1*f_rx_w_carriage_1x + D_p_ry_1*f_ry_w_carriage_1x
+        + D_p_rz_1*f_rz_w_carriage_1x + D_p_x_1*f_x_w_carriage_1x + D_p_x_1*t421 + D_p_y_1*f_y_w_carriage_1x
+        + D_p_y_1*t422 + D_p_z_1*f_z_w_carriage_1x + D_p_z_1*t424 - t420 + t428
     )
     K_wq_out[..., 0, 1] = (
-        D_delta_rx_7*t363 + D_delta_ry_7*t364 + D_delta_rz_7*t365 + D_delta_x_7*t360 + D_delta_y_7*t361
-        + D_delta_z_7*t362 + D_p_rx_2*f_rx_w_carriage_1x + D_p_ry_2*f_ry_w_carriage_1x
-        + D_p_rz_2*f_rz_w_carriage_1x + D_p_x_2*f_x_w_carriage_1x + D_p_x_2*t352 + D_p_y_2*f_y_w_carriage_1x
-        + D_p_y_2*t353 + D_p_z_2*f_z_w_carriage_1x + D_p_z_2*t355
+        D_delta_rx_7*t432 + D_delta_ry_7*t433 + D_delta_rz_7*t434 + D_delta_x_7*t429 + D_delta_y_7*t430
+        + D_delta_z_7*t431 + D_p_rx_2*f_rx_w_carriage_1x + D_p_ry_2*f_ry_w_carriage_1x
+        + D_p_rz_2*f_rz_w_carriage_1x + D_p_x_2*f_x_w_carriage_1x + D_p_x_2*t421 + D_p_y_2*f_y_w_carriage_1x
+        + D_p_y_2*t422 + D_p_z_2*f_z_w_carriage_1x + D_p_z_2*t424
     )
     K_wq_out[..., 0, 2] = (
-        D_delta_rx_7*t369 + D_delta_ry_7*t370 + D_delta_rz_7*t371 + D_delta_x_7*t366 + D_delta_y_7*t367
-        + D_delta_z_7*t368 + D_p_rx_3*f_rx_w_carriage_1x + D_p_ry_3*f_ry_w_carriage_1x
-        + D_p_rz_3*f_rz_w_carriage_1x + D_p_x_3*f_x_w_carriage_1x + D_p_x_3*t352 + D_p_y_3*f_y_w_carriage_1x
-        + D_p_y_3*t353 + D_p_z_3*f_z_w_carriage_1x + D_p_z_3*t355
+        D_delta_rx_7*t438 + D_delta_ry_7*t439 + D_delta_rz_7*t440 + D_delta_x_7*t435 + D_delta_y_7*t436
+        + D_delta_z_7*t437 + D_p_rx_3*f_rx_w_carriage_1x + D_p_ry_3*f_ry_w_carriage_1x
+        + D_p_rz_3*f_rz_w_carriage_1x + D_p_x_3*f_x_w_carriage_1x + D_p_x_3*t421 + D_p_y_3*f_y_w_carriage_1x
+        + D_p_y_3*t422 + D_p_z_3*f_z_w_carriage_1x + D_p_z_3*t424
     )
     K_wq_out[..., 0, 3] = (
-        D_delta_rx_7*t375 + D_delta_ry_7*t376 + D_delta_rz_7*t377 + D_delta_x_7*t372 + D_delta_y_7*t373
-        + D_delta_z_7*t374 + D_p_rx_4*f_rx_w_carriage_1x + D_p_ry_4*f_ry_w_carriage_1x
-        + D_p_rz_4*f_rz_w_carriage_1x + D_p_x_4*f_x_w_carriage_1x + D_p_x_4*t352 + D_p_y_4*f_y_w_carriage_1x
-        + D_p_y_4*t353 + D_p_z_4*f_z_w_carriage_1x + D_p_z_4*t355
+        D_delta_rx_7*t444 + D_delta_ry_7*t445 + D_delta_rz_7*t446 + D_delta_x_7*t441 + D_delta_y_7*t442
+        + D_delta_z_7*t443 + D_p_rx_4*f_rx_w_carriage_1x + D_p_ry_4*f_ry_w_carriage_1x
+        + D_p_rz_4*f_rz_w_carriage_1x + D_p_x_4*f_x_w_carriage_1x + D_p_x_4*t421 + D_p_y_4*f_y_w_carriage_1x
+        + D_p_y_4*t422 + D_p_z_4*f_z_w_carriage_1x + D_p_z_4*t424
     )
     K_wq_out[..., 0, 4] = (
-        D_delta_rx_7*t381 + D_delta_ry_7*t382 + D_delta_rz_7*t383 + D_delta_x_7*t378 + D_delta_y_7*t379
-        + D_delta_z_7*t380 + D_p_rx_5*f_rx_w_carriage_1x + D_p_ry_5*f_ry_w_carriage_1x
-        + D_p_rz_5*f_rz_w_carriage_1x + D_p_x_5*f_x_w_carriage_1x + D_p_x_5*t352 + D_p_y_5*f_y_w_carriage_1x
-        + D_p_y_5*t353 + D_p_z_5*f_z_w_carriage_1x + D_p_z_5*t355
+        D_delta_rx_7*t450 + D_delta_ry_7*t451 + D_delta_rz_7*t452 + D_delta_x_7*t447 + D_delta_y_7*t448
+        + D_delta_z_7*t449 + D_p_rx_5*f_rx_w_carriage_1x + D_p_ry_5*f_ry_w_carriage_1x
+        + D_p_rz_5*f_rz_w_carriage_1x + D_p_x_5*f_x_w_carriage_1x + D_p_x_5*t421 + D_p_y_5*f_y_w_carriage_1x
+        + D_p_y_5*t422 + D_p_z_5*f_z_w_carriage_1x + D_p_z_5*t424
     )
     K_wq_out[..., 0, 5] = (
-        D_delta_rx_7*t387 + D_delta_ry_7*t388 + D_delta_rz_7*t389 + D_delta_x_7*t384 + D_delta_y_7*t385
-        + D_delta_z_7*t386 + D_p_rx_6*f_rx_w_carriage_1x + D_p_ry_6*f_ry_w_carriage_1x
-        + D_p_rz_6*f_rz_w_carriage_1x + D_p_x_6*f_x_w_carriage_1x + D_p_x_6*t352 + D_p_y_6*f_y_w_carriage_1x
-        + D_p_y_6*t353 + D_p_z_6*f_z_w_carriage_1x + D_p_z_6*t355
+        D_delta_rx_7*t456 + D_delta_ry_7*t457 + D_delta_rz_7*t458 + D_delta_x_7*t453 + D_delta_y_7*t454
+        + D_delta_z_7*t455 + D_p_rx_6*f_rx_w_carriage_1x + D_p_ry_6*f_ry_w_carriage_1x
+        + D_p_rz_6*f_rz_w_carriage_1x + D_p_x_6*f_x_w_carriage_1x + D_p_x_6*t421 + D_p_y_6*f_y_w_carriage_1x
+        + D_p_y_6*t422 + D_p_z_6*f_z_w_carriage_1x + D_p_z_6*t424
     )
+    K_wq_out[..., 0, 6] = -R_p_1*t427
+    K_wq_out[..., 0, 12] = -R_p_1*t426
     K_wq_out[..., 0, 24] = (
         D_delta_rx_1*f_rx_w_carriage_1x + D_delta_ry_1*f_ry_w_carriage_1x + D_delta_rz_1*f_rz_w_carriage_1x
-        + D_delta_x_1*f_x_w_carriage_1x + D_delta_x_1*t352 + D_delta_y_1*f_y_w_carriage_1x + D_delta_y_1*t353
-        + D_delta_z_1*f_z_w_carriage_1x + D_delta_z_1*t355
+        + D_delta_x_1*f_x_w_carriage_1x + D_delta_x_1*t421 + D_delta_y_1*f_y_w_carriage_1x + D_delta_y_1*t422
+        + D_delta_z_1*f_z_w_carriage_1x + D_delta_z_1*t424
     )
     K_wq_out[..., 0, 25] = (
         D_delta_rx_2*f_rx_w_carriage_1x + D_delta_ry_2*f_ry_w_carriage_1x + D_delta_rz_2*f_rz_w_carriage_1x
-        + D_delta_x_2*f_x_w_carriage_1x + D_delta_x_2*t352 + D_delta_y_2*f_y_w_carriage_1x + D_delta_y_2*t353
-        + D_delta_z_2*f_z_w_carriage_1x + D_delta_z_2*t355
+        + D_delta_x_2*f_x_w_carriage_1x + D_delta_x_2*t421 + D_delta_y_2*f_y_w_carriage_1x + D_delta_y_2*t422
+        + D_delta_z_2*f_z_w_carriage_1x + D_delta_z_2*t424
     )
     K_wq_out[..., 0, 26] = (
         D_delta_rx_3*f_rx_w_carriage_1x + D_delta_ry_3*f_ry_w_carriage_1x + D_delta_rz_3*f_rz_w_carriage_1x
-        + D_delta_x_3*f_x_w_carriage_1x + D_delta_x_3*t352 + D_delta_y_3*f_y_w_carriage_1x + D_delta_y_3*t353
-        + D_delta_z_3*f_z_w_carriage_1x + D_delta_z_3*t355
+        + D_delta_x_3*f_x_w_carriage_1x + D_delta_x_3*t421 + D_delta_y_3*f_y_w_carriage_1x + D_delta_y_3*t422
+        + D_delta_z_3*f_z_w_carriage_1x + D_delta_z_3*t424
     )
     K_wq_out[..., 0, 27] = (
         D_delta_rx_4*f_rx_w_carriage_1x + D_delta_ry_4*f_ry_w_carriage_1x + D_delta_rz_4*f_rz_w_carriage_1x
-        + D_delta_x_4*f_x_w_carriage_1x + D_delta_x_4*t352 + D_delta_y_4*f_y_w_carriage_1x + D_delta_y_4*t353
-        + D_delta_z_4*f_z_w_carriage_1x + D_delta_z_4*t355
+        + D_delta_x_4*f_x_w_carriage_1x + D_delta_x_4*t421 + D_delta_y_4*f_y_w_carriage_1x + D_delta_y_4*t422
+        + D_delta_z_4*f_z_w_carriage_1x + D_delta_z_4*t424
     )
     K_wq_out[..., 0, 28] = (
         D_delta_rx_5*f_rx_w_carriage_1x + D_delta_ry_5*f_ry_w_carriage_1x + D_delta_rz_5*f_rz_w_carriage_1x
-        + D_delta_x_5*f_x_w_carriage_1x + D_delta_x_5*t352 + D_delta_y_5*f_y_w_carriage_1x + D_delta_y_5*t353
-        + D_delta_z_5*f_z_w_carriage_1x + D_delta_z_5*t355
+        + D_delta_x_5*f_x_w_carriage_1x + D_delta_x_5*t421 + D_delta_y_5*f_y_w_carriage_1x + D_delta_y_5*t422
+        + D_delta_z_5*f_z_w_carriage_1x + D_delta_z_5*t424
     )
     K_wq_out[..., 0, 29] = (
         D_delta_rx_6*f_rx_w_carriage_1x + D_delta_ry_6*f_ry_w_carriage_1x + D_delta_rz_6*f_rz_w_carriage_1x
-        + D_delta_x_6*f_x_w_carriage_1x + D_delta_x_6*t352 + D_delta_y_6*f_y_w_carriage_1x + D_delta_y_6*t353
-        + D_delta_z_6*f_z_w_carriage_1x + D_delta_z_6*t355
+        + D_delta_x_6*f_x_w_carriage_1x + D_delta_x_6*t421 + D_delta_y_6*f_y_w_carriage_1x + D_delta_y_6*t422
+        + D_delta_z_6*f_z_w_carriage_1x + D_delta_z_6*t424
     )
-    K_wq_out[..., 0, 36] = t352
-    K_wq_out[..., 0, 37] = t353
-    K_wq_out[..., 0, 38] = t355
+    K_wq_out[..., 0, 30] = t428
+    K_wq_out[..., 0, 36] = t421
+    K_wq_out[..., 0, 37] = t422
+    K_wq_out[..., 0, 38] = t424
     K_wq_out[..., 1, 0] = (
-        D_delta_rx_8*t357 + D_delta_ry_8*t358 + D_delta_rz_8*t359 + D_delta_x_8*t351 + D_delta_y_8*t354
-        + D_delta_z_8*t356 + D_p_rx_1*f_rx_w_carriage_1y + D_p_ry_1*f_ry_w_carriage_1y
-        + D_p_rz_1*f_rz_w_carriage_1y + D_p_x_1*f_x_w_carriage_1y + D_p_x_1*t390 + D_p_y_1*f_y_w_carriage_1y
-        + D_p_y_1*t391 + D_p_z_1*f_z_w_carriage_1y + D_p_z_1*t392 - t354
+        D_delta_rx_8*t417 + D_delta_ry_8*t418 + D_delta_rz_8*t419 + D_delta_x_8*t420 + D_delta_y_8*t423
+        + D_delta_z_8*t425 + D_p_rx_1*f_rx_w_carriage_1y + D_p_ry_1*f_ry_w_carriage_1y
+        + D_p_rz_1*f_rz_w_carriage_1y + D_p_x_1*f_x_w_carriage_1y + D_p_x_1*t459 + D_p_y_1*f_y_w_carriage_1y
+        + D_p_y_1*t460 + D_p_z_1*f_z_w_carriage_1y + D_p_z_1*t461 - t423 + t464
     )
     K_wq_out[..., 1, 1] = (
-        D_delta_rx_8*t363 + D_delta_ry_8*t364 + D_delta_rz_8*t365 + D_delta_x_8*t360 + D_delta_y_8*t361
-        + D_delta_z_8*t362 + D_p_rx_2*f_rx_w_carriage_1y + D_p_ry_2*f_ry_w_carriage_1y
-        + D_p_rz_2*f_rz_w_carriage_1y + D_p_x_2*f_x_w_carriage_1y + D_p_x_2*t390 + D_p_y_2*f_y_w_carriage_1y
-        + D_p_y_2*t391 + D_p_z_2*f_z_w_carriage_1y + D_p_z_2*t392
+        D_delta_rx_8*t432 + D_delta_ry_8*t433 + D_delta_rz_8*t434 + D_delta_x_8*t429 + D_delta_y_8*t430
+        + D_delta_z_8*t431 + D_p_rx_2*f_rx_w_carriage_1y + D_p_ry_2*f_ry_w_carriage_1y
+        + D_p_rz_2*f_rz_w_carriage_1y + D_p_x_2*f_x_w_carriage_1y + D_p_x_2*t459 + D_p_y_2*f_y_w_carriage_1y
+        + D_p_y_2*t460 + D_p_z_2*f_z_w_carriage_1y + D_p_z_2*t461
     )
     K_wq_out[..., 1, 2] = (
-        D_delta_rx_8*t369 + D_delta_ry_8*t370 + D_delta_rz_8*t371 + D_delta_x_8*t366 + D_delta_y_8*t367
-        + D_delta_z_8*t368 + D_p_rx_3*f_rx_w_carriage_1y + D_p_ry_3*f_ry_w_carriage_1y
-        + D_p_rz_3*f_rz_w_carriage_1y + D_p_x_3*f_x_w_carriage_1y + D_p_x_3*t390 + D_p_y_3*f_y_w_carriage_1y
-        + D_p_y_3*t391 + D_p_z_3*f_z_w_carriage_1y + D_p_z_3*t392
+        D_delta_rx_8*t438 + D_delta_ry_8*t439 + D_delta_rz_8*t440 + D_delta_x_8*t435 + D_delta_y_8*t436
+        + D_delta_z_8*t437 + D_p_rx_3*f_rx_w_carriage_1y + D_p_ry_3*f_ry_w_carriage_1y
+        + D_p_rz_3*f_rz_w_carriage_1y + D_p_x_3*f_x_w_carriage_1y + D_p_x_3*t459 + D_p_y_3*f_y_w_carriage_1y
+        + D_p_y_3*t460 + D_p_z_3*f_z_w_carriage_1y + D_p_z_3*t461
     )
     K_wq_out[..., 1, 3] = (
-        D_delta_rx_8*t375 + D_delta_ry_8*t376 + D_delta_rz_8*t377 + D_delta_x_8*t372 + D_delta_y_8*t373
-        + D_delta_z_8*t374 + D_p_rx_4*f_rx_w_carriage_1y + D_p_ry_4*f_ry_w_carriage_1y
-        + D_p_rz_4*f_rz_w_carriage_1y + D_p_x_4*f_x_w_carriage_1y + D_p_x_4*t390 + D_p_y_4*f_y_w_carriage_1y
-        + D_p_y_4*t391 + D_p_z_4*f_z_w_carriage_1y + D_p_z_4*t392
+        D_delta_rx_8*t444 + D_delta_ry_8*t445 + D_delta_rz_8*t446 + D_delta_x_8*t441 + D_delta_y_8*t442
+        + D_delta_z_8*t443 + D_p_rx_4*f_rx_w_carriage_1y + D_p_ry_4*f_ry_w_carriage_1y
+        + D_p_rz_4*f_rz_w_carriage_1y + D_p_x_4*f_x_w_carriage_1y + D_p_x_4*t459 + D_p_y_4*f_y_w_carriage_1y
+        + D_p_y_4*t460 + D_p_z_4*f_z_w_carriage_1y + D_p_z_4*t461
     )
     K_wq_out[..., 1, 4] = (
-        D_delta_rx_8*t381 + D_delta_ry_8*t382 + D_delta_rz_8*t383 + D_delta_x_8*t378 + D_delta_y_8*t379
-        + D_delta_z_8*t380 + D_p_rx_5*f_rx_w_carriage_1y + D_p_ry_5*f_ry_w_carriage_1y
-        + D_p_rz_5*f_rz_w_carriage_1y + D_p_x_5*f_x_w_carriage_1y + D_p_x_5*t390 + D_p_y_5*f_y_w_carriage_1y
-        + D_p_y_5*t391 + D_p_z_5*f_z_w_carriage_1y + D_p_z_5*t392
+        D_delta_rx_8*t450 + D_delta_ry_8*t451 + D_delta_rz_8*t452 + D_delta_x_8*t447 + D_delta_y_8*t448
+        + D_delta_z_8*t449 + D_p_rx_5*f_rx_w_carriage_1y + D_p_ry_5*f_ry_w_carriage_1y
+        + D_p_rz_5*f_rz_w_carriage_1y + D_p_x_5*f_x_w_carriage_1y + D_p_x_5*t459 + D_p_y_5*f_y_w_carriage_1y
+        + D_p_y_5*t460 + D_p_z_5*f_z_w_carriage_1y + D_p_z_5*t461
     )
     K_wq_out[..., 1, 5] = (
-        D_delta_rx_8*t387 + D_delta_ry_8*t388 + D_delta_rz_8*t389 + D_delta_x_8*t384 + D_delta_y_8*t385
-        + D_delta_z_8*t386 + D_p_rx_6*f_rx_w_carriage_1y + D_p_ry_6*f_ry_w_carriage_1y
-        + D_p_rz_6*f_rz_w_carriage_1y + D_p_x_6*f_x_w_carriage_1y + D_p_x_6*t390 + D_p_y_6*f_y_w_carriage_1y
-        + D_p_y_6*t391 + D_p_z_6*f_z_w_carriage_1y + D_p_z_6*t392
+        D_delta_rx_8*t456 + D_delta_ry_8*t457 + D_delta_rz_8*t458 + D_delta_x_8*t453 + D_delta_y_8*t454
+        + D_delta_z_8*t455 + D_p_rx_6*f_rx_w_carriage_1y + D_p_ry_6*f_ry_w_carriage_1y
+        + D_p_rz_6*f_rz_w_carriage_1y + D_p_x_6*f_x_w_carriage_1y + D_p_x_6*t459 + D_p_y_6*f_y_w_carriage_1y
+        + D_p_y_6*t460 + D_p_z_6*f_z_w_carriage_1y + D_p_z_6*t461
     )
+    K_wq_out[..., 1, 6] = -R_p_1*t463
+    K_wq_out[..., 1, 12] = -R_p_1*t462
     K_wq_out[..., 1, 24] = (
         D_delta_rx_1*f_rx_w_carriage_1y + D_delta_ry_1*f_ry_w_carriage_1y + D_delta_rz_1*f_rz_w_carriage_1y
-        + D_delta_x_1*f_x_w_carriage_1y + D_delta_x_1*t390 + D_delta_y_1*f_y_w_carriage_1y + D_delta_y_1*t391
-        + D_delta_z_1*f_z_w_carriage_1y + D_delta_z_1*t392
+        + D_delta_x_1*f_x_w_carriage_1y + D_delta_x_1*t459 + D_delta_y_1*f_y_w_carriage_1y + D_delta_y_1*t460
+        + D_delta_z_1*f_z_w_carriage_1y + D_delta_z_1*t461
     )
     K_wq_out[..., 1, 25] = (
         D_delta_rx_2*f_rx_w_carriage_1y + D_delta_ry_2*f_ry_w_carriage_1y + D_delta_rz_2*f_rz_w_carriage_1y
-        + D_delta_x_2*f_x_w_carriage_1y + D_delta_x_2*t390 + D_delta_y_2*f_y_w_carriage_1y + D_delta_y_2*t391
-        + D_delta_z_2*f_z_w_carriage_1y + D_delta_z_2*t392
+        + D_delta_x_2*f_x_w_carriage_1y + D_delta_x_2*t459 + D_delta_y_2*f_y_w_carriage_1y + D_delta_y_2*t460
+        + D_delta_z_2*f_z_w_carriage_1y + D_delta_z_2*t461
     )
     K_wq_out[..., 1, 26] = (
         D_delta_rx_3*f_rx_w_carriage_1y + D_delta_ry_3*f_ry_w_carriage_1y + D_delta_rz_3*f_rz_w_carriage_1y
-        + D_delta_x_3*f_x_w_carriage_1y + D_delta_x_3*t390 + D_delta_y_3*f_y_w_carriage_1y + D_delta_y_3*t391
-        + D_delta_z_3*f_z_w_carriage_1y + D_delta_z_3*t392
+        + D_delta_x_3*f_x_w_carriage_1y + D_delta_x_3*t459 + D_delta_y_3*f_y_w_carriage_1y + D_delta_y_3*t460
+        + D_delta_z_3*f_z_w_carriage_1y + D_delta_z_3*t461
     )
     K_wq_out[..., 1, 27] = (
         D_delta_rx_4*f_rx_w_carriage_1y + D_delta_ry_4*f_ry_w_carriage_1y + D_delta_rz_4*f_rz_w_carriage_1y
-        + D_delta_x_4*f_x_w_carriage_1y + D_delta_x_4*t390 + D_delta_y_4*f_y_w_carriage_1y + D_delta_y_4*t391
-        + D_delta_z_4*f_z_w_carriage_1y + D_delta_z_4*t392
+        + D_delta_x_4*f_x_w_carriage_1y + D_delta_x_4*t459 + D_delta_y_4*f_y_w_carriage_1y + D_delta_y_4*t460
+        + D_delta_z_4*f_z_w_carriage_1y + D_delta_z_4*t461
     )
     K_wq_out[..., 1, 28] = (
         D_delta_rx_5*f_rx_w_carriage_1y + D_delta_ry_5*f_ry_w_carriage_1y + D_delta_rz_5*f_rz_w_carriage_1y
-        + D_delta_x_5*f_x_w_carriage_1y + D_delta_x_5*t390 + D_delta_y_5*f_y_w_carriage_1y + D_delta_y_5*t391
-        + D_delta_z_5*f_z_w_carriage_1y + D_delta_z_5*t392
+        + D_delta_x_5*f_x_w_carriage_1y + D_delta_x_5*t459 + D_delta_y_5*f_y_w_carriage_1y + D_delta_y_5*t460
+        + D_delta_z_5*f_z_w_carriage_1y + D_delta_z_5*t461
     )
     K_wq_out[..., 1, 29] = (
         D_delta_rx_6*f_rx_w_carriage_1y + D_delta_ry_6*f_ry_w_carriage_1y + D_delta_rz_6*f_rz_w_carriage_1y
-        + D_delta_x_6*f_x_w_carriage_1y + D_delta_x_6*t390 + D_delta_y_6*f_y_w_carriage_1y + D_delta_y_6*t391
-        + D_delta_z_6*f_z_w_carriage_1y + D_delta_z_6*t392
+        + D_delta_x_6*f_x_w_carriage_1y + D_delta_x_6*t459 + D_delta_y_6*f_y_w_carriage_1y + D_delta_y_6*t460
+        + D_delta_z_6*f_z_w_carriage_1y + D_delta_z_6*t461
     )
-    K_wq_out[..., 1, 36] = t390
-    K_wq_out[..., 1, 37] = t391
-    K_wq_out[..., 1, 38] = t392
+    K_wq_out[..., 1, 30] = t464
+    K_wq_out[..., 1, 36] = t459
+    K_wq_out[..., 1, 37] = t460
+    K_wq_out[..., 1, 38] = t461
     K_wq_out[..., 2, 0] = (
-        D_delta_rx_9*t357 + D_delta_ry_9*t358 + D_delta_rz_9*t359 + D_delta_x_9*t351 + D_delta_y_9*t354
-        + D_delta_z_9*t356 + D_p_rx_1*f_rx_w_carriage_1z + D_p_ry_1*f_ry_w_carriage_1z
-        + D_p_rz_1*f_rz_w_carriage_1z + D_p_x_1*f_x_w_carriage_1z + D_p_x_1*t393 + D_p_y_1*f_y_w_carriage_1z
-        + D_p_y_1*t394 + D_p_z_1*f_z_w_carriage_1z + D_p_z_1*t395 - t356
+        D_delta_rx_9*t417 + D_delta_ry_9*t418 + D_delta_rz_9*t419 + D_delta_x_9*t420 + D_delta_y_9*t423
+        + D_delta_z_9*t425 + D_p_rx_1*f_rx_w_carriage_1z + D_p_ry_1*f_ry_w_carriage_1z
+        + D_p_rz_1*f_rz_w_carriage_1z + D_p_x_1*f_x_w_carriage_1z + D_p_x_1*t465 + D_p_y_1*f_y_w_carriage_1z
+        + D_p_y_1*t466 + D_p_z_1*f_z_w_carriage_1z + D_p_z_1*t467 - t425 + t470
     )
     K_wq_out[..., 2, 1] = (
-        D_delta_rx_9*t363 + D_delta_ry_9*t364 + D_delta_rz_9*t365 + D_delta_x_9*t360 + D_delta_y_9*t361
-        + D_delta_z_9*t362 + D_p_rx_2*f_rx_w_carriage_1z + D_p_ry_2*f_ry_w_carriage_1z
-        + D_p_rz_2*f_rz_w_carriage_1z + D_p_x_2*f_x_w_carriage_1z + D_p_x_2*t393 + D_p_y_2*f_y_w_carriage_1z
-        + D_p_y_2*t394 + D_p_z_2*f_z_w_carriage_1z + D_p_z_2*t395
+        D_delta_rx_9*t432 + D_delta_ry_9*t433 + D_delta_rz_9*t434 + D_delta_x_9*t429 + D_delta_y_9*t430
+        + D_delta_z_9*t431 + D_p_rx_2*f_rx_w_carriage_1z + D_p_ry_2*f_ry_w_carriage_1z
+        + D_p_rz_2*f_rz_w_carriage_1z + D_p_x_2*f_x_w_carriage_1z + D_p_x_2*t465 + D_p_y_2*f_y_w_carriage_1z
+        + D_p_y_2*t466 + D_p_z_2*f_z_w_carriage_1z + D_p_z_2*t467
     )
     K_wq_out[..., 2, 2] = (
-        D_delta_rx_9*t369 + D_delta_ry_9*t370 + D_delta_rz_9*t371 + D_delta_x_9*t366 + D_delta_y_9*t367
-        + D_delta_z_9*t368 + D_p_rx_3*f_rx_w_carriage_1z + D_p_ry_3*f_ry_w_carriage_1z
-        + D_p_rz_3*f_rz_w_carriage_1z + D_p_x_3*f_x_w_carriage_1z + D_p_x_3*t393 + D_p_y_3*f_y_w_carriage_1z
-        + D_p_y_3*t394 + D_p_z_3*f_z_w_carriage_1z + D_p_z_3*t395
+        D_delta_rx_9*t438 + D_delta_ry_9*t439 + D_delta_rz_9*t440 + D_delta_x_9*t435 + D_delta_y_9*t436
+        + D_delta_z_9*t437 + D_p_rx_3*f_rx_w_carriage_1z + D_p_ry_3*f_ry_w_carriage_1z
+        + D_p_rz_3*f_rz_w_carriage_1z + D_p_x_3*f_x_w_carriage_1z + D_p_x_3*t465 + D_p_y_3*f_y_w_carriage_1z
+        + D_p_y_3*t466 + D_p_z_3*f_z_w_carriage_1z + D_p_z_3*t467
     )
     K_wq_out[..., 2, 3] = (
-        D_delta_rx_9*t375 + D_delta_ry_9*t376 + D_delta_rz_9*t377 + D_delta_x_9*t372 + D_delta_y_9*t373
-        + D_delta_z_9*t374 + D_p_rx_4*f_rx_w_carriage_1z + D_p_ry_4*f_ry_w_carriage_1z
-        + D_p_rz_4*f_rz_w_carriage_1z + D_p_x_4*f_x_w_carriage_1z + D_p_x_4*t393 + D_p_y_4*f_y_w_carriage_1z
-        + D_p_y_4*t394 + D_p_z_4*f_z_w_carriage_1z + D_p_z_4*t395
+        D_delta_rx_9*t444 + D_delta_ry_9*t445 + D_delta_rz_9*t446 + D_delta_x_9*t441 + D_delta_y_9*t442
+        + D_delta_z_9*t443 + D_p_rx_4*f_rx_w_carriage_1z + D_p_ry_4*f_ry_w_carriage_1z
+        + D_p_rz_4*f_rz_w_carriage_1z + D_p_x_4*f_x_w_carriage_1z + D_p_x_4*t465 + D_p_y_4*f_y_w_carriage_1z
+        + D_p_y_4*t466 + D_p_z_4*f_z_w_carriage_1z + D_p_z_4*t467
     )
     K_wq_out[..., 2, 4] = (
-        D_delta_rx_9*t381 + D_delta_ry_9*t382 + D_delta_rz_9*t383 + D_delta_x_9*t378 + D_delta_y_9*t379
-        + D_delta_z_9*t380 + D_p_rx_5*f_rx_w_carriage_1z + D_p_ry_5*f_ry_w_carriage_1z
-        + D_p_rz_5*f_rz_w_carriage_1z + D_p_x_5*f_x_w_carriage_1z + D_p_x_5*t393 + D_p_y_5*f_y_w_carriage_1z
-        + D_p_y_5*t394 + D_p_z_5*f_z_w_carriage_1z + D_p_z_5*t395
+        D_delta_rx_9*t450 + D_delta_ry_9*t451 + D_delta_rz_9*t452 + D_delta_x_9*t447 + D_delta_y_9*t448
+        + D_delta_z_9*t449 + D_p_rx_5*f_rx_w_carriage_1z + D_p_ry_5*f_ry_w_carriage_1z
+        + D_p_rz_5*f_rz_w_carriage_1z + D_p_x_5*f_x_w_carriage_1z + D_p_x_5*t465 + D_p_y_5*f_y_w_carriage_1z
+        + D_p_y_5*t466 + D_p_z_5*f_z_w_carriage_1z + D_p_z_5*t467
     )
     K_wq_out[..., 2, 5] = (
-        D_delta_rx_9*t387 + D_delta_ry_9*t388 + D_delta_rz_9*t389 + D_delta_x_9*t384 + D_delta_y_9*t385
-        + D_delta_z_9*t386 + D_p_rx_6*f_rx_w_carriage_1z + D_p_ry_6*f_ry_w_carriage_1z
-        + D_p_rz_6*f_rz_w_carriage_1z + D_p_x_6*f_x_w_carriage_1z + D_p_x_6*t393 + D_p_y_6*f_y_w_carriage_1z
-        + D_p_y_6*t394 + D_p_z_6*f_z_w_carriage_1z + D_p_z_6*t395
+        D_delta_rx_9*t456 + D_delta_ry_9*t457 + D_delta_rz_9*t458 + D_delta_x_9*t453 + D_delta_y_9*t454
+        + D_delta_z_9*t455 + D_p_rx_6*f_rx_w_carriage_1z + D_p_ry_6*f_ry_w_carriage_1z
+        + D_p_rz_6*f_rz_w_carriage_1z + D_p_x_6*f_x_w_carriage_1z + D_p_x_6*t465 + D_p_y_6*f_y_w_carriage_1z
+        + D_p_y_6*t466 + D_p_z_6*f_z_w_carriage_1z + D_p_z_6*t467
     )
+    K_wq_out[..., 2, 6] = -R_p_1*t469
+    K_wq_out[..., 2, 12] = -R_p_1*t468
     K_wq_out[..., 2, 24] = (
         D_delta_rx_1*f_rx_w_carriage_1z + D_delta_ry_1*f_ry_w_carriage_1z + D_delta_rz_1*f_rz_w_carriage_1z
-        + D_delta_x_1*f_x_w_carriage_1z + D_delta_x_1*t393 + D_delta_y_1*f_y_w_carriage_1z + D_delta_y_1*t394
-        + D_delta_z_1*f_z_w_carriage_1z + D_delta_z_1*t395
+        + D_delta_x_1*f_x_w_carriage_1z + D_delta_x_1*t465 + D_delta_y_1*f_y_w_carriage_1z + D_delta_y_1*t466
+        + D_delta_z_1*f_z_w_carriage_1z + D_delta_z_1*t467
     )
     K_wq_out[..., 2, 25] = (
         D_delta_rx_2*f_rx_w_carriage_1z + D_delta_ry_2*f_ry_w_carriage_1z + D_delta_rz_2*f_rz_w_carriage_1z
-        + D_delta_x_2*f_x_w_carriage_1z + D_delta_x_2*t393 + D_delta_y_2*f_y_w_carriage_1z + D_delta_y_2*t394
-        + D_delta_z_2*f_z_w_carriage_1z + D_delta_z_2*t395
+        + D_delta_x_2*f_x_w_carriage_1z + D_delta_x_2*t465 + D_delta_y_2*f_y_w_carriage_1z + D_delta_y_2*t466
+        + D_delta_z_2*f_z_w_carriage_1z + D_delta_z_2*t467
     )
     K_wq_out[..., 2, 26] = (
         D_delta_rx_3*f_rx_w_carriage_1z + D_delta_ry_3*f_ry_w_carriage_1z + D_delta_rz_3*f_rz_w_carriage_1z
-        + D_delta_x_3*f_x_w_carriage_1z + D_delta_x_3*t393 + D_delta_y_3*f_y_w_carriage_1z + D_delta_y_3*t394
-        + D_delta_z_3*f_z_w_carriage_1z + D_delta_z_3*t395
+        + D_delta_x_3*f_x_w_carriage_1z + D_delta_x_3*t465 + D_delta_y_3*f_y_w_carriage_1z + D_delta_y_3*t466
+        + D_delta_z_3*f_z_w_carriage_1z + D_delta_z_3*t467
     )
     K_wq_out[..., 2, 27] = (
         D_delta_rx_4*f_rx_w_carriage_1z + D_delta_ry_4*f_ry_w_carriage_1z + D_delta_rz_4*f_rz_w_carriage_1z
-        + D_delta_x_4*f_x_w_carriage_1z + D_delta_x_4*t393 + D_delta_y_4*f_y_w_carriage_1z + D_delta_y_4*t394
-        + D_delta_z_4*f_z_w_carriage_1z + D_delta_z_4*t395
+        + D_delta_x_4*f_x_w_carriage_1z + D_delta_x_4*t465 + D_delta_y_4*f_y_w_carriage_1z + D_delta_y_4*t466
+        + D_delta_z_4*f_z_w_carriage_1z + D_delta_z_4*t467
     )
     K_wq_out[..., 2, 28] = (
         D_delta_rx_5*f_rx_w_carriage_1z + D_delta_ry_5*f_ry_w_carriage_1z + D_delta_rz_5*f_rz_w_carriage_1z
-        + D_delta_x_5*f_x_w_carriage_1z + D_delta_x_5*t393 + D_delta_y_5*f_y_w_carriage_1z + D_delta_y_5*t394
-        + D_delta_z_5*f_z_w_carriage_1z + D_delta_z_5*t395
+        + D_delta_x_5*f_x_w_carriage_1z + D_delta_x_5*t465 + D_delta_y_5*f_y_w_carriage_1z + D_delta_y_5*t466
+        + D_delta_z_5*f_z_w_carriage_1z + D_delta_z_5*t467
     )
     K_wq_out[..., 2, 29] = (
         D_delta_rx_6*f_rx_w_carriage_1z + D_delta_ry_6*f_ry_w_carriage_1z + D_delta_rz_6*f_rz_w_carriage_1z
-        + D_delta_x_6*f_x_w_carriage_1z + D_delta_x_6*t393 + D_delta_y_6*f_y_w_carriage_1z + D_delta_y_6*t394
-        + D_delta_z_6*f_z_w_carriage_1z + D_delta_z_6*t395
+        + D_delta_x_6*f_x_w_carriage_1z + D_delta_x_6*t465 + D_delta_y_6*f_y_w_carriage_1z + D_delta_y_6*t466
+        + D_delta_z_6*f_z_w_carriage_1z + D_delta_z_6*t467
     )
-    K_wq_out[..., 2, 36] = t393
-    K_wq_out[..., 2, 37] = t394
-    K_wq_out[..., 2, 38] = t395
+    K_wq_out[..., 2, 30] = t470
+    K_wq_out[..., 2, 36] = t465
+    K_wq_out[..., 2, 37] = t466
+    K_wq_out[..., 2, 38] = t467
     K_wq_out[..., 3, 0] = (
-        D_delta_rx_10*t357 + D_delta_ry_10*t358 + D_delta_rz_10*t359 + D_delta_x_10*t351 + D_delta_y_10*t354
-        + D_delta_z_10*t356 + D_p_rx_1*f_rx_w_carriage_2x + D_p_ry_1*f_ry_w_carriage_2x
-        + D_p_rz_1*f_rz_w_carriage_2x + D_p_x_1*f_x_w_carriage_2x + D_p_x_1*t396 + D_p_y_1*f_y_w_carriage_2x
-        + D_p_y_1*t397 + D_p_z_1*f_z_w_carriage_2x + D_p_z_1*t398
+        D_delta_rx_10*t417 + D_delta_ry_10*t418 + D_delta_rz_10*t419 + D_delta_x_10*t420 + D_delta_y_10*t423
+        + D_delta_z_10*t425 + D_p_rx_1*f_rx_w_carriage_2x + D_p_ry_1*f_ry_w_carriage_2x
+        + D_p_rz_1*f_rz_w_carriage_2x + D_p_x_1*f_x_w_carriage_2x + D_p_x_1*t471 + D_p_y_1*f_y_w_carriage_2x
+        + D_p_y_1*t472 + D_p_z_1*f_z_w_carriage_2x + D_p_z_1*t473
     )
     K_wq_out[..., 3, 1] = (
-        D_delta_rx_10*t363 + D_delta_ry_10*t364 + D_delta_rz_10*t365 + D_delta_x_10*t360 + D_delta_y_10*t361
-        + D_delta_z_10*t362 + D_p_rx_2*f_rx_w_carriage_2x + D_p_ry_2*f_ry_w_carriage_2x
-        + D_p_rz_2*f_rz_w_carriage_2x + D_p_x_2*f_x_w_carriage_2x + D_p_x_2*t396 + D_p_y_2*f_y_w_carriage_2x
-        + D_p_y_2*t397 + D_p_z_2*f_z_w_carriage_2x + D_p_z_2*t398 - t360
+        D_delta_rx_10*t432 + D_delta_ry_10*t433 + D_delta_rz_10*t434 + D_delta_x_10*t429 + D_delta_y_10*t430
+        + D_delta_z_10*t431 + D_p_rx_2*f_rx_w_carriage_2x + D_p_ry_2*f_ry_w_carriage_2x
+        + D_p_rz_2*f_rz_w_carriage_2x + D_p_x_2*f_x_w_carriage_2x + D_p_x_2*t471 + D_p_y_2*f_y_w_carriage_2x
+        + D_p_y_2*t472 + D_p_z_2*f_z_w_carriage_2x + D_p_z_2*t473 - t429 + t476
     )
     K_wq_out[..., 3, 2] = (
-        D_delta_rx_10*t369 + D_delta_ry_10*t370 + D_delta_rz_10*t371 + D_delta_x_10*t366 + D_delta_y_10*t367
-        + D_delta_z_10*t368 + D_p_rx_3*f_rx_w_carriage_2x + D_p_ry_3*f_ry_w_carriage_2x
-        + D_p_rz_3*f_rz_w_carriage_2x + D_p_x_3*f_x_w_carriage_2x + D_p_x_3*t396 + D_p_y_3*f_y_w_carriage_2x
-        + D_p_y_3*t397 + D_p_z_3*f_z_w_carriage_2x + D_p_z_3*t398
+        D_delta_rx_10*t438 + D_delta_ry_10*t439 + D_delta_rz_10*t440 + D_delta_x_10*t435 + D_delta_y_10*t436
+        + D_delta_z_10*t437 + D_p_rx_3*f_rx_w_carriage_2x + D_p_ry_3*f_ry_w_carriage_2x
+        + D_p_rz_3*f_rz_w_carriage_2x + D_p_x_3*f_x_w_carriage_2x + D_p_x_3*t471 + D_p_y_3*f_y_w_carriage_2x
+        + D_p_y_3*t472 + D_p_z_3*f_z_w_carriage_2x + D_p_z_3*t473
     )
     K_wq_out[..., 3, 3] = (
-        D_delta_rx_10*t375 + D_delta_ry_10*t376 + D_delta_rz_10*t377 + D_delta_x_10*t372 + D_delta_y_10*t373
-        + D_delta_z_10*t374 + D_p_rx_4*f_rx_w_carriage_2x + D_p_ry_4*f_ry_w_carriage_2x
-        + D_p_rz_4*f_rz_w_carriage_2x + D_p_x_4*f_x_w_carriage_2x + D_p_x_4*t396 + D_p_y_4*f_y_w_carriage_2x
-        + D_p_y_4*t397 + D_p_z_4*f_z_w_carriage_2x + D_p_z_4*t398
+        D_delta_rx_10*t444 + D_delta_ry_10*t445 + D_delta_rz_10*t446 + D_delta_x_10*t441 + D_delta_y_10*t442
+        + D_delta_z_10*t443 + D_p_rx_4*f_rx_w_carriage_2x + D_p_ry_4*f_ry_w_carriage_2x
+        + D_p_rz_4*f_rz_w_carriage_2x + D_p_x_4*f_x_w_carriage_2x + D_p_x_4*t471 + D_p_y_4*f_y_w_carriage_2x
+        + D_p_y_4*t472 + D_p_z_4*f_z_w_carriage_2x + D_p_z_4*t473
     )
     K_wq_out[..., 3, 4] = (
-        D_delta_rx_10*t381 + D_delta_ry_10*t382 + D_delta_rz_10*t383 + D_delta_x_10*t378 + D_delta_y_10*t379
-        + D_delta_z_10*t380 + D_p_rx_5*f_rx_w_carriage_2x + D_p_ry_5*f_ry_w_carriage_2x
-        + D_p_rz_5*f_rz_w_carriage_2x + D_p_x_5*f_x_w_carriage_2x + D_p_x_5*t396 + D_p_y_5*f_y_w_carriage_2x
-        + D_p_y_5*t397 + D_p_z_5*f_z_w_carriage_2x + D_p_z_5*t398
+        D_delta_rx_10*t450 + D_delta_ry_10*t451 + D_delta_rz_10*t452 + D_delta_x_10*t447 + D_delta_y_10*t448
+        + D_delta_z_10*t449 + D_p_rx_5*f_rx_w_carriage_2x + D_p_ry_5*f_ry_w_carriage_2x
+        + D_p_rz_5*f_rz_w_carriage_2x + D_p_x_5*f_x_w_carriage_2x + D_p_x_5*t471 + D_p_y_5*f_y_w_carriage_2x
+        + D_p_y_5*t472 + D_p_z_5*f_z_w_carriage_2x + D_p_z_5*t473
     )
     K_wq_out[..., 3, 5] = (
-        D_delta_rx_10*t387 + D_delta_ry_10*t388 + D_delta_rz_10*t389 + D_delta_x_10*t384 + D_delta_y_10*t385
-        + D_delta_z_10*t386 + D_p_rx_6*f_rx_w_carriage_2x + D_p_ry_6*f_ry_w_carriage_2x
-        + D_p_rz_6*f_rz_w_carriage_2x + D_p_x_6*f_x_w_carriage_2x + D_p_x_6*t396 + D_p_y_6*f_y_w_carriage_2x
-        + D_p_y_6*t397 + D_p_z_6*f_z_w_carriage_2x + D_p_z_6*t398
+        D_delta_rx_10*t456 + D_delta_ry_10*t457 + D_delta_rz_10*t458 + D_delta_x_10*t453 + D_delta_y_10*t454
+        + D_delta_z_10*t455 + D_p_rx_6*f_rx_w_carriage_2x + D_p_ry_6*f_ry_w_carriage_2x
+        + D_p_rz_6*f_rz_w_carriage_2x + D_p_x_6*f_x_w_carriage_2x + D_p_x_6*t471 + D_p_y_6*f_y_w_carriage_2x
+        + D_p_y_6*t472 + D_p_z_6*f_z_w_carriage_2x + D_p_z_6*t473
     )
+    K_wq_out[..., 3, 7] = -R_p_2*t475
+    K_wq_out[..., 3, 13] = -R_p_2*t474
     K_wq_out[..., 3, 24] = (
         D_delta_rx_1*f_rx_w_carriage_2x + D_delta_ry_1*f_ry_w_carriage_2x + D_delta_rz_1*f_rz_w_carriage_2x
-        + D_delta_x_1*f_x_w_carriage_2x + D_delta_x_1*t396 + D_delta_y_1*f_y_w_carriage_2x + D_delta_y_1*t397
-        + D_delta_z_1*f_z_w_carriage_2x + D_delta_z_1*t398
+        + D_delta_x_1*f_x_w_carriage_2x + D_delta_x_1*t471 + D_delta_y_1*f_y_w_carriage_2x + D_delta_y_1*t472
+        + D_delta_z_1*f_z_w_carriage_2x + D_delta_z_1*t473
     )
     K_wq_out[..., 3, 25] = (
         D_delta_rx_2*f_rx_w_carriage_2x + D_delta_ry_2*f_ry_w_carriage_2x + D_delta_rz_2*f_rz_w_carriage_2x
-        + D_delta_x_2*f_x_w_carriage_2x + D_delta_x_2*t396 + D_delta_y_2*f_y_w_carriage_2x + D_delta_y_2*t397
-        + D_delta_z_2*f_z_w_carriage_2x + D_delta_z_2*t398
+        + D_delta_x_2*f_x_w_carriage_2x + D_delta_x_2*t471 + D_delta_y_2*f_y_w_carriage_2x + D_delta_y_2*t472
+        + D_delta_z_2*f_z_w_carriage_2x + D_delta_z_2*t473
     )
     K_wq_out[..., 3, 26] = (
         D_delta_rx_3*f_rx_w_carriage_2x + D_delta_ry_3*f_ry_w_carriage_2x + D_delta_rz_3*f_rz_w_carriage_2x
-        + D_delta_x_3*f_x_w_carriage_2x + D_delta_x_3*t396 + D_delta_y_3*f_y_w_carriage_2x + D_delta_y_3*t397
-        + D_delta_z_3*f_z_w_carriage_2x + D_delta_z_3*t398
+        + D_delta_x_3*f_x_w_carriage_2x + D_delta_x_3*t471 + D_delta_y_3*f_y_w_carriage_2x + D_delta_y_3*t472
+        + D_delta_z_3*f_z_w_carriage_2x + D_delta_z_3*t473
     )
     K_wq_out[..., 3, 27] = (
         D_delta_rx_4*f_rx_w_carriage_2x + D_delta_ry_4*f_ry_w_carriage_2x + D_delta_rz_4*f_rz_w_carriage_2x
-        + D_delta_x_4*f_x_w_carriage_2x + D_delta_x_4*t396 + D_delta_y_4*f_y_w_carriage_2x + D_delta_y_4*t397
-        + D_delta_z_4*f_z_w_carriage_2x + D_delta_z_4*t398
+        + D_delta_x_4*f_x_w_carriage_2x + D_delta_x_4*t471 + D_delta_y_4*f_y_w_carriage_2x + D_delta_y_4*t472
+        + D_delta_z_4*f_z_w_carriage_2x + D_delta_z_4*t473
     )
     K_wq_out[..., 3, 28] = (
         D_delta_rx_5*f_rx_w_carriage_2x + D_delta_ry_5*f_ry_w_carriage_2x + D_delta_rz_5*f_rz_w_carriage_2x
-        + D_delta_x_5*f_x_w_carriage_2x + D_delta_x_5*t396 + D_delta_y_5*f_y_w_carriage_2x + D_delta_y_5*t397
-        + D_delta_z_5*f_z_w_carriage_2x + D_delta_z_5*t398
+        + D_delta_x_5*f_x_w_carriage_2x + D_delta_x_5*t471 + D_delta_y_5*f_y_w_carriage_2x + D_delta_y_5*t472
+        + D_delta_z_5*f_z_w_carriage_2x + D_delta_z_5*t473
     )
     K_wq_out[..., 3, 29] = (
         D_delta_rx_6*f_rx_w_carriage_2x + D_delta_ry_6*f_ry_w_carriage_2x + D_delta_rz_6*f_rz_w_carriage_2x
-        + D_delta_x_6*f_x_w_carriage_2x + D_delta_x_6*t396 + D_delta_y_6*f_y_w_carriage_2x + D_delta_y_6*t397
-        + D_delta_z_6*f_z_w_carriage_2x + D_delta_z_6*t398
+        + D_delta_x_6*f_x_w_carriage_2x + D_delta_x_6*t471 + D_delta_y_6*f_y_w_carriage_2x + D_delta_y_6*t472
+        + D_delta_z_6*f_z_w_carriage_2x + D_delta_z_6*t473
     )
-    K_wq_out[..., 3, 36] = t396
-    K_wq_out[..., 3, 37] = t397
-    K_wq_out[..., 3, 38] = t398
+    K_wq_out[..., 3, 31] = t476
+    K_wq_out[..., 3, 36] = t471
+    K_wq_out[..., 3, 37] = t472
+    K_wq_out[..., 3, 38] = t473
     K_wq_out[..., 4, 0] = (
-        D_delta_rx_11*t357 + D_delta_ry_11*t358 + D_delta_rz_11*t359 + D_delta_x_11*t351 + D_delta_y_11*t354
-        + D_delta_z_11*t356 + D_p_rx_1*f_rx_w_carriage_2y + D_p_ry_1*f_ry_w_carriage_2y
-        + D_p_rz_1*f_rz_w_carriage_2y + D_p_x_1*f_x_w_carriage_2y + D_p_x_1*t399 + D_p_y_1*f_y_w_carriage_2y
-        + D_p_y_1*t400 + D_p_z_1*f_z_w_carriage_2y + D_p_z_1*t401
+        D_delta_rx_11*t417 + D_delta_ry_11*t418 + D_delta_rz_11*t419 + D_delta_x_11*t420 + D_delta_y_11*t423
+        + D_delta_z_11*t425 + D_p_rx_1*f_rx_w_carriage_2y + D_p_ry_1*f_ry_w_carriage_2y
+        + D_p_rz_1*f_rz_w_carriage_2y + D_p_x_1*f_x_w_carriage_2y + D_p_x_1*t477 + D_p_y_1*f_y_w_carriage_2y
+        + D_p_y_1*t478 + D_p_z_1*f_z_w_carriage_2y + D_p_z_1*t479
     )
     K_wq_out[..., 4, 1] = (
-        D_delta_rx_11*t363 + D_delta_ry_11*t364 + D_delta_rz_11*t365 + D_delta_x_11*t360 + D_delta_y_11*t361
-        + D_delta_z_11*t362 + D_p_rx_2*f_rx_w_carriage_2y + D_p_ry_2*f_ry_w_carriage_2y
-        + D_p_rz_2*f_rz_w_carriage_2y + D_p_x_2*f_x_w_carriage_2y + D_p_x_2*t399 + D_p_y_2*f_y_w_carriage_2y
-        + D_p_y_2*t400 + D_p_z_2*f_z_w_carriage_2y + D_p_z_2*t401 - t361
+        D_delta_rx_11*t432 + D_delta_ry_11*t433 + D_delta_rz_11*t434 + D_delta_x_11*t429 + D_delta_y_11*t430
+        + D_delta_z_11*t431 + D_p_rx_2*f_rx_w_carriage_2y + D_p_ry_2*f_ry_w_carriage_2y
+        + D_p_rz_2*f_rz_w_carriage_2y + D_p_x_2*f_x_w_carriage_2y + D_p_x_2*t477 + D_p_y_2*f_y_w_carriage_2y
+        + D_p_y_2*t478 + D_p_z_2*f_z_w_carriage_2y + D_p_z_2*t479 - t430 + t482
     )
     K_wq_out[..., 4, 2] = (
-        D_delta_rx_11*t369 + D_delta_ry_11*t370 + D_delta_rz_11*t371 + D_delta_x_11*t366 + D_delta_y_11*t367
-        + D_delta_z_11*t368 + D_p_rx_3*f_rx_w_carriage_2y + D_p_ry_3*f_ry_w_carriage_2y
-        + D_p_rz_3*f_rz_w_carriage_2y + D_p_x_3*f_x_w_carriage_2y + D_p_x_3*t399 + D_p_y_3*f_y_w_carriage_2y
-        + D_p_y_3*t400 + D_p_z_3*f_z_w_carriage_2y + D_p_z_3*t401
+        D_delta_rx_11*t438 + D_delta_ry_11*t439 + D_delta_rz_11*t440 + D_delta_x_11*t435 + D_delta_y_11*t436
+        + D_delta_z_11*t437 + D_p_rx_3*f_rx_w_carriage_2y + D_p_ry_3*f_ry_w_carriage_2y
+        + D_p_rz_3*f_rz_w_carriage_2y + D_p_x_3*f_x_w_carriage_2y + D_p_x_3*t477 + D_p_y_3*f_y_w_carriage_2y
+        + D_p_y_3*t478 + D_p_z_3*f_z_w_carriage_2y + D_p_z_3*t479
     )
     K_wq_out[..., 4, 3] = (
-        D_delta_rx_11*t375 + D_delta_ry_11*t376 + D_delta_rz_11*t377 + D_delta_x_11*t372 + D_delta_y_11*t373
-        + D_delta_z_11*t374 + D_p_rx_4*f_rx_w_carriage_2y + D_p_ry_4*f_ry_w_carriage_2y
-        + D_p_rz_4*f_rz_w_carriage_2y + D_p_x_4*f_x_w_carriage_2y + D_p_x_4*t399 + D_p_y_4*f_y_w_carriage_2y
-        + D_p_y_4*t400 + D_p_z_4*f_z_w_carriage_2y + D_p_z_4*t401
+        D_delta_rx_11*t444 + D_delta_ry_11*t445 + D_delta_rz_11*t446 + D_delta_x_11*t441 + D_delta_y_11*t442
+        + D_delta_z_11*t443 + D_p_rx_4*f_rx_w_carriage_2y + D_p_ry_4*f_ry_w_carriage_2y
+        + D_p_rz_4*f_rz_w_carriage_2y + D_p_x_4*f_x_w_carriage_2y + D_p_x_4*t477 + D_p_y_4*f_y_w_carriage_2y
+        + D_p_y_4*t478 + D_p_z_4*f_z_w_carriage_2y + D_p_z_4*t479
     )
     K_wq_out[..., 4, 4] = (
-        D_delta_rx_11*t381 + D_delta_ry_11*t382 + D_delta_rz_11*t383 + D_delta_x_11*t378 + D_delta_y_11*t379
-        + D_delta_z_11*t380 + D_p_rx_5*f_rx_w_carriage_2y + D_p_ry_5*f_ry_w_carriage_2y
-        + D_p_rz_5*f_rz_w_carriage_2y + D_p_x_5*f_x_w_carriage_2y + D_p_x_5*t399 + D_p_y_5*f_y_w_carriage_2y
-        + D_p_y_5*t400 + D_p_z_5*f_z_w_carriage_2y + D_p_z_5*t401
+        D_delta_rx_11*t450 + D_delta_ry_11*t451 + D_delta_rz_11*t452 + D_delta_x_11*t447 + D_delta_y_11*t448
+        + D_delta_z_11*t449 + D_p_rx_5*f_rx_w_carriage_2y + D_p_ry_5*f_ry_w_carriage_2y
+        + D_p_rz_5*f_rz_w_carriage_2y + D_p_x_5*f_x_w_carriage_2y + D_p_x_5*t477 + D_p_y_5*f_y_w_carriage_2y
+        + D_p_y_5*t478 + D_p_z_5*f_z_w_carriage_2y + D_p_z_5*t479
     )
     K_wq_out[..., 4, 5] = (
-        D_delta_rx_11*t387 + D_delta_ry_11*t388 + D_delta_rz_11*t389 + D_delta_x_11*t384 + D_delta_y_11*t385
-        + D_delta_z_11*t386 + D_p_rx_6*f_rx_w_carriage_2y + D_p_ry_6*f_ry_w_carriage_2y
-        + D_p_rz_6*f_rz_w_carriage_2y + D_p_x_6*f_x_w_carriage_2y + D_p_x_6*t399 + D_p_y_6*f_y_w_carriage_2y
-        + D_p_y_6*t400 + D_p_z_6*f_z_w_carriage_2y + D_p_z_6*t401
+        D_delta_rx_11*t456 + D_delta_ry_11*t457 + D_delta_rz_11*t458 + D_delta_x_11*t453 + D_delta_y_11*t454
+        + D_delta_z_11*t455 + D_p_rx_6*f_rx_w_carriage_2y + D_p_ry_6*f_ry_w_carriage_2y
+        + D_p_rz_6*f_rz_w_carriage_2y + D_p_x_6*f_x_w_carriage_2y + D_p_x_6*t477 + D_p_y_6*f_y_w_carriage_2y
+        + D_p_y_6*t478 + D_p_z_6*f_z_w_carriage_2y + D_p_z_6*t479
     )
+    K_wq_out[..., 4, 7] = -R_p_2*t481
+    K_wq_out[..., 4, 13] = -R_p_2*t480
     K_wq_out[..., 4, 24] = (
         D_delta_rx_1*f_rx_w_carriage_2y + D_delta_ry_1*f_ry_w_carriage_2y + D_delta_rz_1*f_rz_w_carriage_2y
-        + D_delta_x_1*f_x_w_carriage_2y + D_delta_x_1*t399 + D_delta_y_1*f_y_w_carriage_2y + D_delta_y_1*t400
-        + D_delta_z_1*f_z_w_carriage_2y + D_delta_z_1*t401
+        + D_delta_x_1*f_x_w_carriage_2y + D_delta_x_1*t477 + D_delta_y_1*f_y_w_carriage_2y + D_delta_y_1*t478
+        + D_delta_z_1*f_z_w_carriage_2y + D_delta_z_1*t479
     )
     K_wq_out[..., 4, 25] = (
         D_delta_rx_2*f_rx_w_carriage_2y + D_delta_ry_2*f_ry_w_carriage_2y + D_delta_rz_2*f_rz_w_carriage_2y
-        + D_delta_x_2*f_x_w_carriage_2y + D_delta_x_2*t399 + D_delta_y_2*f_y_w_carriage_2y + D_delta_y_2*t400
-        + D_delta_z_2*f_z_w_carriage_2y + D_delta_z_2*t401
+        + D_delta_x_2*f_x_w_carriage_2y + D_delta_x_2*t477 + D_delta_y_2*f_y_w_carriage_2y + D_delta_y_2*t478
+        + D_delta_z_2*f_z_w_carriage_2y + D_delta_z_2*t479
     )
     K_wq_out[..., 4, 26] = (
         D_delta_rx_3*f_rx_w_carriage_2y + D_delta_ry_3*f_ry_w_carriage_2y + D_delta_rz_3*f_rz_w_carriage_2y
-        + D_delta_x_3*f_x_w_carriage_2y + D_delta_x_3*t399 + D_delta_y_3*f_y_w_carriage_2y + D_delta_y_3*t400
-        + D_delta_z_3*f_z_w_carriage_2y + D_delta_z_3*t401
+        + D_delta_x_3*f_x_w_carriage_2y + D_delta_x_3*t477 + D_delta_y_3*f_y_w_carriage_2y + D_delta_y_3*t478
+        + D_delta_z_3*f_z_w_carriage_2y + D_delta_z_3*t479
     )
     K_wq_out[..., 4, 27] = (
         D_delta_rx_4*f_rx_w_carriage_2y + D_delta_ry_4*f_ry_w_carriage_2y + D_delta_rz_4*f_rz_w_carriage_2y
-        + D_delta_x_4*f_x_w_carriage_2y + D_delta_x_4*t399 + D_delta_y_4*f_y_w_carriage_2y + D_delta_y_4*t400
-        + D_delta_z_4*f_z_w_carriage_2y + D_delta_z_4*t401
+        + D_delta_x_4*f_x_w_carriage_2y + D_delta_x_4*t477 + D_delta_y_4*f_y_w_carriage_2y + D_delta_y_4*t478
+        + D_delta_z_4*f_z_w_carriage_2y + D_delta_z_4*t479
     )
     K_wq_out[..., 4, 28] = (
         D_delta_rx_5*f_rx_w_carriage_2y + D_delta_ry_5*f_ry_w_carriage_2y + D_delta_rz_5*f_rz_w_carriage_2y
-        + D_delta_x_5*f_x_w_carriage_2y + D_delta_x_5*t399 + D_delta_y_5*f_y_w_carriage_2y + D_delta_y_5*t400
-        + D_delta_z_5*f_z_w_carriage_2y + D_delta_z_5*t401
+        + D_delta_x_5*f_x_w_carriage_2y + D_delta_x_5*t477 + D_delta_y_5*f_y_w_carriage_2y + D_delta_y_5*t478
+        + D_delta_z_5*f_z_w_carriage_2y + D_delta_z_5*t479
     )
     K_wq_out[..., 4, 29] = (
         D_delta_rx_6*f_rx_w_carriage_2y + D_delta_ry_6*f_ry_w_carriage_2y + D_delta_rz_6*f_rz_w_carriage_2y
-        + D_delta_x_6*f_x_w_carriage_2y + D_delta_x_6*t399 + D_delta_y_6*f_y_w_carriage_2y + D_delta_y_6*t400
-        + D_delta_z_6*f_z_w_carriage_2y + D_delta_z_6*t401
+        + D_delta_x_6*f_x_w_carriage_2y + D_delta_x_6*t477 + D_delta_y_6*f_y_w_carriage_2y + D_delta_y_6*t478
+        + D_delta_z_6*f_z_w_carriage_2y + D_delta_z_6*t479
     )
-    K_wq_out[..., 4, 36] = t399
-    K_wq_out[..., 4, 37] = t400
-    K_wq_out[..., 4, 38] = t401
+    K_wq_out[..., 4, 31] = t482
+    K_wq_out[..., 4, 36] = t477
+    K_wq_out[..., 4, 37] = t478
+    K_wq_out[..., 4, 38] = t479
     K_wq_out[..., 5, 0] = (
-        D_delta_rx_12*t357 + D_delta_ry_12*t358 + D_delta_rz_12*t359 + D_delta_x_12*t351 + D_delta_y_12*t354
-        + D_delta_z_12*t356 + D_p_rx_1*f_rx_w_carriage_2z + D_p_ry_1*f_ry_w_carriage_2z
-        + D_p_rz_1*f_rz_w_carriage_2z + D_p_x_1*f_x_w_carriage_2z + D_p_x_1*t402 + D_p_y_1*f_y_w_carriage_2z
-        + D_p_y_1*t403 + D_p_z_1*f_z_w_carriage_2z + D_p_z_1*t404
+        D_delta_rx_12*t417 + D_delta_ry_12*t418 + D_delta_rz_12*t419 + D_delta_x_12*t420 + D_delta_y_12*t423
+        + D_delta_z_12*t425 + D_p_rx_1*f_rx_w_carriage_2z + D_p_ry_1*f_ry_w_carriage_2z
+        + D_p_rz_1*f_rz_w_carriage_2z + D_p_x_1*f_x_w_carriage_2z + D_p_x_1*t483 + D_p_y_1*f_y_w_carriage_2z
+        + D_p_y_1*t484 + D_p_z_1*f_z_w_carriage_2z + D_p_z_1*t485
     )
     K_wq_out[..., 5, 1] = (
-        D_delta_rx_12*t363 + D_delta_ry_12*t364 + D_delta_rz_12*t365 + D_delta_x_12*t360 + D_delta_y_12*t361
-        + D_delta_z_12*t362 + D_p_rx_2*f_rx_w_carriage_2z + D_p_ry_2*f_ry_w_carriage_2z
-        + D_p_rz_2*f_rz_w_carriage_2z + D_p_x_2*f_x_w_carriage_2z + D_p_x_2*t402 + D_p_y_2*f_y_w_carriage_2z
-        + D_p_y_2*t403 + D_p_z_2*f_z_w_carriage_2z + D_p_z_2*t404 - t362
+        D_delta_rx_12*t432 + D_delta_ry_12*t433 + D_delta_rz_12*t434 + D_delta_x_12*t429 + D_delta_y_12*t430
+        + D_delta_z_12*t431 + D_p_rx_2*f_rx_w_carriage_2z + D_p_ry_2*f_ry_w_carriage_2z
+        + D_p_rz_2*f_rz_w_carriage_2z + D_p_x_2*f_x_w_carriage_2z + D_p_x_2*t483 + D_p_y_2*f_y_w_carriage_2z
+        + D_p_y_2*t484 + D_p_z_2*f_z_w_carriage_2z + D_p_z_2*t485 - t431 + t488
     )
     K_wq_out[..., 5, 2] = (
-        D_delta_rx_12*t369 + D_delta_ry_12*t370 + D_delta_rz_12*t371 + D_delta_x_12*t366 + D_delta_y_12*t367
-        + D_delta_z_12*t368 + D_p_rx_3*f_rx_w_carriage_2z + D_p_ry_3*f_ry_w_carriage_2z
-        + D_p_rz_3*f_rz_w_carriage_2z + D_p_x_3*f_x_w_carriage_2z + D_p_x_3*t402 + D_p_y_3*f_y_w_carriage_2z
-        + D_p_y_3*t403 + D_p_z_3*f_z_w_carriage_2z + D_p_z_3*t404
+        D_delta_rx_12*t438 + D_delta_ry_12*t439 + D_delta_rz_12*t440 + D_delta_x_12*t435 + D_delta_y_12*t436
+        + D_delta_z_12*t437 + D_p_rx_3*f_rx_w_carriage_2z + D_p_ry_3*f_ry_w_carriage_2z
+        + D_p_rz_3*f_rz_w_carriage_2z + D_p_x_3*f_x_w_carriage_2z + D_p_x_3*t483 + D_p_y_3*f_y_w_carriage_2z
+        + D_p_y_3*t484 + D_p_z_3*f_z_w_carriage_2z + D_p_z_3*t485
     )
     K_wq_out[..., 5, 3] = (
-        D_delta_rx_12*t375 + D_delta_ry_12*t376 + D_delta_rz_12*t377 + D_delta_x_12*t372 + D_delta_y_12*t373
-        + D_delta_z_12*t374 + D_p_rx_4*f_rx_w_carriage_2z + D_p_ry_4*f_ry_w_carriage_2z
-        + D_p_rz_4*f_rz_w_carriage_2z + D_p_x_4*f_x_w_carriage_2z + D_p_x_4*t402 + D_p_y_4*f_y_w_carriage_2z
-        + D_p_y_4*t403 + D_p_z_4*f_z_w_carriage_2z + D_p_z_4*t404
+        D_delta_rx_12*t444 + D_delta_ry_12*t445 + D_delta_rz_12*t446 + D_delta_x_12*t441 + D_delta_y_12*t442
+        + D_delta_z_12*t443 + D_p_rx_4*f_rx_w_carriage_2z + D_p_ry_4*f_ry_w_carriage_2z
+        + D_p_rz_4*f_rz_w_carriage_2z + D_p_x_4*f_x_w_carriage_2z + D_p_x_4*t483 + D_p_y_4*f_y_w_carriage_2z
+        + D_p_y_4*t484 + D_p_z_4*f_z_w_carriage_2z + D_p_z_4*t485
     )
     K_wq_out[..., 5, 4] = (
-        D_delta_rx_12*t381 + D_delta_ry_12*t382 + D_delta_rz_12*t383 + D_delta_x_12*t378 + D_delta_y_12*t379
-        + D_delta_z_12*t380 + D_p_rx_5*f_rx_w_carriage_2z + D_p_ry_5*f_ry_w_carriage_2z
-        + D_p_rz_5*f_rz_w_carriage_2z + D_p_x_5*f_x_w_carriage_2z + D_p_x_5*t402 + D_p_y_5*f_y_w_carriage_2z
-        + D_p_y_5*t403 + D_p_z_5*f_z_w_carriage_2z + D_p_z_5*t404
+        D_delta_rx_12*t450 + D_delta_ry_12*t451 + D_delta_rz_12*t452 + D_delta_x_12*t447 + D_delta_y_12*t448
+        + D_delta_z_12*t449 + D_p_rx_5*f_rx_w_carriage_2z + D_p_ry_5*f_ry_w_carriage_2z
+        + D_p_rz_5*f_rz_w_carriage_2z + D_p_x_5*f_x_w_carriage_2z + D_p_x_5*t483 + D_p_y_5*f_y_w_carriage_2z
+        + D_p_y_5*t484 + D_p_z_5*f_z_w_carriage_2z + D_p_z_5*t485
     )
     K_wq_out[..., 5, 5] = (
-        D_delta_rx_12*t387 + D_delta_ry_12*t388 + D_delta_rz_12*t389 + D_delta_x_12*t384 + D_delta_y_12*t385
-        + D_delta_z_12*t386 + D_p_rx_6*f_rx_w_carriage_2z + D_p_ry_6*f_ry_w_carriage_2z
-        + D_p_rz_6*f_rz_w_carriage_2z + D_p_x_6*f_x_w_carriage_2z + D_p_x_6*t402 + D_p_y_6*f_y_w_carriage_2z
-        + D_p_y_6*t403 + D_p_z_6*f_z_w_carriage_2z + D_p_z_6*t404
+        D_delta_rx_12*t456 + D_delta_ry_12*t457 + D_delta_rz_12*t458 + D_delta_x_12*t453 + D_delta_y_12*t454
+        + D_delta_z_12*t455 + D_p_rx_6*f_rx_w_carriage_2z + D_p_ry_6*f_ry_w_carriage_2z
+        + D_p_rz_6*f_rz_w_carriage_2z + D_p_x_6*f_x_w_carriage_2z + D_p_x_6*t483 + D_p_y_6*f_y_w_carriage_2z
+        + D_p_y_6*t484 + D_p_z_6*f_z_w_carriage_2z + D_p_z_6*t485
     )
+    K_wq_out[..., 5, 7] = -R_p_2*t487
+    K_wq_out[..., 5, 13] = -R_p_2*t486
     K_wq_out[..., 5, 24] = (
         D_delta_rx_1*f_rx_w_carriage_2z + D_delta_ry_1*f_ry_w_carriage_2z + D_delta_rz_1*f_rz_w_carriage_2z
-        + D_delta_x_1*f_x_w_carriage_2z + D_delta_x_1*t402 + D_delta_y_1*f_y_w_carriage_2z + D_delta_y_1*t403
-        + D_delta_z_1*f_z_w_carriage_2z + D_delta_z_1*t404
+        + D_delta_x_1*f_x_w_carriage_2z + D_delta_x_1*t483 + D_delta_y_1*f_y_w_carriage_2z + D_delta_y_1*t484
+        + D_delta_z_1*f_z_w_carriage_2z + D_delta_z_1*t485
     )
     K_wq_out[..., 5, 25] = (
         D_delta_rx_2*f_rx_w_carriage_2z + D_delta_ry_2*f_ry_w_carriage_2z + D_delta_rz_2*f_rz_w_carriage_2z
-        + D_delta_x_2*f_x_w_carriage_2z + D_delta_x_2*t402 + D_delta_y_2*f_y_w_carriage_2z + D_delta_y_2*t403
-        + D_delta_z_2*f_z_w_carriage_2z + D_delta_z_2*t404
+        + D_delta_x_2*f_x_w_carriage_2z + D_delta_x_2*t483 + D_delta_y_2*f_y_w_carriage_2z + D_delta_y_2*t484
+        + D_delta_z_2*f_z_w_carriage_2z + D_delta_z_2*t485
     )
     K_wq_out[..., 5, 26] = (
         D_delta_rx_3*f_rx_w_carriage_2z + D_delta_ry_3*f_ry_w_carriage_2z + D_delta_rz_3*f_rz_w_carriage_2z
-        + D_delta_x_3*f_x_w_carriage_2z + D_delta_x_3*t402 + D_delta_y_3*f_y_w_carriage_2z + D_delta_y_3*t403
-        + D_delta_z_3*f_z_w_carriage_2z + D_delta_z_3*t404
+        + D_delta_x_3*f_x_w_carriage_2z + D_delta_x_3*t483 + D_delta_y_3*f_y_w_carriage_2z + D_delta_y_3*t484
+        + D_delta_z_3*f_z_w_carriage_2z + D_delta_z_3*t485
     )
     K_wq_out[..., 5, 27] = (
         D_delta_rx_4*f_rx_w_carriage_2z + D_delta_ry_4*f_ry_w_carriage_2z + D_delta_rz_4*f_rz_w_carriage_2z
-        + D_delta_x_4*f_x_w_carriage_2z + D_delta_x_4*t402 + D_delta_y_4*f_y_w_carriage_2z + D_delta_y_4*t403
-        + D_delta_z_4*f_z_w_carriage_2z + D_delta_z_4*t404
+        + D_delta_x_4*f_x_w_carriage_2z + D_delta_x_4*t483 + D_delta_y_4*f_y_w_carriage_2z + D_delta_y_4*t484
+        + D_delta_z_4*f_z_w_carriage_2z + D_delta_z_4*t485
     )
     K_wq_out[..., 5, 28] = (
         D_delta_rx_5*f_rx_w_carriage_2z + D_delta_ry_5*f_ry_w_carriage_2z + D_delta_rz_5*f_rz_w_carriage_2z
-        + D_delta_x_5*f_x_w_carriage_2z + D_delta_x_5*t402 + D_delta_y_5*f_y_w_carriage_2z + D_delta_y_5*t403
-        + D_delta_z_5*f_z_w_carriage_2z + D_delta_z_5*t404
+        + D_delta_x_5*f_x_w_carriage_2z + D_delta_x_5*t483 + D_delta_y_5*f_y_w_carriage_2z + D_delta_y_5*t484
+        + D_delta_z_5*f_z_w_carriage_2z + D_delta_z_5*t485
     )
     K_wq_out[..., 5, 29] = (
         D_delta_rx_6*f_rx_w_carriage_2z + D_delta_ry_6*f_ry_w_carriage_2z + D_delta_rz_6*f_rz_w_carriage_2z
-        + D_delta_x_6*f_x_w_carriage_2z + D_delta_x_6*t402 + D_delta_y_6*f_y_w_carriage_2z + D_delta_y_6*t403
-        + D_delta_z_6*f_z_w_carriage_2z + D_delta_z_6*t404
+        + D_delta_x_6*f_x_w_carriage_2z + D_delta_x_6*t483 + D_delta_y_6*f_y_w_carriage_2z + D_delta_y_6*t484
+        + D_delta_z_6*f_z_w_carriage_2z + D_delta_z_6*t485
     )
-    K_wq_out[..., 5, 36] = t402
-    K_wq_out[..., 5, 37] = t403
-    K_wq_out[..., 5, 38] = t404
+    K_wq_out[..., 5, 31] = t488
+    K_wq_out[..., 5, 36] = t483
+    K_wq_out[..., 5, 37] = t484
+    K_wq_out[..., 5, 38] = t485
     K_wq_out[..., 6, 0] = (
-        D_delta_rx_13*t357 + D_delta_ry_13*t358 + D_delta_rz_13*t359 + D_delta_x_13*t351 + D_delta_y_13*t354
-        + D_delta_z_13*t356 + D_p_rx_1*f_rx_w_carriage_3x + D_p_ry_1*f_ry_w_carriage_3x
-        + D_p_rz_1*f_rz_w_carriage_3x + D_p_x_1*f_x_w_carriage_3x + D_p_x_1*t405 + D_p_y_1*f_y_w_carriage_3x
-        + D_p_y_1*t406 + D_p_z_1*f_z_w_carriage_3x + D_p_z_1*t407
+        D_delta_rx_13*t417 + D_delta_ry_13*t418 + D_delta_rz_13*t419 + D_delta_x_13*t420 + D_delta_y_13*t423
+        + D_delta_z_13*t425 + D_p_rx_1*f_rx_w_carriage_3x + D_p_ry_1*f_ry_w_carriage_3x
+        + D_p_rz_1*f_rz_w_carriage_3x + D_p_x_1*f_x_w_carriage_3x + D_p_x_1*t489 + D_p_y_1*f_y_w_carriage_3x
+        + D_p_y_1*t490 + D_p_z_1*f_z_w_carriage_3x + D_p_z_1*t491
     )
     K_wq_out[..., 6, 1] = (
-        D_delta_rx_13*t363 + D_delta_ry_13*t364 + D_delta_rz_13*t365 + D_delta_x_13*t360 + D_delta_y_13*t361
-        + D_delta_z_13*t362 + D_p_rx_2*f_rx_w_carriage_3x + D_p_ry_2*f_ry_w_carriage_3x
-        + D_p_rz_2*f_rz_w_carriage_3x + D_p_x_2*f_x_w_carriage_3x + D_p_x_2*t405 + D_p_y_2*f_y_w_carriage_3x
-        + D_p_y_2*t406 + D_p_z_2*f_z_w_carriage_3x + D_p_z_2*t407
+        D_delta_rx_13*t432 + D_delta_ry_13*t433 + D_delta_rz_13*t434 + D_delta_x_13*t429 + D_delta_y_13*t430
+        + D_delta_z_13*t431 + D_p_rx_2*f_rx_w_carriage_3x + D_p_ry_2*f_ry_w_carriage_3x
+        + D_p_rz_2*f_rz_w_carriage_3x + D_p_x_2*f_x_w_carriage_3x + D_p_x_2*t489 + D_p_y_2*f_y_w_carriage_3x
+        + D_p_y_2*t490 + D_p_z_2*f_z_w_carriage_3x + D_p_z_2*t491
     )
     K_wq_out[..., 6, 2] = (
-        D_delta_rx_13*t369 + D_delta_ry_13*t370 + D_delta_rz_13*t371 + D_delta_x_13*t366 + D_delta_y_13*t367
-        + D_delta_z_13*t368 + D_p_rx_3*f_rx_w_carriage_3x + D_p_ry_3*f_ry_w_carriage_3x
-        + D_p_rz_3*f_rz_w_carriage_3x + D_p_x_3*f_x_w_carriage_3x + D_p_x_3*t405 + D_p_y_3*f_y_w_carriage_3x
-        + D_p_y_3*t406 + D_p_z_3*f_z_w_carriage_3x + D_p_z_3*t407 - t366
+        D_delta_rx_13*t438 + D_delta_ry_13*t439 + D_delta_rz_13*t440 + D_delta_x_13*t435 + D_delta_y_13*t436
+        + D_delta_z_13*t437 + D_p_rx_3*f_rx_w_carriage_3x + D_p_ry_3*f_ry_w_carriage_3x
+        + D_p_rz_3*f_rz_w_carriage_3x + D_p_x_3*f_x_w_carriage_3x + D_p_x_3*t489 + D_p_y_3*f_y_w_carriage_3x
+        + D_p_y_3*t490 + D_p_z_3*f_z_w_carriage_3x + D_p_z_3*t491 - t435 + t494
     )
     K_wq_out[..., 6, 3] = (
-        D_delta_rx_13*t375 + D_delta_ry_13*t376 + D_delta_rz_13*t377 + D_delta_x_13*t372 + D_delta_y_13*t373
-        + D_delta_z_13*t374 + D_p_rx_4*f_rx_w_carriage_3x + D_p_ry_4*f_ry_w_carriage_3x
-        + D_p_rz_4*f_rz_w_carriage_3x + D_p_x_4*f_x_w_carriage_3x + D_p_x_4*t405 + D_p_y_4*f_y_w_carriage_3x
-        + D_p_y_4*t406 + D_p_z_4*f_z_w_carriage_3x + D_p_z_4*t407
+        D_delta_rx_13*t444 + D_delta_ry_13*t445 + D_delta_rz_13*t446 + D_delta_x_13*t441 + D_delta_y_13*t442
+        + D_delta_z_13*t443 + D_p_rx_4*f_rx_w_carriage_3x + D_p_ry_4*f_ry_w_carriage_3x
+        + D_p_rz_4*f_rz_w_carriage_3x + D_p_x_4*f_x_w_carriage_3x + D_p_x_4*t489 + D_p_y_4*f_y_w_carriage_3x
+        + D_p_y_4*t490 + D_p_z_4*f_z_w_carriage_3x + D_p_z_4*t491
     )
     K_wq_out[..., 6, 4] = (
-        D_delta_rx_13*t381 + D_delta_ry_13*t382 + D_delta_rz_13*t383 + D_delta_x_13*t378 + D_delta_y_13*t379
-        + D_delta_z_13*t380 + D_p_rx_5*f_rx_w_carriage_3x + D_p_ry_5*f_ry_w_carriage_3x
-        + D_p_rz_5*f_rz_w_carriage_3x + D_p_x_5*f_x_w_carriage_3x + D_p_x_5*t405 + D_p_y_5*f_y_w_carriage_3x
-        + D_p_y_5*t406 + D_p_z_5*f_z_w_carriage_3x + D_p_z_5*t407
+        D_delta_rx_13*t450 + D_delta_ry_13*t451 + D_delta_rz_13*t452 + D_delta_x_13*t447 + D_delta_y_13*t448
+        + D_delta_z_13*t449 + D_p_rx_5*f_rx_w_carriage_3x + D_p_ry_5*f_ry_w_carriage_3x
+        + D_p_rz_5*f_rz_w_carriage_3x + D_p_x_5*f_x_w_carriage_3x + D_p_x_5*t489 + D_p_y_5*f_y_w_carriage_3x
+        + D_p_y_5*t490 + D_p_z_5*f_z_w_carriage_3x + D_p_z_5*t491
     )
     K_wq_out[..., 6, 5] = (
-        D_delta_rx_13*t387 + D_delta_ry_13*t388 + D_delta_rz_13*t389 + D_delta_x_13*t384 + D_delta_y_13*t385
-        + D_delta_z_13*t386 + D_p_rx_6*f_rx_w_carriage_3x + D_p_ry_6*f_ry_w_carriage_3x
-        + D_p_rz_6*f_rz_w_carriage_3x + D_p_x_6*f_x_w_carriage_3x + D_p_x_6*t405 + D_p_y_6*f_y_w_carriage_3x
-        + D_p_y_6*t406 + D_p_z_6*f_z_w_carriage_3x + D_p_z_6*t407
+        D_delta_rx_13*t456 + D_delta_ry_13*t457 + D_delta_rz_13*t458 + D_delta_x_13*t453 + D_delta_y_13*t454
+        + D_delta_z_13*t455 + D_p_rx_6*f_rx_w_carriage_3x + D_p_ry_6*f_ry_w_carriage_3x
+        + D_p_rz_6*f_rz_w_carriage_3x + D_p_x_6*f_x_w_carriage_3x + D_p_x_6*t489 + D_p_y_6*f_y_w_carriage_3x
+        + D_p_y_6*t490 + D_p_z_6*f_z_w_carriage_3x + D_p_z_6*t491
     )
+    K_wq_out[..., 6, 8] = -R_p_3*t493
+    K_wq_out[..., 6, 14] = -R_p_3*t492
     K_wq_out[..., 6, 24] = (
         D_delta_rx_1*f_rx_w_carriage_3x + D_delta_ry_1*f_ry_w_carriage_3x + D_delta_rz_1*f_rz_w_carriage_3x
-        + D_delta_x_1*f_x_w_carriage_3x + D_delta_x_1*t405 + D_delta_y_1*f_y_w_carriage_3x + D_delta_y_1*t406
-        + D_delta_z_1*f_z_w_carriage_3x + D_delta_z_1*t407
+        + D_delta_x_1*f_x_w_carriage_3x + D_delta_x_1*t489 + D_delta_y_1*f_y_w_carriage_3x + D_delta_y_1*t490
+        + D_delta_z_1*f_z_w_carriage_3x + D_delta_z_1*t491
     )
     K_wq_out[..., 6, 25] = (
         D_delta_rx_2*f_rx_w_carriage_3x + D_delta_ry_2*f_ry_w_carriage_3x + D_delta_rz_2*f_rz_w_carriage_3x
-        + D_delta_x_2*f_x_w_carriage_3x + D_delta_x_2*t405 + D_delta_y_2*f_y_w_carriage_3x + D_delta_y_2*t406
-        + D_delta_z_2*f_z_w_carriage_3x + D_delta_z_2*t407
+        + D_delta_x_2*f_x_w_carriage_3x + D_delta_x_2*t489 + D_delta_y_2*f_y_w_carriage_3x + D_delta_y_2*t490
+        + D_delta_z_2*f_z_w_carriage_3x + D_delta_z_2*t491
     )
     K_wq_out[..., 6, 26] = (
         D_delta_rx_3*f_rx_w_carriage_3x + D_delta_ry_3*f_ry_w_carriage_3x + D_delta_rz_3*f_rz_w_carriage_3x
-        + D_delta_x_3*f_x_w_carriage_3x + D_delta_x_3*t405 + D_delta_y_3*f_y_w_carriage_3x + D_delta_y_3*t406
-        + D_delta_z_3*f_z_w_carriage_3x + D_delta_z_3*t407
+        + D_delta_x_3*f_x_w_carriage_3x + D_delta_x_3*t489 + D_delta_y_3*f_y_w_carriage_3x + D_delta_y_3*t490
+        + D_delta_z_3*f_z_w_carriage_3x + D_delta_z_3*t491
     )
     K_wq_out[..., 6, 27] = (
         D_delta_rx_4*f_rx_w_carriage_3x + D_delta_ry_4*f_ry_w_carriage_3x + D_delta_rz_4*f_rz_w_carriage_3x
-        + D_delta_x_4*f_x_w_carriage_3x + D_delta_x_4*t405 + D_delta_y_4*f_y_w_carriage_3x + D_delta_y_4*t406
-        + D_delta_z_4*f_z_w_carriage_3x + D_delta_z_4*t407
+        + D_delta_x_4*f_x_w_carriage_3x + D_delta_x_4*t489 + D_delta_y_4*f_y_w_carriage_3x + D_delta_y_4*t490
+        + D_delta_z_4*f_z_w_carriage_3x + D_delta_z_4*t491
     )
     K_wq_out[..., 6, 28] = (
         D_delta_rx_5*f_rx_w_carriage_3x + D_delta_ry_5*f_ry_w_carriage_3x + D_delta_rz_5*f_rz_w_carriage_3x
-        + D_delta_x_5*f_x_w_carriage_3x + D_delta_x_5*t405 + D_delta_y_5*f_y_w_carriage_3x + D_delta_y_5*t406
-        + D_delta_z_5*f_z_w_carriage_3x + D_delta_z_5*t407
+        + D_delta_x_5*f_x_w_carriage_3x + D_delta_x_5*t489 + D_delta_y_5*f_y_w_carriage_3x + D_delta_y_5*t490
+        + D_delta_z_5*f_z_w_carriage_3x + D_delta_z_5*t491
     )
     K_wq_out[..., 6, 29] = (
         D_delta_rx_6*f_rx_w_carriage_3x + D_delta_ry_6*f_ry_w_carriage_3x + D_delta_rz_6*f_rz_w_carriage_3x
-        + D_delta_x_6*f_x_w_carriage_3x + D_delta_x_6*t405 + D_delta_y_6*f_y_w_carriage_3x + D_delta_y_6*t406
-        + D_delta_z_6*f_z_w_carriage_3x + D_delta_z_6*t407
+        + D_delta_x_6*f_x_w_carriage_3x + D_delta_x_6*t489 + D_delta_y_6*f_y_w_carriage_3x + D_delta_y_6*t490
+        + D_delta_z_6*f_z_w_carriage_3x + D_delta_z_6*t491
     )
-    K_wq_out[..., 6, 36] = t405
-    K_wq_out[..., 6, 37] = t406
-    K_wq_out[..., 6, 38] = t407
+    K_wq_out[..., 6, 32] = t494
+    K_wq_out[..., 6, 36] = t489
+    K_wq_out[..., 6, 37] = t490
+    K_wq_out[..., 6, 38] = t491
     K_wq_out[..., 7, 0] = (
-        D_delta_rx_14*t357 + D_delta_ry_14*t358 + D_delta_rz_14*t359 + D_delta_x_14*t351 + D_delta_y_14*t354
-        + D_delta_z_14*t356 + D_p_rx_1*f_rx_w_carriage_3y + D_p_ry_1*f_ry_w_carriage_3y
-        + D_p_rz_1*f_rz_w_carriage_3y + D_p_x_1*f_x_w_carriage_3y + D_p_x_1*t408 + D_p_y_1*f_y_w_carriage_3y
-        + D_p_y_1*t409 + D_p_z_1*f_z_w_carriage_3y + D_p_z_1*t410
+        D_delta_rx_14*t417 + D_delta_ry_14*t418 + D_delta_rz_14*t419 + D_delta_x_14*t420 + D_delta_y_14*t423
+        + D_delta_z_14*t425 + D_p_rx_1*f_rx_w_carriage_3y + D_p_ry_1*f_ry_w_carriage_3y
+        + D_p_rz_1*f_rz_w_carriage_3y + D_p_x_1*f_x_w_carriage_3y + D_p_x_1*t495 + D_p_y_1*f_y_w_carriage_3y
+        + D_p_y_1*t496 + D_p_z_1*f_z_w_carriage_3y + D_p_z_1*t497
     )
     K_wq_out[..., 7, 1] = (
-        D_delta_rx_14*t363 + D_delta_ry_14*t364 + D_delta_rz_14*t365 + D_delta_x_14*t360 + D_delta_y_14*t361
-        + D_delta_z_14*t362 + D_p_rx_2*f_rx_w_carriage_3y + D_p_ry_2*f_ry_w_carriage_3y
-        + D_p_rz_2*f_rz_w_carriage_3y + D_p_x_2*f_x_w_carriage_3y + D_p_x_2*t408 + D_p_y_2*f_y_w_carriage_3y
-        + D_p_y_2*t409 + D_p_z_2*f_z_w_carriage_3y + D_p_z_2*t410
+        D_delta_rx_14*t432 + D_delta_ry_14*t433 + D_delta_rz_14*t434 + D_delta_x_14*t429 + D_delta_y_14*t430
+        + D_delta_z_14*t431 + D_p_rx_2*f_rx_w_carriage_3y + D_p_ry_2*f_ry_w_carriage_3y
+        + D_p_rz_2*f_rz_w_carriage_3y + D_p_x_2*f_x_w_carriage_3y + D_p_x_2*t495 + D_p_y_2*f_y_w_carriage_3y
+        + D_p_y_2*t496 + D_p_z_2*f_z_w_carriage_3y + D_p_z_2*t497
     )
     K_wq_out[..., 7, 2] = (
-        D_delta_rx_14*t369 + D_delta_ry_14*t370 + D_delta_rz_14*t371 + D_delta_x_14*t366 + D_delta_y_14*t367
-        + D_delta_z_14*t368 + D_p_rx_3*f_rx_w_carriage_3y + D_p_ry_3*f_ry_w_carriage_3y
-        + D_p_rz_3*f_rz_w_carriage_3y + D_p_x_3*f_x_w_carriage_3y + D_p_x_3*t408 + D_p_y_3*f_y_w_carriage_3y
-        + D_p_y_3*t409 + D_p_z_3*f_z_w_carriage_3y + D_p_z_3*t410 - t367
+        D_delta_rx_14*t438 + D_delta_ry_14*t439 + D_delta_rz_14*t440 + D_delta_x_14*t435 + D_delta_y_14*t436
+        + D_delta_z_14*t437 + D_p_rx_3*f_rx_w_carriage_3y + D_p_ry_3*f_ry_w_carriage_3y
+        + D_p_rz_3*f_rz_w_carriage_3y + D_p_x_3*f_x_w_carriage_3y + D_p_x_3*t495 + D_p_y_3*f_y_w_carriage_3y
+        + D_p_y_3*t496 + D_p_z_3*f_z_w_carriage_3y + D_p_z_3*t497 - t436 + t500
     )
     K_wq_out[..., 7, 3] = (
-        D_delta_rx_14*t375 + D_delta_ry_14*t376 + D_delta_rz_14*t377 + D_delta_x_14*t372 + D_delta_y_14*t373
-        + D_delta_z_14*t374 + D_p_rx_4*f_rx_w_carriage_3y + D_p_ry_4*f_ry_w_carriage_3y
-        + D_p_rz_4*f_rz_w_carriage_3y + D_p_x_4*f_x_w_carriage_3y + D_p_x_4*t408 + D_p_y_4*f_y_w_carriage_3y
-        + D_p_y_4*t409 + D_p_z_4*f_z_w_carriage_3y + D_p_z_4*t410
+        D_delta_rx_14*t444 + D_delta_ry_14*t445 + D_delta_rz_14*t446 + D_delta_x_14*t441 + D_delta_y_14*t442
+        + D_delta_z_14*t443 + D_p_rx_4*f_rx_w_carriage_3y + D_p_ry_4*f_ry_w_carriage_3y
+        + D_p_rz_4*f_rz_w_carriage_3y + D_p_x_4*f_x_w_carriage_3y + D_p_x_4*t495 + D_p_y_4*f_y_w_carriage_3y
+        + D_p_y_4*t496 + D_p_z_4*f_z_w_carriage_3y + D_p_z_4*t497
     )
     K_wq_out[..., 7, 4] = (
-        D_delta_rx_14*t381 + D_delta_ry_14*t382 + D_delta_rz_14*t383 + D_delta_x_14*t378 + D_delta_y_14*t379
-        + D_delta_z_14*t380 + D_p_rx_5*f_rx_w_carriage_3y + D_p_ry_5*f_ry_w_carriage_3y
-        + D_p_rz_5*f_rz_w_carriage_3y + D_p_x_5*f_x_w_carriage_3y + D_p_x_5*t408 + D_p_y_5*f_y_w_carriage_3y
-        + D_p_y_5*t409 + D_p_z_5*f_z_w_carriage_3y + D_p_z_5*t410
+        D_delta_rx_14*t450 + D_delta_ry_14*t451 + D_delta_rz_14*t452 + D_delta_x_14*t447 + D_delta_y_14*t448
+        + D_delta_z_14*t449 + D_p_rx_5*f_rx_w_carriage_3y + D_p_ry_5*f_ry_w_carriage_3y
+        + D_p_rz_5*f_rz_w_carriage_3y + D_p_x_5*f_x_w_carriage_3y + D_p_x_5*t495 + D_p_y_5*f_y_w_carriage_3y
+        + D_p_y_5*t496 + D_p_z_5*f_z_w_carriage_3y + D_p_z_5*t497
     )
     K_wq_out[..., 7, 5] = (
-        D_delta_rx_14*t387 + D_delta_ry_14*t388 + D_delta_rz_14*t389 + D_delta_x_14*t384 + D_delta_y_14*t385
-        + D_delta_z_14*t386 + D_p_rx_6*f_rx_w_carriage_3y + D_p_ry_6*f_ry_w_carriage_3y
-        + D_p_rz_6*f_rz_w_carriage_3y + D_p_x_6*f_x_w_carriage_3y + D_p_x_6*t408 + D_p_y_6*f_y_w_carriage_3y
-        + D_p_y_6*t409 + D_p_z_6*f_z_w_carriage_3y + D_p_z_6*t410
+        D_delta_rx_14*t456 + D_delta_ry_14*t457 + D_delta_rz_14*t458 + D_delta_x_14*t453 + D_delta_y_14*t454
+        + D_delta_z_14*t455 + D_p_rx_6*f_rx_w_carriage_3y + D_p_ry_6*f_ry_w_carriage_3y
+        + D_p_rz_6*f_rz_w_carriage_3y + D_p_x_6*f_x_w_carriage_3y + D_p_x_6*t495 + D_p_y_6*f_y_w_carriage_3y
+        + D_p_y_6*t496 + D_p_z_6*f_z_w_carriage_3y + D_p_z_6*t497
     )
+    K_wq_out[..., 7, 8] = -R_p_3*t499
+    K_wq_out[..., 7, 14] = -R_p_3*t498
     K_wq_out[..., 7, 24] = (
         D_delta_rx_1*f_rx_w_carriage_3y + D_delta_ry_1*f_ry_w_carriage_3y + D_delta_rz_1*f_rz_w_carriage_3y
-        + D_delta_x_1*f_x_w_carriage_3y + D_delta_x_1*t408 + D_delta_y_1*f_y_w_carriage_3y + D_delta_y_1*t409
-        + D_delta_z_1*f_z_w_carriage_3y + D_delta_z_1*t410
+        + D_delta_x_1*f_x_w_carriage_3y + D_delta_x_1*t495 + D_delta_y_1*f_y_w_carriage_3y + D_delta_y_1*t496
+        + D_delta_z_1*f_z_w_carriage_3y + D_delta_z_1*t497
     )
     K_wq_out[..., 7, 25] = (
         D_delta_rx_2*f_rx_w_carriage_3y + D_delta_ry_2*f_ry_w_carriage_3y + D_delta_rz_2*f_rz_w_carriage_3y
-        + D_delta_x_2*f_x_w_carriage_3y + D_delta_x_2*t408 + D_delta_y_2*f_y_w_carriage_3y + D_delta_y_2*t409
-        + D_delta_z_2*f_z_w_carriage_3y + D_delta_z_2*t410
+        + D_delta_x_2*f_x_w_carriage_3y + D_delta_x_2*t495 + D_delta_y_2*f_y_w_carriage_3y + D_delta_y_2*t496
+        + D_delta_z_2*f_z_w_carriage_3y + D_delta_z_2*t497
     )
     K_wq_out[..., 7, 26] = (
         D_delta_rx_3*f_rx_w_carriage_3y + D_delta_ry_3*f_ry_w_carriage_3y + D_delta_rz_3*f_rz_w_carriage_3y
-        + D_delta_x_3*f_x_w_carriage_3y + D_delta_x_3*t408 + D_delta_y_3*f_y_w_carriage_3y + D_delta_y_3*t409
-        + D_delta_z_3*f_z_w_carriage_3y + D_delta_z_3*t410
+        + D_delta_x_3*f_x_w_carriage_3y + D_delta_x_3*t495 + D_delta_y_3*f_y_w_carriage_3y + D_delta_y_3*t496
+        + D_delta_z_3*f_z_w_carriage_3y + D_delta_z_3*t497
     )
     K_wq_out[..., 7, 27] = (
         D_delta_rx_4*f_rx_w_carriage_3y + D_delta_ry_4*f_ry_w_carriage_3y + D_delta_rz_4*f_rz_w_carriage_3y
-        + D_delta_x_4*f_x_w_carriage_3y + D_delta_x_4*t408 + D_delta_y_4*f_y_w_carriage_3y + D_delta_y_4*t409
-        + D_delta_z_4*f_z_w_carriage_3y + D_delta_z_4*t410
+        + D_delta_x_4*f_x_w_carriage_3y + D_delta_x_4*t495 + D_delta_y_4*f_y_w_carriage_3y + D_delta_y_4*t496
+        + D_delta_z_4*f_z_w_carriage_3y + D_delta_z_4*t497
     )
     K_wq_out[..., 7, 28] = (
         D_delta_rx_5*f_rx_w_carriage_3y + D_delta_ry_5*f_ry_w_carriage_3y + D_delta_rz_5*f_rz_w_carriage_3y
-        + D_delta_x_5*f_x_w_carriage_3y + D_delta_x_5*t408 + D_delta_y_5*f_y_w_carriage_3y + D_delta_y_5*t409
-        + D_delta_z_5*f_z_w_carriage_3y + D_delta_z_5*t410
+        + D_delta_x_5*f_x_w_carriage_3y + D_delta_x_5*t495 + D_delta_y_5*f_y_w_carriage_3y + D_delta_y_5*t496
+        + D_delta_z_5*f_z_w_carriage_3y + D_delta_z_5*t497
     )
     K_wq_out[..., 7, 29] = (
         D_delta_rx_6*f_rx_w_carriage_3y + D_delta_ry_6*f_ry_w_carriage_3y + D_delta_rz_6*f_rz_w_carriage_3y
-        + D_delta_x_6*f_x_w_carriage_3y + D_delta_x_6*t408 + D_delta_y_6*f_y_w_carriage_3y + D_delta_y_6*t409
-        + D_delta_z_6*f_z_w_carriage_3y + D_delta_z_6*t410
+        + D_delta_x_6*f_x_w_carriage_3y + D_delta_x_6*t495 + D_delta_y_6*f_y_w_carriage_3y + D_delta_y_6*t496
+        + D_delta_z_6*f_z_w_carriage_3y + D_delta_z_6*t497
     )
-    K_wq_out[..., 7, 36] = t408
-    K_wq_out[..., 7, 37] = t409
-    K_wq_out[..., 7, 38] = t410
+    K_wq_out[..., 7, 32] = t500
+    K_wq_out[..., 7, 36] = t495
+    K_wq_out[..., 7, 37] = t496
+    K_wq_out[..., 7, 38] = t497
     K_wq_out[..., 8, 0] = (
-        D_delta_rx_15*t357 + D_delta_ry_15*t358 + D_delta_rz_15*t359 + D_delta_x_15*t351 + D_delta_y_15*t354
-        + D_delta_z_15*t356 + D_p_rx_1*f_rx_w_carriage_3z + D_p_ry_1*f_ry_w_carriage_3z
-        + D_p_rz_1*f_rz_w_carriage_3z + D_p_x_1*f_x_w_carriage_3z + D_p_x_1*t411 + D_p_y_1*f_y_w_carriage_3z
-        + D_p_y_1*t412 + D_p_z_1*f_z_w_carriage_3z + D_p_z_1*t413
+        D_delta_rx_15*t417 + D_delta_ry_15*t418 + D_delta_rz_15*t419 + D_delta_x_15*t420 + D_delta_y_15*t423
+        + D_delta_z_15*t425 + D_p_rx_1*f_rx_w_carriage_3z + D_p_ry_1*f_ry_w_carriage_3z
+        + D_p_rz_1*f_rz_w_carriage_3z + D_p_x_1*f_x_w_carriage_3z + D_p_x_1*t501 + D_p_y_1*f_y_w_carriage_3z
+        + D_p_y_1*t502 + D_p_z_1*f_z_w_carriage_3z + D_p_z_1*t503
     )
     K_wq_out[..., 8, 1] = (
-        D_delta_rx_15*t363 + D_delta_ry_15*t364 + D_delta_rz_15*t365 + D_delta_x_15*t360 + D_delta_y_15*t361
-        + D_delta_z_15*t362 + D_p_rx_2*f_rx_w_carriage_3z + D_p_ry_2*f_ry_w_carriage_3z
-        + D_p_rz_2*f_rz_w_carriage_3z + D_p_x_2*f_x_w_carriage_3z + D_p_x_2*t411 + D_p_y_2*f_y_w_carriage_3z
-        + D_p_y_2*t412 + D_p_z_2*f_z_w_carriage_3z + D_p_z_2*t413
+        D_delta_rx_15*t432 + D_delta_ry_15*t433 + D_delta_rz_15*t434 + D_delta_x_15*t429 + D_delta_y_15*t430
+        + D_delta_z_15*t431 + D_p_rx_2*f_rx_w_carriage_3z + D_p_ry_2*f_ry_w_carriage_3z
+        + D_p_rz_2*f_rz_w_carriage_3z + D_p_x_2*f_x_w_carriage_3z + D_p_x_2*t501 + D_p_y_2*f_y_w_carriage_3z
+        + D_p_y_2*t502 + D_p_z_2*f_z_w_carriage_3z + D_p_z_2*t503
     )
     K_wq_out[..., 8, 2] = (
-        D_delta_rx_15*t369 + D_delta_ry_15*t370 + D_delta_rz_15*t371 + D_delta_x_15*t366 + D_delta_y_15*t367
-        + D_delta_z_15*t368 + D_p_rx_3*f_rx_w_carriage_3z + D_p_ry_3*f_ry_w_carriage_3z
-        + D_p_rz_3*f_rz_w_carriage_3z + D_p_x_3*f_x_w_carriage_3z + D_p_x_3*t411 + D_p_y_3*f_y_w_carriage_3z
-        + D_p_y_3*t412 + D_p_z_3*f_z_w_carriage_3z + D_p_z_3*t413 - t368
+        D_delta_rx_15*t438 + D_delta_ry_15*t439 + D_delta_rz_15*t440 + D_delta_x_15*t435 + D_delta_y_15*t436
+        + D_delta_z_15*t437 + D_p_rx_3*f_rx_w_carriage_3z + D_p_ry_3*f_ry_w_carriage_3z
+        + D_p_rz_3*f_rz_w_carriage_3z + D_p_x_3*f_x_w_carriage_3z + D_p_x_3*t501 + D_p_y_3*f_y_w_carriage_3z
+        + D_p_y_3*t502 + D_p_z_3*f_z_w_carriage_3z + D_p_z_3*t503 - t437 + t506
     )
     K_wq_out[..., 8, 3] = (
-        D_delta_rx_15*t375 + D_delta_ry_15*t376 + D_delta_rz_15*t377 + D_delta_x_15*t372 + D_delta_y_15*t373
-        + D_delta_z_15*t374 + D_p_rx_4*f_rx_w_carriage_3z + D_p_ry_4*f_ry_w_carriage_3z
-        + D_p_rz_4*f_rz_w_carriage_3z + D_p_x_4*f_x_w_carriage_3z + D_p_x_4*t411 + D_p_y_4*f_y_w_carriage_3z
-        + D_p_y_4*t412 + D_p_z_4*f_z_w_carriage_3z + D_p_z_4*t413
+        D_delta_rx_15*t444 + D_delta_ry_15*t445 + D_delta_rz_15*t446 + D_delta_x_15*t441 + D_delta_y_15*t442
+        + D_delta_z_15*t443 + D_p_rx_4*f_rx_w_carriage_3z + D_p_ry_4*f_ry_w_carriage_3z
+        + D_p_rz_4*f_rz_w_carriage_3z + D_p_x_4*f_x_w_carriage_3z + D_p_x_4*t501 + D_p_y_4*f_y_w_carriage_3z
+        + D_p_y_4*t502 + D_p_z_4*f_z_w_carriage_3z + D_p_z_4*t503
     )
     K_wq_out[..., 8, 4] = (
-        D_delta_rx_15*t381 + D_delta_ry_15*t382 + D_delta_rz_15*t383 + D_delta_x_15*t378 + D_delta_y_15*t379
-        + D_delta_z_15*t380 + D_p_rx_5*f_rx_w_carriage_3z + D_p_ry_5*f_ry_w_carriage_3z
-        + D_p_rz_5*f_rz_w_carriage_3z + D_p_x_5*f_x_w_carriage_3z + D_p_x_5*t411 + D_p_y_5*f_y_w_carriage_3z
-        + D_p_y_5*t412 + D_p_z_5*f_z_w_carriage_3z + D_p_z_5*t413
+        D_delta_rx_15*t450 + D_delta_ry_15*t451 + D_delta_rz_15*t452 + D_delta_x_15*t447 + D_delta_y_15*t448
+        + D_delta_z_15*t449 + D_p_rx_5*f_rx_w_carriage_3z + D_p_ry_5*f_ry_w_carriage_3z
+        + D_p_rz_5*f_rz_w_carriage_3z + D_p_x_5*f_x_w_carriage_3z + D_p_x_5*t501 + D_p_y_5*f_y_w_carriage_3z
+        + D_p_y_5*t502 + D_p_z_5*f_z_w_carriage_3z + D_p_z_5*t503
     )
     K_wq_out[..., 8, 5] = (
-        D_delta_rx_15*t387 + D_delta_ry_15*t388 + D_delta_rz_15*t389 + D_delta_x_15*t384 + D_delta_y_15*t385
-        + D_delta_z_15*t386 + D_p_rx_6*f_rx_w_carriage_3z + D_p_ry_6*f_ry_w_carriage_3z
-        + D_p_rz_6*f_rz_w_carriage_3z + D_p_x_6*f_x_w_carriage_3z + D_p_x_6*t411 + D_p_y_6*f_y_w_carriage_3z
-        + D_p_y_6*t412 + D_p_z_6*f_z_w_carriage_3z + D_p_z_6*t413
+        D_delta_rx_15*t456 + D_delta_ry_15*t457 + D_delta_rz_15*t458 + D_delta_x_15*t453 + D_delta_y_15*t454
+        + D_delta_z_15*t455 + D_p_rx_6*f_rx_w_carriage_3z + D_p_ry_6*f_ry_w_carriage_3z
+        + D_p_rz_6*f_rz_w_carriage_3z + D_p_x_6*f_x_w_carriage_3z + D_p_x_6*t501 + D_p_y_6*f_y_w_carriage_3z
+        + D_p_y_6*t502 + D_p_z_6*f_z_w_carriage_3z + D_p_z_6*t503
     )
+    K_wq_out[..., 8, 8] = -R_p_3*t505
+    K_wq_out[..., 8, 14] = -R_p_3*t504
     K_wq_out[..., 8, 24] = (
         D_delta_rx_1*f_rx_w_carriage_3z + D_delta_ry_1*f_ry_w_carriage_3z + D_delta_rz_1*f_rz_w_carriage_3z
-        + D_delta_x_1*f_x_w_carriage_3z + D_delta_x_1*t411 + D_delta_y_1*f_y_w_carriage_3z + D_delta_y_1*t412
-        + D_delta_z_1*f_z_w_carriage_3z + D_delta_z_1*t413
+        + D_delta_x_1*f_x_w_carriage_3z + D_delta_x_1*t501 + D_delta_y_1*f_y_w_carriage_3z + D_delta_y_1*t502
+        + D_delta_z_1*f_z_w_carriage_3z + D_delta_z_1*t503
     )
     K_wq_out[..., 8, 25] = (
         D_delta_rx_2*f_rx_w_carriage_3z + D_delta_ry_2*f_ry_w_carriage_3z + D_delta_rz_2*f_rz_w_carriage_3z
-        + D_delta_x_2*f_x_w_carriage_3z + D_delta_x_2*t411 + D_delta_y_2*f_y_w_carriage_3z + D_delta_y_2*t412
-        + D_delta_z_2*f_z_w_carriage_3z + D_delta_z_2*t413
+        + D_delta_x_2*f_x_w_carriage_3z + D_delta_x_2*t501 + D_delta_y_2*f_y_w_carriage_3z + D_delta_y_2*t502
+        + D_delta_z_2*f_z_w_carriage_3z + D_delta_z_2*t503
     )
     K_wq_out[..., 8, 26] = (
         D_delta_rx_3*f_rx_w_carriage_3z + D_delta_ry_3*f_ry_w_carriage_3z + D_delta_rz_3*f_rz_w_carriage_3z
-        + D_delta_x_3*f_x_w_carriage_3z + D_delta_x_3*t411 + D_delta_y_3*f_y_w_carriage_3z + D_delta_y_3*t412
-        + D_delta_z_3*f_z_w_carriage_3z + D_delta_z_3*t413
+        + D_delta_x_3*f_x_w_carriage_3z + D_delta_x_3*t501 + D_delta_y_3*f_y_w_carriage_3z + D_delta_y_3*t502
+        + D_delta_z_3*f_z_w_carriage_3z + D_delta_z_3*t503
     )
     K_wq_out[..., 8, 27] = (
         D_delta_rx_4*f_rx_w_carriage_3z + D_delta_ry_4*f_ry_w_carriage_3z + D_delta_rz_4*f_rz_w_carriage_3z
-        + D_delta_x_4*f_x_w_carriage_3z + D_delta_x_4*t411 + D_delta_y_4*f_y_w_carriage_3z + D_delta_y_4*t412
-        + D_delta_z_4*f_z_w_carriage_3z + D_delta_z_4*t413
+        + D_delta_x_4*f_x_w_carriage_3z + D_delta_x_4*t501 + D_delta_y_4*f_y_w_carriage_3z + D_delta_y_4*t502
+        + D_delta_z_4*f_z_w_carriage_3z + D_delta_z_4*t503
     )
     K_wq_out[..., 8, 28] = (
         D_delta_rx_5*f_rx_w_carriage_3z + D_delta_ry_5*f_ry_w_carriage_3z + D_delta_rz_5*f_rz_w_carriage_3z
-        + D_delta_x_5*f_x_w_carriage_3z + D_delta_x_5*t411 + D_delta_y_5*f_y_w_carriage_3z + D_delta_y_5*t412
-        + D_delta_z_5*f_z_w_carriage_3z + D_delta_z_5*t413
+        + D_delta_x_5*f_x_w_carriage_3z + D_delta_x_5*t501 + D_delta_y_5*f_y_w_carriage_3z + D_delta_y_5*t502
+        + D_delta_z_5*f_z_w_carriage_3z + D_delta_z_5*t503
     )
     K_wq_out[..., 8, 29] = (
         D_delta_rx_6*f_rx_w_carriage_3z + D_delta_ry_6*f_ry_w_carriage_3z + D_delta_rz_6*f_rz_w_carriage_3z
-        + D_delta_x_6*f_x_w_carriage_3z + D_delta_x_6*t411 + D_delta_y_6*f_y_w_carriage_3z + D_delta_y_6*t412
-        + D_delta_z_6*f_z_w_carriage_3z + D_delta_z_6*t413
+        + D_delta_x_6*f_x_w_carriage_3z + D_delta_x_6*t501 + D_delta_y_6*f_y_w_carriage_3z + D_delta_y_6*t502
+        + D_delta_z_6*f_z_w_carriage_3z + D_delta_z_6*t503
     )
-    K_wq_out[..., 8, 36] = t411
-    K_wq_out[..., 8, 37] = t412
-    K_wq_out[..., 8, 38] = t413
+    K_wq_out[..., 8, 32] = t506
+    K_wq_out[..., 8, 36] = t501
+    K_wq_out[..., 8, 37] = t502
+    K_wq_out[..., 8, 38] = t503
     K_wq_out[..., 9, 0] = (
-        D_delta_rx_16*t357 + D_delta_ry_16*t358 + D_delta_rz_16*t359 + D_delta_x_16*t351 + D_delta_y_16*t354
-        + D_delta_z_16*t356 + D_p_rx_1*f_rx_w_carriage_4x + D_p_ry_1*f_ry_w_carriage_4x
-        + D_p_rz_1*f_rz_w_carriage_4x + D_p_x_1*f_x_w_carriage_4x + D_p_x_1*t414 + D_p_y_1*f_y_w_carriage_4x
-        + D_p_y_1*t415 + D_p_z_1*f_z_w_carriage_4x + D_p_z_1*t416
+        D_delta_rx_16*t417 + D_delta_ry_16*t418 + D_delta_rz_16*t419 + D_delta_x_16*t420 + D_delta_y_16*t423
+        + D_delta_z_16*t425 + D_p_rx_1*f_rx_w_carriage_4x + D_p_ry_1*f_ry_w_carriage_4x
+        + D_p_rz_1*f_rz_w_carriage_4x + D_p_x_1*f_x_w_carriage_4x + D_p_x_1*t507 + D_p_y_1*f_y_w_carriage_4x
+        + D_p_y_1*t508 + D_p_z_1*f_z_w_carriage_4x + D_p_z_1*t509
     )
     K_wq_out[..., 9, 1] = (
-        D_delta_rx_16*t363 + D_delta_ry_16*t364 + D_delta_rz_16*t365 + D_delta_x_16*t360 + D_delta_y_16*t361
-        + D_delta_z_16*t362 + D_p_rx_2*f_rx_w_carriage_4x + D_p_ry_2*f_ry_w_carriage_4x
-        + D_p_rz_2*f_rz_w_carriage_4x + D_p_x_2*f_x_w_carriage_4x + D_p_x_2*t414 + D_p_y_2*f_y_w_carriage_4x
-        + D_p_y_2*t415 + D_p_z_2*f_z_w_carriage_4x + D_p_z_2*t416
+        D_delta_rx_16*t432 + D_delta_ry_16*t433 + D_delta_rz_16*t434 + D_delta_x_16*t429 + D_delta_y_16*t430
+        + D_delta_z_16*t431 + D_p_rx_2*f_rx_w_carriage_4x + D_p_ry_2*f_ry_w_carriage_4x
+        + D_p_rz_2*f_rz_w_carriage_4x + D_p_x_2*f_x_w_carriage_4x + D_p_x_2*t507 + D_p_y_2*f_y_w_carriage_4x
+        + D_p_y_2*t508 + D_p_z_2*f_z_w_carriage_4x + D_p_z_2*t509
     )
     K_wq_out[..., 9, 2] = (
-        D_delta_rx_16*t369 + D_delta_ry_16*t370 + D_delta_rz_16*t371 + D_delta_x_16*t366 + D_delta_y_16*t367
-        + D_delta_z_16*t368 + D_p_rx_3*f_rx_w_carriage_4x + D_p_ry_3*f_ry_w_carriage_4x
-        + D_p_rz_3*f_rz_w_carriage_4x + D_p_x_3*f_x_w_carriage_4x + D_p_x_3*t414 + D_p_y_3*f_y_w_carriage_4x
-        + D_p_y_3*t415 + D_p_z_3*f_z_w_carriage_4x + D_p_z_3*t416
+        D_delta_rx_16*t438 + D_delta_ry_16*t439 + D_delta_rz_16*t440 + D_delta_x_16*t435 + D_delta_y_16*t436
+        + D_delta_z_16*t437 + D_p_rx_3*f_rx_w_carriage_4x + D_p_ry_3*f_ry_w_carriage_4x
+        + D_p_rz_3*f_rz_w_carriage_4x + D_p_x_3*f_x_w_carriage_4x + D_p_x_3*t507 + D_p_y_3*f_y_w_carriage_4x
+        + D_p_y_3*t508 + D_p_z_3*f_z_w_carriage_4x + D_p_z_3*t509
     )
     K_wq_out[..., 9, 3] = (
-        D_delta_rx_16*t375 + D_delta_ry_16*t376 + D_delta_rz_16*t377 + D_delta_x_16*t372 + D_delta_y_16*t373
-        + D_delta_z_16*t374 + D_p_rx_4*f_rx_w_carriage_4x + D_p_ry_4*f_ry_w_carriage_4x
-        + D_p_rz_4*f_rz_w_carriage_4x + D_p_x_4*f_x_w_carriage_4x + D_p_x_4*t414 + D_p_y_4*f_y_w_carriage_4x
-        + D_p_y_4*t415 + D_p_z_4*f_z_w_carriage_4x + D_p_z_4*t416 - t372
+        D_delta_rx_16*t444 + D_delta_ry_16*t445 + D_delta_rz_16*t446 + D_delta_x_16*t441 + D_delta_y_16*t442
+        + D_delta_z_16*t443 + D_p_rx_4*f_rx_w_carriage_4x + D_p_ry_4*f_ry_w_carriage_4x
+        + D_p_rz_4*f_rz_w_carriage_4x + D_p_x_4*f_x_w_carriage_4x + D_p_x_4*t507 + D_p_y_4*f_y_w_carriage_4x
+        + D_p_y_4*t508 + D_p_z_4*f_z_w_carriage_4x + D_p_z_4*t509 - t441 + t512
     )
     K_wq_out[..., 9, 4] = (
-        D_delta_rx_16*t381 + D_delta_ry_16*t382 + D_delta_rz_16*t383 + D_delta_x_16*t378 + D_delta_y_16*t379
-        + D_delta_z_16*t380 + D_p_rx_5*f_rx_w_carriage_4x + D_p_ry_5*f_ry_w_carriage_4x
-        + D_p_rz_5*f_rz_w_carriage_4x + D_p_x_5*f_x_w_carriage_4x + D_p_x_5*t414 + D_p_y_5*f_y_w_carriage_4x
-        + D_p_y_5*t415 + D_p_z_5*f_z_w_carriage_4x + D_p_z_5*t416
+        D_delta_rx_16*t450 + D_delta_ry_16*t451 + D_delta_rz_16*t452 + D_delta_x_16*t447 + D_delta_y_16*t448
+        + D_delta_z_16*t449 + D_p_rx_5*f_rx_w_carriage_4x + D_p_ry_5*f_ry_w_carriage_4x
+        + D_p_rz_5*f_rz_w_carriage_4x + D_p_x_5*f_x_w_carriage_4x + D_p_x_5*t507 + D_p_y_5*f_y_w_carriage_4x
+        + D_p_y_5*t508 + D_p_z_5*f_z_w_carriage_4x + D_p_z_5*t509
     )
     K_wq_out[..., 9, 5] = (
-        D_delta_rx_16*t387 + D_delta_ry_16*t388 + D_delta_rz_16*t389 + D_delta_x_16*t384 + D_delta_y_16*t385
-        + D_delta_z_16*t386 + D_p_rx_6*f_rx_w_carriage_4x + D_p_ry_6*f_ry_w_carriage_4x
-        + D_p_rz_6*f_rz_w_carriage_4x + D_p_x_6*f_x_w_carriage_4x + D_p_x_6*t414 + D_p_y_6*f_y_w_carriage_4x
-        + D_p_y_6*t415 + D_p_z_6*f_z_w_carriage_4x + D_p_z_6*t416
+        D_delta_rx_16*t456 + D_delta_ry_16*t457 + D_delta_rz_16*t458 + D_delta_x_16*t453 + D_delta_y_16*t454
+        + D_delta_z_16*t455 + D_p_rx_6*f_rx_w_carriage_4x + D_p_ry_6*f_ry_w_carriage_4x
+        + D_p_rz_6*f_rz_w_carriage_4x + D_p_x_6*f_x_w_carriage_4x + D_p_x_6*t507 + D_p_y_6*f_y_w_carriage_4x
+        + D_p_y_6*t508 + D_p_z_6*f_z_w_carriage_4x + D_p_z_6*t509
     )
+    K_wq_out[..., 9, 9] = -R_p_4*t511
+    K_wq_out[..., 9, 15] = -R_p_4*t510
     K_wq_out[..., 9, 24] = (
         D_delta_rx_1*f_rx_w_carriage_4x + D_delta_ry_1*f_ry_w_carriage_4x + D_delta_rz_1*f_rz_w_carriage_4x
-        + D_delta_x_1*f_x_w_carriage_4x + D_delta_x_1*t414 + D_delta_y_1*f_y_w_carriage_4x + D_delta_y_1*t415
-        + D_delta_z_1*f_z_w_carriage_4x + D_delta_z_1*t416
+        + D_delta_x_1*f_x_w_carriage_4x + D_delta_x_1*t507 + D_delta_y_1*f_y_w_carriage_4x + D_delta_y_1*t508
+        + D_delta_z_1*f_z_w_carriage_4x + D_delta_z_1*t509
     )
     K_wq_out[..., 9, 25] = (
         D_delta_rx_2*f_rx_w_carriage_4x + D_delta_ry_2*f_ry_w_carriage_4x + D_delta_rz_2*f_rz_w_carriage_4x
-        + D_delta_x_2*f_x_w_carriage_4x + D_delta_x_2*t414 + D_delta_y_2*f_y_w_carriage_4x + D_delta_y_2*t415
-        + D_delta_z_2*f_z_w_carriage_4x + D_delta_z_2*t416
+        + D_delta_x_2*f_x_w_carriage_4x + D_delta_x_2*t507 + D_delta_y_2*f_y_w_carriage_4x + D_delta_y_2*t508
+        + D_delta_z_2*f_z_w_carriage_4x + D_delta_z_2*t509
     )
     K_wq_out[..., 9, 26] = (
         D_delta_rx_3*f_rx_w_carriage_4x + D_delta_ry_3*f_ry_w_carriage_4x + D_delta_rz_3*f_rz_w_carriage_4x
-        + D_delta_x_3*f_x_w_carriage_4x + D_delta_x_3*t414 + D_delta_y_3*f_y_w_carriage_4x + D_delta_y_3*t415
-        + D_delta_z_3*f_z_w_carriage_4x + D_delta_z_3*t416
+        + D_delta_x_3*f_x_w_carriage_4x + D_delta_x_3*t507 + D_delta_y_3*f_y_w_carriage_4x + D_delta_y_3*t508
+        + D_delta_z_3*f_z_w_carriage_4x + D_delta_z_3*t509
     )
     K_wq_out[..., 9, 27] = (
         D_delta_rx_4*f_rx_w_carriage_4x + D_delta_ry_4*f_ry_w_carriage_4x + D_delta_rz_4*f_rz_w_carriage_4x
-        + D_delta_x_4*f_x_w_carriage_4x + D_delta_x_4*t414 + D_delta_y_4*f_y_w_carriage_4x + D_delta_y_4*t415
-        + D_delta_z_4*f_z_w_carriage_4x + D_delta_z_4*t416
+        + D_delta_x_4*f_x_w_carriage_4x + D_delta_x_4*t507 + D_delta_y_4*f_y_w_carriage_4x + D_delta_y_4*t508
+        + D_delta_z_4*f_z_w_carriage_4x + D_delta_z_4*t509
     )
     K_wq_out[..., 9, 28] = (
         D_delta_rx_5*f_rx_w_carriage_4x + D_delta_ry_5*f_ry_w_carriage_4x + D_delta_rz_5*f_rz_w_carriage_4x
-        + D_delta_x_5*f_x_w_carriage_4x + D_delta_x_5*t414 + D_delta_y_5*f_y_w_carriage_4x + D_delta_y_5*t415
-        + D_delta_z_5*f_z_w_carriage_4x + D_delta_z_5*t416
+        + D_delta_x_5*f_x_w_carriage_4x + D_delta_x_5*t507 + D_delta_y_5*f_y_w_carriage_4x + D_delta_y_5*t508
+        + D_delta_z_5*f_z_w_carriage_4x + D_delta_z_5*t509
     )
     K_wq_out[..., 9, 29] = (
         D_delta_rx_6*f_rx_w_carriage_4x + D_delta_ry_6*f_ry_w_carriage_4x + D_delta_rz_6*f_rz_w_carriage_4x
-        + D_delta_x_6*f_x_w_carriage_4x + D_delta_x_6*t414 + D_delta_y_6*f_y_w_carriage_4x + D_delta_y_6*t415
-        + D_delta_z_6*f_z_w_carriage_4x + D_delta_z_6*t416
+        + D_delta_x_6*f_x_w_carriage_4x + D_delta_x_6*t507 + D_delta_y_6*f_y_w_carriage_4x + D_delta_y_6*t508
+        + D_delta_z_6*f_z_w_carriage_4x + D_delta_z_6*t509
     )
-    K_wq_out[..., 9, 36] = t414
-    K_wq_out[..., 9, 37] = t415
-    K_wq_out[..., 9, 38] = t416
+    K_wq_out[..., 9, 33] = t512
+    K_wq_out[..., 9, 36] = t507
+    K_wq_out[..., 9, 37] = t508
+    K_wq_out[..., 9, 38] = t509
     K_wq_out[..., 10, 0] = (
-        D_delta_rx_17*t357 + D_delta_ry_17*t358 + D_delta_rz_17*t359 + D_delta_x_17*t351 + D_delta_y_17*t354
-        + D_delta_z_17*t356 + D_p_rx_1*f_rx_w_carriage_4y + D_p_ry_1*f_ry_w_carriage_4y
-        + D_p_rz_1*f_rz_w_carriage_4y + D_p_x_1*f_x_w_carriage_4y + D_p_x_1*t417 + D_p_y_1*f_y_w_carriage_4y
-        + D_p_y_1*t418 + D_p_z_1*f_z_w_carriage_4y + D_p_z_1*t419
+        D_delta_rx_17*t417 + D_delta_ry_17*t418 + D_delta_rz_17*t419 + D_delta_x_17*t420 + D_delta_y_17*t423
+        + D_delta_z_17*t425 + D_p_rx_1*f_rx_w_carriage_4y + D_p_ry_1*f_ry_w_carriage_4y
+        + D_p_rz_1*f_rz_w_carriage_4y + D_p_x_1*f_x_w_carriage_4y + D_p_x_1*t513 + D_p_y_1*f_y_w_carriage_4y
+        + D_p_y_1*t514 + D_p_z_1*f_z_w_carriage_4y + D_p_z_1*t515
     )
     K_wq_out[..., 10, 1] = (
-        D_delta_rx_17*t363 + D_delta_ry_17*t364 + D_delta_rz_17*t365 + D_delta_x_17*t360 + D_delta_y_17*t361
-        + D_delta_z_17*t362 + D_p_rx_2*f_rx_w_carriage_4y + D_p_ry_2*f_ry_w_carriage_4y
-        + D_p_rz_2*f_rz_w_carriage_4y + D_p_x_2*f_x_w_carriage_4y + D_p_x_2*t417 + D_p_y_2*f_y_w_carriage_4y
-        + D_p_y_2*t418 + D_p_z_2*f_z_w_carriage_4y + D_p_z_2*t419
+        D_delta_rx_17*t432 + D_delta_ry_17*t433 + D_delta_rz_17*t434 + D_delta_x_17*t429 + D_delta_y_17*t430
+        + D_delta_z_17*t431 + D_p_rx_2*f_rx_w_carriage_4y + D_p_ry_2*f_ry_w_carriage_4y
+        + D_p_rz_2*f_rz_w_carriage_4y + D_p_x_2*f_x_w_carriage_4y + D_p_x_2*t513 + D_p_y_2*f_y_w_carriage_4y
+        + D_p_y_2*t514 + D_p_z_2*f_z_w_carriage_4y + D_p_z_2*t515
     )
     K_wq_out[..., 10, 2] = (
-        D_delta_rx_17*t369 + D_delta_ry_17*t370 + D_delta_rz_17*t371 + D_delta_x_17*t366 + D_delta_y_17*t367
-        + D_delta_z_17*t368 + D_p_rx_3*f_rx_w_carriage_4y + D_p_ry_3*f_ry_w_carriage_4y
-        + D_p_rz_3*f_rz_w_carriage_4y + D_p_x_3*f_x_w_carriage_4y + D_p_x_3*t417 + D_p_y_3*f_y_w_carriage_4y
-        + D_p_y_3*t418 + D_p_z_3*f_z_w_carriage_4y + D_p_z_3*t419
+        D_delta_rx_17*t438 + D_delta_ry_17*t439 + D_delta_rz_17*t440 + D_delta_x_17*t435 + D_delta_y_17*t436
+        + D_delta_z_17*t437 + D_p_rx_3*f_rx_w_carriage_4y + D_p_ry_3*f_ry_w_carriage_4y
+        + D_p_rz_3*f_rz_w_carriage_4y + D_p_x_3*f_x_w_carriage_4y + D_p_x_3*t513 + D_p_y_3*f_y_w_carriage_4y
+        + D_p_y_3*t514 + D_p_z_3*f_z_w_carriage_4y + D_p_z_3*t515
     )
     K_wq_out[..., 10, 3] = (
-        D_delta_rx_17*t375 + D_delta_ry_17*t376 + D_delta_rz_17*t377 + D_delta_x_17*t372 + D_delta_y_17*t373
-        + D_delta_z_17*t374 + D_p_rx_4*f_rx_w_carriage_4y + D_p_ry_4*f_ry_w_carriage_4y
-        + D_p_rz_4*f_rz_w_carriage_4y + D_p_x_4*f_x_w_carriage_4y + D_p_x_4*t417 + D_p_y_4*f_y_w_carriage_4y
-        + D_p_y_4*t418 + D_p_z_4*f_z_w_carriage_4y + D_p_z_4*t419 - t373
+        D_delta_rx_17*t444 + D_delta_ry_17*t445 + D_delta_rz_17*t446 + D_delta_x_17*t441 + D_delta_y_17*t442
+        + D_delta_z_17*t443 + D_p_rx_4*f_rx_w_carriage_4y + D_p_ry_4*f_ry_w_carriage_4y
+        + D_p_rz_4*f_rz_w_carriage_4y + D_p_x_4*f_x_w_carriage_4y + D_p_x_4*t513 + D_p_y_4*f_y_w_carriage_4y
+        + D_p_y_4*t514 + D_p_z_4*f_z_w_carriage_4y + D_p_z_4*t515 - t442 + t518
     )
     K_wq_out[..., 10, 4] = (
-        D_delta_rx_17*t381 + D_delta_ry_17*t382 + D_delta_rz_17*t383 + D_delta_x_17*t378 + D_delta_y_17*t379
-        + D_delta_z_17*t380 + D_p_rx_5*f_rx_w_carriage_4y + D_p_ry_5*f_ry_w_carriage_4y
-        + D_p_rz_5*f_rz_w_carriage_4y + D_p_x_5*f_x_w_carriage_4y + D_p_x_5*t417 + D_p_y_5*f_y_w_carriage_4y
-        + D_p_y_5*t418 + D_p_z_5*f_z_w_carriage_4y + D_p_z_5*t419
+        D_delta_rx_17*t450 + D_delta_ry_17*t451 + D_delta_rz_17*t452 + D_delta_x_17*t447 + D_delta_y_17*t448
+        + D_delta_z_17*t449 + D_p_rx_5*f_rx_w_carriage_4y + D_p_ry_5*f_ry_w_carriage_4y
+        + D_p_rz_5*f_rz_w_carriage_4y + D_p_x_5*f_x_w_carriage_4y + D_p_x_5*t513 + D_p_y_5*f_y_w_carriage_4y
+        + D_p_y_5*t514 + D_p_z_5*f_z_w_carriage_4y + D_p_z_5*t515
     )
     K_wq_out[..., 10, 5] = (
-        D_delta_rx_17*t387 + D_delta_ry_17*t388 + D_delta_rz_17*t389 + D_delta_x_17*t384 + D_delta_y_17*t385
-        + D_delta_z_17*t386 + D_p_rx_6*f_rx_w_carriage_4y + D_p_ry_6*f_ry_w_carriage_4y
-        + D_p_rz_6*f_rz_w_carriage_4y + D_p_x_6*f_x_w_carriage_4y + D_p_x_6*t417 + D_p_y_6*f_y_w_carriage_4y
-        + D_p_y_6*t418 + D_p_z_6*f_z_w_carriage_4y + D_p_z_6*t419
+        D_delta_rx_17*t456 + D_delta_ry_17*t457 + D_delta_rz_17*t458 + D_delta_x_17*t453 + D_delta_y_17*t454
+        + D_delta_z_17*t455 + D_p_rx_6*f_rx_w_carriage_4y + D_p_ry_6*f_ry_w_carriage_4y
+        + D_p_rz_6*f_rz_w_carriage_4y + D_p_x_6*f_x_w_carriage_4y + D_p_x_6*t513 + D_p_y_6*f_y_w_carriage_4y
+        + D_p_y_6*t514 + D_p_z_6*f_z_w_carriage_4y + D_p_z_6*t515
     )
+    K_wq_out[..., 10, 9] = -R_p_4*t517
+    K_wq_out[..., 10, 15] = -R_p_4*t516
     K_wq_out[..., 10, 24] = (
         D_delta_rx_1*f_rx_w_carriage_4y + D_delta_ry_1*f_ry_w_carriage_4y + D_delta_rz_1*f_rz_w_carriage_4y
-        + D_delta_x_1*f_x_w_carriage_4y + D_delta_x_1*t417 + D_delta_y_1*f_y_w_carriage_4y + D_delta_y_1*t418
-        + D_delta_z_1*f_z_w_carriage_4y + D_delta_z_1*t419
+        + D_delta_x_1*f_x_w_carriage_4y + D_delta_x_1*t513 + D_delta_y_1*f_y_w_carriage_4y + D_delta_y_1*t514
+        + D_delta_z_1*f_z_w_carriage_4y + D_delta_z_1*t515
     )
     K_wq_out[..., 10, 25] = (
         D_delta_rx_2*f_rx_w_carriage_4y + D_delta_ry_2*f_ry_w_carriage_4y + D_delta_rz_2*f_rz_w_carriage_4y
-        + D_delta_x_2*f_x_w_carriage_4y + D_delta_x_2*t417 + D_delta_y_2*f_y_w_carriage_4y + D_delta_y_2*t418
-        + D_delta_z_2*f_z_w_carriage_4y + D_delta_z_2*t419
+        + D_delta_x_2*f_x_w_carriage_4y + D_delta_x_2*t513 + D_delta_y_2*f_y_w_carriage_4y + D_delta_y_2*t514
+        + D_delta_z_2*f_z_w_carriage_4y + D_delta_z_2*t515
     )
     K_wq_out[..., 10, 26] = (
         D_delta_rx_3*f_rx_w_carriage_4y + D_delta_ry_3*f_ry_w_carriage_4y + D_delta_rz_3*f_rz_w_carriage_4y
-        + D_delta_x_3*f_x_w_carriage_4y + D_delta_x_3*t417 + D_delta_y_3*f_y_w_carriage_4y + D_delta_y_3*t418
-        + D_delta_z_3*f_z_w_carriage_4y + D_delta_z_3*t419
+        + D_delta_x_3*f_x_w_carriage_4y + D_delta_x_3*t513 + D_delta_y_3*f_y_w_carriage_4y + D_delta_y_3*t514
+        + D_delta_z_3*f_z_w_carriage_4y + D_delta_z_3*t515
     )
     K_wq_out[..., 10, 27] = (
         D_delta_rx_4*f_rx_w_carriage_4y + D_delta_ry_4*f_ry_w_carriage_4y + D_delta_rz_4*f_rz_w_carriage_4y
-        + D_delta_x_4*f_x_w_carriage_4y + D_delta_x_4*t417 + D_delta_y_4*f_y_w_carriage_4y + D_delta_y_4*t418
-        + D_delta_z_4*f_z_w_carriage_4y + D_delta_z_4*t419
+        + D_delta_x_4*f_x_w_carriage_4y + D_delta_x_4*t513 + D_delta_y_4*f_y_w_carriage_4y + D_delta_y_4*t514
+        + D_delta_z_4*f_z_w_carriage_4y + D_delta_z_4*t515
     )
     K_wq_out[..., 10, 28] = (
         D_delta_rx_5*f_rx_w_carriage_4y + D_delta_ry_5*f_ry_w_carriage_4y + D_delta_rz_5*f_rz_w_carriage_4y
-        + D_delta_x_5*f_x_w_carriage_4y + D_delta_x_5*t417 + D_delta_y_5*f_y_w_carriage_4y + D_delta_y_5*t418
-        + D_delta_z_5*f_z_w_carriage_4y + D_delta_z_5*t419
+        + D_delta_x_5*f_x_w_carriage_4y + D_delta_x_5*t513 + D_delta_y_5*f_y_w_carriage_4y + D_delta_y_5*t514
+        + D_delta_z_5*f_z_w_carriage_4y + D_delta_z_5*t515
     )
     K_wq_out[..., 10, 29] = (
         D_delta_rx_6*f_rx_w_carriage_4y + D_delta_ry_6*f_ry_w_carriage_4y + D_delta_rz_6*f_rz_w_carriage_4y
-        + D_delta_x_6*f_x_w_carriage_4y + D_delta_x_6*t417 + D_delta_y_6*f_y_w_carriage_4y + D_delta_y_6*t418
-        + D_delta_z_6*f_z_w_carriage_4y + D_delta_z_6*t419
+        + D_delta_x_6*f_x_w_carriage_4y + D_delta_x_6*t513 + D_delta_y_6*f_y_w_carriage_4y + D_delta_y_6*t514
+        + D_delta_z_6*f_z_w_carriage_4y + D_delta_z_6*t515
     )
-    K_wq_out[..., 10, 36] = t417
-    K_wq_out[..., 10, 37] = t418
-    K_wq_out[..., 10, 38] = t419
+    K_wq_out[..., 10, 33] = t518
+    K_wq_out[..., 10, 36] = t513
+    K_wq_out[..., 10, 37] = t514
+    K_wq_out[..., 10, 38] = t515
     K_wq_out[..., 11, 0] = (
-        D_delta_rx_18*t357 + D_delta_ry_18*t358 + D_delta_rz_18*t359 + D_delta_x_18*t351 + D_delta_y_18*t354
-        + D_delta_z_18*t356 + D_p_rx_1*f_rx_w_carriage_4z + D_p_ry_1*f_ry_w_carriage_4z
-        + D_p_rz_1*f_rz_w_carriage_4z + D_p_x_1*f_x_w_carriage_4z + D_p_x_1*t420 + D_p_y_1*f_y_w_carriage_4z
-        + D_p_y_1*t421 + D_p_z_1*f_z_w_carriage_4z + D_p_z_1*t422
+        D_delta_rx_18*t417 + D_delta_ry_18*t418 + D_delta_rz_18*t419 + D_delta_x_18*t420 + D_delta_y_18*t423
+        + D_delta_z_18*t425 + D_p_rx_1*f_rx_w_carriage_4z + D_p_ry_1*f_ry_w_carriage_4z
+        + D_p_rz_1*f_rz_w_carriage_4z + D_p_x_1*f_x_w_carriage_4z + D_p_x_1*t519 + D_p_y_1*f_y_w_carriage_4z
+        + D_p_y_1*t520 + D_p_z_1*f_z_w_carriage_4z + D_p_z_1*t521
     )
     K_wq_out[..., 11, 1] = (
-        D_delta_rx_18*t363 + D_delta_ry_18*t364 + D_delta_rz_18*t365 + D_delta_x_18*t360 + D_delta_y_18*t361
-        + D_delta_z_18*t362 + D_p_rx_2*f_rx_w_carriage_4z + D_p_ry_2*f_ry_w_carriage_4z
-        + D_p_rz_2*f_rz_w_carriage_4z + D_p_x_2*f_x_w_carriage_4z + D_p_x_2*t420 + D_p_y_2*f_y_w_carriage_4z
-        + D_p_y_2*t421 + D_p_z_2*f_z_w_carriage_4z + D_p_z_2*t422
+        D_delta_rx_18*t432 + D_delta_ry_18*t433 + D_delta_rz_18*t434 + D_delta_x_18*t429 + D_delta_y_18*t430
+        + D_delta_z_18*t431 + D_p_rx_2*f_rx_w_carriage_4z + D_p_ry_2*f_ry_w_carriage_4z
+        + D_p_rz_2*f_rz_w_carriage_4z + D_p_x_2*f_x_w_carriage_4z + D_p_x_2*t519 + D_p_y_2*f_y_w_carriage_4z
+        + D_p_y_2*t520 + D_p_z_2*f_z_w_carriage_4z + D_p_z_2*t521
     )
     K_wq_out[..., 11, 2] = (
-        D_delta_rx_18*t369 + D_delta_ry_18*t370 + D_delta_rz_18*t371 + D_delta_x_18*t366 + D_delta_y_18*t367
-        + D_delta_z_18*t368 + D_p_rx_3*f_rx_w_carriage_4z + D_p_ry_3*f_ry_w_carriage_4z
-        + D_p_rz_3*f_rz_w_carriage_4z + D_p_x_3*f_x_w_carriage_4z + D_p_x_3*t420 + D_p_y_3*f_y_w_carriage_4z
-        + D_p_y_3*t421 + D_p_z_3*f_z_w_carriage_4z + D_p_z_3*t422
+        D_delta_rx_18*t438 + D_delta_ry_18*t439 + D_delta_rz_18*t440 + D_delta_x_18*t435 + D_delta_y_18*t436
+        + D_delta_z_18*t437 + D_p_rx_3*f_rx_w_carriage_4z + D_p_ry_3*f_ry_w_carriage_4z
+        + D_p_rz_3*f_rz_w_carriage_4z + D_p_x_3*f_x_w_carriage_4z + D_p_x_3*t519 + D_p_y_3*f_y_w_carriage_4z
+        + D_p_y_3*t520 + D_p_z_3*f_z_w_carriage_4z + D_p_z_3*t521
     )
     K_wq_out[..., 11, 3] = (
-        D_delta_rx_18*t375 + D_delta_ry_18*t376 + D_delta_rz_18*t377 + D_delta_x_18*t372 + D_delta_y_18*t373
-        + D_delta_z_18*t374 + D_p_rx_4*f_rx_w_carriage_4z + D_p_ry_4*f_ry_w_carriage_4z
-        + D_p_rz_4*f_rz_w_carriage_4z + D_p_x_4*f_x_w_carriage_4z + D_p_x_4*t420 + D_p_y_4*f_y_w_carriage_4z
-        + D_p_y_4*t421 + D_p_z_4*f_z_w_carriage_4z + D_p_z_4*t422 - t374
+        D_delta_rx_18*t444 + D_delta_ry_18*t445 + D_delta_rz_18*t446 + D_delta_x_18*t441 + D_delta_y_18*t442
+        + D_delta_z_18*t443 + D_p_rx_4*f_rx_w_carriage_4z + D_p_ry_4*f_ry_w_carriage_4z
+        + D_p_rz_4*f_rz_w_carriage_4z + D_p_x_4*f_x_w_carriage_4z + D_p_x_4*t519 + D_p_y_4*f_y_w_carriage_4z
+        + D_p_y_4*t520 + D_p_z_4*f_z_w_carriage_4z + D_p_z_4*t521 - t443 + t524
     )
     K_wq_out[..., 11, 4] = (
-        D_delta_rx_18*t381 + D_delta_ry_18*t382 + D_delta_rz_18*t383 + D_delta_x_18*t378 + D_delta_y_18*t379
-        + D_delta_z_18*t380 + D_p_rx_5*f_rx_w_carriage_4z + D_p_ry_5*f_ry_w_carriage_4z
-        + D_p_rz_5*f_rz_w_carriage_4z + D_p_x_5*f_x_w_carriage_4z + D_p_x_5*t420 + D_p_y_5*f_y_w_carriage_4z
-        + D_p_y_5*t421 + D_p_z_5*f_z_w_carriage_4z + D_p_z_5*t422
+        D_delta_rx_18*t450 + D_delta_ry_18*t451 + D_delta_rz_18*t452 + D_delta_x_18*t447 + D_delta_y_18*t448
+        + D_delta_z_18*t449 + D_p_rx_5*f_rx_w_carriage_4z + D_p_ry_5*f_ry_w_carriage_4z
+        + D_p_rz_5*f_rz_w_carriage_4z + D_p_x_5*f_x_w_carriage_4z + D_p_x_5*t519 + D_p_y_5*f_y_w_carriage_4z
+        + D_p_y_5*t520 + D_p_z_5*f_z_w_carriage_4z + D_p_z_5*t521
     )
     K_wq_out[..., 11, 5] = (
-        D_delta_rx_18*t387 + D_delta_ry_18*t388 + D_delta_rz_18*t389 + D_delta_x_18*t384 + D_delta_y_18*t385
-        + D_delta_z_18*t386 + D_p_rx_6*f_rx_w_carriage_4z + D_p_ry_6*f_ry_w_carriage_4z
-        + D_p_rz_6*f_rz_w_carriage_4z + D_p_x_6*f_x_w_carriage_4z + D_p_x_6*t420 + D_p_y_6*f_y_w_carriage_4z
-        + D_p_y_6*t421 + D_p_z_6*f_z_w_carriage_4z + D_p_z_6*t422
+        D_delta_rx_18*t456 + D_delta_ry_18*t457 + D_delta_rz_18*t458 + D_delta_x_18*t453 + D_delta_y_18*t454
+        + D_delta_z_18*t455 + D_p_rx_6*f_rx_w_carriage_4z + D_p_ry_6*f_ry_w_carriage_4z
+        + D_p_rz_6*f_rz_w_carriage_4z + D_p_x_6*f_x_w_carriage_4z + D_p_x_6*t519 + D_p_y_6*f_y_w_carriage_4z
+        + D_p_y_6*t520 + D_p_z_6*f_z_w_carriage_4z + D_p_z_6*t521
     )
+    K_wq_out[..., 11, 9] = -R_p_4*t523
+    K_wq_out[..., 11, 15] = -R_p_4*t522
     K_wq_out[..., 11, 24] = (
         D_delta_rx_1*f_rx_w_carriage_4z + D_delta_ry_1*f_ry_w_carriage_4z + D_delta_rz_1*f_rz_w_carriage_4z
-        + D_delta_x_1*f_x_w_carriage_4z + D_delta_x_1*t420 + D_delta_y_1*f_y_w_carriage_4z + D_delta_y_1*t421
-        + D_delta_z_1*f_z_w_carriage_4z + D_delta_z_1*t422
+        + D_delta_x_1*f_x_w_carriage_4z + D_delta_x_1*t519 + D_delta_y_1*f_y_w_carriage_4z + D_delta_y_1*t520
+        + D_delta_z_1*f_z_w_carriage_4z + D_delta_z_1*t521
     )
     K_wq_out[..., 11, 25] = (
         D_delta_rx_2*f_rx_w_carriage_4z + D_delta_ry_2*f_ry_w_carriage_4z + D_delta_rz_2*f_rz_w_carriage_4z
-        + D_delta_x_2*f_x_w_carriage_4z + D_delta_x_2*t420 + D_delta_y_2*f_y_w_carriage_4z + D_delta_y_2*t421
-        + D_delta_z_2*f_z_w_carriage_4z + D_delta_z_2*t422
+        + D_delta_x_2*f_x_w_carriage_4z + D_delta_x_2*t519 + D_delta_y_2*f_y_w_carriage_4z + D_delta_y_2*t520
+        + D_delta_z_2*f_z_w_carriage_4z + D_delta_z_2*t521
     )
     K_wq_out[..., 11, 26] = (
         D_delta_rx_3*f_rx_w_carriage_4z + D_delta_ry_3*f_ry_w_carriage_4z + D_delta_rz_3*f_rz_w_carriage_4z
-        + D_delta_x_3*f_x_w_carriage_4z + D_delta_x_3*t420 + D_delta_y_3*f_y_w_carriage_4z + D_delta_y_3*t421
-        + D_delta_z_3*f_z_w_carriage_4z + D_delta_z_3*t422
+        + D_delta_x_3*f_x_w_carriage_4z + D_delta_x_3*t519 + D_delta_y_3*f_y_w_carriage_4z + D_delta_y_3*t520
+        + D_delta_z_3*f_z_w_carriage_4z + D_delta_z_3*t521
     )
     K_wq_out[..., 11, 27] = (
         D_delta_rx_4*f_rx_w_carriage_4z + D_delta_ry_4*f_ry_w_carriage_4z + D_delta_rz_4*f_rz_w_carriage_4z
-        + D_delta_x_4*f_x_w_carriage_4z + D_delta_x_4*t420 + D_delta_y_4*f_y_w_carriage_4z + D_delta_y_4*t421
-        + D_delta_z_4*f_z_w_carriage_4z + D_delta_z_4*t422
+        + D_delta_x_4*f_x_w_carriage_4z + D_delta_x_4*t519 + D_delta_y_4*f_y_w_carriage_4z + D_delta_y_4*t520
+        + D_delta_z_4*f_z_w_carriage_4z + D_delta_z_4*t521
     )
     K_wq_out[..., 11, 28] = (
         D_delta_rx_5*f_rx_w_carriage_4z + D_delta_ry_5*f_ry_w_carriage_4z + D_delta_rz_5*f_rz_w_carriage_4z
-        + D_delta_x_5*f_x_w_carriage_4z + D_delta_x_5*t420 + D_delta_y_5*f_y_w_carriage_4z + D_delta_y_5*t421
-        + D_delta_z_5*f_z_w_carriage_4z + D_delta_z_5*t422
+        + D_delta_x_5*f_x_w_carriage_4z + D_delta_x_5*t519 + D_delta_y_5*f_y_w_carriage_4z + D_delta_y_5*t520
+        + D_delta_z_5*f_z_w_carriage_4z + D_delta_z_5*t521
     )
     K_wq_out[..., 11, 29] = (
         D_delta_rx_6*f_rx_w_carriage_4z + D_delta_ry_6*f_ry_w_carriage_4z + D_delta_rz_6*f_rz_w_carriage_4z
-        + D_delta_x_6*f_x_w_carriage_4z + D_delta_x_6*t420 + D_delta_y_6*f_y_w_carriage_4z + D_delta_y_6*t421
-        + D_delta_z_6*f_z_w_carriage_4z + D_delta_z_6*t422
+        + D_delta_x_6*f_x_w_carriage_4z + D_delta_x_6*t519 + D_delta_y_6*f_y_w_carriage_4z + D_delta_y_6*t520
+        + D_delta_z_6*f_z_w_carriage_4z + D_delta_z_6*t521
     )
-    K_wq_out[..., 11, 36] = t420
-    K_wq_out[..., 11, 37] = t421
-    K_wq_out[..., 11, 38] = t422
+    K_wq_out[..., 11, 33] = t524
+    K_wq_out[..., 11, 36] = t519
+    K_wq_out[..., 11, 37] = t520
+    K_wq_out[..., 11, 38] = t521
     K_wq_out[..., 12, 0] = (
-        D_delta_rx_19*t357 + D_delta_ry_19*t358 + D_delta_rz_19*t359 + D_delta_x_19*t351 + D_delta_y_19*t354
-        + D_delta_z_19*t356 + D_p_rx_1*f_rx_w_carriage_5x + D_p_ry_1*f_ry_w_carriage_5x
-        + D_p_rz_1*f_rz_w_carriage_5x + D_p_x_1*f_x_w_carriage_5x + D_p_x_1*t423 + D_p_y_1*f_y_w_carriage_5x
-        + D_p_y_1*t424 + D_p_z_1*f_z_w_carriage_5x + D_p_z_1*t425
+        D_delta_rx_19*t417 + D_delta_ry_19*t418 + D_delta_rz_19*t419 + D_delta_x_19*t420 + D_delta_y_19*t423
+        + D_delta_z_19*t425 + D_p_rx_1*f_rx_w_carriage_5x + D_p_ry_1*f_ry_w_carriage_5x
+        + D_p_rz_1*f_rz_w_carriage_5x + D_p_x_1*f_x_w_carriage_5x + D_p_x_1*t525 + D_p_y_1*f_y_w_carriage_5x
+        + D_p_y_1*t526 + D_p_z_1*f_z_w_carriage_5x + D_p_z_1*t527
     )
     K_wq_out[..., 12, 1] = (
-        D_delta_rx_19*t363 + D_delta_ry_19*t364 + D_delta_rz_19*t365 + D_delta_x_19*t360 + D_delta_y_19*t361
-        + D_delta_z_19*t362 + D_p_rx_2*f_rx_w_carriage_5x + D_p_ry_2*f_ry_w_carriage_5x
-        + D_p_rz_2*f_rz_w_carriage_5x + D_p_x_2*f_x_w_carriage_5x + D_p_x_2*t423 + D_p_y_2*f_y_w_carriage_5x
-        + D_p_y_2*t424 + D_p_z_2*f_z_w_carriage_5x + D_p_z_2*t425
+        D_delta_rx_19*t432 + D_delta_ry_19*t433 + D_delta_rz_19*t434 + D_delta_x_19*t429 + D_delta_y_19*t430
+        + D_delta_z_19*t431 + D_p_rx_2*f_rx_w_carriage_5x + D_p_ry_2*f_ry_w_carriage_5x
+        + D_p_rz_2*f_rz_w_carriage_5x + D_p_x_2*f_x_w_carriage_5x + D_p_x_2*t525 + D_p_y_2*f_y_w_carriage_5x
+        + D_p_y_2*t526 + D_p_z_2*f_z_w_carriage_5x + D_p_z_2*t527
     )
     K_wq_out[..., 12, 2] = (
-        D_delta_rx_19*t369 + D_delta_ry_19*t370 + D_delta_rz_19*t371 + D_delta_x_19*t366 + D_delta_y_19*t367
-        + D_delta_z_19*t368 + D_p_rx_3*f_rx_w_carriage_5x + D_p_ry_3*f_ry_w_carriage_5x
-        + D_p_rz_3*f_rz_w_carriage_5x + D_p_x_3*f_x_w_carriage_5x + D_p_x_3*t423 + D_p_y_3*f_y_w_carriage_5x
-        + D_p_y_3*t424 + D_p_z_3*f_z_w_carriage_5x + D_p_z_3*t425
+        D_delta_rx_19*t438 + D_delta_ry_19*t439 + D_delta_rz_19*t440 + D_delta_x_19*t435 + D_delta_y_19*t436
+        + D_delta_z_19*t437 + D_p_rx_3*f_rx_w_carriage_5x + D_p_ry_3*f_ry_w_carriage_5x
+        + D_p_rz_3*f_rz_w_carriage_5x + D_p_x_3*f_x_w_carriage_5x + D_p_x_3*t525 + D_p_y_3*f_y_w_carriage_5x
+        + D_p_y_3*t526 + D_p_z_3*f_z_w_carriage_5x + D_p_z_3*t527
     )
     K_wq_out[..., 12, 3] = (
-        D_delta_rx_19*t375 + D_delta_ry_19*t376 + D_delta_rz_19*t377 + D_delta_x_19*t372 + D_delta_y_19*t373
-        + D_delta_z_19*t374 + D_p_rx_4*f_rx_w_carriage_5x + D_p_ry_4*f_ry_w_carriage_5x
-        + D_p_rz_4*f_rz_w_carriage_5x + D_p_x_4*f_x_w_carriage_5x + D_p_x_4*t423 + D_p_y_4*f_y_w_carriage_5x
-        + D_p_y_4*t424 + D_p_z_4*f_z_w_carriage_5x + D_p_z_4*t425
+        D_delta_rx_19*t444 + D_delta_ry_19*t445 + D_delta_rz_19*t446 + D_delta_x_19*t441 + D_delta_y_19*t442
+        + D_delta_z_19*t443 + D_p_rx_4*f_rx_w_carriage_5x + D_p_ry_4*f_ry_w_carriage_5x
+        + D_p_rz_4*f_rz_w_carriage_5x + D_p_x_4*f_x_w_carriage_5x + D_p_x_4*t525 + D_p_y_4*f_y_w_carriage_5x
+        + D_p_y_4*t526 + D_p_z_4*f_z_w_carriage_5x + D_p_z_4*t527
     )
     K_wq_out[..., 12, 4] = (
-        D_delta_rx_19*t381 + D_delta_ry_19*t382 + D_delta_rz_19*t383 + D_delta_x_19*t378 + D_delta_y_19*t379
-        + D_delta_z_19*t380 + D_p_rx_5*f_rx_w_carriage_5x + D_p_ry_5*f_ry_w_carriage_5x
-        + D_p_rz_5*f_rz_w_carriage_5x + D_p_x_5*f_x_w_carriage_5x + D_p_x_5*t423 + D_p_y_5*f_y_w_carriage_5x
-        + D_p_y_5*t424 + D_p_z_5*f_z_w_carriage_5x + D_p_z_5*t425 - t378
+        D_delta_rx_19*t450 + D_delta_ry_19*t451 + D_delta_rz_19*t452 + D_delta_x_19*t447 + D_delta_y_19*t448
+        + D_delta_z_19*t449 + D_p_rx_5*f_rx_w_carriage_5x + D_p_ry_5*f_ry_w_carriage_5x
+        + D_p_rz_5*f_rz_w_carriage_5x + D_p_x_5*f_x_w_carriage_5x + D_p_x_5*t525 + D_p_y_5*f_y_w_carriage_5x
+        + D_p_y_5*t526 + D_p_z_5*f_z_w_carriage_5x + D_p_z_5*t527 - t447 + t530
     )
     K_wq_out[..., 12, 5] = (
-        D_delta_rx_19*t387 + D_delta_ry_19*t388 + D_delta_rz_19*t389 + D_delta_x_19*t384 + D_delta_y_19*t385
-        + D_delta_z_19*t386 + D_p_rx_6*f_rx_w_carriage_5x + D_p_ry_6*f_ry_w_carriage_5x
-        + D_p_rz_6*f_rz_w_carriage_5x + D_p_x_6*f_x_w_carriage_5x + D_p_x_6*t423 + D_p_y_6*f_y_w_carriage_5x
-        + D_p_y_6*t424 + D_p_z_6*f_z_w_carriage_5x + D_p_z_6*t425
+        D_delta_rx_19*t456 + D_delta_ry_19*t457 + D_delta_rz_19*t458 + D_delta_x_19*t453 + D_delta_y_19*t454
+        + D_delta_z_19*t455 + D_p_rx_6*f_rx_w_carriage_5x + D_p_ry_6*f_ry_w_carriage_5x
+        + D_p_rz_6*f_rz_w_carriage_5x + D_p_x_6*f_x_w_carriage_5x + D_p_x_6*t525 + D_p_y_6*f_y_w_carriage_5x
+        + D_p_y_6*t526 + D_p_z_6*f_z_w_carriage_5x + D_p_z_6*t527
     )
+    K_wq_out[..., 12, 10] = -R_p_5*t529
+    K_wq_out[..., 12, 16] = -R_p_5*t528
     K_wq_out[..., 12, 24] = (
         D_delta_rx_1*f_rx_w_carriage_5x + D_delta_ry_1*f_ry_w_carriage_5x + D_delta_rz_1*f_rz_w_carriage_5x
-        + D_delta_x_1*f_x_w_carriage_5x + D_delta_x_1*t423 + D_delta_y_1*f_y_w_carriage_5x + D_delta_y_1*t424
-        + D_delta_z_1*f_z_w_carriage_5x + D_delta_z_1*t425
+        + D_delta_x_1*f_x_w_carriage_5x + D_delta_x_1*t525 + D_delta_y_1*f_y_w_carriage_5x + D_delta_y_1*t526
+        + D_delta_z_1*f_z_w_carriage_5x + D_delta_z_1*t527
     )
     K_wq_out[..., 12, 25] = (
         D_delta_rx_2*f_rx_w_carriage_5x + D_delta_ry_2*f_ry_w_carriage_5x + D_delta_rz_2*f_rz_w_carriage_5x
-        + D_delta_x_2*f_x_w_carriage_5x + D_delta_x_2*t423 + D_delta_y_2*f_y_w_carriage_5x + D_delta_y_2*t424
-        + D_delta_z_2*f_z_w_carriage_5x + D_delta_z_2*t425
+        + D_delta_x_2*f_x_w_carriage_5x + D_delta_x_2*t525 + D_delta_y_2*f_y_w_carriage_5x + D_delta_y_2*t526
+        + D_delta_z_2*f_z_w_carriage_5x + D_delta_z_2*t527
     )
     K_wq_out[..., 12, 26] = (
         D_delta_rx_3*f_rx_w_carriage_5x + D_delta_ry_3*f_ry_w_carriage_5x + D_delta_rz_3*f_rz_w_carriage_5x
-        + D_delta_x_3*f_x_w_carriage_5x + D_delta_x_3*t423 + D_delta_y_3*f_y_w_carriage_5x + D_delta_y_3*t424
-        + D_delta_z_3*f_z_w_carriage_5x + D_delta_z_3*t425
+        + D_delta_x_3*f_x_w_carriage_5x + D_delta_x_3*t525 + D_delta_y_3*f_y_w_carriage_5x + D_delta_y_3*t526
+        + D_delta_z_3*f_z_w_carriage_5x + D_delta_z_3*t527
     )
     K_wq_out[..., 12, 27] = (
         D_delta_rx_4*f_rx_w_carriage_5x + D_delta_ry_4*f_ry_w_carriage_5x + D_delta_rz_4*f_rz_w_carriage_5x
-        + D_delta_x_4*f_x_w_carriage_5x + D_delta_x_4*t423 + D_delta_y_4*f_y_w_carriage_5x + D_delta_y_4*t424
-        + D_delta_z_4*f_z_w_carriage_5x + D_delta_z_4*t425
+        + D_delta_x_4*f_x_w_carriage_5x + D_delta_x_4*t525 + D_delta_y_4*f_y_w_carriage_5x + D_delta_y_4*t526
+        + D_delta_z_4*f_z_w_carriage_5x + D_delta_z_4*t527
     )
     K_wq_out[..., 12, 28] = (
         D_delta_rx_5*f_rx_w_carriage_5x + D_delta_ry_5*f_ry_w_carriage_5x + D_delta_rz_5*f_rz_w_carriage_5x
-        + D_delta_x_5*f_x_w_carriage_5x + D_delta_x_5*t423 + D_delta_y_5*f_y_w_carriage_5x + D_delta_y_5*t424
-        + D_delta_z_5*f_z_w_carriage_5x + D_delta_z_5*t425
+        + D_delta_x_5*f_x_w_carriage_5x + D_delta_x_5*t525 + D_delta_y_5*f_y_w_carriage_5x + D_delta_y_5*t526
+        + D_delta_z_5*f_z_w_carriage_5x + D_delta_z_5*t527
     )
     K_wq_out[..., 12, 29] = (
         D_delta_rx_6*f_rx_w_carriage_5x + D_delta_ry_6*f_ry_w_carriage_5x + D_delta_rz_6*f_rz_w_carriage_5x
-        + D_delta_x_6*f_x_w_carriage_5x + D_delta_x_6*t423 + D_delta_y_6*f_y_w_carriage_5x + D_delta_y_6*t424
-        + D_delta_z_6*f_z_w_carriage_5x + D_delta_z_6*t425
+        + D_delta_x_6*f_x_w_carriage_5x + D_delta_x_6*t525 + D_delta_y_6*f_y_w_carriage_5x + D_delta_y_6*t526
+        + D_delta_z_6*f_z_w_carriage_5x + D_delta_z_6*t527
     )
-    K_wq_out[..., 12, 36] = t423
-    K_wq_out[..., 12, 37] = t424
-    K_wq_out[..., 12, 38] = t425
+    K_wq_out[..., 12, 34] = t530
+    K_wq_out[..., 12, 36] = t525
+    K_wq_out[..., 12, 37] = t526
+    K_wq_out[..., 12, 38] = t527
     K_wq_out[..., 13, 0] = (
-        D_delta_rx_20*t357 + D_delta_ry_20*t358 + D_delta_rz_20*t359 + D_delta_x_20*t351 + D_delta_y_20*t354
-        + D_delta_z_20*t356 + D_p_rx_1*f_rx_w_carriage_5y + D_p_ry_1*f_ry_w_carriage_5y
-        + D_p_rz_1*f_rz_w_carriage_5y + D_p_x_1*f_x_w_carriage_5y + D_p_x_1*t426 + D_p_y_1*f_y_w_carriage_5y
-        + D_p_y_1*t427 + D_p_z_1*f_z_w_carriage_5y + D_p_z_1*t428
+        D_delta_rx_20*t417 + D_delta_ry_20*t418 + D_delta_rz_20*t419 + D_delta_x_20*t420 + D_delta_y_20*t423
+        + D_delta_z_20*t425 + D_p_rx_1*f_rx_w_carriage_5y + D_p_ry_1*f_ry_w_carriage_5y
+        + D_p_rz_1*f_rz_w_carriage_5y + D_p_x_1*f_x_w_carriage_5y + D_p_x_1*t531 + D_p_y_1*f_y_w_carriage_5y
+        + D_p_y_1*t532 + D_p_z_1*f_z_w_carriage_5y + D_p_z_1*t533
     )
     K_wq_out[..., 13, 1] = (
-        D_delta_rx_20*t363 + D_delta_ry_20*t364 + D_delta_rz_20*t365 + D_delta_x_20*t360 + D_delta_y_20*t361
-        + D_delta_z_20*t362 + D_p_rx_2*f_rx_w_carriage_5y + D_p_ry_2*f_ry_w_carriage_5y
-        + D_p_rz_2*f_rz_w_carriage_5y + D_p_x_2*f_x_w_carriage_5y + D_p_x_2*t426 + D_p_y_2*f_y_w_carriage_5y
-        + D_p_y_2*t427 + D_p_z_2*f_z_w_carriage_5y + D_p_z_2*t428
+        D_delta_rx_20*t432 + D_delta_ry_20*t433 + D_delta_rz_20*t434 + D_delta_x_20*t429 + D_delta_y_20*t430
+        + D_delta_z_20*t431 + D_p_rx_2*f_rx_w_carriage_5y + D_p_ry_2*f_ry_w_carriage_5y
+        + D_p_rz_2*f_rz_w_carriage_5y + D_p_x_2*f_x_w_carriage_5y + D_p_x_2*t531 + D_p_y_2*f_y_w_carriage_5y
+        + D_p_y_2*t532 + D_p_z_2*f_z_w_carriage_5y + D_p_z_2*t533
     )
     K_wq_out[..., 13, 2] = (
-        D_delta_rx_20*t369 + D_delta_ry_20*t370 + D_delta_rz_20*t371 + D_delta_x_20*t366 + D_delta_y_20*t367
-        + D_delta_z_20*t368 + D_p_rx_3*f_rx_w_carriage_5y + D_p_ry_3*f_ry_w_carriage_5y
-        + D_p_rz_3*f_rz_w_carriage_5y + D_p_x_3*f_x_w_carriage_5y + D_p_x_3*t426 + D_p_y_3*f_y_w_carriage_5y
-        + D_p_y_3*t427 + D_p_z_3*f_z_w_carriage_5y + D_p_z_3*t428
+        D_delta_rx_20*t438 + D_delta_ry_20*t439 + D_delta_rz_20*t440 + D_delta_x_20*t435 + D_delta_y_20*t436
+        + D_delta_z_20*t437 + D_p_rx_3*f_rx_w_carriage_5y + D_p_ry_3*f_ry_w_carriage_5y
+        + D_p_rz_3*f_rz_w_carriage_5y + D_p_x_3*f_x_w_carriage_5y + D_p_x_3*t531 + D_p_y_3*f_y_w_carriage_5y
+        + D_p_y_3*t532 + D_p_z_3*f_z_w_carriage_5y + D_p_z_3*t533
     )
     K_wq_out[..., 13, 3] = (
-        D_delta_rx_20*t375 + D_delta_ry_20*t376 + D_delta_rz_20*t377 + D_delta_x_20*t372 + D_delta_y_20*t373
-        + D_delta_z_20*t374 + D_p_rx_4*f_rx_w_carriage_5y + D_p_ry_4*f_ry_w_carriage_5y
-        + D_p_rz_4*f_rz_w_carriage_5y + D_p_x_4*f_x_w_carriage_5y + D_p_x_4*t426 + D_p_y_4*f_y_w_carriage_5y
-        + D_p_y_4*t427 + D_p_z_4*f_z_w_carriage_5y + D_p_z_4*t428
+        D_delta_rx_20*t444 + D_delta_ry_20*t445 + D_delta_rz_20*t446 + D_delta_x_20*t441 + D_delta_y_20*t442
+        + D_delta_z_20*t443 + D_p_rx_4*f_rx_w_carriage_5y + D_p_ry_4*f_ry_w_carriage_5y
+        + D_p_rz_4*f_rz_w_carriage_5y + D_p_x_4*f_x_w_carriage_5y + D_p_x_4*t531 + D_p_y_4*f_y_w_carriage_5y
+        + D_p_y_4*t532 + D_p_z_4*f_z_w_carriage_5y + D_p_z_4*t533
     )
     K_wq_out[..., 13, 4] = (
-        D_delta_rx_20*t381 + D_delta_ry_20*t382 + D_delta_rz_20*t383 + D_delta_x_20*t378 + D_delta_y_20*t379
-        + D_delta_z_20*t380 + D_p_rx_5*f_rx_w_carriage_5y + D_p_ry_5*f_ry_w_carriage_5y
-        + D_p_rz_5*f_rz_w_carriage_5y + D_p_x_5*f_x_w_carriage_5y + D_p_x_5*t426 + D_p_y_5*f_y_w_carriage_5y
-        + D_p_y_5*t427 + D_p_z_5*f_z_w_carriage_5y + D_p_z_5*t428 - t379
+        D_delta_rx_20*t450 + D_delta_ry_20*t451 + D_delta_rz_20*t452 + D_delta_x_20*t447 + D_delta_y_20*t448
+        + D_delta_z_20*t449 + D_p_rx_5*f_rx_w_carriage_5y + D_p_ry_5*f_ry_w_carriage_5y
+        + D_p_rz_5*f_rz_w_carriage_5y + D_p_x_5*f_x_w_carriage_5y + D_p_x_5*t531 + D_p_y_5*f_y_w_carriage_5y
+        + D_p_y_5*t532 + D_p_z_5*f_z_w_carriage_5y + D_p_z_5*t533 - t448 + t536
     )
     K_wq_out[..., 13, 5] = (
-        D_delta_rx_20*t387 + D_delta_ry_20*t388 + D_delta_rz_20*t389 + D_delta_x_20*t384 + D_delta_y_20*t385
-        + D_delta_z_20*t386 + D_p_rx_6*f_rx_w_carriage_5y + D_p_ry_6*f_ry_w_carriage_5y
-        + D_p_rz_6*f_rz_w_carriage_5y + D_p_x_6*f_x_w_carriage_5y + D_p_x_6*t426 + D_p_y_6*f_y_w_carriage_5y
-        + D_p_y_6*t427 + D_p_z_6*f_z_w_carriage_5y + D_p_z_6*t428
+        D_delta_rx_20*t456 + D_delta_ry_20*t457 + D_delta_rz_20*t458 + D_delta_x_20*t453 + D_delta_y_20*t454
+        + D_delta_z_20*t455 + D_p_rx_6*f_rx_w_carriage_5y + D_p_ry_6*f_ry_w_carriage_5y
+        + D_p_rz_6*f_rz_w_carriage_5y + D_p_x_6*f_x_w_carriage_5y + D_p_x_6*t531 + D_p_y_6*f_y_w_carriage_5y
+        + D_p_y_6*t532 + D_p_z_6*f_z_w_carriage_5y + D_p_z_6*t533
     )
+    K_wq_out[..., 13, 10] = -R_p_5*t535
+    K_wq_out[..., 13, 16] = -R_p_5*t534
     K_wq_out[..., 13, 24] = (
         D_delta_rx_1*f_rx_w_carriage_5y + D_delta_ry_1*f_ry_w_carriage_5y + D_delta_rz_1*f_rz_w_carriage_5y
-        + D_delta_x_1*f_x_w_carriage_5y + D_delta_x_1*t426 + D_delta_y_1*f_y_w_carriage_5y + D_delta_y_1*t427
-        + D_delta_z_1*f_z_w_carriage_5y + D_delta_z_1*t428
+        + D_delta_x_1*f_x_w_carriage_5y + D_delta_x_1*t531 + D_delta_y_1*f_y_w_carriage_5y + D_delta_y_1*t532
+        + D_delta_z_1*f_z_w_carriage_5y + D_delta_z_1*t533
     )
     K_wq_out[..., 13, 25] = (
         D_delta_rx_2*f_rx_w_carriage_5y + D_delta_ry_2*f_ry_w_carriage_5y + D_delta_rz_2*f_rz_w_carriage_5y
-        + D_delta_x_2*f_x_w_carriage_5y + D_delta_x_2*t426 + D_delta_y_2*f_y_w_carriage_5y + D_delta_y_2*t427
-        + D_delta_z_2*f_z_w_carriage_5y + D_delta_z_2*t428
+        + D_delta_x_2*f_x_w_carriage_5y + D_delta_x_2*t531 + D_delta_y_2*f_y_w_carriage_5y + D_delta_y_2*t532
+        + D_delta_z_2*f_z_w_carriage_5y + D_delta_z_2*t533
     )
     K_wq_out[..., 13, 26] = (
         D_delta_rx_3*f_rx_w_carriage_5y + D_delta_ry_3*f_ry_w_carriage_5y + D_delta_rz_3*f_rz_w_carriage_5y
-        + D_delta_x_3*f_x_w_carriage_5y + D_delta_x_3*t426 + D_delta_y_3*f_y_w_carriage_5y + D_delta_y_3*t427
-        + D_delta_z_3*f_z_w_carriage_5y + D_delta_z_3*t428
+        + D_delta_x_3*f_x_w_carriage_5y + D_delta_x_3*t531 + D_delta_y_3*f_y_w_carriage_5y + D_delta_y_3*t532
+        + D_delta_z_3*f_z_w_carriage_5y + D_delta_z_3*t533
     )
     K_wq_out[..., 13, 27] = (
         D_delta_rx_4*f_rx_w_carriage_5y + D_delta_ry_4*f_ry_w_carriage_5y + D_delta_rz_4*f_rz_w_carriage_5y
-        + D_delta_x_4*f_x_w_carriage_5y + D_delta_x_4*t426 + D_delta_y_4*f_y_w_carriage_5y + D_delta_y_4*t427
-        + D_delta_z_4*f_z_w_carriage_5y + D_delta_z_4*t428
+        + D_delta_x_4*f_x_w_carriage_5y + D_delta_x_4*t531 + D_delta_y_4*f_y_w_carriage_5y + D_delta_y_4*t532
+        + D_delta_z_4*f_z_w_carriage_5y + D_delta_z_4*t533
     )
     K_wq_out[..., 13, 28] = (
         D_delta_rx_5*f_rx_w_carriage_5y + D_delta_ry_5*f_ry_w_carriage_5y + D_delta_rz_5*f_rz_w_carriage_5y
-        + D_delta_x_5*f_x_w_carriage_5y + D_delta_x_5*t426 + D_delta_y_5*f_y_w_carriage_5y + D_delta_y_5*t427
-        + D_delta_z_5*f_z_w_carriage_5y + D_delta_z_5*t428
+        + D_delta_x_5*f_x_w_carriage_5y + D_delta_x_5*t531 + D_delta_y_5*f_y_w_carriage_5y + D_delta_y_5*t532
+        + D_delta_z_5*f_z_w_carriage_5y + D_delta_z_5*t533
     )
     K_wq_out[..., 13, 29] = (
         D_delta_rx_6*f_rx_w_carriage_5y + D_delta_ry_6*f_ry_w_carriage_5y + D_delta_rz_6*f_rz_w_carriage_5y
-        + D_delta_x_6*f_x_w_carriage_5y + D_delta_x_6*t426 + D_delta_y_6*f_y_w_carriage_5y + D_delta_y_6*t427
-        + D_delta_z_6*f_z_w_carriage_5y + D_delta_z_6*t428
+        + D_delta_x_6*f_x_w_carriage_5y + D_delta_x_6*t531 + D_delta_y_6*f_y_w_carriage_5y + D_delta_y_6*t532
+        + D_delta_z_6*f_z_w_carriage_5y + D_delta_z_6*t533
     )
-    K_wq_out[..., 13, 36] = t426
-    K_wq_out[..., 13, 37] = t427
-    K_wq_out[..., 13, 38] = t428
+    K_wq_out[..., 13, 34] = t536
+    K_wq_out[..., 13, 36] = t531
+    K_wq_out[..., 13, 37] = t532
+    K_wq_out[..., 13, 38] = t533
     K_wq_out[..., 14, 0] = (
-        D_delta_rx_21*t357 + D_delta_ry_21*t358 + D_delta_rz_21*t359 + D_delta_x_21*t351 + D_delta_y_21*t354
-        + D_delta_z_21*t356 + D_p_rx_1*f_rx_w_carriage_5z + D_p_ry_1*f_ry_w_carriage_5z
-        + D_p_rz_1*f_rz_w_carriage_5z + D_p_x_1*f_x_w_carriage_5z + D_p_x_1*t429 + D_p_y_1*f_y_w_carriage_5z
-        + D_p_y_1*t430 + D_p_z_1*f_z_w_carriage_5z + D_p_z_1*t431
+        D_delta_rx_21*t417 + D_delta_ry_21*t418 + D_delta_rz_21*t419 + D_delta_x_21*t420 + D_delta_y_21*t423
+        + D_delta_z_21*t425 + D_p_rx_1*f_rx_w_carriage_5z + D_p_ry_1*f_ry_w_carriage_5z
+        + D_p_rz_1*f_rz_w_carriage_5z + D_p_x_1*f_x_w_carriage_5z + D_p_x_1*t537 + D_p_y_1*f_y_w_carriage_5z
+        + D_p_y_1*t538 + D_p_z_1*f_z_w_carriage_5z + D_p_z_1*t539
     )
     K_wq_out[..., 14, 1] = (
-        D_delta_rx_21*t363 + D_delta_ry_21*t364 + D_delta_rz_21*t365 + D_delta_x_21*t360 + D_delta_y_21*t361
-        + D_delta_z_21*t362 + D_p_rx_2*f_rx_w_carriage_5z + D_p_ry_2*f_ry_w_carriage_5z
-        + D_p_rz_2*f_rz_w_carriage_5z + D_p_x_2*f_x_w_carriage_5z + D_p_x_2*t429 + D_p_y_2*f_y_w_carriage_5z
-        + D_p_y_2*t430 + D_p_z_2*f_z_w_carriage_5z + D_p_z_2*t431
+        D_delta_rx_21*t432 + D_delta_ry_21*t433 + D_delta_rz_21*t434 + D_delta_x_21*t429 + D_delta_y_21*t430
+        + D_delta_z_21*t431 + D_p_rx_2*f_rx_w_carriage_5z + D_p_ry_2*f_ry_w_carriage_5z
+        + D_p_rz_2*f_rz_w_carriage_5z + D_p_x_2*f_x_w_carriage_5z + D_p_x_2*t537 + D_p_y_2*f_y_w_carriage_5z
+        + D_p_y_2*t538 + D_p_z_2*f_z_w_carriage_5z + D_p_z_2*t539
     )
     K_wq_out[..., 14, 2] = (
-        D_delta_rx_21*t369 + D_delta_ry_21*t370 + D_delta_rz_21*t371 + D_delta_x_21*t366 + D_delta_y_21*t367
-        + D_delta_z_21*t368 + D_p_rx_3*f_rx_w_carriage_5z + D_p_ry_3*f_ry_w_carriage_5z
-        + D_p_rz_3*f_rz_w_carriage_5z + D_p_x_3*f_x_w_carriage_5z + D_p_x_3*t429 + D_p_y_3*f_y_w_carriage_5z
-        + D_p_y_3*t430 + D_p_z_3*f_z_w_carriage_5z + D_p_z_3*t431
+        D_delta_rx_21*t438 + D_delta_ry_21*t439 + D_delta_rz_21*t440 + D_delta_x_21*t435 + D_delta_y_21*t436
+        + D_delta_z_21*t437 + D_p_rx_3*f_rx_w_carriage_5z + D_p_ry_3*f_ry_w_carriage_5z
+        + D_p_rz_3*f_rz_w_carriage_5z + D_p_x_3*f_x_w_carriage_5z + D_p_x_3*t537 + D_p_y_3*f_y_w_carriage_5z
+        + D_p_y_3*t538 + D_p_z_3*f_z_w_carriage_5z + D_p_z_3*t539
     )
     K_wq_out[..., 14, 3] = (
-        D_delta_rx_21*t375 + D_delta_ry_21*t376 + D_delta_rz_21*t377 + D_delta_x_21*t372 + D_delta_y_21*t373
-        + D_delta_z_21*t374 + D_p_rx_4*f_rx_w_carriage_5z + D_p_ry_4*f_ry_w_carriage_5z
-        + D_p_rz_4*f_rz_w_carriage_5z + D_p_x_4*f_x_w_carriage_5z + D_p_x_4*t429 + D_p_y_4*f_y_w_carriage_5z
-        + D_p_y_4*t430 + D_p_z_4*f_z_w_carriage_5z + D_p_z_4*t431
+        D_delta_rx_21*t444 + D_delta_ry_21*t445 + D_delta_rz_21*t446 + D_delta_x_21*t441 + D_delta_y_21*t442
+        + D_delta_z_21*t443 + D_p_rx_4*f_rx_w_carriage_5z + D_p_ry_4*f_ry_w_carriage_5z
+        + D_p_rz_4*f_rz_w_carriage_5z + D_p_x_4*f_x_w_carriage_5z + D_p_x_4*t537 + D_p_y_4*f_y_w_carriage_5z
+        + D_p_y_4*t538 + D_p_z_4*f_z_w_carriage_5z + D_p_z_4*t539
     )
     K_wq_out[..., 14, 4] = (
-        D_delta_rx_21*t381 + D_delta_ry_21*t382 + D_delta_rz_21*t383 + D_delta_x_21*t378 + D_delta_y_21*t379
-        + D_delta_z_21*t380 + D_p_rx_5*f_rx_w_carriage_5z + D_p_ry_5*f_ry_w_carriage_5z
-        + D_p_rz_5*f_rz_w_carriage_5z + D_p_x_5*f_x_w_carriage_5z + D_p_x_5*t429 + D_p_y_5*f_y_w_carriage_5z
-        + D_p_y_5*t430 + D_p_z_5*f_z_w_carriage_5z + D_p_z_5*t431 - t380
+        D_delta_rx_21*t450 + D_delta_ry_21*t451 + D_delta_rz_21*t452 + D_delta_x_21*t447 + D_delta_y_21*t448
+        + D_delta_z_21*t449 + D_p_rx_5*f_rx_w_carriage_5z + D_p_ry_5*f_ry_w_carriage_5z
+        + D_p_rz_5*f_rz_w_carriage_5z + D_p_x_5*f_x_w_carriage_5z + D_p_x_5*t537 + D_p_y_5*f_y_w_carriage_5z
+        + D_p_y_5*t538 + D_p_z_5*f_z_w_carriage_5z + D_p_z_5*t539 - t449 + t542
     )
     K_wq_out[..., 14, 5] = (
-        D_delta_rx_21*t387 + D_delta_ry_21*t388 + D_delta_rz_21*t389 + D_delta_x_21*t384 + D_delta_y_21*t385
-        + D_delta_z_21*t386 + D_p_rx_6*f_rx_w_carriage_5z + D_p_ry_6*f_ry_w_carriage_5z
-        + D_p_rz_6*f_rz_w_carriage_5z + D_p_x_6*f_x_w_carriage_5z + D_p_x_6*t429 + D_p_y_6*f_y_w_carriage_5z
-        + D_p_y_6*t430 + D_p_z_6*f_z_w_carriage_5z + D_p_z_6*t431
+        D_delta_rx_21*t456 + D_delta_ry_21*t457 + D_delta_rz_21*t458 + D_delta_x_21*t453 + D_delta_y_21*t454
+        + D_delta_z_21*t455 + D_p_rx_6*f_rx_w_carriage_5z + D_p_ry_6*f_ry_w_carriage_5z
+        + D_p_rz_6*f_rz_w_carriage_5z + D_p_x_6*f_x_w_carriage_5z + D_p_x_6*t537 + D_p_y_6*f_y_w_carriage_5z
+        + D_p_y_6*t538 + D_p_z_6*f_z_w_carriage_5z + D_p_z_6*t539
     )
+    K_wq_out[..., 14, 10] = -R_p_5*t541
+    K_wq_out[..., 14, 16] = -R_p_5*t540
     K_wq_out[..., 14, 24] = (
         D_delta_rx_1*f_rx_w_carriage_5z + D_delta_ry_1*f_ry_w_carriage_5z + D_delta_rz_1*f_rz_w_carriage_5z
-        + D_delta_x_1*f_x_w_carriage_5z + D_delta_x_1*t429 + D_delta_y_1*f_y_w_carriage_5z + D_delta_y_1*t430
-        + D_delta_z_1*f_z_w_carriage_5z + D_delta_z_1*t431
+        + D_delta_x_1*f_x_w_carriage_5z + D_delta_x_1*t537 + D_delta_y_1*f_y_w_carriage_5z + D_delta_y_1*t538
+        + D_delta_z_1*f_z_w_carriage_5z + D_delta_z_1*t539
     )
     K_wq_out[..., 14, 25] = (
         D_delta_rx_2*f_rx_w_carriage_5z + D_delta_ry_2*f_ry_w_carriage_5z + D_delta_rz_2*f_rz_w_carriage_5z
-        + D_delta_x_2*f_x_w_carriage_5z + D_delta_x_2*t429 + D_delta_y_2*f_y_w_carriage_5z + D_delta_y_2*t430
-        + D_delta_z_2*f_z_w_carriage_5z + D_delta_z_2*t431
+        + D_delta_x_2*f_x_w_carriage_5z + D_delta_x_2*t537 + D_delta_y_2*f_y_w_carriage_5z + D_delta_y_2*t538
+        + D_delta_z_2*f_z_w_carriage_5z + D_delta_z_2*t539
     )
     K_wq_out[..., 14, 26] = (
         D_delta_rx_3*f_rx_w_carriage_5z + D_delta_ry_3*f_ry_w_carriage_5z + D_delta_rz_3*f_rz_w_carriage_5z
-        + D_delta_x_3*f_x_w_carriage_5z + D_delta_x_3*t429 + D_delta_y_3*f_y_w_carriage_5z + D_delta_y_3*t430
-        + D_delta_z_3*f_z_w_carriage_5z + D_delta_z_3*t431
+        + D_delta_x_3*f_x_w_carriage_5z + D_delta_x_3*t537 + D_delta_y_3*f_y_w_carriage_5z + D_delta_y_3*t538
+        + D_delta_z_3*f_z_w_carriage_5z + D_delta_z_3*t539
     )
     K_wq_out[..., 14, 27] = (
         D_delta_rx_4*f_rx_w_carriage_5z + D_delta_ry_4*f_ry_w_carriage_5z + D_delta_rz_4*f_rz_w_carriage_5z
-        + D_delta_x_4*f_x_w_carriage_5z + D_delta_x_4*t429 + D_delta_y_4*f_y_w_carriage_5z + D_delta_y_4*t430
-        + D_delta_z_4*f_z_w_carriage_5z + D_delta_z_4*t431
+        + D_delta_x_4*f_x_w_carriage_5z + D_delta_x_4*t537 + D_delta_y_4*f_y_w_carriage_5z + D_delta_y_4*t538
+        + D_delta_z_4*f_z_w_carriage_5z + D_delta_z_4*t539
     )
     K_wq_out[..., 14, 28] = (
         D_delta_rx_5*f_rx_w_carriage_5z + D_delta_ry_5*f_ry_w_carriage_5z + D_delta_rz_5*f_rz_w_carriage_5z
-        + D_delta_x_5*f_x_w_carriage_5z + D_delta_x_5*t429 + D_delta_y_5*f_y_w_carriage_5z + D_delta_y_5*t430
-        + D_delta_z_5*f_z_w_carriage_5z + D_delta_z_5*t431
+        + D_delta_x_5*f_x_w_carriage_5z + D_delta_x_5*t537 + D_delta_y_5*f_y_w_carriage_5z + D_delta_y_5*t538
+        + D_delta_z_5*f_z_w_carriage_5z + D_delta_z_5*t539
     )
     K_wq_out[..., 14, 29] = (
         D_delta_rx_6*f_rx_w_carriage_5z + D_delta_ry_6*f_ry_w_carriage_5z + D_delta_rz_6*f_rz_w_carriage_5z
-        + D_delta_x_6*f_x_w_carriage_5z + D_delta_x_6*t429 + D_delta_y_6*f_y_w_carriage_5z + D_delta_y_6*t430
-        + D_delta_z_6*f_z_w_carriage_5z + D_delta_z_6*t431
+        + D_delta_x_6*f_x_w_carriage_5z + D_delta_x_6*t537 + D_delta_y_6*f_y_w_carriage_5z + D_delta_y_6*t538
+        + D_delta_z_6*f_z_w_carriage_5z + D_delta_z_6*t539
     )
-    K_wq_out[..., 14, 36] = t429
-    K_wq_out[..., 14, 37] = t430
-    K_wq_out[..., 14, 38] = t431
+    K_wq_out[..., 14, 34] = t542
+    K_wq_out[..., 14, 36] = t537
+    K_wq_out[..., 14, 37] = t538
+    K_wq_out[..., 14, 38] = t539
     K_wq_out[..., 15, 0] = (
-        D_delta_rx_22*t357 + D_delta_ry_22*t358 + D_delta_rz_22*t359 + D_delta_x_22*t351 + D_delta_y_22*t354
-        + D_delta_z_22*t356 + D_p_rx_1*f_rx_w_carriage_6x + D_p_ry_1*f_ry_w_carriage_6x
-        + D_p_rz_1*f_rz_w_carriage_6x + D_p_x_1*f_x_w_carriage_6x + D_p_x_1*t432 + D_p_y_1*f_y_w_carriage_6x
-        + D_p_y_1*t433 + D_p_z_1*f_z_w_carriage_6x + D_p_z_1*t434
+        D_delta_rx_22*t417 + D_delta_ry_22*t418 + D_delta_rz_22*t419 + D_delta_x_22*t420 + D_delta_y_22*t423
+        + D_delta_z_22*t425 + D_p_rx_1*f_rx_w_carriage_6x + D_p_ry_1*f_ry_w_carriage_6x
+        + D_p_rz_1*f_rz_w_carriage_6x + D_p_x_1*f_x_w_carriage_6x + D_p_x_1*t543 + D_p_y_1*f_y_w_carriage_6x
+        + D_p_y_1*t544 + D_p_z_1*f_z_w_carriage_6x + D_p_z_1*t545
     )
     K_wq_out[..., 15, 1] = (
-        D_delta_rx_22*t363 + D_delta_ry_22*t364 + D_delta_rz_22*t365 + D_delta_x_22*t360 + D_delta_y_22*t361
-        + D_delta_z_22*t362 + D_p_rx_2*f_rx_w_carriage_6x + D_p_ry_2*f_ry_w_carriage_6x
-        + D_p_rz_2*f_rz_w_carriage_6x + D_p_x_2*f_x_w_carriage_6x + D_p_x_2*t432 + D_p_y_2*f_y_w_carriage_6x
-        + D_p_y_2*t433 + D_p_z_2*f_z_w_carriage_6x + D_p_z_2*t434
+        D_delta_rx_22*t432 + D_delta_ry_22*t433 + D_delta_rz_22*t434 + D_delta_x_22*t429 + D_delta_y_22*t430
+        + D_delta_z_22*t431 + D_p_rx_2*f_rx_w_carriage_6x + D_p_ry_2*f_ry_w_carriage_6x
+        + D_p_rz_2*f_rz_w_carriage_6x + D_p_x_2*f_x_w_carriage_6x + D_p_x_2*t543 + D_p_y_2*f_y_w_carriage_6x
+        + D_p_y_2*t544 + D_p_z_2*f_z_w_carriage_6x + D_p_z_2*t545
     )
     K_wq_out[..., 15, 2] = (
-        D_delta_rx_22*t369 + D_delta_ry_22*t370 + D_delta_rz_22*t371 + D_delta_x_22*t366 + D_delta_y_22*t367
-        + D_delta_z_22*t368 + D_p_rx_3*f_rx_w_carriage_6x + D_p_ry_3*f_ry_w_carriage_6x
-        + D_p_rz_3*f_rz_w_carriage_6x + D_p_x_3*f_x_w_carriage_6x + D_p_x_3*t432 + D_p_y_3*f_y_w_carriage_6x
-        + D_p_y_3*t433 + D_p_z_3*f_z_w_carriage_6x + D_p_z_3*t434
+        D_delta_rx_22*t438 + D_delta_ry_22*t439 + D_delta_rz_22*t440 + D_delta_x_22*t435 + D_delta_y_22*t436
+        + D_delta_z_22*t437 + D_p_rx_3*f_rx_w_carriage_6x + D_p_ry_3*f_ry_w_carriage_6x
+        + D_p_rz_3*f_rz_w_carriage_6x + D_p_x_3*f_x_w_carriage_6x + D_p_x_3*t543 + D_p_y_3*f_y_w_carriage_6x
+        + D_p_y_3*t544 + D_p_z_3*f_z_w_carriage_6x + D_p_z_3*t545
     )
     K_wq_out[..., 15, 3] = (
-        D_delta_rx_22*t375 + D_delta_ry_22*t376 + D_delta_rz_22*t377 + D_delta_x_22*t372 + D_delta_y_22*t373
-        + D_delta_z_22*t374 + D_p_rx_4*f_rx_w_carriage_6x + D_p_ry_4*f_ry_w_carriage_6x
-        + D_p_rz_4*f_rz_w_carriage_6x + D_p_x_4*f_x_w_carriage_6x + D_p_x_4*t432 + D_p_y_4*f_y_w_carriage_6x
-        + D_p_y_4*t433 + D_p_z_4*f_z_w_carriage_6x + D_p_z_4*t434
+        D_delta_rx_22*t444 + D_delta_ry_22*t445 + D_delta_rz_22*t446 + D_delta_x_22*t441 + D_delta_y_22*t442
+        + D_delta_z_22*t443 + D_p_rx_4*f_rx_w_carriage_6x + D_p_ry_4*f_ry_w_carriage_6x
+        + D_p_rz_4*f_rz_w_carriage_6x + D_p_x_4*f_x_w_carriage_6x + D_p_x_4*t543 + D_p_y_4*f_y_w_carriage_6x
+        + D_p_y_4*t544 + D_p_z_4*f_z_w_carriage_6x + D_p_z_4*t545
     )
     K_wq_out[..., 15, 4] = (
-        D_delta_rx_22*t381 + D_delta_ry_22*t382 + D_delta_rz_22*t383 + D_delta_x_22*t378 + D_delta_y_22*t379
-        + D_delta_z_22*t380 + D_p_rx_5*f_rx_w_carriage_6x + D_p_ry_5*f_ry_w_carriage_6x
-        + D_p_rz_5*f_rz_w_carriage_6x + D_p_x_5*f_x_w_carriage_6x + D_p_x_5*t432 + D_p_y_5*f_y_w_carriage_6x
-        + D_p_y_5*t433 + D_p_z_5*f_z_w_carriage_6x + D_p_z_5*t434
+        D_delta_rx_22*t450 + D_delta_ry_22*t451 + D_delta_rz_22*t452 + D_delta_x_22*t447 + D_delta_y_22*t448
+        + D_delta_z_22*t449 + D_p_rx_5*f_rx_w_carriage_6x + D_p_ry_5*f_ry_w_carriage_6x
+        + D_p_rz_5*f_rz_w_carriage_6x + D_p_x_5*f_x_w_carriage_6x + D_p_x_5*t543 + D_p_y_5*f_y_w_carriage_6x
+        + D_p_y_5*t544 + D_p_z_5*f_z_w_carriage_6x + D_p_z_5*t545
     )
     K_wq_out[..., 15, 5] = (
-        D_delta_rx_22*t387 + D_delta_ry_22*t388 + D_delta_rz_22*t389 + D_delta_x_22*t384 + D_delta_y_22*t385
-        + D_delta_z_22*t386 + D_p_rx_6*f_rx_w_carriage_6x + D_p_ry_6*f_ry_w_carriage_6x
-        + D_p_rz_6*f_rz_w_carriage_6x + D_p_x_6*f_x_w_carriage_6x + D_p_x_6*t432 + D_p_y_6*f_y_w_carriage_6x
-        + D_p_y_6*t433 + D_p_z_6*f_z_w_carriage_6x + D_p_z_6*t434 - t384
+        D_delta_rx_22*t456 + D_delta_ry_22*t457 + D_delta_rz_22*t458 + D_delta_x_22*t453 + D_delta_y_22*t454
+        + D_delta_z_22*t455 + D_p_rx_6*f_rx_w_carriage_6x + D_p_ry_6*f_ry_w_carriage_6x
+        + D_p_rz_6*f_rz_w_carriage_6x + D_p_x_6*f_x_w_carriage_6x + D_p_x_6*t543 + D_p_y_6*f_y_w_carriage_6x
+        + D_p_y_6*t544 + D_p_z_6*f_z_w_carriage_6x + D_p_z_6*t545 - t453 + t548
     )
+    K_wq_out[..., 15, 11] = -R_p_6*t547
+    K_wq_out[..., 15, 17] = -R_p_6*t546
     K_wq_out[..., 15, 24] = (
         D_delta_rx_1*f_rx_w_carriage_6x + D_delta_ry_1*f_ry_w_carriage_6x + D_delta_rz_1*f_rz_w_carriage_6x
-        + D_delta_x_1*f_x_w_carriage_6x + D_delta_x_1*t432 + D_delta_y_1*f_y_w_carriage_6x + D_delta_y_1*t433
-        + D_delta_z_1*f_z_w_carriage_6x + D_delta_z_1*t434
+        + D_delta_x_1*f_x_w_carriage_6x + D_delta_x_1*t543 + D_delta_y_1*f_y_w_carriage_6x + D_delta_y_1*t544
+        + D_delta_z_1*f_z_w_carriage_6x + D_delta_z_1*t545
     )
     K_wq_out[..., 15, 25] = (
         D_delta_rx_2*f_rx_w_carriage_6x + D_delta_ry_2*f_ry_w_carriage_6x + D_delta_rz_2*f_rz_w_carriage_6x
-        + D_delta_x_2*f_x_w_carriage_6x + D_delta_x_2*t432 + D_delta_y_2*f_y_w_carriage_6x + D_delta_y_2*t433
-        + D_delta_z_2*f_z_w_carriage_6x + D_delta_z_2*t434
+        + D_delta_x_2*f_x_w_carriage_6x + D_delta_x_2*t543 + D_delta_y_2*f_y_w_carriage_6x + D_delta_y_2*t544
+        + D_delta_z_2*f_z_w_carriage_6x + D_delta_z_2*t545
     )
     K_wq_out[..., 15, 26] = (
         D_delta_rx_3*f_rx_w_carriage_6x + D_delta_ry_3*f_ry_w_carriage_6x + D_delta_rz_3*f_rz_w_carriage_6x
-        + D_delta_x_3*f_x_w_carriage_6x + D_delta_x_3*t432 + D_delta_y_3*f_y_w_carriage_6x + D_delta_y_3*t433
-        + D_delta_z_3*f_z_w_carriage_6x + D_delta_z_3*t434
+        + D_delta_x_3*f_x_w_carriage_6x + D_delta_x_3*t543 + D_delta_y_3*f_y_w_carriage_6x + D_delta_y_3*t544
+        + D_delta_z_3*f_z_w_carriage_6x + D_delta_z_3*t545
     )
     K_wq_out[..., 15, 27] = (
         D_delta_rx_4*f_rx_w_carriage_6x + D_delta_ry_4*f_ry_w_carriage_6x + D_delta_rz_4*f_rz_w_carriage_6x
-        + D_delta_x_4*f_x_w_carriage_6x + D_delta_x_4*t432 + D_delta_y_4*f_y_w_carriage_6x + D_delta_y_4*t433
-        + D_delta_z_4*f_z_w_carriage_6x + D_delta_z_4*t434
+        + D_delta_x_4*f_x_w_carriage_6x + D_delta_x_4*t543 + D_delta_y_4*f_y_w_carriage_6x + D_delta_y_4*t544
+        + D_delta_z_4*f_z_w_carriage_6x + D_delta_z_4*t545
     )
     K_wq_out[..., 15, 28] = (
         D_delta_rx_5*f_rx_w_carriage_6x + D_delta_ry_5*f_ry_w_carriage_6x + D_delta_rz_5*f_rz_w_carriage_6x
-        + D_delta_x_5*f_x_w_carriage_6x + D_delta_x_5*t432 + D_delta_y_5*f_y_w_carriage_6x + D_delta_y_5*t433
-        + D_delta_z_5*f_z_w_carriage_6x + D_delta_z_5*t434
+        + D_delta_x_5*f_x_w_carriage_6x + D_delta_x_5*t543 + D_delta_y_5*f_y_w_carriage_6x + D_delta_y_5*t544
+        + D_delta_z_5*f_z_w_carriage_6x + D_delta_z_5*t545
     )
     K_wq_out[..., 15, 29] = (
         D_delta_rx_6*f_rx_w_carriage_6x + D_delta_ry_6*f_ry_w_carriage_6x + D_delta_rz_6*f_rz_w_carriage_6x
-        + D_delta_x_6*f_x_w_carriage_6x + D_delta_x_6*t432 + D_delta_y_6*f_y_w_carriage_6x + D_delta_y_6*t433
-        + D_delta_z_6*f_z_w_carriage_6x + D_delta_z_6*t434
+        + D_delta_x_6*f_x_w_carriage_6x + D_delta_x_6*t543 + D_delta_y_6*f_y_w_carriage_6x + D_delta_y_6*t544
+        + D_delta_z_6*f_z_w_carriage_6x + D_delta_z_6*t545
     )
-    K_wq_out[..., 15, 36] = t432
-    K_wq_out[..., 15, 37] = t433
-    K_wq_out[..., 15, 38] = t434
+    K_wq_out[..., 15, 35] = t548
+    K_wq_out[..., 15, 36] = t543
+    K_wq_out[..., 15, 37] = t544
+    K_wq_out[..., 15, 38] = t545
     K_wq_out[..., 16, 0] = (
-        D_delta_rx_23*t357 + D_delta_ry_23*t358 + D_delta_rz_23*t359 + D_delta_x_23*t351 + D_delta_y_23*t354
-        + D_delta_z_23*t356 + D_p_rx_1*f_rx_w_carriage_6y + D_p_ry_1*f_ry_w_carriage_6y
-        + D_p_rz_1*f_rz_w_carriage_6y + D_p_x_1*f_x_w_carriage_6y + D_p_x_1*t435 + D_p_y_1*f_y_w_carriage_6y
-        + D_p_y_1*t436 + D_p_z_1*f_z_w_carriage_6y + D_p_z_1*t437
+        D_delta_rx_23*t417 + D_delta_ry_23*t418 + D_delta_rz_23*t419 + D_delta_x_23*t420 + D_delta_y_23*t423
+        + D_delta_z_23*t425 + D_p_rx_1*f_rx_w_carriage_6y + D_p_ry_1*f_ry_w_carriage_6y
+        + D_p_rz_1*f_rz_w_carriage_6y + D_p_x_1*f_x_w_carriage_6y + D_p_x_1*t549 + D_p_y_1*f_y_w_carriage_6y
+        + D_p_y_1*t550 + D_p_z_1*f_z_w_carriage_6y + D_p_z_1*t551
     )
     K_wq_out[..., 16, 1] = (
-        D_delta_rx_23*t363 + D_delta_ry_23*t364 + D_delta_rz_23*t365 + D_delta_x_23*t360 + D_delta_y_23*t361
-        + D_delta_z_23*t362 + D_p_rx_2*f_rx_w_carriage_6y + D_p_ry_2*f_ry_w_carriage_6y
-        + D_p_rz_2*f_rz_w_carriage_6y + D_p_x_2*f_x_w_carriage_6y + D_p_x_2*t435 + D_p_y_2*f_y_w_carriage_6y
-        + D_p_y_2*t436 + D_p_z_2*f_z_w_carriage_6y + D_p_z_2*t437
+        D_delta_rx_23*t432 + D_delta_ry_23*t433 + D_delta_rz_23*t434 + D_delta_x_23*t429 + D_delta_y_23*t430
+        + D_delta_z_23*t431 + D_p_rx_2*f_rx_w_carriage_6y + D_p_ry_2*f_ry_w_carriage_6y
+        + D_p_rz_2*f_rz_w_carriage_6y + D_p_x_2*f_x_w_carriage_6y + D_p_x_2*t549 + D_p_y_2*f_y_w_carriage_6y
+        + D_p_y_2*t550 + D_p_z_2*f_z_w_carriage_6y + D_p_z_2*t551
     )
     K_wq_out[..., 16, 2] = (
-        D_delta_rx_23*t369 + D_delta_ry_23*t370 + D_delta_rz_23*t371 + D_delta_x_23*t366 + D_delta_y_23*t367
-        + D_delta_z_23*t368 + D_p_rx_3*f_rx_w_carriage_6y + D_p_ry_3*f_ry_w_carriage_6y
-        + D_p_rz_3*f_rz_w_carriage_6y + D_p_x_3*f_x_w_carriage_6y + D_p_x_3*t435 + D_p_y_3*f_y_w_carriage_6y
-        + D_p_y_3*t436 + D_p_z_3*f_z_w_carriage_6y + D_p_z_3*t437
+        D_delta_rx_23*t438 + D_delta_ry_23*t439 + D_delta_rz_23*t440 + D_delta_x_23*t435 + D_delta_y_23*t436
+        + D_delta_z_23*t437 + D_p_rx_3*f_rx_w_carriage_6y + D_p_ry_3*f_ry_w_carriage_6y
+        + D_p_rz_3*f_rz_w_carriage_6y + D_p_x_3*f_x_w_carriage_6y + D_p_x_3*t549 + D_p_y_3*f_y_w_carriage_6y
+        + D_p_y_3*t550 + D_p_z_3*f_z_w_carriage_6y + D_p_z_3*t551
     )
     K_wq_out[..., 16, 3] = (
-        D_delta_rx_23*t375 + D_delta_ry_23*t376 + D_delta_rz_23*t377 + D_delta_x_23*t372 + D_delta_y_23*t373
-        + D_delta_z_23*t374 + D_p_rx_4*f_rx_w_carriage_6y + D_p_ry_4*f_ry_w_carriage_6y
-        + D_p_rz_4*f_rz_w_carriage_6y + D_p_x_4*f_x_w_carriage_6y + D_p_x_4*t435 + D_p_y_4*f_y_w_carriage_6y
-        + D_p_y_4*t436 + D_p_z_4*f_z_w_carriage_6y + D_p_z_4*t437
+        D_delta_rx_23*t444 + D_delta_ry_23*t445 + D_delta_rz_23*t446 + D_delta_x_23*t441 + D_delta_y_23*t442
+        + D_delta_z_23*t443 + D_p_rx_4*f_rx_w_carriage_6y + D_p_ry_4*f_ry_w_carriage_6y
+        + D_p_rz_4*f_rz_w_carriage_6y + D_p_x_4*f_x_w_carriage_6y + D_p_x_4*t549 + D_p_y_4*f_y_w_carriage_6y
+        + D_p_y_4*t550 + D_p_z_4*f_z_w_carriage_6y + D_p_z_4*t551
     )
     K_wq_out[..., 16, 4] = (
-        D_delta_rx_23*t381 + D_delta_ry_23*t382 + D_delta_rz_23*t383 + D_delta_x_23*t378 + D_delta_y_23*t379
-        + D_delta_z_23*t380 + D_p_rx_5*f_rx_w_carriage_6y + D_p_ry_5*f_ry_w_carriage_6y
-        + D_p_rz_5*f_rz_w_carriage_6y + D_p_x_5*f_x_w_carriage_6y + D_p_x_5*t435 + D_p_y_5*f_y_w_carriage_6y
-        + D_p_y_5*t436 + D_p_z_5*f_z_w_carriage_6y + D_p_z_5*t437
+        D_delta_rx_23*t450 + D_delta_ry_23*t451 + D_delta_rz_23*t452 + D_delta_x_23*t447 + D_delta_y_23*t448
+        + D_delta_z_23*t449 + D_p_rx_5*f_rx_w_carriage_6y + D_p_ry_5*f_ry_w_carriage_6y
+        + D_p_rz_5*f_rz_w_carriage_6y + D_p_x_5*f_x_w_carriage_6y + D_p_x_5*t549 + D_p_y_5*f_y_w_carriage_6y
+        + D_p_y_5*t550 + D_p_z_5*f_z_w_carriage_6y + D_p_z_5*t551
     )
     K_wq_out[..., 16, 5] = (
-        D_delta_rx_23*t387 + D_delta_ry_23*t388 + D_delta_rz_23*t389 + D_delta_x_23*t384 + D_delta_y_23*t385
-        + D_delta_z_23*t386 + D_p_rx_6*f_rx_w_carriage_6y + D_p_ry_6*f_ry_w_carriage_6y
-        + D_p_rz_6*f_rz_w_carriage_6y + D_p_x_6*f_x_w_carriage_6y + D_p_x_6*t435 + D_p_y_6*f_y_w_carriage_6y
-        + D_p_y_6*t436 + D_p_z_6*f_z_w_carriage_6y + D_p_z_6*t437 - t385
+        D_delta_rx_23*t456 + D_delta_ry_23*t457 + D_delta_rz_23*t458 + D_delta_x_23*t453 + D_delta_y_23*t454
+        + D_delta_z_23*t455 + D_p_rx_6*f_rx_w_carriage_6y + D_p_ry_6*f_ry_w_carriage_6y
+        + D_p_rz_6*f_rz_w_carriage_6y + D_p_x_6*f_x_w_carriage_6y + D_p_x_6*t549 + D_p_y_6*f_y_w_carriage_6y
+        + D_p_y_6*t550 + D_p_z_6*f_z_w_carriage_6y + D_p_z_6*t551 - t454 + t554
     )
+    K_wq_out[..., 16, 11] = -R_p_6*t553
+    K_wq_out[..., 16, 17] = -R_p_6*t552
     K_wq_out[..., 16, 24] = (
         D_delta_rx_1*f_rx_w_carriage_6y + D_delta_ry_1*f_ry_w_carriage_6y + D_delta_rz_1*f_rz_w_carriage_6y
-        + D_delta_x_1*f_x_w_carriage_6y + D_delta_x_1*t435 + D_delta_y_1*f_y_w_carriage_6y + D_delta_y_1*t436
-        + D_delta_z_1*f_z_w_carriage_6y + D_delta_z_1*t437
+        + D_delta_x_1*f_x_w_carriage_6y + D_delta_x_1*t549 + D_delta_y_1*f_y_w_carriage_6y + D_delta_y_1*t550
+        + D_delta_z_1*f_z_w_carriage_6y + D_delta_z_1*t551
     )
     K_wq_out[..., 16, 25] = (
         D_delta_rx_2*f_rx_w_carriage_6y + D_delta_ry_2*f_ry_w_carriage_6y + D_delta_rz_2*f_rz_w_carriage_6y
-        + D_delta_x_2*f_x_w_carriage_6y + D_delta_x_2*t435 + D_delta_y_2*f_y_w_carriage_6y + D_delta_y_2*t436
-        + D_delta_z_2*f_z_w_carriage_6y + D_delta_z_2*t437
+        + D_delta_x_2*f_x_w_carriage_6y + D_delta_x_2*t549 + D_delta_y_2*f_y_w_carriage_6y + D_delta_y_2*t550
+        + D_delta_z_2*f_z_w_carriage_6y + D_delta_z_2*t551
     )
     K_wq_out[..., 16, 26] = (
         D_delta_rx_3*f_rx_w_carriage_6y + D_delta_ry_3*f_ry_w_carriage_6y + D_delta_rz_3*f_rz_w_carriage_6y
-        + D_delta_x_3*f_x_w_carriage_6y + D_delta_x_3*t435 + D_delta_y_3*f_y_w_carriage_6y + D_delta_y_3*t436
-        + D_delta_z_3*f_z_w_carriage_6y + D_delta_z_3*t437
+        + D_delta_x_3*f_x_w_carriage_6y + D_delta_x_3*t549 + D_delta_y_3*f_y_w_carriage_6y + D_delta_y_3*t550
+        + D_delta_z_3*f_z_w_carriage_6y + D_delta_z_3*t551
     )
     K_wq_out[..., 16, 27] = (
         D_delta_rx_4*f_rx_w_carriage_6y + D_delta_ry_4*f_ry_w_carriage_6y + D_delta_rz_4*f_rz_w_carriage_6y
-        + D_delta_x_4*f_x_w_carriage_6y + D_delta_x_4*t435 + D_delta_y_4*f_y_w_carriage_6y + D_delta_y_4*t436
-        + D_delta_z_4*f_z_w_carriage_6y + D_delta_z_4*t437
+        + D_delta_x_4*f_x_w_carriage_6y + D_delta_x_4*t549 + D_delta_y_4*f_y_w_carriage_6y + D_delta_y_4*t550
+        + D_delta_z_4*f_z_w_carriage_6y + D_delta_z_4*t551
     )
     K_wq_out[..., 16, 28] = (
         D_delta_rx_5*f_rx_w_carriage_6y + D_delta_ry_5*f_ry_w_carriage_6y + D_delta_rz_5*f_rz_w_carriage_6y
-        + D_delta_x_5*f_x_w_carriage_6y + D_delta_x_5*t435 + D_delta_y_5*f_y_w_carriage_6y + D_delta_y_5*t436
-        + D_delta_z_5*f_z_w_carriage_6y + D_delta_z_5*t437
+        + D_delta_x_5*f_x_w_carriage_6y + D_delta_x_5*t549 + D_delta_y_5*f_y_w_carriage_6y + D_delta_y_5*t550
+        + D_delta_z_5*f_z_w_carriage_6y + D_delta_z_5*t551
     )
     K_wq_out[..., 16, 29] = (
         D_delta_rx_6*f_rx_w_carriage_6y + D_delta_ry_6*f_ry_w_carriage_6y + D_delta_rz_6*f_rz_w_carriage_6y
-        + D_delta_x_6*f_x_w_carriage_6y + D_delta_x_6*t435 + D_delta_y_6*f_y_w_carriage_6y + D_delta_y_6*t436
-        + D_delta_z_6*f_z_w_carriage_6y + D_delta_z_6*t437
+        + D_delta_x_6*f_x_w_carriage_6y + D_delta_x_6*t549 + D_delta_y_6*f_y_w_carriage_6y + D_delta_y_6*t550
+        + D_delta_z_6*f_z_w_carriage_6y + D_delta_z_6*t551
     )
-    K_wq_out[..., 16, 36] = t435
-    K_wq_out[..., 16, 37] = t436
-    K_wq_out[..., 16, 38] = t437
+    K_wq_out[..., 16, 35] = t554
+    K_wq_out[..., 16, 36] = t549
+    K_wq_out[..., 16, 37] = t550
+    K_wq_out[..., 16, 38] = t551
     K_wq_out[..., 17, 0] = (
-        D_delta_rx_24*t357 + D_delta_ry_24*t358 + D_delta_rz_24*t359 + D_delta_x_24*t351 + D_delta_y_24*t354
-        + D_delta_z_24*t356 + D_p_rx_1*f_rx_w_carriage_6z + D_p_ry_1*f_ry_w_carriage_6z
-        + D_p_rz_1*f_rz_w_carriage_6z + D_p_x_1*f_x_w_carriage_6z + D_p_x_1*t438 + D_p_y_1*f_y_w_carriage_6z
-        + D_p_y_1*t439 + D_p_z_1*f_z_w_carriage_6z + D_p_z_1*t440
+        D_delta_rx_24*t417 + D_delta_ry_24*t418 + D_delta_rz_24*t419 + D_delta_x_24*t420 + D_delta_y_24*t423
+        + D_delta_z_24*t425 + D_p_rx_1*f_rx_w_carriage_6z + D_p_ry_1*f_ry_w_carriage_6z
+        + D_p_rz_1*f_rz_w_carriage_6z + D_p_x_1*f_x_w_carriage_6z + D_p_x_1*t555 + D_p_y_1*f_y_w_carriage_6z
+        + D_p_y_1*t556 + D_p_z_1*f_z_w_carriage_6z + D_p_z_1*t557
     )
     K_wq_out[..., 17, 1] = (
-        D_delta_rx_24*t363 + D_delta_ry_24*t364 + D_delta_rz_24*t365 + D_delta_x_24*t360 + D_delta_y_24*t361
-        + D_delta_z_24*t362 + D_p_rx_2*f_rx_w_carriage_6z + D_p_ry_2*f_ry_w_carriage_6z
-        + D_p_rz_2*f_rz_w_carriage_6z + D_p_x_2*f_x_w_carriage_6z + D_p_x_2*t438 + D_p_y_2*f_y_w_carriage_6z
-        + D_p_y_2*t439 + D_p_z_2*f_z_w_carriage_6z + D_p_z_2*t440
+        D_delta_rx_24*t432 + D_delta_ry_24*t433 + D_delta_rz_24*t434 + D_delta_x_24*t429 + D_delta_y_24*t430
+        + D_delta_z_24*t431 + D_p_rx_2*f_rx_w_carriage_6z + D_p_ry_2*f_ry_w_carriage_6z
+        + D_p_rz_2*f_rz_w_carriage_6z + D_p_x_2*f_x_w_carriage_6z + D_p_x_2*t555 + D_p_y_2*f_y_w_carriage_6z
+        + D_p_y_2*t556 + D_p_z_2*f_z_w_carriage_6z + D_p_z_2*t557
     )
     K_wq_out[..., 17, 2] = (
-        D_delta_rx_24*t369 + D_delta_ry_24*t370 + D_delta_rz_24*t371 + D_delta_x_24*t366 + D_delta_y_24*t367
-        + D_delta_z_24*t368 + D_p_rx_3*f_rx_w_carriage_6z + D_p_ry_3*f_ry_w_carriage_6z
-        + D_p_rz_3*f_rz_w_carriage_6z + D_p_x_3*f_x_w_carriage_6z + D_p_x_3*t438 + D_p_y_3*f_y_w_carriage_6z
-        + D_p_y_3*t439 + D_p_z_3*f_z_w_carriage_6z + D_p_z_3*t440
+        D_delta_rx_24*t438 + D_delta_ry_24*t439 + D_delta_rz_24*t440 + D_delta_x_24*t435 + D_delta_y_24*t436
+        + D_delta_z_24*t437 + D_p_rx_3*f_rx_w_carriage_6z + D_p_ry_3*f_ry_w_carriage_6z
+        + D_p_rz_3*f_rz_w_carriage_6z + D_p_x_3*f_x_w_carriage_6z + D_p_x_3*t555 + D_p_y_3*f_y_w_carriage_6z
+        + D_p_y_3*t556 + D_p_z_3*f_z_w_carriage_6z + D_p_z_3*t557
     )
     K_wq_out[..., 17, 3] = (
-        D_delta_rx_24*t375 + D_delta_ry_24*t376 + D_delta_rz_24*t377 + D_delta_x_24*t372 + D_delta_y_24*t373
-        + D_delta_z_24*t374 + D_p_rx_4*f_rx_w_carriage_6z + D_p_ry_4*f_ry_w_carriage_6z
-        + D_p_rz_4*f_rz_w_carriage_6z + D_p_x_4*f_x_w_carriage_6z + D_p_x_4*t438 + D_p_y_4*f_y_w_carriage_6z
-        + D_p_y_4*t439 + D_p_z_4*f_z_w_carriage_6z + D_p_z_4*t440
+        D_delta_rx_24*t444 + D_delta_ry_24*t445 + D_delta_rz_24*t446 + D_delta_x_24*t441 + D_delta_y_24*t442
+        + D_delta_z_24*t443 + D_p_rx_4*f_rx_w_carriage_6z + D_p_ry_4*f_ry_w_carriage_6z
+        + D_p_rz_4*f_rz_w_carriage_6z + D_p_x_4*f_x_w_carriage_6z + D_p_x_4*t555 + D_p_y_4*f_y_w_carriage_6z
+        + D_p_y_4*t556 + D_p_z_4*f_z_w_carriage_6z + D_p_z_4*t557
     )
     K_wq_out[..., 17, 4] = (
-        D_delta_rx_24*t381 + D_delta_ry_24*t382 + D_delta_rz_24*t383 + D_delta_x_24*t378 + D_delta_y_24*t379
-        + D_delta_z_24*t380 + D_p_rx_5*f_rx_w_carriage_6z + D_p_ry_5*f_ry_w_carriage_6z
-        + D_p_rz_5*f_rz_w_carriage_6z + D_p_x_5*f_x_w_carriage_6z + D_p_x_5*t438 + D_p_y_5*f_y_w_carriage_6z
-        + D_p_y_5*t439 + D_p_z_5*f_z_w_carriage_6z + D_p_z_5*t440
+        D_delta_rx_24*t450 + D_delta_ry_24*t451 + D_delta_rz_24*t452 + D_delta_x_24*t447 + D_delta_y_24*t448
+        + D_delta_z_24*t449 + D_p_rx_5*f_rx_w_carriage_6z + D_p_ry_5*f_ry_w_carriage_6z
+        + D_p_rz_5*f_rz_w_carriage_6z + D_p_x_5*f_x_w_carriage_6z + D_p_x_5*t555 + D_p_y_5*f_y_w_carriage_6z
+        + D_p_y_5*t556 + D_p_z_5*f_z_w_carriage_6z + D_p_z_5*t557
     )
     K_wq_out[..., 17, 5] = (
-        D_delta_rx_24*t387 + D_delta_ry_24*t388 + D_delta_rz_24*t389 + D_delta_x_24*t384 + D_delta_y_24*t385
-        + D_delta_z_24*t386 + D_p_rx_6*f_rx_w_carriage_6z + D_p_ry_6*f_ry_w_carriage_6z
-        + D_p_rz_6*f_rz_w_carriage_6z + D_p_x_6*f_x_w_carriage_6z + D_p_x_6*t438 + D_p_y_6*f_y_w_carriage_6z
-        + D_p_y_6*t439 + D_p_z_6*f_z_w_carriage_6z + D_p_z_6*t440 - t386
+        D_delta_rx_24*t456 + D_delta_ry_24*t457 + D_delta_rz_24*t458 + D_delta_x_24*t453 + D_delta_y_24*t454
+        + D_delta_z_24*t455 + D_p_rx_6*f_rx_w_carriage_6z + D_p_ry_6*f_ry_w_carriage_6z
+        + D_p_rz_6*f_rz_w_carriage_6z + D_p_x_6*f_x_w_carriage_6z + D_p_x_6*t555 + D_p_y_6*f_y_w_carriage_6z
+        + D_p_y_6*t556 + D_p_z_6*f_z_w_carriage_6z + D_p_z_6*t557 - t455 + t560
     )
+    K_wq_out[..., 17, 11] = -R_p_6*t559
+    K_wq_out[..., 17, 17] = -R_p_6*t558
     K_wq_out[..., 17, 24] = (
         D_delta_rx_1*f_rx_w_carriage_6z + D_delta_ry_1*f_ry_w_carriage_6z + D_delta_rz_1*f_rz_w_carriage_6z
-        + D_delta_x_1*f_x_w_carriage_6z + D_delta_x_1*t438 + D_delta_y_1*f_y_w_carriage_6z + D_delta_y_1*t439
-        + D_delta_z_1*f_z_w_carriage_6z + D_delta_z_1*t440
+        + D_delta_x_1*f_x_w_carriage_6z + D_delta_x_1*t555 + D_delta_y_1*f_y_w_carriage_6z + D_delta_y_1*t556
+        + D_delta_z_1*f_z_w_carriage_6z + D_delta_z_1*t557
     )
     K_wq_out[..., 17, 25] = (
         D_delta_rx_2*f_rx_w_carriage_6z + D_delta_ry_2*f_ry_w_carriage_6z + D_delta_rz_2*f_rz_w_carriage_6z
-        + D_delta_x_2*f_x_w_carriage_6z + D_delta_x_2*t438 + D_delta_y_2*f_y_w_carriage_6z + D_delta_y_2*t439
-        + D_delta_z_2*f_z_w_carriage_6z + D_delta_z_2*t440
+        + D_delta_x_2*f_x_w_carriage_6z + D_delta_x_2*t555 + D_delta_y_2*f_y_w_carriage_6z + D_delta_y_2*t556
+        + D_delta_z_2*f_z_w_carriage_6z + D_delta_z_2*t557
     )
     K_wq_out[..., 17, 26] = (
         D_delta_rx_3*f_rx_w_carriage_6z + D_delta_ry_3*f_ry_w_carriage_6z + D_delta_rz_3*f_rz_w_carriage_6z
-        + D_delta_x_3*f_x_w_carriage_6z + D_delta_x_3*t438 + D_delta_y_3*f_y_w_carriage_6z + D_delta_y_3*t439
-        + D_delta_z_3*f_z_w_carriage_6z + D_delta_z_3*t440
+        + D_delta_x_3*f_x_w_carriage_6z + D_delta_x_3*t555 + D_delta_y_3*f_y_w_carriage_6z + D_delta_y_3*t556
+        + D_delta_z_3*f_z_w_carriage_6z + D_delta_z_3*t557
     )
     K_wq_out[..., 17, 27] = (
         D_delta_rx_4*f_rx_w_carriage_6z + D_delta_ry_4*f_ry_w_carriage_6z + D_delta_rz_4*f_rz_w_carriage_6z
-        + D_delta_x_4*f_x_w_carriage_6z + D_delta_x_4*t438 + D_delta_y_4*f_y_w_carriage_6z + D_delta_y_4*t439
-        + D_delta_z_4*f_z_w_carriage_6z + D_delta_z_4*t440
+        + D_delta_x_4*f_x_w_carriage_6z + D_delta_x_4*t555 + D_delta_y_4*f_y_w_carriage_6z + D_delta_y_4*t556
+        + D_delta_z_4*f_z_w_carriage_6z + D_delta_z_4*t557
     )
     K_wq_out[..., 17, 28] = (
         D_delta_rx_5*f_rx_w_carriage_6z + D_delta_ry_5*f_ry_w_carriage_6z + D_delta_rz_5*f_rz_w_carriage_6z
-        + D_delta_x_5*f_x_w_carriage_6z + D_delta_x_5*t438 + D_delta_y_5*f_y_w_carriage_6z + D_delta_y_5*t439
-        + D_delta_z_5*f_z_w_carriage_6z + D_delta_z_5*t440
+        + D_delta_x_5*f_x_w_carriage_6z + D_delta_x_5*t555 + D_delta_y_5*f_y_w_carriage_6z + D_delta_y_5*t556
+        + D_delta_z_5*f_z_w_carriage_6z + D_delta_z_5*t557
     )
     K_wq_out[..., 17, 29] = (
         D_delta_rx_6*f_rx_w_carriage_6z + D_delta_ry_6*f_ry_w_carriage_6z + D_delta_rz_6*f_rz_w_carriage_6z
-        + D_delta_x_6*f_x_w_carriage_6z + D_delta_x_6*t438 + D_delta_y_6*f_y_w_carriage_6z + D_delta_y_6*t439
-        + D_delta_z_6*f_z_w_carriage_6z + D_delta_z_6*t440
+        + D_delta_x_6*f_x_w_carriage_6z + D_delta_x_6*t555 + D_delta_y_6*f_y_w_carriage_6z + D_delta_y_6*t556
+        + D_delta_z_6*f_z_w_carriage_6z + D_delta_z_6*t557
     )
-    K_wq_out[..., 17, 36] = t438
-    K_wq_out[..., 17, 37] = t439
-    K_wq_out[..., 17, 38] = t440
+    K_wq_out[..., 17, 35] = t560
+    K_wq_out[..., 17, 36] = t555
+    K_wq_out[..., 17, 37] = t556
+    K_wq_out[..., 17, 38] = t557
     K_wq_out[..., 18, 0] = -k_1_3
-    K_wq_out[..., 18, 6] = R_p_1*k_1_3 - t441
-    K_wq_out[..., 18, 12] = t441
+    K_wq_out[..., 18, 6] = R_p_1*k_1_3 - t561
+    K_wq_out[..., 18, 12] = t561
     K_wq_out[..., 18, 30] = -k_1_3
     K_wq_out[..., 19, 0] = -k_1_2
-    K_wq_out[..., 19, 6] = t441
-    K_wq_out[..., 19, 12] = R_p_1*k_1_2 - t441
+    K_wq_out[..., 19, 6] = t561
+    K_wq_out[..., 19, 12] = R_p_1*k_1_2 - t561
     K_wq_out[..., 19, 30] = -k_1_2
     K_wq_out[..., 20, 1] = -k_2_3
-    K_wq_out[..., 20, 7] = R_p_2*k_2_3 - t442
-    K_wq_out[..., 20, 13] = t442
+    K_wq_out[..., 20, 7] = R_p_2*k_2_3 - t562
+    K_wq_out[..., 20, 13] = t562
     K_wq_out[..., 20, 31] = -k_2_3
     K_wq_out[..., 21, 1] = -k_2_2
-    K_wq_out[..., 21, 7] = t442
-    K_wq_out[..., 21, 13] = R_p_2*k_2_2 - t442
+    K_wq_out[..., 21, 7] = t562
+    K_wq_out[..., 21, 13] = R_p_2*k_2_2 - t562
     K_wq_out[..., 21, 31] = -k_2_2
     K_wq_out[..., 22, 2] = -k_3_3
-    K_wq_out[..., 22, 8] = R_p_3*k_3_3 - t443
-    K_wq_out[..., 22, 14] = t443
+    K_wq_out[..., 22, 8] = R_p_3*k_3_3 - t563
+    K_wq_out[..., 22, 14] = t563
     K_wq_out[..., 22, 32] = -k_3_3
     K_wq_out[..., 23, 2] = -k_3_2
-    K_wq_out[..., 23, 8] = t443
-    K_wq_out[..., 23, 14] = R_p_3*k_3_2 - t443
+    K_wq_out[..., 23, 8] = t563
+    K_wq_out[..., 23, 14] = R_p_3*k_3_2 - t563
     K_wq_out[..., 23, 32] = -k_3_2
     K_wq_out[..., 24, 3] = -k_4_3
-    K_wq_out[..., 24, 9] = R_p_4*k_4_3 - t444
-    K_wq_out[..., 24, 15] = t444
+    K_wq_out[..., 24, 9] = R_p_4*k_4_3 - t564
+    K_wq_out[..., 24, 15] = t564
     K_wq_out[..., 24, 33] = -k_4_3
     K_wq_out[..., 25, 3] = -k_4_2
-    K_wq_out[..., 25, 9] = t444
-    K_wq_out[..., 25, 15] = R_p_4*k_4_2 - t444
+    K_wq_out[..., 25, 9] = t564
+    K_wq_out[..., 25, 15] = R_p_4*k_4_2 - t564
     K_wq_out[..., 25, 33] = -k_4_2
     K_wq_out[..., 26, 4] = -k_5_3
-    K_wq_out[..., 26, 10] = R_p_5*k_5_3 - t445
-    K_wq_out[..., 26, 16] = t445
+    K_wq_out[..., 26, 10] = R_p_5*k_5_3 - t565
+    K_wq_out[..., 26, 16] = t565
     K_wq_out[..., 26, 34] = -k_5_3
     K_wq_out[..., 27, 4] = -k_5_2
-    K_wq_out[..., 27, 10] = t445
-    K_wq_out[..., 27, 16] = R_p_5*k_5_2 - t445
+    K_wq_out[..., 27, 10] = t565
+    K_wq_out[..., 27, 16] = R_p_5*k_5_2 - t565
     K_wq_out[..., 27, 34] = -k_5_2
     K_wq_out[..., 28, 5] = -k_6_3
-    K_wq_out[..., 28, 11] = R_p_6*k_6_3 - t446
-    K_wq_out[..., 28, 17] = t446
+    K_wq_out[..., 28, 11] = R_p_6*k_6_3 - t566
+    K_wq_out[..., 28, 17] = t566
     K_wq_out[..., 28, 35] = -k_6_3
     K_wq_out[..., 29, 5] = -k_6_2
-    K_wq_out[..., 29, 11] = t446
-    K_wq_out[..., 29, 17] = R_p_6*k_6_2 - t446
+    K_wq_out[..., 29, 11] = t566
+    K_wq_out[..., 29, 17] = R_p_6*k_6_2 - t566
     K_wq_out[..., 29, 35] = -k_6_2
     K_ww_out = np.empty((*batch, 30), dtype)
     K_ww_out[..., 0] = (
         D_delta_rx_7*f_rx_w_carriage_1x + D_delta_ry_7*f_ry_w_carriage_1x + D_delta_ry_7*t128
         + D_delta_rz_7*f_rz_w_carriage_1x - D_delta_rz_7*t134 + D_delta_x_7**2*k_C
         + D_delta_x_7*f_x_w_carriage_1x + D_delta_x_7*mu_1 + D_delta_y_7**2*k_C
-        + D_delta_y_7*f_y_w_carriage_1x + D_delta_z_7**2*k_C + D_delta_z_7*f_z_w_carriage_1x - mu_1
+        + D_delta_y_7*f_y_w_carriage_1x + D_delta_z_7**2*k_C + D_delta_z_7*f_z_w_carriage_1x + k_1_2*t399
+        + k_1_3*t399 - mu_1
     )
     K_ww_out[..., 1] = (
         D_delta_rx_8*f_rx_w_carriage_1y - D_delta_rx_8*t128 + D_delta_ry_8*f_ry_w_carriage_1y
         + D_delta_rz_8*f_rz_w_carriage_1y + D_delta_rz_8*t140 + D_delta_x_8**2*k_C
         + D_delta_x_8*f_x_w_carriage_1y + D_delta_y_8**2*k_C + D_delta_y_8*f_y_w_carriage_1y
-        + D_delta_y_8*mu_1 + D_delta_z_8**2*k_C + D_delta_z_8*f_z_w_carriage_1y - mu_1
+        + D_delta_y_8*mu_1 + D_delta_z_8**2*k_C + D_delta_z_8*f_z_w_carriage_1y + k_1_2*t400 + k_1_3*t400
+        - mu_1
     )
     K_ww_out[..., 2] = (
         D_delta_rx_9*f_rx_w_carriage_1z + D_delta_rx_9*t134 + D_delta_ry_9*f_ry_w_carriage_1z
         - D_delta_ry_9*t140 + D_delta_rz_9*f_rz_w_carriage_1z + D_delta_x_9**2*k_C
         + D_delta_x_9*f_x_w_carriage_1z + D_delta_y_9**2*k_C + D_delta_y_9*f_y_w_carriage_1z
-        + D_delta_z_9**2*k_C + D_delta_z_9*f_z_w_carriage_1z + D_delta_z_9*mu_1 - mu_1
+        + D_delta_z_9**2*k_C + D_delta_z_9*f_z_w_carriage_1z + D_delta_z_9*mu_1 + k_1_2*t401 + k_1_3*t401
+        - mu_1
     )
     K_ww_out[..., 3] = (
         D_delta_rx_10*f_rx_w_carriage_2x + D_delta_ry_10*f_ry_w_carriage_2x + D_delta_ry_10*t129
         + D_delta_rz_10*f_rz_w_carriage_2x - D_delta_rz_10*t135 + D_delta_x_10**2*k_C
         + D_delta_x_10*f_x_w_carriage_2x + D_delta_x_10*mu_2 + D_delta_y_10**2*k_C
-        + D_delta_y_10*f_y_w_carriage_2x + D_delta_z_10**2*k_C + D_delta_z_10*f_z_w_carriage_2x - mu_2
+        + D_delta_y_10*f_y_w_carriage_2x + D_delta_z_10**2*k_C + D_delta_z_10*f_z_w_carriage_2x + k_2_2*t402
+        + k_2_3*t402 - mu_2
     )
     K_ww_out[..., 4] = (
         D_delta_rx_11*f_rx_w_carriage_2y - D_delta_rx_11*t129 + D_delta_ry_11*f_ry_w_carriage_2y
         + D_delta_rz_11*f_rz_w_carriage_2y + D_delta_rz_11*t141 + D_delta_x_11**2*k_C
         + D_delta_x_11*f_x_w_carriage_2y + D_delta_y_11**2*k_C + D_delta_y_11*f_y_w_carriage_2y
-        + D_delta_y_11*mu_2 + D_delta_z_11**2*k_C + D_delta_z_11*f_z_w_carriage_2y - mu_2
+        + D_delta_y_11*mu_2 + D_delta_z_11**2*k_C + D_delta_z_11*f_z_w_carriage_2y + k_2_2*t403 + k_2_3*t403
+        - mu_2
     )
     K_ww_out[..., 5] = (
         D_delta_rx_12*f_rx_w_carriage_2z + D_delta_rx_12*t135 + D_delta_ry_12*f_ry_w_carriage_2z
         - D_delta_ry_12*t141 + D_delta_rz_12*f_rz_w_carriage_2z + D_delta_x_12**2*k_C
         + D_delta_x_12*f_x_w_carriage_2z + D_delta_y_12**2*k_C + D_delta_y_12*f_y_w_carriage_2z
-        + D_delta_z_12**2*k_C + D_delta_z_12*f_z_w_carriage_2z + D_delta_z_12*mu_2 - mu_2
+        + D_delta_z_12**2*k_C + D_delta_z_12*f_z_w_carriage_2z + D_delta_z_12*mu_2 + k_2_2*t404 + k_2_3*t404
+        - mu_2
     )
     K_ww_out[..., 6] = (
         D_delta_rx_13*f_rx_w_carriage_3x + D_delta_ry_13*f_ry_w_carriage_3x + D_delta_ry_13*t130
         + D_delta_rz_13*f_rz_w_carriage_3x - D_delta_rz_13*t136 + D_delta_x_13**2*k_C
         + D_delta_x_13*f_x_w_carriage_3x + D_delta_x_13*mu_3 + D_delta_y_13**2*k_C
-        + D_delta_y_13*f_y_w_carriage_3x + D_delta_z_13**2*k_C + D_delta_z_13*f_z_w_carriage_3x - mu_3
+        + D_delta_y_13*f_y_w_carriage_3x + D_delta_z_13**2*k_C + D_delta_z_13*f_z_w_carriage_3x + k_3_2*t405
+        + k_3_3*t405 - mu_3
     )
     K_ww_out[..., 7] = (
         D_delta_rx_14*f_rx_w_carriage_3y - D_delta_rx_14*t130 + D_delta_ry_14*f_ry_w_carriage_3y
         + D_delta_rz_14*f_rz_w_carriage_3y + D_delta_rz_14*t142 + D_delta_x_14**2*k_C
         + D_delta_x_14*f_x_w_carriage_3y + D_delta_y_14**2*k_C + D_delta_y_14*f_y_w_carriage_3y
-        + D_delta_y_14*mu_3 + D_delta_z_14**2*k_C + D_delta_z_14*f_z_w_carriage_3y - mu_3
+        + D_delta_y_14*mu_3 + D_delta_z_14**2*k_C + D_delta_z_14*f_z_w_carriage_3y + k_3_2*t406 + k_3_3*t406
+        - mu_3
     )
     K_ww_out[..., 8] = (
         D_delta_rx_15*f_rx_w_carriage_3z + D_delta_rx_15*t136 + D_delta_ry_15*f_ry_w_carriage_3z
         - D_delta_ry_15*t142 + D_delta_rz_15*f_rz_w_carriage_3z + D_delta_x_15**2*k_C
         + D_delta_x_15*f_x_w_carriage_3z + D_delta_y_15**2*k_C + D_delta_y_15*f_y_w_carriage_3z
-        + D_delta_z_15**2*k_C + D_delta_z_15*f_z_w_carriage_3z + D_delta_z_15*mu_3 - mu_3
+        + D_delta_z_15**2*k_C + D_delta_z_15*f_z_w_carriage_3z + D_delta_z_15*mu_3 + k_3_2*t407 + k_3_3*t407
+        - mu_3
     )
     K_ww_out[..., 9] = (
         D_delta_rx_16*f_rx_w_carriage_4x + D_delta_ry_16*f_ry_w_carriage_4x + D_delta_ry_16*t131
         + D_delta_rz_16*f_rz_w_carriage_4x - D_delta_rz_16*t137 + D_delta_x_16**2*k_C
         + D_delta_x_16*f_x_w_carriage_4x + D_delta_x_16*mu_4 + D_delta_y_16**2*k_C
-        + D_delta_y_16*f_y_w_carriage_4x + D_delta_z_16**2*k_C + D_delta_z_16*f_z_w_carriage_4x - mu_4
+        + D_delta_y_16*f_y_w_carriage_4x + D_delta_z_16**2*k_C + D_delta_z_16*f_z_w_carriage_4x + k_4_2*t408
+        + k_4_3*t408 - mu_4
     )
     K_ww_out[..., 10] = (
         D_delta_rx_17*f_rx_w_carriage_4y - D_delta_rx_17*t131 + D_delta_ry_17*f_ry_w_carriage_4y
         + D_delta_rz_17*f_rz_w_carriage_4y + D_delta_rz_17*t143 + D_delta_x_17**2*k_C
         + D_delta_x_17*f_x_w_carriage_4y + D_delta_y_17**2*k_C + D_delta_y_17*f_y_w_carriage_4y
-        + D_delta_y_17*mu_4 + D_delta_z_17**2*k_C + D_delta_z_17*f_z_w_carriage_4y - mu_4
+        + D_delta_y_17*mu_4 + D_delta_z_17**2*k_C + D_delta_z_17*f_z_w_carriage_4y + k_4_2*t409 + k_4_3*t409
+        - mu_4
     )
     K_ww_out[..., 11] = (
         D_delta_rx_18*f_rx_w_carriage_4z + D_delta_rx_18*t137 + D_delta_ry_18*f_ry_w_carriage_4z
         - D_delta_ry_18*t143 + D_delta_rz_18*f_rz_w_carriage_4z + D_delta_x_18**2*k_C
         + D_delta_x_18*f_x_w_carriage_4z + D_delta_y_18**2*k_C + D_delta_y_18*f_y_w_carriage_4z
-        + D_delta_z_18**2*k_C + D_delta_z_18*f_z_w_carriage_4z + D_delta_z_18*mu_4 - mu_4
+        + D_delta_z_18**2*k_C + D_delta_z_18*f_z_w_carriage_4z + D_delta_z_18*mu_4 + k_4_2*t410 + k_4_3*t410
+        - mu_4
     )
     K_ww_out[..., 12] = (
         D_delta_rx_19*f_rx_w_carriage_5x + D_delta_ry_19*f_ry_w_carriage_5x + D_delta_ry_19*t132
         + D_delta_rz_19*f_rz_w_carriage_5x - D_delta_rz_19*t138 + D_delta_x_19**2*k_C
         + D_delta_x_19*f_x_w_carriage_5x + D_delta_x_19*mu_5 + D_delta_y_19**2*k_C
-        + D_delta_y_19*f_y_w_carriage_5x + D_delta_z_19**2*k_C + D_delta_z_19*f_z_w_carriage_5x - mu_5
+        + D_delta_y_19*f_y_w_carriage_5x + D_delta_z_19**2*k_C + D_delta_z_19*f_z_w_carriage_5x + k_5_2*t411
+        + k_5_3*t411 - mu_5
     )
     K_ww_out[..., 13] = (
         D_delta_rx_20*f_rx_w_carriage_5y - D_delta_rx_20*t132 + D_delta_ry_20*f_ry_w_carriage_5y
         + D_delta_rz_20*f_rz_w_carriage_5y + D_delta_rz_20*t144 + D_delta_x_20**2*k_C
         + D_delta_x_20*f_x_w_carriage_5y + D_delta_y_20**2*k_C + D_delta_y_20*f_y_w_carriage_5y
-        + D_delta_y_20*mu_5 + D_delta_z_20**2*k_C + D_delta_z_20*f_z_w_carriage_5y - mu_5
+        + D_delta_y_20*mu_5 + D_delta_z_20**2*k_C + D_delta_z_20*f_z_w_carriage_5y + k_5_2*t412 + k_5_3*t412
+        - mu_5
     )
     K_ww_out[..., 14] = (
         D_delta_rx_21*f_rx_w_carriage_5z + D_delta_rx_21*t138 + D_delta_ry_21*f_ry_w_carriage_5z
         - D_delta_ry_21*t144 + D_delta_rz_21*f_rz_w_carriage_5z + D_delta_x_21**2*k_C
         + D_delta_x_21*f_x_w_carriage_5z + D_delta_y_21**2*k_C + D_delta_y_21*f_y_w_carriage_5z
-        + D_delta_z_21**2*k_C + D_delta_z_21*f_z_w_carriage_5z + D_delta_z_21*mu_5 - mu_5
+        + D_delta_z_21**2*k_C + D_delta_z_21*f_z_w_carriage_5z + D_delta_z_21*mu_5 + k_5_2*t413 + k_5_3*t413
+        - mu_5
     )
     K_ww_out[..., 15] = (
         D_delta_rx_22*f_rx_w_carriage_6x + D_delta_ry_22*f_ry_w_carriage_6x + D_delta_ry_22*t133
         + D_delta_rz_22*f_rz_w_carriage_6x - D_delta_rz_22*t139 + D_delta_x_22**2*k_C
         + D_delta_x_22*f_x_w_carriage_6x + D_delta_x_22*mu_6 + D_delta_y_22**2*k_C
-        + D_delta_y_22*f_y_w_carriage_6x + D_delta_z_22**2*k_C + D_delta_z_22*f_z_w_carriage_6x - mu_6
+        + D_delta_y_22*f_y_w_carriage_6x + D_delta_z_22**2*k_C + D_delta_z_22*f_z_w_carriage_6x + k_6_2*t414
+        + k_6_3*t414 - mu_6
     )
     K_ww_out[..., 16] = (
         D_delta_rx_23*f_rx_w_carriage_6y - D_delta_rx_23*t133 + D_delta_ry_23*f_ry_w_carriage_6y
         + D_delta_rz_23*f_rz_w_carriage_6y + D_delta_rz_23*t145 + D_delta_x_23**2*k_C
         + D_delta_x_23*f_x_w_carriage_6y + D_delta_y_23**2*k_C + D_delta_y_23*f_y_w_carriage_6y
-        + D_delta_y_23*mu_6 + D_delta_z_23**2*k_C + D_delta_z_23*f_z_w_carriage_6y - mu_6
+        + D_delta_y_23*mu_6 + D_delta_z_23**2*k_C + D_delta_z_23*f_z_w_carriage_6y + k_6_2*t415 + k_6_3*t415
+        - mu_6
     )
     K_ww_out[..., 17] = (
         D_delta_rx_24*f_rx_w_carriage_6z + D_delta_rx_24*t139 + D_delta_ry_24*f_ry_w_carriage_6z
         - D_delta_ry_24*t145 + D_delta_rz_24*f_rz_w_carriage_6z + D_delta_x_24**2*k_C
         + D_delta_x_24*f_x_w_carriage_6z + D_delta_y_24**2*k_C + D_delta_y_24*f_y_w_carriage_6z
-        + D_delta_z_24**2*k_C + D_delta_z_24*f_z_w_carriage_6z + D_delta_z_24*mu_6 - mu_6
+        + D_delta_z_24**2*k_C + D_delta_z_24*f_z_w_carriage_6z + D_delta_z_24*mu_6 + k_6_2*t416 + k_6_3*t416
+        - mu_6
     )
     K_ww_out[..., 18] = k_1_1 + k_1_3
     K_ww_out[..., 19] = k_1_1 + k_1_2

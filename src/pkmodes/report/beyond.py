@@ -14,19 +14,19 @@ from pkmodes.report.tables import table
 
 def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
     """Return what terms explain; nothing where none was tried."""
-    said = result.beyond
-    if said is None:
+    terms = result.beyond
+    if terms is None:
         return []
-    blocks: list[Paragraph | Table] = [Paragraph(prose(sentence(said.reason)), plain=sentence(said.reason))]
-    if said.classes:
-        blocks += [_classes(said, setting), _errors(result, said)]
+    blocks: list[Paragraph | Table] = [Paragraph(prose(sentence(terms.reason)), plain=sentence(terms.reason))]
+    if terms.classes:
+        blocks += [_classes(terms, setting), _errors(result, terms)]
     return blocks
 
 
-def _classes(said: Beyond, setting: Setting) -> Table:
+def _classes(terms: Beyond, setting: Setting) -> Table:
     """Return the explanations that remain with their values, a row for each parameter."""
     rows = []
-    for k, group in enumerate(said.classes):
+    for k, group in enumerate(terms.classes):
         at = pointer("beyond", "classes", k)
         for i, name in enumerate(group.finding.members):
             rows += _member(group, name, f"{at}{pointer('members', i)}", setting, k, at)
@@ -63,16 +63,16 @@ def _member(
     return rows
 
 
-def _errors(result: Diagnosis, said: Beyond) -> Table:
+def _errors(result: Diagnosis, terms: Beyond) -> Table:
     """Return the errors before, after the refit, with the best of the catalogue, and with each term."""
     stages: list[tuple[str, Error | None, str]] = [
         ("as declared", result.before, pointer("error", "before")),
         ("uncertain values refitted", result.refit, pointer("error", "refit")),
     ]
-    if said.catalogue is not None:
-        name, error = said.catalogue
+    if terms.catalogue is not None:
+        name, error = terms.catalogue
         stages.append((f"with the best of the catalogue, {clean(name)}", error, ""))
-    for k, group in enumerate(said.classes):
+    for k, group in enumerate(terms.classes):
         for i, name in enumerate(group.finding.members):
             at = pointer("beyond", "classes", k, "members", i, "error")
             stages.append((f"with {clean(group.finding.member(name).words)}", group.errors[name], at))

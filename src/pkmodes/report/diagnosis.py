@@ -31,13 +31,14 @@ from pkmodes.report.formatting import (
 )
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import page
+from pkmodes.report.places import picture
 from pkmodes.report.sections import glossary, view_section
 from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
 #: Sections that a reader sees without unfolding them.
-OPEN = ("errors", "causes", "beyond", "modes")
+OPEN = ("errors", "causes", "beyond", "place", "modes")
 #: Most values of the members of a class in the head; of a cause, all are there.
 MOST = 5
 #: As in `diff`.
@@ -59,6 +60,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         Section("errors", "Error before and after", numbers.errors(result)),
         *([Section("causes", title, causes)] if causes else []),
         *([Section("beyond", "Beyond the catalogue", terms)] if (terms := beyond(result, setting)) else []),
+        *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
         *figures.sections(evidence),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
         Section("candidates", "Candidates", explanations.candidates(result)),

@@ -46,7 +46,10 @@ def _belt(m: Machine, number: int, belt: Fastened, room: picture.Room, height: E
         return a, b, height
 
     turning = (0, 0, -g_x * g_y)  # a positive rotation pulls run 1 in
-    m.draw.wheel("pulley", f"motor pulley {number}", at(own, rear), turning, r, turns=belt.turns)
+    pulley = f"pulley_{number}"
+    m.draw.wheel(
+        "pulley", f"motor pulley {number}", at(own, rear), turning, r, turns=belt.turns, place=pulley
+    )
     idlers = (own + 2 * g_x * r, y - g_y * r), (other, y + g_y * r), (other, front), (own, front)
     for place, idler in enumerate(idlers, start=1):
         m.draw.wheel("idler", f"idler {place} of belt {number}", at(*idler), (0, 0, 1), r)

@@ -54,7 +54,7 @@ def draw(m: Machine, axes: Sequence[Axis]) -> None:
         m.draw.line("axle", f"elbow {j}", *across)
         ends = [_aside([m.pose[i] + a.joint[i] for i in range(3)], a, sign * HALF_WIDTH) for sign in (1, -1)]
         for foot, end in zip(across, ends, strict=True):
-            m.draw.line("link", f"rod of linkage {j}", foot, end)
+            m.draw.line("link", f"rod of linkage {j}", foot, end, place=f"link_{j}")
         corners += ends
     m.draw.plate("platform", "platform", *corners)
 

@@ -1,0 +1,84 @@
+"""A picture of the machine marks the bodies of what was found, on every mechanism."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import pkmodes
+from helpers.pages.documentation import ROOT
+from pkmodes.core.mechanism.registry import mechanism
+from pkmodes.plots.places import COLOURS, Marked, places
+from pkmodes.report.places import marked
+from pkmodes.view import scene
+
+#: Terms of each mechanism, and the names of the elements that show them; None where none does.
+SHOWN = {
+    "linear_delta": {
+        "mass:platform": {"platform"},
+        "mass:link_2": {"rod of linkage 2"},
+        "mount:carriage_2.y": {"carriage 2"},
+        "spring:pulley_2_1/pulley_2_2": {"pulley 1 of axis 2", "pulley 2 of axis 2"},
+        "compliance:eps_3": {"belt 3"},
+        "parameter:axis.2.pulley.radius": {"pulley 1 of axis 2", "pulley 2 of axis 2"},
+        "parameter:axis.1.belt.width": {"belt 1"},
+        "payload": None,
+        "spring:frame.x": None,
+    },
+    "hexaglide": {"mass:link_6": {"rod 6"}, "resonator:carriage_4": {"carriage 4"}},
+    "rotary_delta": {
+        "mass:arm_3": {"arm 3"},
+        "mass:motor_1": {"motor 1"},
+        "mass:link_3": {"rod of linkage 3"},
+    },
+    "hexapod": {
+        "mount:leg_5.y": {"base part of leg 5"},
+        "mass:rod_3": {"rod of leg 3"},
+        "parameter:axis.4.leg.stiffness": {"base part of leg 4"},
+        "mass:motor_2": None,
+        "spring:platform.rx": {"platform"},
+    },
+    "corexy": {
+        "mass:gantry": {"gantry"},
+        "mount:pulley_2": {"motor pulley 2"},
+        "mass:platform": {"tool head"},
+    },
+    "cartesian": {"mass:beam": {"beam"}, "mass:pulley_1": {"motor pulley 1"}},
+    "bed_slinger": {"mass:bed": {"bed"}, "resonator:toolhead": {"tool head"}},
+}
+EACH = [(name, term) for name, terms in SHOWN.items() for term in terms]
+
+
+@pytest.mark.parametrize(("name", "term"), EACH)
+def test_a_term_is_shown_by_its_bodies(name: str, term: str) -> None:
+    elements = mechanism(name).drawing.elements
+    sentences = {one.name: one.sentence for one in mechanism(name).terms}
+    mark = marked(
+        term, sentences.get(term, "displacement of the clamp of belt 3 relative to the body"), elements
+    )
+    shown = SHOWN[name][term]
+    assert (None if mark is None else {elements[i].name for i in mark.elements}) == shown
+    if mark is not None:
+        assert mark.along == (term[-1] if term.endswith((".x", ".y", ".z")) else "")
+
+
+def test_the_picture_has_the_marked_bodies_in_colour_and_an_arrow() -> None:
+    model = pkmodes.load(ROOT / "robots" / "linear-delta-2022.toml")
+    shown = scene(model, [0.6, 0.0, -0.245])
+    (carriage,) = (i for i, element in enumerate(shown.elements) if element.name == "carriage 2")
+    drawing = places(
+        shown, [Marked("the rail of carriage 2", (carriage,), "y"), Marked("the platform", (0,))]
+    )
+    (panel,) = drawing.wide.panels
+    colours = [line.get_color() for line in panel.axes.lines]
+    assert colours.count(COLOURS[0]) == 2  # the carriage, and its entry of the legend
+    legend = panel.axes.get_legend()
+    assert legend is not None
+    assert [text.get_text() for text in legend.get_texts()] == ["the rail of carriage 2", "the platform"]
+    arrow, letter = panel.axes.texts
+    assert letter.get_text() == "y"
+    # Parallel to y as the camera sees it: the marked block lies in the middle of the arrow.
+    (block,) = (line for line in panel.axes.lines if line.get_color() == COLOURS[0] and len(line.get_xdata()))
+    middle = np.mean(block.get_xydata(), axis=0)
+    ends = np.array([arrow.xy, arrow.get_position()])  # type: ignore[attr-defined]
+    np.testing.assert_allclose(ends.mean(axis=0), middle, atol=0.2 * np.ptp(ends, axis=0).max())
