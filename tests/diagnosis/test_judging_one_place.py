@@ -131,6 +131,31 @@ def test_what_is_called_the_same_gives_the_same_modes(machine: str, fault: Fault
     assert np.abs(changed(factor) - wanted).max() < (1e-5 if machine == "hexapod" else 1e-9)
 
 
+@pytest.mark.parametrize(
+    ("machine", "places", "direction", "count"),
+    [
+        ("published", ("platform", "link_3"), "z", 6),
+        ("published", ("link_1",), "y", 6),
+        ("published", ("platform", "carriage_2"), "z", 1),
+    ],
+)
+def test_springs_that_are_called_the_same_give_the_same_modes(
+    machine: str, places: tuple[str, ...], direction: str, count: int
+) -> None:
+    fault = Fault("spring", places, direction, {"stiffness": 4e4})
+    robot, (p, *_) = declared(machine), EVERY[machine].points
+    q = robot.parameters
+    wanted = modes_of("linear_delta", q, p, [fault])
+    others = {name: v for name, v in same("linear_delta", robot, fault).items() if name != fault.term}
+    assert len(others) == count
+    for name, values in others.items():
+        ends, _, along = name.removeprefix("spring:").partition(".")
+        alike = modes_of("linear_delta", q, p, [Fault("spring", tuple(ends.split("/")), along, dict(values))])
+        np.testing.assert_allclose(
+            alike.frequencies[alike.rigid :], wanted.frequencies[wanted.rigid :], rtol=1e-9
+        )
+
+
 def test_every_kind_of_fault_and_every_law_is_there() -> None:
     every = list(cases())
     assert len(every) >= 500

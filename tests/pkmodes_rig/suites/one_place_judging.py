@@ -199,6 +199,14 @@ def _same_terms(mechanism: str, robot: Robot, fault: Fault) -> Iterator[tuple[st
             yield from ((name, {}) for name in _of_one_mode(mechanism, which))
         if (mechanism, place) in _BODY_OF:
             yield from ((name, {}) for name in _of_one_mode(mechanism, _BODY_OF[mechanism, place]))
+    elif mechanism == "linear_delta" and fault.form == "spring" and _half_as_far(robot, fault):
+        # Where no carriage moves, the middle of each link moves half as far as the platform.
+        k = fault.values["stiffness"]
+        yield f"spring:platform.{direction}", {"stiffness": k / 4}
+        for link in (f"link_{j}" for j in (1, 2, 3) if _across(robot, j, direction)):
+            yield from (
+                (f"spring:{ends}.{direction}", dict(fault.values)) for ends in (link, f"platform/{link}")
+            )
     elif fault.form == "spring" and len(fault.places) == 1:
         if place == "platform" and not direction:
             yield "cable_stiffness", {"stiffness": fault.values["stiffness"]}
@@ -210,12 +218,24 @@ def _same_terms(mechanism: str, robot: Robot, fault: Fault) -> Iterator[tuple[st
     elif fault.form == "spring" and mechanism in ON_RAILS and direction in ("x", "y", "z"):
         # A carriage does not move across its rail: a spring to it is one to ground.
         other = fault.places[1]
-        if place == "platform" and other.startswith("carriage_"):
-            along = robot.parameters.direction[int(other.rpartition("_")[2]) - 1]["xyz".index(direction)]
-            if along == 0.0:
-                yield f"spring:platform.{direction}", dict(fault.values)
+        carriage = place == "platform" and other.startswith("carriage_")
+        if carriage and _across(robot, int(other.rpartition("_")[2]), direction):
+            yield f"spring:platform.{direction}", dict(fault.values)
     elif fault.form == "compliance" and stem == "u":
         yield f"frame_compliance.compliance_{which}", {}
+
+
+def _across(robot: Robot, j: int, direction: str) -> bool:
+    """Return whether the rail of axis j is perpendicular to a direction of the base frame."""
+    return bool(robot.parameters.direction[j - 1]["xyz".index(direction)] == 0.0)
+
+
+def _half_as_far(robot: Robot, fault: Fault) -> bool:
+    """Return whether a spring to ground, or to the platform, is at a link whose carriage cannot move that way."""
+    *others, last = fault.places
+    stem, _, number = last.partition("_")
+    links = stem == "link" and others in ([], ["platform"]) and fault.direction in ("x", "y", "z")
+    return links and _across(robot, int(number), fault.direction)
 
 
 def _driven(robot: Robot, place: str) -> bool:
