@@ -81,6 +81,14 @@ class _Machine(NamedTuple):
         return float(((self.shapes[first:] @ row) ** 2 / self.eigenvalues[first:]).sum())
 
     @property
+    def heft(self) -> float:
+        """The mass that a body feels like which is displaced, the median of all places [kg]."""
+        heavy = [term for term in self.system.mechanism.terms if term.form == "mass" and term.rows]
+        rows = [row for term in heavy if term.parameters[0].unit == "kg" for row in self.rows(term)]
+        felt = [1.0 / mobility for row in rows if (mobility := self.mobility(row)) > 0.0]
+        return float(np.median(felt))
+
+    @property
     def frequencies(self) -> Array:
         """Natural frequencies without rigid motions [Hz]."""
         elastic = self.eigenvalues[self.system.rigid_modes :]
@@ -184,8 +192,7 @@ def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...
     e = len(machine.M)
     masses = [0.0]
     if len(term.parameters) > 1:
-        felt = 1.0 / max(machine.mobility(row) for row in machine.around.motion[0][:, machine.system.free])
-        masses += [part * felt for part in PARTS]
+        masses += [part * machine.heft for part in PARTS]
     for mass in masses:
         change = change_of(term, [1.0, mass][: len(term.parameters)], machine.around)
         M = change.M[0].copy()

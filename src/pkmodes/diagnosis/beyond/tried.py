@@ -2,8 +2,8 @@
 
 All terms are scored at the refit of the uncertain values with exact rates, the most promising ones are refitted
 together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is evaluated at
-all its starts first.  If no term leaves noise, the best ones are tried beside outliers or a shared error, on the same
-terms as the causes of the catalogue.
+all its starts first, and one in which the linear model sees little at several sizes.  If no term leaves noise, the
+best ones are tried beside outliers or a shared error, on the same terms as the causes of the catalogue.
 """
 
 from __future__ import annotations
@@ -20,17 +20,20 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Candidate, Structure
 from pkmodes.diagnosis.search.additions import Progress
-from pkmodes.diagnosis.search.score import Directions, Score, score
+from pkmodes.diagnosis.search.score import Directions, Score, one_sided, score
 from pkmodes.diagnosis.search.search import Search
+from pkmodes.diagnosis.search.starts import SIZES, starts
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.evidence import Evidence
 
-#: Number of terms that are refitted, by their scores and by their starts, and starts from which each is.
-BEST, STARTED, FITTED = 40, 20, 3
+#: Number of terms that are refitted, by their scores, by their starts and by large sizes, and starts of each.
+BEST, STARTED, LARGE, FITTED = 40, 20, 10, 3
 #: Number of setups at which starts are compared.
 SCOUTED = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
 SMALL = 0.05
+#: Part of the gain of a linear estimate below which a fit from there went astray.
+ASTRAY = 0.5
 #: Largest number of measurement errors that are tried beside terms, one more each time, and of terms beside which.
 ROUNDS, BESIDE = 3, 3
 #: Number of explanations of the catalogue with which terms are compared.
@@ -187,13 +190,31 @@ class _Explorer:
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
         fits = self.search.additions.refitted([(plain, one) for one in far])
         jobs = [(plain.hypothesis.adding(one.candidate), [self._moved(plain, one)]) for one in small]
-        return self.store.finished([*fits, *self.store.roughly([*jobs, *self._started(plain)])])
+        overlooked = [one for one in each if one not in best and one.largest[0] > 0.0]
+        rough = self.store.roughly([*jobs, *self._started(plain), *self._large(plain, overlooked)])
+        return self.store.finished([*fits, *self._again(plain, small, rough)])
+
+    def _again(self, plain: Fit, small: Sequence[Score], rough: Sequence[Fit]) -> list[Fit]:
+        """Return fits, of which those that went astray are begun anew: close modes may have changed places."""
+        gains = {one.candidate.name: one for one in small}
+        astray = [
+            (fit, gains[name])
+            for fit in rough
+            if (name := fit.causes[0].name) in gains
+            and fit.deviance > plain.deviance - ASTRAY * gains[name].gain
+        ]
+        left = [fit for fit in rough if all(fit is not other for other, _ in astray)]
+        begun = starts(self.fitter, [(plain, one, fit.hypothesis) for fit, one in astray])
+        again = [
+            (fit.hypothesis, [*values, fit.values]) for (fit, _), values in zip(astray, begun, strict=True)
+        ]
+        return [*left, *self.store.roughly(again)]
 
     def _moved(self, plain: Fit, one: Score) -> Array:
         """Return the values of a fit with the linear estimate of a term."""
-        values, index = plain.values.copy(), list(self.fitter.indices(one.candidate))
-        values[index] = np.clip(values[index] + one.step, self.fitter.lower[index], self.fitter.upper[index])
-        return values
+        return self._with(
+            plain, one.candidate, plain.values[list(self.fitter.indices(one.candidate))] + one.step
+        )
 
     def _testable(self, plain: Fit, term: Candidate) -> bool:
         """Return whether data are left to test a term."""
@@ -201,18 +222,37 @@ class _Explorer:
 
     def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms that are fitted from starts of their own, each with its best starts."""
-        trials: list[tuple[Hypothesis, list[Array]]] = []
-        for term in self.terms:
-            if not term.starts or not self._testable(plain, term):
-                continue
-            index, values = list(self.fitter.indices(term)), list[Array]()
-            for start in term.starts:
-                at = plain.values.copy()
-                at[index] = np.clip(start, self.fitter.lower[index], self.fitter.upper[index])
-                values.append(at)
-            trials.append((plain.hypothesis.adding(term), values))
+        trials = [
+            (plain.hypothesis.adding(term), [self._with(plain, term, start) for start in term.starts])
+            for term in self.terms
+            if term.starts and self._testable(plain, term)
+        ]
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
+        return self._promising(trials)[:STARTED]
+
+    def _large(self, plain: Fit, scores: Sequence[Score]) -> list[tuple[Hypothesis, list[Array]]]:
+        """Return the most promising terms, with their best sizes, of those in which the linear model sees little."""
+        trials = [
+            (
+                plain.hypothesis.adding(one.candidate),
+                [self._with(plain, one.candidate, [sign * size / one.largest[0]]) for size in SIZES],
+            )
+            for one in scores
+            if (sign := one_sided(self.fitter, one.candidate))
+        ]
+        return self._promising(trials)[:LARGE]
+
+    def _with(self, plain: Fit, term: Candidate, own: Sequence[float] | Array) -> Array:
+        """Return the values of a fit with those of a term, within its bounds."""
+        values, index = plain.values.copy(), list(self.fitter.indices(term))
+        values[index] = np.clip(own, self.fitter.lower[index], self.fitter.upper[index])
+        return values
+
+    def _promising(
+        self, trials: Sequence[tuple[Hypothesis, list[Array]]]
+    ) -> list[tuple[Hypothesis, list[Array]]]:
+        """Return terms with the best of their values, the most promising first: a few setups tell which."""
         count = len(self.fitter.data.labels)
         few = [int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)] if count > SCOUTED else range(count)
         scout = self.fitter.at(list(few)) if trials else self.fitter
@@ -224,7 +264,7 @@ class _Explorer:
             left = sorted(zip((next(costs) for _ in some), range(len(some)), strict=True))
             ranked.append((left[0][0], h, [some[k] for _, k in left[:FITTED]]))
         ranked.sort(key=lambda one: one[0])
-        return [(h, best) for cost, h, best in ranked[:STARTED] if np.isfinite(cost)]
+        return [(h, best) for cost, h, best in ranked if np.isfinite(cost)]
 
     def _explains(self, fit: Fit) -> bool:
         """Return whether a fit leaves noise."""
