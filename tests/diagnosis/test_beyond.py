@@ -14,8 +14,10 @@ import pytest
 from helpers.diagnoses.chains import Frame, at, joined
 from helpers.diagnoses.resonators import Resonant, hanging
 from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
+from pkmodes.diagnosis.beyond import tried
+from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate, Parameter
-from pkmodes.diagnosis.search.score import MANY, p_of_smallest
+from pkmodes.diagnosis.search.score import MANY, Score, p_of_smallest
 from pkmodes.report.action import action
 from pkmodes.report.diagnosis import headline
 from pkmodes.report.setting import Setting
@@ -70,6 +72,31 @@ def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str
     setting = Setting("frame", None, None, (), None)
     assert headline(found).startswith(words)
     assert action(found, setting).entries[0][1][0].text == f"Look for {member['sentence']}."
+
+
+def test_a_term_is_found_in_which_the_linear_model_sees_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """None is among the most promising by its score: the largest of several sizes tells."""
+    monkeypatch.setattr(tried, "BEST", 0)
+    found = of(FRAME, lambda _: (1.5 * at(6, 4), NOTHING))
+    assert found.beyond is not None
+    assert found.beyond.found is not None
+    assert found.beyond.found.finding.name == "mass:floor 4"
+
+
+def test_a_fit_that_goes_astray_is_begun_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The linear estimate of every term is a thousand times too large."""
+    monkeypatch.setattr(tried, "LARGE", 0)
+    monkeypatch.setattr(tried, "SMALL", np.inf)
+    linear = tried._Explorer._moved
+
+    def far(self: tried._Explorer, plain: Fit, one: Score) -> np.ndarray:
+        return linear(self, plain, replace(one, step=1e3 * one.step))
+
+    monkeypatch.setattr(tried._Explorer, "_moved", far)
+    found = of(FRAME, lambda _: (NOTHING, 2.0e4 * joined(6, 2, 5)))
+    assert found.beyond is not None
+    assert found.beyond.found is not None
+    assert found.beyond.found.finding.name == "spring:floor 2/floor 5"
 
 
 def test_terms_are_tried_only_where_asked_for() -> None:

@@ -231,3 +231,14 @@ def test_some_of_the_setups_and_a_copy_in_another_process_are_the_same() -> None
     np.testing.assert_array_equal(some.rates, whole.rates[[2, 0]])
     copy = pickle.loads(pickle.dumps(structure)).predict(values, places_of(structure, fault))
     np.testing.assert_array_equal(copy.eigenvalues, whole.eigenvalues)
+
+
+def test_the_masses_of_a_bearing_from_which_fits_start_are_those_of_bodies() -> None:
+    """A pulley rotates, but its bearing is displaced: a start has no moment of inertia for a mass."""
+    structure = extended("asymmetric")
+    (term,) = (c for c in structure.candidates if c.name == "mount:pulley_1_1")
+    masses = {mass for _, mass in term.starts} - {0.0}
+    carriage = robot_of("asymmetric").parameters.carriage_mass[0]
+    assert len(masses) == 3
+    assert min(masses) < carriage < max(masses)
+    assert max(masses) < 5.0 * carriage
