@@ -82,11 +82,10 @@ class _Machine(NamedTuple):
 
     @property
     def heft(self) -> float:
-        """The mass that a body feels like which is displaced, the median of all places [kg]."""
+        """The smallest mass that a body feels like which is displaced [kg]."""
         heavy = [term for term in self.system.mechanism.terms if term.form == "mass" and term.rows]
         rows = [row for term in heavy if term.parameters[0].unit == "kg" for row in self.rows(term)]
-        felt = [1.0 / mobility for row in rows if (mobility := self.mobility(row)) > 0.0]
-        return float(np.median(felt))
+        return 1.0 / max(map(self.mobility, rows))
 
     @property
     def frequencies(self) -> Array:

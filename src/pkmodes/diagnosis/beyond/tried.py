@@ -27,7 +27,7 @@ from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.evidence import Evidence
 
 #: Number of terms that are refitted, by their scores, by their starts and by large sizes, and starts of each.
-BEST, STARTED, LARGE, FITTED = 40, 20, 10, 3
+BEST, STARTED, LARGE, FITTED = 40, 20, 10, 4
 #: Number of setups at which starts are compared.
 SCOUTED = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
@@ -104,6 +104,28 @@ def tried(
             break
         scatter = sharper
     return found
+
+
+@dataclass(frozen=True)
+class _Trial:
+    """A term with values from which it may be fitted, and of what kind each is, if there are several kinds."""
+
+    hypothesis: Hypothesis
+    values: Sequence[Array]
+    kinds: Sequence[float] = ()
+
+    def best(self, order: Sequence[int]) -> list[Array]:
+        """Return the first values in an order: of each kind the first, then others."""
+        kinds = self.kinds or [0.0] * len(self.values)
+        firsts = list({kinds[k]: k for k in reversed(order)}.values())
+        chosen = [*(k for k in order if k in firsts), *(k for k in order if k not in firsts)][:FITTED]
+        return [self.values[k] for k in chosen]
+
+
+def _kinds(term: Candidate) -> Sequence[float]:
+    """Return of what kind each start is: its value of the parameter that has the fewest different ones, the mass."""
+    columns = list(zip(*term.starts, strict=True))
+    return min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
 
 
 class _Explorer:
@@ -222,10 +244,14 @@ class _Explorer:
 
     def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms that are fitted from starts of their own, each with its best starts."""
+        terms = [term for term in self.terms if term.starts and self._testable(plain, term)]
         trials = [
-            (plain.hypothesis.adding(term), [self._with(plain, term, start) for start in term.starts])
-            for term in self.terms
-            if term.starts and self._testable(plain, term)
+            _Trial(
+                plain.hypothesis.adding(term),
+                [self._with(plain, term, start) for start in term.starts],
+                _kinds(term),
+            )
+            for term in terms
         ]
         if trials:
             self.progress(f"starting {len(trials)} terms with a frequency of their own")
@@ -234,7 +260,7 @@ class _Explorer:
     def _large(self, plain: Fit, scores: Sequence[Score]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the most promising terms, with their best sizes, of those in which the linear model sees little."""
         trials = [
-            (
+            _Trial(
                 plain.hypothesis.adding(one.candidate),
                 [self._with(plain, one.candidate, [sign * size / one.largest[0]]) for size in SIZES],
             )
@@ -249,22 +275,20 @@ class _Explorer:
         values[index] = np.clip(own, self.fitter.lower[index], self.fitter.upper[index])
         return values
 
-    def _promising(
-        self, trials: Sequence[tuple[Hypothesis, list[Array]]]
-    ) -> list[tuple[Hypothesis, list[Array]]]:
+    def _promising(self, trials: Sequence[_Trial]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first: a few setups tell which."""
         count = len(self.fitter.data.labels)
         few = [int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)] if count > SCOUTED else range(count)
         scout = self.fitter.at(list(few)) if trials else self.fitter
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
-        asked = [(Hypothesis(h.causes), values) for h, some in trials for values in some]
+        asked = [(Hypothesis(trial.hypothesis.causes), values) for trial in trials for values in trial.values]
         costs = iter(scout.chi2_of_many(asked)) if asked else iter(())
         ranked = []
-        for h, some in trials:
-            left = sorted(zip((next(costs) for _ in some), range(len(some)), strict=True))
-            ranked.append((left[0][0], h, [some[k] for _, k in left[:FITTED]]))
-        ranked.sort(key=lambda one: one[0])
-        return [(h, best) for cost, h, best in ranked if np.isfinite(cost)]
+        for trial in trials:
+            order = sorted(zip((next(costs) for _ in trial.values), range(len(trial.values)), strict=True))
+            ranked.append((order[0][0], trial.hypothesis, trial.best([k for _, k in order])))
+        ranked.sort(key=lambda term: term[0])
+        return [(hypothesis, best) for cost, hypothesis, best in ranked if np.isfinite(cost)]
 
     def _explains(self, fit: Fit) -> bool:
         """Return whether a fit leaves noise."""
