@@ -141,6 +141,7 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     PkmodesError
         If there is nothing to correct, or the file cannot be written.
     """
+    robot = robot_of(robot)
     if term_to_save(found) is not None:
         write_file(Path(target), robot_with_term(_from_file(robot), found))
         return
