@@ -296,12 +296,13 @@ class Fitter:
         """Return the least-squares values for a given pairing, and whether the solver converged."""
 
         def residual(full: Array) -> Array:
-            unwhitened = self.observations.residual(self.structure.predict(full, ()), pairing, used)
+            prediction = self.structure.predict(full, ())
+            unwhitened = self.observations.residual(prediction, pairing.within(prediction), used)
             return np.concatenate([whitening.whitened(unwhitened), self.priors.residual(full)])
 
         def rates(full: Array) -> Array:
             prediction = self.structure.predict(full, free, shape_rates=self.observations.shape_rates)
-            unwhitened = self.observations.rates(prediction, pairing, used)
+            unwhitened = self.observations.rates(prediction, pairing.within(prediction), used)
             return np.vstack([-whitening.whitened(unwhitened), self.priors.rates(full, free)])
 
         bounds = self.lower[list(free)], self.upper[list(free)]

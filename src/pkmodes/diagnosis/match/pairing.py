@@ -48,6 +48,11 @@ class Pairing:
     partner: Index
     mac: Array
 
+    def within(self, prediction: Prediction) -> Pairing:
+        """Return it for a prediction that may lack a mode, which a cause adds: its row is unmatched there."""
+        there = self.partner < prediction.eigenvalues.shape[1]
+        return self if there.all() else Pairing(np.where(there, self.partner, -1), self.mac)
+
 
 class _Shapes(NamedTuple):
     """Shapes of rows (S, r, C) and modes (S, m, C) in the same weighting.
