@@ -343,13 +343,14 @@ def test_a_disk_that_fills_up_while_the_map_is_computed(small: Path, monkeypatch
 
     def others_write(done: int, _: int) -> None:
         if done == 5 * ROWS:
-            fill(small, 0)
+            with suppress(OSError):  # the map itself may have filled it by now
+                fill(small, 0)
 
     with pytest.raises(OutputError, match="cannot write: no space left on device") as error:
         model().map(GRID, out=out, threads=1, progress=others_write)
     assert error.value.remedy == "choose another place or make room"
     assert not out.exists()
-    (small / "filling").unlink()
+    (small / "filling").unlink(missing_ok=True)
     kept = done_in(out)
     assert kept >= 5
     assert continued(out, monkeypatch) == TASKS - kept
