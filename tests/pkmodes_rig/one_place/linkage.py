@@ -231,8 +231,18 @@ def _on_rails(bodies: _Bodies) -> None:
 
 
 def rail_positions(q: Any, ends: np.ndarray) -> np.ndarray:
-    """Return the positions of carriages on their rails, from the platform's joints in the base frame."""
-    return carriage_positions(q._replace(joint=ends), np.zeros(3))
+    """Return the positions of carriages on their rails, from the platform's joints in the base frame.
+
+    Raises
+    ------
+    ValueError
+        If a link cannot reach its rail.
+    """
+    with np.errstate(invalid="ignore"):
+        positions = carriage_positions(q._replace(joint=ends), np.zeros(3))
+    if not np.isfinite(positions).all():
+        raise ValueError("beyond what the links can reach")
+    return positions
 
 
 def _on_arms(bodies: _Bodies) -> None:

@@ -26,8 +26,10 @@ from pkmodes.diagnosis.search.starts import SIZES, starts
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.evidence import Evidence
 
-#: Number of terms that are refitted, by their scores, by their starts and by large sizes, and starts of each.
-BEST, STARTED, LARGE, FITTED = 40, 20, 10, 4
+#: Number of terms that are refitted, by their scores, by their starts and by large sizes.
+BEST, STARTED, LARGE = 40, 20, 10
+#: Number of starts of each term that a few setups leave, and all of them.
+FITTED, COMPARED = 4, 2
 #: Number of setups at which starts are compared.
 SCOUTED = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.
@@ -213,7 +215,8 @@ class _Explorer:
         fits = self.search.additions.refitted([(plain, one) for one in far])
         jobs = [(plain.hypothesis.adding(one.candidate), [self._moved(plain, one)]) for one in small]
         overlooked = [one for one in each if one not in best and one.largest[0] > 0.0]
-        rough = self.store.roughly([*jobs, *self._started(plain), *self._large(plain, overlooked)])
+        started = self._compared([*self._started(plain), *self._large(plain, overlooked)])
+        rough = self.store.roughly([*jobs, *started])
         return self.store.finished([*fits, *self._again(plain, small, rough)])
 
     def _again(self, plain: Fit, small: Sequence[Score], rough: Sequence[Fit]) -> list[Fit]:
@@ -274,6 +277,19 @@ class _Explorer:
         values, index = plain.values.copy(), list(self.fitter.indices(term))
         values[index] = np.clip(own, self.fitter.lower[index], self.fitter.upper[index])
         return values
+
+    def _compared(
+        self, jobs: Sequence[tuple[Hypothesis, list[Array]]]
+    ) -> list[tuple[Hypothesis, list[Array]]]:
+        """Return the best starts of each term at all setups."""
+        costs = iter(
+            self.fitter.chi2_of_many([(h, values) for h, some in jobs for values in some]) if jobs else ()
+        )
+        compared = []
+        for h, some in jobs:
+            order = sorted(zip((next(costs) for _ in some), range(len(some)), strict=True))
+            compared.append((h, [some[k] for _, k in order[:COMPARED]]))
+        return compared
 
     def _promising(self, trials: Sequence[_Trial]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first: a few setups tell which."""
