@@ -16,7 +16,6 @@ from helpers.diagnoses.resonators import Resonant, hanging
 from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, diagnose
 from pkmodes.diagnosis.beyond import tried
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.fit.solver import bounded_least_squares
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.diagnosis.search.score import MANY, Score, p_of_smallest
 from pkmodes.report.action import action
@@ -326,18 +325,3 @@ def test_a_resonator_is_found_by_the_mode_that_it_adds(frequency: float) -> None
         value = member.parameters[name]
         assert value.value == pytest.approx(truth, abs=3.0 * value.sigma)
         assert value.sigma < 0.1 * truth
-
-
-def test_a_parameter_that_the_data_hardly_see_stays_within_its_bounds() -> None:
-    """Its standard deviation is so many times its range that in units of it both bounds are one number."""
-    tiny = 1e-25
-    values, _ = bounded_least_squares(
-        lambda v: np.array([v[0] - 1.0, tiny * v[1]]),
-        lambda v: np.diag([1.0, tiny]),
-        np.array([0.0, 0.5]),
-        (0, 1),
-        (np.array([-np.inf, 0.0]), np.array([np.inf, 1.0])),
-        100,
-    )
-    assert values[0] == pytest.approx(1.0, abs=1e-2)
-    assert 0.0 <= values[1] <= 1.0

@@ -11,6 +11,7 @@ from helpers.robots.small_structures import SIGMA, LogLinear, each, log_linear, 
 from pkmodes.diagnosis import Parameter
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.solver import bounded_least_squares
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
 SETUPS, MODES = 8, 5
@@ -70,3 +71,18 @@ def test_robots_evaluated_together_are_those_evaluated_alone(name: str) -> None:
             np.testing.assert_allclose(
                 together.shape_rates[part][..., :width], alone.shape_rates, atol=1e-5 * size
             )
+
+
+def test_a_parameter_that_the_data_hardly_see_stays_within_its_bounds() -> None:
+    """Its standard deviation is so many times its range that in units of it both bounds are one number."""
+    tiny = 1e-25
+    values, _ = bounded_least_squares(
+        lambda v: np.array([v[0] - 1.0, tiny * v[1]]),
+        lambda v: np.diag([1.0, tiny]),
+        np.array([0.0, 0.5]),
+        (0, 1),
+        (np.array([-np.inf, 0.0]), np.array([np.inf, 1.0])),
+        100,
+    )
+    assert values[0] == pytest.approx(1.0, abs=1e-2)
+    assert 0.0 <= values[1] <= 1.0

@@ -130,6 +130,16 @@ def _kinds(term: Candidate) -> Sequence[float]:
     return min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
 
 
+def _ranked(
+    fitter: Fitter, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]
+) -> list[list[tuple[float, int]]]:
+    """Return, for each hypothesis, the sums of squares of its starts with their places, smallest first."""
+    if not jobs:
+        return []
+    costs = iter(fitter.chi2_of_many([(h, values) for h, starts in jobs for values in starts]))
+    return [sorted((next(costs), k) for k in range(len(starts))) for _, starts in jobs]
+
+
 class _Explorer:
     """A search among terms, with one scatter of the shapes.
 
@@ -282,14 +292,11 @@ class _Explorer:
         self, jobs: Sequence[tuple[Hypothesis, list[Array]]]
     ) -> list[tuple[Hypothesis, list[Array]]]:
         """Return the best starts of each term at all setups."""
-        costs = iter(
-            self.fitter.chi2_of_many([(h, values) for h, some in jobs for values in some]) if jobs else ()
-        )
-        compared = []
-        for h, some in jobs:
-            order = sorted(zip((next(costs) for _ in some), range(len(some)), strict=True))
-            compared.append((h, [some[k] for _, k in order[:COMPARED]]))
-        return compared
+        ranked = _ranked(self.fitter, jobs)
+        return [
+            (h, [starts[k] for _, k in order[:COMPARED]])
+            for (h, starts), order in zip(jobs, ranked, strict=True)
+        ]
 
     def _promising(self, trials: Sequence[_Trial]) -> list[tuple[Hypothesis, list[Array]]]:
         """Return terms with the best of their values, the most promising first: a few setups tell which."""
@@ -297,14 +304,13 @@ class _Explorer:
         few = [int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)] if count > SCOUTED else range(count)
         scout = self.fitter.at(list(few)) if trials else self.fitter
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
-        asked = [(Hypothesis(trial.hypothesis.causes), values) for trial in trials for values in trial.values]
-        costs = iter(scout.chi2_of_many(asked)) if asked else iter(())
-        ranked = []
-        for trial in trials:
-            order = sorted(zip((next(costs) for _ in trial.values), range(len(trial.values)), strict=True))
-            ranked.append((order[0][0], trial.hypothesis, trial.best([k for _, k in order])))
-        ranked.sort(key=lambda term: term[0])
-        return [(hypothesis, best) for cost, hypothesis, best in ranked if np.isfinite(cost)]
+        ranked = _ranked(scout, [(Hypothesis(trial.hypothesis.causes), trial.values) for trial in trials])
+        ordered = sorted(zip(ranked, trials, strict=True), key=lambda pair: pair[0][0][0])
+        return [
+            (trial.hypothesis, trial.best([k for _, k in order]))
+            for order, trial in ordered
+            if np.isfinite(order[0][0])
+        ]
 
     def _explains(self, fit: Fit) -> bool:
         """Return whether a fit leaves noise."""

@@ -9,7 +9,7 @@ from scipy.optimize import least_squares
 
 from pkmodes.diagnosis.problem import Array
 
-#: Largest standard deviation of a variable, in widths of its range.
+#: Largest unit of a variable, in widths of its range: beyond it both bounds would be one number in these units.
 MOST_RANGES = 1e6
 #: Smallest length of the first step in standard deviations.
 FIRST_STEP = 10.0
@@ -54,7 +54,7 @@ def bounded_least_squares(
     start = values.copy()
     start[index] = first
     size = np.linalg.norm(rates(start), axis=0)
-    # The bounds of one that the data hardly see would be one number.
+    # A variable that the data hardly see has an enormous standard deviation.
     unit = np.minimum(1.0 / np.where(size > 0.0, size, 1.0), MOST_RANGES * (upper - lower))
     origin = first - np.maximum(np.abs(first), FIRST_STEP * unit)
 
