@@ -241,3 +241,15 @@ def test_the_masses_of_a_bearing_from_which_fits_start_are_those_of_bodies() -> 
     carriage = robot_of("asymmetric").parameters.carriage_mass[0]
     assert len(masses) == 3
     assert min(masses) < carriage < 2.0 * max(masses) < 5.0 * carriage
+
+
+@pytest.mark.parametrize("fault", FAULTS["corexy"][1:3], ids=lambda fault: fault.term)
+@pytest.mark.parametrize("present", [True, False])
+def test_masses_that_are_none_of_a_machine_predict_no_modes(fault: Fault, present: bool) -> None:
+    """A fit may try a mass of zero; the motors are free, so that a spring to ground holds rigid motions."""
+    structure = extended("corexy")
+    values = with_fault(structure, fault) if present else declared(structure)
+    values[index(structure, "toolhead.mass")] = 0.0
+    found = structure.predict(values, places_of(structure, fault))
+    assert np.isnan(found.eigenvalues).all()
+    assert found.rates.shape == (*found.eigenvalues.shape, len(fault.values))

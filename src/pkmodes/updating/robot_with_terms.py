@@ -205,10 +205,11 @@ class RobotWithTerms:
         if present is None and not of_terms:
             return self.robot.predict(own, of_robot, shape_rates=shape_rates)
         if present is None:
-            absent = [TermRates(site, without_term(site), None) for site in self._at(own)]
-            of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
-            if not of_absent:
+            sites = [(site, without_term(site)) for site in self._at(own)]
+            absent = [TermRates(site, modes, None) for site, modes in sites if modes is not None]
+            if not absent or len(absent) < len(sites):
                 return self._nothing(len(by))
+            of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
             prediction = self.robot.predict(own, of_robot, shape_rates=shape_rates)
             return _in_order(prediction, joined(of_absent, len(self.robot.points)), by, self._own)
         parts = []
@@ -268,7 +269,10 @@ class RobotWithTerms:
         term, system = present.place.term, site.system
         key = term.name, system.rigid_modes, len(system.free)
         if key not in self._held:
-            self._held[key] = held_motions(site, term)
+            held = held_motions(site, term)
+            if held is None:  # nor is it a machine with the term
+                return matrices_with(site, present, 0)
+            self._held[key] = held
         return matrices_with(site, present, self._held[key])
 
 

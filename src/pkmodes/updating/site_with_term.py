@@ -84,11 +84,14 @@ class TermModes(NamedTuple):
     shapes: Array
 
 
-def without_term(site: Site) -> TermModes:
-    """Return the modes of the robot itself."""
+def without_term(site: Site) -> TermModes | None:
+    """Return the modes of the robot itself; None where its M and K are not those of a machine."""
     system = site.system
     matrices = TermMatrices(*site.matrices, system.free.astype(np.intp), system.massless, system.rigid_modes)
-    solution = condensed_eigh(*matrices.in_free(), system.first, system.rigid_modes, system.massless)
+    try:
+        solution = condensed_eigh(*matrices.in_free(), system.first, system.rigid_modes, system.massless)
+    except np.linalg.LinAlgError:  # a fit tried a mass of zero
+        return None
     return TermModes(matrices, *solution)
 
 
@@ -110,14 +113,15 @@ def _padded(matrix: Array, change: Array) -> Array:
     return total
 
 
-def held_motions(site: Site, term: Term) -> int:
-    """Return how many rigid motions of a site a spring holds."""
+def held_motions(site: Site, term: Term) -> int | None:
+    """Return how many rigid motions of a site a spring holds; None where the robot itself is not a machine."""
     system = site.system
     if term.form != "spring" or not system.rigid_modes:
         return 0
-    M, K = (matrix[:1, system.free[:, None], system.free] for matrix in site.matrices)
-    _, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
-    strained = strains(term, site.around)[0][:, system.free] @ shapes[0].T
+    modes = without_term(site)
+    if modes is None:
+        return None
+    strained = strains(term, site.around)[0][:, system.free] @ modes.shapes[0].T
     size = np.abs(strained).max(initial=0.0)
     held = np.linalg.svd(strained[:, : system.rigid_modes], compute_uv=False)
     return int((held > STRAINED * size).sum()) if size > 0.0 else 0
