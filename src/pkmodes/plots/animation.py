@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from pkmodes.plots.style import INK, VERMILLION, figure, styled
 from pkmodes.support.extras import require
-from pkmodes.view.projection import camera, hull, rim
+from pkmodes.view.projection import camera, outline
 from pkmodes.view.scene import AMPLITUDE, Scene
 
 if TYPE_CHECKING:
@@ -111,13 +111,11 @@ def _turned(scene: Scene, mode: int, amplitude: float) -> Array:
 def _ghost(axes: Axes, scene: Scene, points: Array) -> None:
     """Draw the lines of the machine at rest."""
     for element in scene.elements:
-        at = points[list(element.points)]
+        line = outline(element, points).T
         if element.shape == "plate":
-            axes.fill(*hull(at[:, :2]).T, facecolor=GHOST, edgecolor=PALE, linewidth=0.8)
+            axes.fill(*line, facecolor=GHOST, edgecolor=PALE, linewidth=0.8)
         elif element.shape not in ("wheel", "ball", "block"):
-            axes.plot(
-                *at[:, :2].T, color=GHOST, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round"
-            )
+            axes.plot(*line, color=GHOST, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round")
 
 
 def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> None:
@@ -127,32 +125,26 @@ def _draw(axes: Axes, scene: Scene, points: Array, mode: int, turned: Array) -> 
     depths = [points[list(element.points), 2].mean() for element in scene.elements]
     for i in np.argsort(depths):
         element = scene.elements[int(i)]
-        at = points[list(element.points)]
+        line = outline(element, points, turned[i]).T
         if element.shape == "wheel":
-            _wheel(axes, at, turned[i], _colour(element, shares, largest) if element.spring >= 0 else PALE)
+            _wheel(axes, line, _colour(element, shares, largest) if element.spring >= 0 else PALE)
         elif element.shape == "plate":
-            axes.fill(*hull(at[:, :2]).T, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
+            axes.fill(*line, facecolor=DARK, edgecolor=INK, linewidth=0.8, alpha=0.9)
         elif element.shape == "ball":
-            axes.plot(*at[0, :2], "o", color=DARK, markersize=7)
+            axes.plot(*line, "o", color=DARK, markersize=7)
         elif element.shape == "block":
-            ends = np.stack([2 * at[0] - at[1], at[1]])
-            axes.plot(*ends[:, :2].T, color=DARK, linewidth=9, solid_capstyle="butt")
+            axes.plot(*line, color=DARK, linewidth=9, solid_capstyle="butt")
         else:
             colour = _colour(element, shares, largest)
-            axes.plot(
-                *at[:, :2].T, color=colour, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round"
-            )
+            axes.plot(*line, color=colour, linewidth=WIDTHS.get(element.kind, 2.5), solid_capstyle="round")
 
 
-def _wheel(axes: Axes, at: Array, angle: float, colour: Any) -> None:
+def _wheel(axes: Axes, edge: Array, colour: Any) -> None:
     """Draw a wheel as an ellipse with two spokes."""
-    axis = at[1] - at[0]
-    if not axis.any():
-        return
-    edge = rim(at[0], axis, angle)
-    axes.fill(*edge[:, :2].T, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
-    for place in (0, 12):
-        axes.plot(*edge[[place, place + 24], :2].T, color=STEEL, linewidth=0.8)
+    axes.fill(*edge, facecolor=colour, edgecolor=STEEL, linewidth=1.0)
+    if edge.shape[1] > 1:
+        for place in (0, 12):
+            axes.plot(*edge[:, [place, place + 24]], color=STEEL, linewidth=0.8)
 
 
 def _colour(element: Element, shares: Array, largest: float) -> Any:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import GREY, INK, PALETTE, WIDTH
-from pkmodes.view.projection import camera, hull, rim
+from pkmodes.view.projection import AREAS, camera, outline
 from pkmodes.view.scene import Scene
 from pkmodes_description import Element
 
@@ -37,61 +37,47 @@ class Marked(NamedTuple):
 def places(scene: Scene, marks: Sequence[Marked]) -> Drawing:
     """Draw a machine at the pose shown first, with some of its elements marked."""
     view = camera(scene)
-    points = scene.points[scene.chosen]
-    flat = points @ view.T
+    flat = scene.points[scene.chosen] @ view.T
     span = np.ptp(flat[:, :2], axis=0)
     shape = float(np.clip(span[1] / max(span[0], 1e-12), 0.3, TALL))
     colours = {i: COLOURS[k % len(COLOURS)] for k, mark in enumerate(marks) for i in mark.elements}
-    depths = [float((points[list(e.points)] @ view[2]).mean()) for e in scene.elements]
+    depths = [flat[list(element.points), 2].mean() for element in scene.elements]
 
     def draw(sheet: Sheet) -> None:
         axes = sheet.panel(0.62 * WIDTH * shape + 0.5, 0.62 * WIDTH, shape=shape, frames=False).axes
         axes.set_aspect("equal")
         axes.axis("off")
         for i in np.argsort(depths, kind="stable"):
-            _draw(axes, scene.elements[int(i)], points, view, colours.get(int(i), ""))
+            _draw(axes, scene.elements[int(i)], flat, colours.get(int(i), ""))
         for k, mark in enumerate(marks):
             axes.plot([], [], color=COLOURS[k % len(COLOURS)], linewidth=BOLD, label=mark.name)
             if mark.along:
-                _arrow(axes, scene, points[list(scene.elements[mark.elements[0]].points)], view, mark.along)
+                at = flat[list(scene.elements[mark.elements[0]].points)]
+                _arrow(
+                    axes, at.mean(axis=0), ARROW * scene.size * view[:, "xyz".index(mark.along)], mark.along
+                )
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0.0), frameon=False)
 
     return Drawing(draw)
 
 
-def _draw(axes: Any, element: Element, points: Array, view: Array, colour: str) -> None:
-    at = points[list(element.points)]
+def _draw(axes: Any, element: Element, points: Array, colour: str) -> None:
     width, depth = (BOLD, 3) if colour else (THIN, 2)
     colour, opaque = colour or GREY, 0.85 if colour else 0.25
-    area = {"facecolor": colour, "edgecolor": colour, "alpha": opaque, "linewidth": width, "zorder": depth}
-
-    def seen(positions: Array) -> Array:
-        return positions @ view[:2].T
-
-    if element.shape == "wheel":
-        axis = at[1] - at[0]
-        if axis.any():
-            axes.fill(*seen(rim(at[0], axis, 0.0)).T, **area)
-    elif element.shape == "plate":
-        axes.fill(*hull(seen(at)).T, **area)
+    line = outline(element, points).T
+    if element.shape in AREAS:
+        axes.fill(*line, facecolor=colour, edgecolor=colour, alpha=opaque, linewidth=width, zorder=depth)
     elif element.shape == "ball":
-        axes.plot(*seen(at[:1]).T, "o", markersize=7, color=colour, zorder=depth)
+        axes.plot(*line, "o", markersize=7, color=colour, zorder=depth)
     elif element.shape == "block":
-        ends = seen(np.stack([2.0 * at[0] - at[1], at[1]]))
-        axes.plot(*ends.T, solid_capstyle="butt", color=colour, linewidth=3.0 * width, zorder=depth)
+        axes.plot(*line, solid_capstyle="butt", color=colour, linewidth=3.0 * width, zorder=depth)
     else:
-        axes.plot(*seen(at).T, color=colour, linewidth=width, zorder=depth)
+        axes.plot(*line, color=colour, linewidth=width, zorder=depth)
 
 
-def _arrow(axes: Any, scene: Scene, at: Array, view: Array, along: str) -> None:
-    """Draw an arrow with two heads through the middle of a body, along an axis of the base frame."""
-    middle, reach = at.mean(axis=0), ARROW * scene.size * np.eye(3)["xyz".index(along)]
-    start, end = (middle + sign * reach for sign in (-1.0, 1.0))
-    axes.annotate(
-        "",
-        xy=end @ view[:2].T,
-        xytext=start @ view[:2].T,
-        arrowprops={"arrowstyle": "<->", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0},
-        zorder=4,
-    )
-    axes.annotate(along, end @ view[:2].T, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)
+def _arrow(axes: Any, middle: Array, reach: Array, along: str) -> None:
+    """Draw an arrow with two heads through the middle of a body, and the name of its axis."""
+    start, end = (middle - reach)[:2], (middle + reach)[:2]
+    heads = {"arrowstyle": "<->", "color": INK, "linewidth": 1.2, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", xy=end, xytext=start, arrowprops=heads, zorder=4)
+    axes.annotate(along, end, textcoords="offset points", xytext=(4, 4), color=INK, zorder=4)

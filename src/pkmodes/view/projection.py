@@ -6,8 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.view.scene import Scene
+from pkmodes_description import Element
 
 Array = NDArray[np.float64]
+#: Shapes of elements whose outlines enclose an area.
+AREAS = ("wheel", "plate")
 #: Direction from which a robot in space and a planar one are seen [deg].
 AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
 
@@ -24,6 +27,29 @@ def camera(scene: Scene) -> Array:
     right = np.cross(up, towards)
     right /= np.linalg.norm(right)
     return np.stack([right, np.cross(towards, right), towards])
+
+
+def outline(element: Element, points: Array, angle: float = 0.0) -> Array:
+    """Return what the camera sees of an element, (n, 2): a line, the edge of one of `AREAS`, or the point of a ball.
+
+    Parameters
+    ----------
+    element : Element
+    points : ndarray, shape (p, 3)
+        Of the whole machine: to the right, up, and towards the viewer.
+    angle : float
+        By which a wheel is turned [rad].
+    """
+    at = points[list(element.points)]
+    if element.shape == "wheel":
+        axis = at[1] - at[0]
+        at = rim(at[0], axis, angle) if axis.any() else at[:1]
+    elif element.shape == "ball":
+        at = at[:1]
+    elif element.shape == "block":
+        at = np.stack([2.0 * at[0] - at[1], at[1]])
+    flat = at[:, :2]
+    return hull(flat) if element.shape == "plate" else flat
 
 
 def hull(points: Array) -> Array:
