@@ -295,6 +295,53 @@ def test_a_claimed_cause_with_a_value_for_each_joint_is_tried_one_by_one() -> No
     assert not found.reason.startswith("Not in the catalogue")
 
 
+def of_two_candidates(data: Measurements, terms: bool) -> Diagnosis:
+    """Diagnose with two candidates: springs from two floors to the ground, and a coupling of these floors."""
+    sizes = [Parameter(name, 0.0, "N/m", lower=0.0) for name in ("grounded", "coupled")]
+
+    def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+        M, K = FRAME.matrices(values, setup)
+        both = joined(6, 2) + joined(6, 5)
+        return M, K + values["grounded"] * both + values["coupled"] * (joined(6, 2, 5) - both)
+
+    structure = MatrixStructure(
+        [Parameter("mass", 1.0, sigma=0.005), Parameter("storey", 1.0, sigma=0.03), *sizes],
+        [Candidate(f"{size.name} floors", (size.name,), f"floors 2 and 5 are {size.name}") for size in sizes],
+        matrices,
+        channels=FRAME.names,
+        setups=FRAME.setups,
+    )
+    return diagnose(structure, data, terms=terms)
+
+
+def test_two_causes_are_not_claimed_where_one_term_explains_as_much() -> None:
+    data = FRAME.measured(lambda _: (NOTHING, 8.0e3 * joined(6, 2, 5)))
+    catalogue = of_two_candidates(data, terms=False)
+    assert [effect.name for effect in catalogue.effects] == ["grounded floors", "coupled floors"]
+    found = of_two_candidates(data, terms=True)
+    assert (found.verdict, found.rule, found.effects) == ("ambiguous", "claims.one_term", ())
+    assert found.survivors == (("grounded floors + coupled floors",),)
+    assert found.beyond is not None
+    assert found.beyond.status == "found"
+    assert found.beyond.classes[0].finding.members == (
+        "spring:floor 2/floor 5",
+        "grounded floors + coupled floors",
+    )
+    assert found.reason.startswith("Narrowed to two: a spring between floor 2 and floor 5, or ")
+    assert found.reason.endswith(
+        "grounded floors and coupled floors together would explain the residual, but a spring between floor 2 and "
+        "floor 5 (spring:floor 2/floor 5) would do so alone"
+    )
+
+
+def test_two_causes_are_claimed_where_no_term_explains_as_much() -> None:
+    both = joined(6, 2) + joined(6, 5)
+    data = FRAME.measured(lambda _: (NOTHING, 3.0e4 * both + 1.2e4 * (joined(6, 2, 5) - both)))
+    found = of_two_candidates(data, terms=True)
+    assert (found.verdict, found.rule) == ("effect_found", "claims.found")
+    assert found.beyond is None
+
+
 def test_a_law_that_explains_as_much_refuses_a_term() -> None:
     """Of two modes, all frequencies alike that vary with frequency are what a mass on one floor does."""
     frame = Frame(2, tuple((1, 0.0) for _ in range(7)))

@@ -17,7 +17,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
-from pkmodes.diagnosis.beyond.explore import beyond, with_beyond
+from pkmodes.diagnosis.beyond.explore import TermSearch, with_beyond
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.diagnose_damping import with_damping
 from pkmodes.diagnosis.fit.fitter import Fitter
@@ -108,12 +108,14 @@ def _of_frequencies(
     if outcome is None:
         what = "the model cannot be evaluated with its declared values"
         raise PkmodesError(what, data.source, "check the poses and the robot file")
-    evidence = Evidence(start.setups, search, outcome)
+    if not (terms and isinstance(structure, Extensible)):
+        evidence = Evidence(start.setups, search, outcome)
+        return builder.after_search(evidence, decide(evidence))
+    beyond = TermSearch(structure, held, progress)
+    evidence = Evidence(start.setups, search, outcome, term_instead=beyond.instead)
     decision = decide(evidence)
     result = builder.after_search(evidence, decision)
-    if not (terms and isinstance(structure, Extensible)):
-        return result
-    return with_beyond(result, beyond(structure, evidence, decision, held, progress), evidence)
+    return with_beyond(result, beyond.after(evidence, decision), evidence)
 
 
 def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int], list[int]]:

@@ -21,6 +21,7 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.possible import member, unusual
+from pkmodes.diagnosis.verdict.reasons import described
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 
 #: Number of explanations outside its class with which a claim is compared with other errors, and at all setups.
@@ -64,6 +65,11 @@ class TermEvidence(Evidence):
     def found(self) -> bool:
         """Whether some term, alone or in the class of the best explanation, leaves noise."""
         return any(cause.form for group in self.groups[:1] for fit in group for cause in fit.causes)
+
+    @property
+    def words(self) -> str:
+        """What the best term is, with its name."""
+        return described(self.final.causes)
 
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""

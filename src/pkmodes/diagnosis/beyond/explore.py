@@ -24,29 +24,42 @@ from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
 from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, NOTHING, UNEXPLAINED
 
 
-def beyond(
-    structure: Extensible,
-    catalogue: Evidence,
-    decision: Decision[Evidence, Says],
-    held: Sequence[int],
-    progress: Progress | None,
-) -> TermEvidence | None:
-    """Return the evidence for terms; None where the verdict of the catalogue leaves nothing to try.
+class TermSearch:
+    """A search among terms, made once where it is needed.
 
     Parameters
     ----------
     structure : Extensible
         At all measured setups.
-    catalogue : Evidence
-        What the catalogue found, and the verdict on that.
     held : sequence of int
         Held-out setups.
     """
-    open_to_terms = decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.says.of_reading
-    if not open_to_terms and not (decision.verdict is EFFECT_FOUND and in_one_joint(structure, catalogue)):
-        return None
-    found = tried(structure.with_terms(), catalogue, held, progress)
-    return None if found is None else TermEvidence(found)
+
+    def __init__(self, structure: Extensible, held: Sequence[int], progress: Progress | None) -> None:
+        self.structure, self.held, self.progress = structure, held, progress
+        self._found: tuple[Evidence, TermEvidence | None] | None = None
+
+    def evidence(self, catalogue: Evidence) -> TermEvidence | None:
+        """Return the evidence for terms beside what the catalogue found."""
+        if self._found is None or self._found[0] is not catalogue:
+            found = tried(self.structure.with_terms(), catalogue, self.held, self.progress)
+            self._found = catalogue, None if found is None else TermEvidence(found)
+        return self._found[1]
+
+    def instead(self, catalogue: Evidence) -> Fit | None:
+        """Return the fit with one term that explains at least as much as the causes of the catalogue."""
+        of_terms = self.evidence(catalogue)
+        if of_terms is None or not of_terms.found or not of_terms.final.causes[0].form:
+            return None
+        return of_terms.final
+
+    def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
+        """Return the evidence for terms; None where the verdict of the catalogue leaves nothing to try."""
+        open_to_terms = decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.says.of_reading
+        claimed = decision.verdict is EFFECT_FOUND
+        if not open_to_terms and not (claimed and in_one_joint(self.structure, catalogue)):
+            return None
+        return self.evidence(catalogue)
 
 
 def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:

@@ -24,14 +24,14 @@ def nothing(e: TermEvidence) -> str:
     count = f"none of the {len(e.tried.terms)} terms, each one form at one place, explains the measurements"
     if not e.final.causes:
         return count
-    best = f"the best, {_words(e)}, is refused"
+    best = f"the best, {e.words}, is refused"
     if e.final.at_bound:
         return f"{count}: {best}, because {', '.join(e.final.at_bound)} is at its bound"
     squares, degrees = e.store.frequency_misfit(e.final)
     p_value = e.store.p_value(e.final)
     if p_value <= e.criteria.gate.surely:
         left = larger((squares / max(degrees, 1.0)) ** 0.5)
-        return f"{count}: the best, {_words(e)}, leaves a residual {left} the stated errors ({p_in_words(p_value)})"
+        return f"{count}: the best, {e.words}, leaves a residual {left} the stated errors ({p_in_words(p_value)})"
     if not measured(e.search, e.final):
         return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
     return f"{count}: {best}, because it does not help to predict setups left out of the fit"
@@ -50,7 +50,7 @@ def in_the_catalogue(e: TermEvidence) -> str:
 def leaves_more(e: TermEvidence) -> str:
     """What the best term leaves is not noise in all respects, or points to another term."""
     gate, level = e.claim.last, e.criteria.gate.surely
-    start = f"{_words(e)} would explain nearly all of the residual, but"
+    start = f"{e.words} would explain nearly all of the residual, but"
     if gate.unpaired:
         return f"{start} leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched"
     if gate.p_unmeasured <= level:
@@ -68,7 +68,7 @@ def like_a_law(e: TermEvidence) -> str:
     law = e.law
     if law is None:
         return ""
-    return f"{_words(e)} would explain the residual, but so would {law.what}, if it varied {law.along}"
+    return f"{e.words} would explain the residual, but so would {law.what}, if it varied {law.along}"
 
 
 def not_specific(e: TermEvidence) -> str:
@@ -76,7 +76,7 @@ def not_specific(e: TermEvidence) -> str:
     if e.p_outside <= e.criteria.claim.specific:
         return ""
     return (
-        f"{_words(e)} would explain the residual, but the data are too few to rule out something that no term has: "
+        f"{e.words} would explain the residual, but the data are too few to rule out something that no term has: "
         f"{plain(100 * e.p_outside, 2)} % of such residuals would look like some term; measure more"
     )
 
@@ -87,7 +87,7 @@ def implausible(e: TermEvidence) -> str:
     if any(finding.plausible.values()):
         return ""
     why = finding.member(finding.name).implausible
-    return f"{_words(e)} would explain the residual, but no such part has its value: {why}"
+    return f"{e.words} would explain the residual, but no such part has its value: {why}"
 
 
 def several(e: TermEvidence) -> str:
@@ -113,13 +113,6 @@ def found(e: TermEvidence) -> Says:
     return Says(
         f"{text}; the residual of the declared model is not noise ({p}), and the tests leave no other of "
         f"{len(e.tried.terms)} terms, each one form at one place{aside}"
-    )
-
-
-def _words(e: TermEvidence) -> str:
-    """Return what the best term is, with its name."""
-    return " and ".join(
-        f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in e.final.causes
     )
 
 

@@ -80,12 +80,20 @@ class Evidence:
     ----------
     claim : Claim, optional
         By default, of the outcome of the search.
+    term_instead : callable, optional
+        Returns the fit with one term that explains at least as much as this evidence's causes; None if none does.
     """
 
     def __init__(
-        self, setups: AllSetups, search: Search, outcome: Outcome, claim: Claim | None = None
+        self,
+        setups: AllSetups,
+        search: Search,
+        outcome: Outcome,
+        claim: Claim | None = None,
+        term_instead: Callable[[Evidence], Fit | None] | None = None,
     ) -> None:
         self.setups, self.search, self.outcome = setups, search, outcome
+        self._term_instead = term_instead
         self.store, self.fitter, self.criteria = search.store, search.store.fitter, search.criteria
         self.claim = claim or claim_of(search, outcome)
         self.final = self.claim.final
@@ -115,6 +123,11 @@ class Evidence:
         fits = {name_of(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits}
         some = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
         return {name: found for name, found in some.items() if found is not None}
+
+    @cached_property
+    def term_instead(self) -> Fit | None:
+        """The fit with one term, beyond the catalogue, that explains at least as much as the causes."""
+        return None if self._term_instead is None else self._term_instead(self)
 
     @cached_property
     def by_default(self) -> list[Assumption]:

@@ -22,6 +22,13 @@ def names(causes: Sequence[Candidate]) -> str:
     return " and ".join(cause.name for cause in causes)
 
 
+def described(causes: Sequence[Candidate]) -> str:
+    """Return what causes are, each with its name in brackets."""
+    return " and ".join(
+        f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in causes
+    )
+
+
 def explains(causes: Sequence[Candidate]) -> str:
     """Return who explains something, as the beginning of a clause: the causes would, or the declared model does."""
     return f"{names(causes)} would explain" if causes else "the declared model explains"

@@ -22,7 +22,7 @@ from pkmodes.diagnosis.verdict.dispersion import stiffness_of_frequency
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
-from pkmodes.diagnosis.verdict.reasons import names, noise
+from pkmodes.diagnosis.verdict.reasons import described, names, noise
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.unexplained import OPEN, left_by
@@ -323,6 +323,17 @@ def held_by_priors(e: Evidence) -> str:
     )
 
 
+def one_term(e: Evidence) -> str:
+    """One thing at one place, beyond the catalogue, explains at least as much as several causes."""
+    term = e.term_instead if len(e.final.causes) > 1 else None
+    if term is None:
+        return ""
+    return (
+        f"{names(e.final.causes)} together would explain the residual, but {described(term.causes)} would do "
+        "so alone"
+    )
+
+
 def causes_found(e: Evidence) -> Says:
     """One class for each cause is left."""
     gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
@@ -396,5 +407,6 @@ CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.priors", UNEXPLAINED, held_by_priors),
     Rule("claims.dispersion", UNEXPLAINED, stiffness_of_frequency),
     Rule("claims.held_out", UNEXPLAINED, not_predicted),
+    Rule("claims.one_term", AMBIGUOUS, one_term),
     Rule("claims.found", EFFECT_FOUND, causes_found),
 )
