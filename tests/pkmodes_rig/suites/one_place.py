@@ -118,6 +118,12 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         *confusion(grouped(faults, _laboratory), "laboratory"),
         "",
+        "## What decided",
+        "",
+        "The rule that decided: one of docs/beyond.md, or of docs/diagnosis.md where no terms were tried.",
+        "",
+        *confusion(_by_rule(outcomes), "rule"),
+        "",
         "## Laws that no term has",
         "",
         *table(["law", "what it is, with its size"], [[law, LAWS[law]] for law in LAWS]),
@@ -142,6 +148,11 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         *_time(outcomes, seconds, pool),
     ]
+
+
+def _by_rule(outcomes: Sequence[PlaceOutcome]) -> dict[str, list[PlaceOutcome]]:
+    """Group outcomes by the rule that decided and the suite, in the order of their names."""
+    return dict(sorted(grouped(outcomes, lambda o: f"`{o.rule}`, {o.case.suite}").items()))
 
 
 def _time(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[str]:

@@ -85,7 +85,7 @@ def run(case: PlaceCase) -> PlaceOutcome:
         signal=hidden.change,
         seconds=seconds,
         reason=beyond.get("reason") or document["reason"],
-        rule=diagnosis.rule,
+        rule=diagnosis.rule if diagnosis.beyond is None else diagnosis.beyond.rule,
         truth=tuple(fault.term for fault in hidden.faults),
         by=said.by,
         status=beyond.get("status", ""),
