@@ -9,6 +9,8 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.frf_lines import used_lines
+from pkmodes.identification.frf_skirts import without_bandwidth
+from pkmodes.identification.modes import Modes
 from pkmodes_rig.structures.forced import mac, noise, random_structure, structure
 
 BAND = (10.0, 400.0)
@@ -229,3 +231,15 @@ def test_stated_tones_and_their_multiples_are_left_out_of_the_lines() -> None:
     expected = [at for k in range(1, 8) for at in LINES[np.abs(LINES - 50.1 * k) < 0.2525]]
     np.testing.assert_array_equal(left_out, expected)
     assert len(left_out) >= 14
+
+
+def test_a_narrow_pole_where_no_lines_are_left_is_a_line_without_bandwidth() -> None:
+    """The lines around it are left out already: there is nothing to tell a resonance by."""
+    f = np.arange(100.0, 400.0)
+    f = f[np.abs(f - 250.0) > 40.0]
+    H = np.random.default_rng(1).standard_normal((len(f), 2, 1)).astype(complex)
+    data, _ = used_lines(f, H, None, None, None, ())
+    poles = 2.0 * np.pi * np.array([-0.2 + 250.0j, -0.2 + 251.0j])
+    modes = Modes(poles, np.ones((2, 2), complex), np.ones((2, 1), complex))
+    found = without_bandwidth(data, modes)
+    assert [(round(line.frequency), line.sure) for line in found] == [(250, False)]

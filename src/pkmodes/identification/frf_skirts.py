@@ -35,6 +35,8 @@ NARROW = 1.0
 TOGETHER = 5.0
 #: Lines that are used on each side.
 BEYOND = 24
+#: Fewer lines tell nothing.
+FEWEST = 8
 #: Probability that noise alone makes skirts, and that it makes a line that is reported.
 FALSE_ALARM, NOISE = 1e-3, 1e-9
 #: The residue of the skirts differs by less than this part from that of the peak: halfway between a tone and a mode.
@@ -66,7 +68,9 @@ def without_bandwidth(data: Lines, modes: Modes) -> list[Line]:
     found: list[Line] = []
     for cluster in _clusters(modes.poles.imag / (2.0 * math.pi * step), narrow):
         at, pole = _single(data, modes, cluster, step)
-        if pole is not None and not _resonance(*at, pole, step):
+        if len(at[0]) < FEWEST:  # all lines around it are left out already
+            found.append(Line(float(modes.frequencies[cluster[0]]), sure=False))
+        elif pole is not None and not _resonance(*at, pole, step):
             frequency = pole.imag / (2.0 * math.pi)
             found.append(Line(frequency, _stands_out(*at, frequency, step)))
     return found
@@ -95,9 +99,9 @@ def _single(
     near = np.abs(data.frequencies - centre) < BEYOND * step
     f = data.frequencies[near]
     H = without_others(data, modes, cluster, near)
-    variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
-    if len(cluster) == 1:
+    if len(cluster) == 1 or len(f) < FEWEST:
         return (f, H), complex(modes.poles[cluster[0]])
+    variance = np.where(np.isfinite(H).all(axis=0), (np.abs(H) ** 2).mean(axis=0), np.inf)
     at = window(f, H, 1.0 / variance, np.ones(len(f)))
     strongest = cluster[np.argmax(np.linalg.norm(modes.residues[cluster], axis=(1, 2)))]
     fit = polish(at, modes.poles[[strongest]], modes.participation[[strongest]])
