@@ -6,11 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 
+import numpy as np
 from scipy import stats
 
 from pkmodes.diagnosis.beyond.specificity import Law, like_a_law, p_outside
 from pkmodes.diagnosis.beyond.tried import Tried
 from pkmodes.diagnosis.fit.hypothesis import Fit
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.score import one_sided, p_of_smallest, score
@@ -24,8 +26,12 @@ from pkmodes.diagnosis.verdict.possible import member, unusual
 from pkmodes.diagnosis.verdict.reasons import described
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 
+#: Number of equally good terms that a reason mentions.
+MENTIONED = 3
 #: Number of explanations outside its class with which a claim is compared with other errors, and at all setups.
 CONTENDERS = 6
+#: Explanations whose criteria differ by less are equally good: they differ in the last digits of their residuals.
+EQUAL = 1e-6
 
 
 class TermEvidence(Evidence):
@@ -40,11 +46,11 @@ class TermEvidence(Evidence):
     def __init__(self, tried: Tried) -> None:
         search, store = tried.search, tried.search.store
         self.tried = tried
-        rivals = sorted([*tried.fits, *tried.carried], key=store.criterion)
+        rivals = best_first(store, [*tried.fits, *tried.carried])
         surviving = survivors(search, rivals)
         groups = [_ordered(search, group) for group in classes(store, surviving)]
         self.groups = groups
-        best = next(iter(tried.fits), tried.plain)
+        best = next(iter(best_first(store, tried.fits)), tried.plain)
         final = _named(search, groups[0]) if groups else best
         p_value = _p_value(tried, final)
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
@@ -68,8 +74,12 @@ class TermEvidence(Evidence):
 
     @property
     def words(self) -> str:
-        """What the best term is, with its name."""
-        return described(self.final.causes)
+        """What the best term is, with its name, and those that are equally good."""
+        own = self.store.criterion(self.final)
+        equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - own) < EQUAL]
+        every = best_first(self.store, equal) or [self.final]
+        words = " or ".join(described(fit.causes) for fit in every[:MENTIONED])
+        return words if len(every) <= MENTIONED else f"{words} or {len(every) - MENTIONED} more"
 
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""
@@ -108,7 +118,7 @@ class TermEvidence(Evidence):
             for fit in (*self.tried.fits, *self.tried.carried)
             if name_of(fit) not in own and not fit.at_bound and store.criterion(fit) < limit
         ]
-        return sorted(others, key=store.criterion)[:CONTENDERS]
+        return best_first(store, others)[:CONTENDERS]
 
     @cached_property
     def trials(self) -> list[Trial]:
@@ -146,6 +156,12 @@ def name_of(fit: Fit) -> str:
     return " + ".join(cause.name for cause in fit.causes)
 
 
+def best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
+    """Return explanations by their criteria, equally good ones by their names."""
+    by_name = sorted(fits, key=name_of)
+    return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / EQUAL)))
+
+
 def _sentence(fit: Fit) -> str:
     return " and ".join(cause.sentence or cause.name for cause in fit.causes)
 
@@ -167,7 +183,7 @@ def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
         or store.criterion(fit) <= store.criterion(best)
     ]
     fitter = store.fitter
-    return sorted(kept, key=lambda fit: (bool(unusual(fitter, fit)), store.criterion(fit)))
+    return sorted(best_first(store, kept), key=lambda fit: bool(unusual(fitter, fit)))
 
 
 def _named(search: Search, group: Sequence[Fit]) -> Fit:
