@@ -21,14 +21,14 @@ def main() -> None:
     page = commands.add_parser(
         "latex", help="write every derived quantity in LaTeX, a page for each mechanism"
     )
-    page.add_argument("--mechanism", choices=mechanisms.names(), help="by default every mechanism")
     page.add_argument("--out", type=Path, default=ROOT / "docs" / "derivation", help="folder for the pages")
+    for command in (generate, page):
+        command.add_argument("--mechanism", choices=mechanisms.names(), help="by default every mechanism")
     arguments = parser.parse_args()
-    if arguments.command == "latex":
-        for mechanism in [arguments.mechanism] if arguments.mechanism else mechanisms.names():
+    for mechanism in [arguments.mechanism] if arguments.mechanism else mechanisms.names():
+        if arguments.command == "latex":
             _write(arguments.out / f"{mechanism}.md", latex.page(mechanisms.base(mechanism)))
-        return
-    for mechanism in mechanisms.names():
+            continue
         for name, text in product.parametric(mechanism).items():
             _write(arguments.out / mechanism / name, text)
 

@@ -67,7 +67,7 @@ def assert_named(outcome: CaseOutcome) -> None:
 
 
 def diagnosed(text: str, robot: str, candidates: Sequence[str] | None = None) -> Diagnosis:
-    return updating.diagnose(read(robot), measurements(text), candidates=candidates)
+    return updating.diagnose(read(robot), measurements(text), candidates=candidates, terms=False)
 
 
 @pytest.mark.parametrize("number", range(12))

@@ -26,7 +26,7 @@ def diagnosed(tones: list[tuple[int, float]], effects: dict[str, float]) -> Diag
     data = Measurements.from_rows(
         pose, frequency, 0.002 * frequency, points=[POINTS[k] for k in pose], drives="held"
     )
-    return updating.diagnose(read_robot("robots/linear-delta-2022.toml"), data)
+    return updating.diagnose(read_robot("robots/linear-delta-2022.toml"), data, terms=False)
 
 
 @pytest.fixture(autouse=True)

@@ -34,7 +34,7 @@ def text_of(specimen: Specimen, number: int = 2, edit: str = "") -> str:
 
 def diagnosed(specimen: Specimen, text: str) -> Diagnosis:
     robot = robot_of(specimen.machine)
-    return updating.diagnose(robot, measurements_of(text, robot))
+    return updating.diagnose(robot, measurements_of(text, robot), terms=False)
 
 
 @pytest.mark.parametrize("drives", ["free", "held"])
@@ -114,7 +114,7 @@ def test_few_rows_and_a_comparison_have_a_note() -> None:
     (note,) = updating.compare(robot, data).notes
     assert "far better with motors held than with motors free" in note
     few = replace(data.at([0]), channels=(), shapes=np.empty((int((data.pose == 0).sum()), 0)))
-    found = updating.diagnose(robot, few)
+    found = updating.diagnose(robot, few, terms=False)
     assert found.verdict == "insufficient_data"
     assert any("far better with motors held" in note for note in found.notes)
     right = replace(data, drives=("held",) * len(data.labels))

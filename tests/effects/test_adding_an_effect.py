@@ -48,7 +48,8 @@ def test_a_new_file_is_a_new_effect(tmp_path: Path) -> None:
         )
         return run.stdout
 
-    python("-m", "pkmodes_derive", "generate", "--out", str(tmp_path / "generated" / "pkmodes_generated"))
+    out = str(tmp_path / "generated" / "pkmodes_generated")
+    python("-m", "pkmodes_derive", "generate", "--mechanism", "linear_delta", "--out", out)
     results = []
     for tables in ("", '\n[effects.tube_stiffness]\nstiffness = "200 N/m"\n'):
         (tmp_path / "robot.toml").write_text(published() + tables, encoding="utf-8")
