@@ -243,6 +243,20 @@ def test_the_masses_of_a_bearing_from_which_fits_start_are_those_of_bodies() -> 
     assert min(masses) < carriage < 2.0 * max(masses) < 5.0 * carriage
 
 
+def test_supports_are_fitted_from_modes_in_the_band_and_far_above_it() -> None:
+    structure = extended("rotary_delta")
+    (term,) = (c for c in structure.candidates if c.name == "mount:arm_1.x")
+    plain, modes = declared(structure), []
+    for (compliance,) in term.starts:
+        values = plain.copy()
+        values[index(structure, "mount:arm_1.x.compliance")] = compliance
+        modes.append(np.sqrt(structure.predict(values, []).eigenvalues.max()))
+    highest = np.sqrt(structure.predict(plain, []).eigenvalues.max())
+    assert len(modes) == 25
+    assert max(modes) > 5.0 * highest
+    assert sum(mode < 1.3 * highest for mode in modes) >= 15
+
+
 @pytest.mark.parametrize("fault", FAULTS["corexy"][1:3], ids=lambda fault: fault.term)
 @pytest.mark.parametrize("present", [True, False])
 def test_masses_that_are_none_of_a_machine_predict_no_modes(fault: Fault, present: bool) -> None:

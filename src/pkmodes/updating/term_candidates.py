@@ -29,6 +29,9 @@ STIFFEST = 10.0
 PARTS = (0.03, 0.15, 0.6)
 #: Frequencies from which it is fitted, and the range of these, from the lowest and highest frequency of the machine.
 FREQUENCIES, LOWEST, HIGHEST = 20, 0.6, 1.15
+#: Frequencies from which the mode of a support is fitted above that range, in highest frequencies of the machine: it
+#: then only yields.
+ABOVE = (1.4, 2.0, 3.0, 5.0, 8.0)
 #: Compliances of a bearing without a mass of its own, in those of the belt there.
 YIELDS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
 #: A row of displacements below this part of the largest is none; rows that differ by less are the same.
@@ -200,7 +203,7 @@ def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...
         others = (mass,) if len(term.parameters) > 1 else ()
         if e in own:
             inertia = 1.0 / np.linalg.inv(M[np.ix_(own, own)])[-1, -1]
-            for frequency in _band(machine):
+            for frequency in (*_band(machine), *(np.array(ABOVE) * machine.frequencies.max())):
                 yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *others
         else:  # no mode of its own: what it gives way beside the springs there
             stiffness = float(change.K[0, e, e]) - 1.0

@@ -203,7 +203,9 @@ class _Explorer:
             and not fit.at_bound
             and own.p_value(fit) > level
         ]
-        best = sorted(some, key=own.criterion)[:CARRIED]
+        # Of several with the same causes, the best: others set other rows aside.
+        each = {fit.causes: fit for fit in sorted(some, key=own.criterion, reverse=True)}
+        best = sorted(each.values(), key=own.criterion)[:CARRIED]
         fits = [self.store.fit(fit.hypothesis, self._padded(fit)) for fit in best]
         return [fit for fit in fits if fit is not None]
 
