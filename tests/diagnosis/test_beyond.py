@@ -351,6 +351,39 @@ def test_two_causes_are_claimed_where_no_term_explains_as_much() -> None:
     assert found.beyond is None
 
 
+def of_a_storey(data: Measurements, storey: int, terms: bool = True) -> Diagnosis:
+    """Diagnose with a candidate for the stiffness of one storey alone."""
+    size = Parameter("stiffer", 0.0, "N/m", lower=-2e5)
+
+    def matrices(values: dict[str, float], setup: str) -> tuple[np.ndarray, np.ndarray]:
+        M, K = FRAME.matrices(values, setup)
+        return M, K + values["stiffer"] * joined(6, storey - 1, storey)
+
+    structure = MatrixStructure(
+        [Parameter("mass", 1.0, sigma=0.005), Parameter("storey", 1.0, sigma=0.03), size],
+        [Candidate(f"storey {storey}", ("stiffer",), f"storey {storey} is stiffer", local=True)],
+        matrices,
+        channels=FRAME.names,
+        setups=FRAME.setups,
+    )
+    return diagnose(structure, data, terms=terms)
+
+
+def test_a_value_of_one_place_is_not_claimed_where_a_term_explains_more() -> None:
+    data = FRAME.measured(lambda _: (0.9 * at(6, 1), NOTHING))
+    assert of_a_storey(data, 6, terms=False).verdict == "effect_found"
+    found = of_a_storey(data, 6)
+    assert (found.verdict, found.rule, found.effects) == ("ambiguous", "claims.one_term", ())
+    assert "storey 6 would explain the residual, but a mass at floor 1 (mass:floor 1) would do so better" in (
+        found.reason
+    )
+
+
+def test_a_value_of_one_place_is_claimed_beside_a_term_that_is_the_same() -> None:
+    found = of_a_storey(FRAME.measured(lambda _: (NOTHING, 3e4 * joined(6, 2, 3))), 3)
+    assert (found.verdict, found.rule, found.beyond) == ("effect_found", "claims.found", None)
+
+
 def test_a_law_that_explains_as_much_refuses_a_term() -> None:
     """Of two modes, all frequencies alike that vary with frequency are what a mass on one floor does."""
     frame = Frame(2, tuple((1, 0.0) for _ in range(7)))

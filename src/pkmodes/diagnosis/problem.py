@@ -137,6 +137,8 @@ class Candidate:
     starts : tuple of tuple of float
         Values of its parameters from which it is fitted besides the linear estimate: of a resonator, whose mode may
         be anywhere, pairs of mass and frequency.
+    local : bool
+        Of the catalogue, but a value of one axis, as a term is: terms are compared before it is claimed.
     joints : tuple of Joint
         Of a cause that has a relative change for each of several equal parts: these, one for each parameter.  Where
         one of them alone would do as well, it is named.
@@ -155,6 +157,7 @@ class Candidate:
     assumes: tuple[Assumption, ...] = ()
     form: str = ""
     starts: tuple[tuple[float, ...], ...] = ()
+    local: bool = False
     joints: tuple[Joint, ...] = ()
 
     @property

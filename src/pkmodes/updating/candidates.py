@@ -292,7 +292,13 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
         if free and weights_of(robot, whole):
             suspected.append(whole.path)
     return {
-        f"{PREFIX}{path}": Candidate(f"{PREFIX}{path}", (path,), _wrong(robot, path)) for path in suspected
+        f"{PREFIX}{path}": Candidate(
+            f"{PREFIX}{path}",
+            (path,),
+            _wrong(robot, path),
+            local=any(part.isdigit() for part in path.split(".")),
+        )
+        for path in suspected
     }
 
 

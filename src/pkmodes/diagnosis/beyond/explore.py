@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.diagnosis.beyond.evidence import TermEvidence, name_of
+from pkmodes.diagnosis.beyond.evidence import EQUAL, TermEvidence, name_of
 from pkmodes.diagnosis.beyond.rules import BEYOND
 from pkmodes.diagnosis.beyond.tried import tried
 from pkmodes.diagnosis.fit.hypothesis import Fit
@@ -47,11 +47,14 @@ class TermSearch:
         return self._found[1]
 
     def instead(self, catalogue: Evidence) -> Fit | None:
-        """Return the fit with one term that explains at least as much as the causes of the catalogue."""
+        """Return the fit with one term that is better by the criterion than the causes of the catalogue."""
         of_terms = self.evidence(catalogue)
         if of_terms is None or not of_terms.found or not of_terms.final.causes[0].form:
             return None
-        return of_terms.final
+        own, criterion = catalogue.final.causes, of_terms.store.criterion
+        again = (fit for fit in of_terms.tried.carried if fit.causes == own)
+        best = min(map(criterion, again), default=np.inf)
+        return of_terms.final if criterion(of_terms.final) < best - EQUAL else None
 
     def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
         """Return the evidence for terms; None where the verdict of the catalogue leaves nothing to try."""

@@ -29,7 +29,7 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 #: Number of terms that are refitted, by their scores, by their starts and by large sizes.
 BEST, STARTED, LARGE = 40, 20, 10
 #: Number of starts of each term that a few setups leave, and all of them.
-FITTED, COMPARED = 4, 2
+FITTED, COMPARED = 6, 4
 #: Number of setups at which starts are compared.
 SCOUTED = 4
 #: Largest relative change of a frequency for which a linear estimate suffices as a start.

@@ -324,14 +324,15 @@ def held_by_priors(e: Evidence) -> str:
 
 
 def one_term(e: Evidence) -> str:
-    """One thing at one place, beyond the catalogue, explains at least as much as several causes."""
-    term = e.term_instead if len(e.final.causes) > 1 else None
+    """A term, beyond the catalogue, explains the data better than several causes or a wrong value of one axis."""
+    several = len(e.final.causes) > 1
+    local = any(fit.causes[-1].local for fits in e.claim.own for fit in fits)
+    term = e.term_instead if several or local else None
     if term is None:
         return ""
-    return (
-        f"{names(e.final.causes)} together would explain the residual, but {described(term.causes)} would do "
-        "so alone"
-    )
+    together, better = ("together ", "alone") if several else ("", "better")
+    who = names(e.final.causes)
+    return f"{who} {together}would explain the residual, but {described(term.causes)} would do so {better}"
 
 
 def causes_found(e: Evidence) -> Says:
