@@ -26,6 +26,7 @@ from pkmodes.campaign.sensors import Place, Sensor, unsigned
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.frf_model_errors import not_linear
 from pkmodes.identification.spectra import identify_spectrum
 from pkmodes.identification.tones import no_bandwidth
 from pkmodes.signals.functions import Function, Kind
@@ -108,7 +109,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         *read.messages,
         *given.messages,
         *dead_channels(given.dead, read.source),
-        *tones_of(fit, read.source),
+        *remarks_on(fit, read.source),
     )
     seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
     unnamed = () if given.roves else tuple(name for name in given.references if name not in NAMELESS)
@@ -133,9 +134,13 @@ def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Ca
     return Fit(estimate, given.names, given.references, coherence)
 
 
-def tones_of(fit: Fit, source: str) -> list[str]:
-    """Return a sentence for each line without bandwidth that was found."""
-    return [f"{source}: {no_bandwidth(tone)}" for tone in fit.estimate.tones]
+def remarks_on(fit: Fit, source: str) -> list[str]:
+    """Return sentences on lines without bandwidth, and on what no linear modes explain."""
+    estimate = fit.estimate
+    remarks = [no_bandwidth(tone) for tone in estimate.tones]
+    if estimate.left_out:
+        remarks.append(not_linear(estimate.error, estimate.left_out))
+    return [f"{source}: {remark}" for remark in remarks]
 
 
 def responses_of(

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import NAMELESS, FileModes, Fit
-from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, tones_of
+from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
 from pkmodes.campaign.sensor_functions import in_file
 from pkmodes.campaign.sensors import Place, unsigned
 from pkmodes.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
@@ -168,7 +168,7 @@ def _fit(
         responses = responses.roving(range(len(forces)), forces)
     with in_file(source):
         fit = frf_fit(responses, functions.averages, record, campaign)
-    said += tones_of(fit, source)
+    said += remarks_on(fit, source)
 
     def wider(mode: Mode) -> Mode:
         # The functions of a file have a size in common: that of one component of the shape, or of all.

@@ -102,6 +102,10 @@ class Estimate:
         For each frequency from which the user asked for a mode: the mode, or why there is none.
     tones : tuple of float
         Lines without bandwidth that were found, and that nobody had stated [Hz].
+    error : float
+        What the modes leave at a peak that is no noise, as a part of the functions there: the largest.
+    left_out : tuple of float
+        Frequencies of modes that fit such an error, and are none [Hz].
     """
 
     modes: tuple[Mode, ...]
@@ -111,6 +115,8 @@ class Estimate:
     synthesised: Complex
     added: tuple[Mode | str, ...] = ()
     tones: tuple[float, ...] = ()
+    error: float = 0.0
+    left_out: tuple[float, ...] = ()
 
     def changed(self, change: Callable[[Mode], Mode]) -> Estimate:
         """Return it with another mode for each, also for each that the user asked for."""

@@ -20,6 +20,7 @@ from pkmodes.identification.frf_added import with_added
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
 from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import Lines, at_tones, used_lines
+from pkmodes.identification.frf_model_errors import without_model_errors
 from pkmodes.identification.frf_refinement import refined, significant
 from pkmodes.identification.frf_search import hidden, joined
 from pkmodes.identification.frf_skirts import NARROW, Line, distinct, without_bandwidth
@@ -99,6 +100,7 @@ def identify_frf(
         by_order = _by_order(data)
         start = _candidates(by_order, data, low, high)
         modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
+        modes, bounds, error, left_out = without_model_errors(data, modes, bounds, low, high)
         more = [] if last else _unasked(without_bandwidth(data, modes), asked)
         if not more:
             break
@@ -131,6 +133,8 @@ def identify_frf(
             for i in found.added
         ),
         tones=distinct(lines, step),
+        error=error,
+        left_out=tuple(one for one in left_out if band[0] <= one <= band[1]),
     )
 
 

@@ -293,8 +293,8 @@ def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.b
     return drop
 
 
-def copies(modes: Modes, i: int, k: int) -> bool:
-    """Return whether two modes are so near and so much alike that they describe one."""
+def copies(modes: Modes, i: int, k: int, near: float = COPY_NEAR) -> bool:
+    """Return whether two modes are nearer than a part of a bandwidth and so much alike that they may be one."""
     width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
-    near = abs(modes.poles[i] - modes.poles[k]) < COPY_NEAR * width
-    return bool(near and alike(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)
+    close = abs(modes.poles[i].imag - modes.poles[k].imag) < near * width
+    return bool(close and alike(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)

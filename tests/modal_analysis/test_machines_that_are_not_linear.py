@@ -1,0 +1,96 @@
+"""Frequency responses that no few linear modes explain: a row for each peak, with a sigma that holds the error.
+
+The truth of a joint that softens is its frequency at the amplitude of the peak.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from pkmodes.identification.estimates import Estimate
+from pkmodes.identification.frf_identification import identify_frf
+from pkmodes.identification.frf_model_errors import not_linear
+from pkmodes_rig.structures.forced import noise, structure
+from pkmodes_rig.structures.not_linear import BAND, DAMPING, FREQUENCIES, LINES, responses
+
+
+def identified(seed: int, band: tuple[float, float] = BAND, **kind: Any) -> Estimate:
+    return identify_frf(LINES, responses(np.random.default_rng(seed), **kind), band=band, power=2)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_of_a_linear_machine_nothing_is_left_out_and_no_error_is_seen(seed: int) -> None:
+    e = identified(seed)
+    assert [mode.frequency for mode in e.modes] == pytest.approx(FREQUENCIES, rel=2e-4)
+    assert (e.left_out, e.error) == ((), 0.0)
+
+
+@pytest.mark.parametrize(
+    ("softens", "noise", "seed"),
+    [
+        (0.01, 0.002, 0),
+        (0.02, 0.001, 0),
+        (0.02, 0.001, 4),
+        (0.02, 0.0005, 4),
+        (0.03, 0.002, 4),
+        (0.03, 0.0005, 0),
+    ],
+)
+def test_a_joint_that_softens_has_a_row_for_each_peak(softens: float, noise: float, seed: int) -> None:
+    """With seed 4 the fit alone ends with four to six modes."""
+    e = identified(seed, softens=softens, noise=noise)
+    assert len(e.modes) == 3
+    assert (len(e.left_out) > 0) == (seed == 4)
+    for mode, f, zeta in zip(e.modes, FREQUENCIES, DAMPING, strict=True):
+        # At the peak the amplitude is that of the linear machine, less what the joint dissipates.
+        assert (1.0 - softens) * f < mode.frequency < (1.0 - 0.9 * softens) * f
+        assert mode.damping == pytest.approx(zeta, rel=0.1)
+    assert e.error > softens
+
+
+def test_errors_in_proportion_to_the_functions_make_hardly_any_modes() -> None:
+    """Six machines: the fit alone ends with four to six modes of each."""
+    rows = 0
+    for seed in range(6):
+        e = identified(seed, error=0.02, noise=0.001)
+        rows += len(e.modes)
+        for f in FREQUENCIES:
+            mode = min(e.modes, key=lambda mode: abs(mode.frequency - f))
+            assert abs(mode.frequency - f) < 4.0 * mode.sigma_frequency
+    assert rows <= 19
+
+
+def test_bands_agree() -> None:
+    whole = identified(1, softens=0.02, noise=0.001).modes[0]
+    part = identified(1, (700.0, 1500.0), softens=0.02, noise=0.001).modes
+    assert len(part) == 1
+    both = np.hypot(whole.sigma_frequency, part[0].sigma_frequency)
+    assert abs(part[0].frequency - whole.frequency) < 2.0 * both
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_close_pair_of_a_linear_machine_stays_one(seed: int) -> None:
+    """0.87 Hz apart at 146 Hz, and with different shapes, within the bandwidth of both."""
+    rng = np.random.default_rng(seed)
+    s = structure(np.array([146.0, 146.87, 300.0, 500.0]), np.full(4, 0.004), rng)
+    f = np.arange(100.0, 400.0, 0.05)
+    H = s.response(f, [0, 1, 2], [0, 1], 2)
+    e = identify_frf(
+        f, H + noise(rng, H, 0.003 * np.sqrt((np.abs(H) ** 2).mean())), band=(100.0, 400.0), power=2
+    )
+    assert [round(mode.frequency, 1) for mode in e.modes] == [146.0, 146.9, 300.0]
+    assert e.left_out == ()
+
+
+def test_what_is_said_of_it() -> None:
+    assert not_linear(0.0213, (992.03,)) == (
+        "the functions are not those of a few linear modes (up to 2.1 % of a peak): a mode that would fit the rest, "
+        "at 992 Hz, is left out; the machine is not linear, or what measures it"
+    )
+    assert not_linear(0.0, (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)) == (
+        "the functions are not those of a few linear modes: modes that would fit the rest, at 1, 2, 3, 4 and 2 more "
+        "Hz, are left out; the machine is not linear, or what measures it"
+    )
