@@ -15,7 +15,7 @@ from pkmodes_rig.one_place.draws import kinds_of
 from pkmodes_rig.one_place.laws import LAWS, laws_of
 from pkmodes_rig.robots import ROBOTS
 from pkmodes_rig.suites.one_place_cases import CLEAR, FAINT, SIGMA, PlaceCase, declared
-from pkmodes_rig.suites.one_place_judging import MEMBERS, PlaceOutcome, run
+from pkmodes_rig.suites.one_place_judging import MEMBERS, UNREACHED, PlaceOutcome, run
 from pkmodes_rig.suites.requirements import RIGHT, covered, errors, headed, line, wrong
 from pkmodes_rig.suites.running import Pool, parallel_command_line, publish, run_all
 from pkmodes_rig.suites.tables import confusion, count, grouped, in_words, listed, table, times
@@ -86,6 +86,7 @@ def _said(o: PlaceOutcome) -> str:
 
 def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[str]:
     """Return the lines of the page."""
+    drawn, outcomes = outcomes, [o for o in outcomes if o.state != UNREACHED]
     faults = [o for o in outcomes if o.case.suite in ("clear", "faint")]
     laws = [o for o in outcomes if o.case.suite == "outside the grammar"]
     return [
@@ -100,7 +101,7 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         *([f"Seed {outcomes[0].case.seed}."] if outcomes else []),
         f"The suites were tried with the seeds {SEEN}.",
-        *_left_out(outcomes),
+        *_left_out(drawn),
         "",
         "## Requirements",
         "",
@@ -213,10 +214,11 @@ def _requirements(outcomes: Sequence[PlaceOutcome]) -> Iterator[str]:
 
 
 def _left_out(outcomes: Sequence[PlaceOutcome]) -> list[str]:
-    """Say how many cases were not run."""
-    every = sum(1 for _ in cases())
-    ran = len(outcomes)
-    return ["", f"**Not every case was run**: {ran} of {every}."] if ran < every else []
+    """Say how many cases were not run, and in how many no fault can be as large as asked."""
+    every, ran, unreached = sum(1 for _ in cases()), len(outcomes), count(outcomes, UNREACHED)
+    lines = ["", f"**Not every case was run**: {ran} of {every}."] if ran < every else []
+    some = f"In {unreached} of {ran} cases no fault of the kind changes the frequencies as much as asked anywhere."
+    return [*lines, "", some] if unreached else lines
 
 
 def _mechanism(o: PlaceOutcome) -> str:

@@ -17,12 +17,14 @@ from pkmodes.sensitivity.paths import resolve
 from pkmodes_rig.one_place import Fault
 from pkmodes_rig.one_place.draws import ON_RAILS
 from pkmodes_rig.one_place.faults import same_term
-from pkmodes_rig.suites.one_place_cases import PlaceCase, declared, measured
+from pkmodes_rig.suites.one_place_cases import PlaceCase, UnreachedError, declared, measured
 from pkmodes_rig.suites.running import Outcome
 from pkmodes_rig.suites.specimens import measurements_of
 
 #: Largest class that counts as an answer.
 MEMBERS = 5
+#: The state of a case whose fault cannot be as large as asked: nothing is measured.
+UNREACHED = "unreached"
 FOUND, CLAIMED, ADEQUATE = "found", "effect_found", "adequate"
 
 #: Parameters of a term or candidate with their true values; empty where the value is not compared.
@@ -67,7 +69,11 @@ class Judgement:
 
 def run(case: PlaceCase) -> PlaceOutcome:
     """Measure, diagnose and judge a case."""
-    hidden, robot = measured(case), declared(case.machine)
+    try:
+        hidden = measured(case)
+    except UnreachedError:
+        return PlaceOutcome(case, UNREACHED, signal=float("inf"))
+    robot = declared(case.machine)
     data = measurements_of(hidden.text, robot)
     start = time.perf_counter()
     diagnosis = updating.diagnose(robot, data)

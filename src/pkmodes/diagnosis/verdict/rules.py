@@ -22,9 +22,10 @@ from pkmodes.diagnosis.verdict.dispersion import stiffness_of_frequency
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.notes import drift
-from pkmodes.diagnosis.verdict.reasons import described, names, noise
+from pkmodes.diagnosis.verdict.reasons import names, noise
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
+from pkmodes.diagnosis.verdict.term_instead import one_term
 from pkmodes.diagnosis.verdict.unexplained import OPEN, left_by
 from pkmodes.diagnosis.verdict.values import no_value, rests_on_one_row
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -317,22 +318,8 @@ def held_by_priors(e: Evidence) -> str:
     if not any(trial.moved for trial in e.trials):
         return ""
     value = "its value changes" if len(e.final.causes) == 1 else "their values change"
-    return (
-        f"{e.explains} the residual, but {value} with priors twice as wide: some uncertain parameter is far from "
-        "its declared value and compensates for something else"
-    )
-
-
-def one_term(e: Evidence) -> str:
-    """A term, beyond the catalogue, explains the data better than several causes or a wrong value of one axis."""
-    several = len(e.final.causes) > 1
-    local = any(fit.causes[-1].local for fits in e.claim.own for fit in fits)
-    term = e.term_instead if several or local else None
-    if term is None:
-        return ""
-    together, better = ("together ", "alone") if several else ("", "better")
-    who = names(e.final.causes)
-    return f"{who} {together}would explain the residual, but {described(term.causes)} would do so {better}"
+    why = "some uncertain parameter is far from its declared value and compensates for something else"
+    return f"{e.explains} the residual, but {value} with priors twice as wide: {why}"
 
 
 def causes_found(e: Evidence) -> Says:
