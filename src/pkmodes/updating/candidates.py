@@ -291,15 +291,11 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
         free = all(robot.quantities[element].sigma is None for element in _elements(robot, whole))
         if free and weights_of(robot, whole):
             suspected.append(whole.path)
-    return {
-        f"{PREFIX}{path}": Candidate(
-            f"{PREFIX}{path}",
-            (path,),
-            _wrong(robot, path),
-            local=any(part.isdigit() for part in path.split(".")),
-        )
-        for path in suspected
-    }
+    local = {path: any(part.isdigit() for part in path.split(".")) for path in suspected}
+    every = [
+        Candidate(f"{PREFIX}{path}", (path,), _wrong(robot, path), local=local[path]) for path in suspected
+    ]
+    return {candidate.name: candidate for candidate in every}
 
 
 def _wrong(robot: Robot, path: str) -> str:
