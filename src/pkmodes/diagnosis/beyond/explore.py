@@ -53,7 +53,7 @@ class TermSearch:
             return None
         own, criterion = catalogue.final.causes, of_terms.store.criterion
         again = (fit for fit in of_terms.tried.carried if fit.causes == own)
-        best = min(map(criterion, again), default=np.inf)
+        best = min(map(criterion, again), default=-np.inf)  # what cannot be compared stays
         return of_terms.final if criterion(of_terms.final) < best - EQUAL else None
 
     def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
