@@ -323,7 +323,7 @@ def of_two_candidates(data: Measurements, terms: bool) -> Diagnosis:
     return diagnose(structure, data, terms=terms)
 
 
-def test_two_causes_are_not_claimed_where_one_term_explains_as_much() -> None:
+def test_two_causes_are_not_claimed_where_one_term_explains_the_data_better() -> None:
     data = FRAME.measured(lambda _: (NOTHING, 8.0e3 * joined(6, 2, 5)))
     catalogue = of_two_candidates(data, terms=False)
     assert [effect.name for effect in catalogue.effects] == ["grounded floors", "coupled floors"]
@@ -343,7 +343,7 @@ def test_two_causes_are_not_claimed_where_one_term_explains_as_much() -> None:
     )
 
 
-def test_two_causes_are_claimed_where_no_term_explains_as_much() -> None:
+def test_two_causes_are_claimed_where_no_term_explains_the_data() -> None:
     both = joined(6, 2) + joined(6, 5)
     data = FRAME.measured(lambda _: (NOTHING, 3.0e4 * both + 1.2e4 * (joined(6, 2, 5) - both)))
     found = of_two_candidates(data, terms=True)

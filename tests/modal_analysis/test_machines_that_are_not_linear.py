@@ -25,7 +25,7 @@ def identified(seed: int, band: tuple[float, float] = BAND, **kind: Any) -> Esti
 def test_of_a_linear_machine_nothing_is_left_out_and_no_error_is_seen(seed: int) -> None:
     e = identified(seed)
     assert [mode.frequency for mode in e.modes] == pytest.approx(FREQUENCIES, rel=2e-4)
-    assert (e.left_out, e.error) == ((), 0.0)
+    assert (e.left_out, e.model_error) == ((), 0.0)
 
 
 @pytest.mark.parametrize(
@@ -48,7 +48,7 @@ def test_a_joint_that_softens_has_a_row_for_each_peak(softens: float, noise: flo
         # At the peak the amplitude is that of the linear machine, less what the joint dissipates.
         assert (1.0 - softens) * f < mode.frequency < (1.0 - 0.9 * softens) * f
         assert mode.damping == pytest.approx(zeta, rel=0.1)
-    assert e.error > softens
+    assert e.model_error > softens
 
 
 def test_errors_in_proportion_to_the_functions_make_hardly_any_modes() -> None:
@@ -63,6 +63,19 @@ def test_errors_in_proportion_to_the_functions_make_hardly_any_modes() -> None:
     assert rows <= 19
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("common", "covered"), [(False, 0.9), (True, 0.7)])
+def test_the_standard_deviations_include_the_error(common: bool, covered: float) -> None:
+    """Of an error at all points alike, the displaced poles absorb more: 27 of 36 are within two sigma, else 34."""
+    within = []
+    for seed in range(12):
+        modes = identified(seed, error=0.01, common=common).modes
+        for f in FREQUENCIES:
+            mode = min(modes, key=lambda mode: abs(mode.frequency - f))
+            within.append(abs(mode.frequency - f) < 2.0 * mode.sigma_frequency)
+    assert np.mean(within) > covered
+
+
 def test_bands_agree() -> None:
     whole = identified(1, softens=0.02, noise=0.001).modes[0]
     part = identified(1, (700.0, 1500.0), softens=0.02, noise=0.001).modes
@@ -72,7 +85,7 @@ def test_bands_agree() -> None:
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_close_pair_of_a_linear_machine_stays_one(seed: int) -> None:
+def test_a_close_pair_of_a_linear_machine_stays_a_pair(seed: int) -> None:
     """0.87 Hz apart at 146 Hz, and with different shapes, within the bandwidth of both."""
     rng = np.random.default_rng(seed)
     s = structure(np.array([146.0, 146.87, 300.0, 500.0]), np.full(4, 0.004), rng)
@@ -87,10 +100,10 @@ def test_a_close_pair_of_a_linear_machine_stays_one(seed: int) -> None:
 
 def test_what_is_said_of_it() -> None:
     assert not_linear(0.0213, (992.03,)) == (
-        "the functions are not those of a few linear modes (up to 2.1 % of a peak): a mode that would fit the rest, "
-        "at 992 Hz, is left out; the machine is not linear, or what measures it"
+        "a few linear modes do not fit the functions to noise (up to 2.1 % of a peak): a mode that would fit the "
+        "remainder, at 992 Hz, is left out; the machine or the measuring chain is not linear"
     )
     assert not_linear(0.0, (1.0, 2.0, 3.0, 4.0, 5.0, 6.0)) == (
-        "the functions are not those of a few linear modes: modes that would fit the rest, at 1, 2, 3, 4 and 2 more "
-        "Hz, are left out; the machine is not linear, or what measures it"
+        "a few linear modes do not fit the functions to noise: modes that would fit the remainder, at 1, 2, 3, 4 and "
+        "2 more Hz, are left out; the machine or the measuring chain is not linear"
     )

@@ -135,11 +135,11 @@ def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Ca
 
 
 def remarks_on(fit: Fit, source: str) -> list[str]:
-    """Return sentences on lines without bandwidth, and on what no linear modes explain."""
+    """Return sentences on lines without bandwidth, and on spurious modes of a machine that is not linear."""
     estimate = fit.estimate
     remarks = [no_bandwidth(tone) for tone in estimate.tones]
     if estimate.left_out:
-        remarks.append(not_linear(estimate.error, estimate.left_out))
+        remarks.append(not_linear(estimate.model_error, estimate.left_out))
     return [f"{source}: {remark}" for remark in remarks]
 
 

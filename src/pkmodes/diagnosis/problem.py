@@ -138,7 +138,7 @@ class Candidate:
         Values of its parameters from which it is fitted besides the linear estimate: of a resonator, whose mode may
         be anywhere, pairs of mass and frequency.
     local : bool
-        Of the catalogue, but a value of one axis, as a term is: terms are compared before it is claimed.
+        A value of one axis: it concerns one place, as a term does, and is compared with terms before it is claimed.
     joints : tuple of Joint
         Of a cause that has a relative change for each of several equal parts: these, one for each parameter.  Where
         one of them alone would do as well, it is named.

@@ -102,10 +102,10 @@ class Estimate:
         For each frequency from which the user asked for a mode: the mode, or why there is none.
     tones : tuple of float
         Lines without bandwidth that were found, and that nobody had stated [Hz].
-    error : float
-        What the modes leave at a peak that is no noise, as a part of the functions there: the largest.
+    model_error : float
+        Largest part of the functions at a peak that the modes leave and that is not noise.
     left_out : tuple of float
-        Frequencies of modes that fit such an error, and are none [Hz].
+        Frequencies of spurious modes, which only fit such an error [Hz].
     """
 
     modes: tuple[Mode, ...]
@@ -115,7 +115,7 @@ class Estimate:
     synthesised: Complex
     added: tuple[Mode | str, ...] = ()
     tones: tuple[float, ...] = ()
-    error: float = 0.0
+    model_error: float = 0.0
     left_out: tuple[float, ...] = ()
 
     def changed(self, change: Callable[[Mode], Mode]) -> Estimate:

@@ -20,7 +20,7 @@ from pkmodes.identification.frf_added import with_added
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
 from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import Lines, at_tones, used_lines
-from pkmodes.identification.frf_model_errors import without_model_errors
+from pkmodes.identification.frf_model_errors import with_model_error, without_model_errors
 from pkmodes.identification.frf_refinement import refined, significant
 from pkmodes.identification.frf_search import hidden, joined
 from pkmodes.identification.frf_skirts import NARROW, Line, distinct, without_bandwidth
@@ -100,15 +100,15 @@ def identify_frf(
         by_order = _by_order(data)
         start = _candidates(by_order, data, low, high)
         modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
-        modes, bounds, error, left_out = without_model_errors(data, modes, bounds, low, high)
         more = [] if last else _unasked(without_bandwidth(data, modes), asked)
         if not more:
             break
         lines += more
+    modes, bounds, error, left_out = without_model_errors(data, modes, bounds, low, high)
 
     def mode(modes: Modes, bounds: Uncertainty, m: int) -> Mode:
         found_in = orders_with(by_order, modes.poles[m]), len(by_order)
-        return _mode(modes, bounds, m, scale, exponential, found_in)
+        return _mode(modes, with_model_error(modes, bounds, error), m, scale, exponential, found_in)
 
     found = with_added(data, modes, bounds, asked)
     kept = _in_band(found.modes, data, band, exponential, tones)
@@ -133,8 +133,10 @@ def identify_frf(
             for i in found.added
         ),
         tones=distinct(lines, step),
-        error=error,
-        left_out=tuple(one for one in left_out if band[0] <= one <= band[1]),
+        model_error=error,
+        left_out=tuple(
+            one for one in left_out if band[0] <= one <= band[1] and nearest(asked.add, one) is None
+        ),
     )
 
 

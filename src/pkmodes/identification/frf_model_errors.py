@@ -1,16 +1,15 @@
 """Modes told from errors of the model in frequency responses of a machine that is not linear.
 
-The fit of `frf_refinement` adds modes until noise is left.  Where the functions are not those of a few linear modes,
-because a joint softens with the amplitude, a transducer resonates or a hammer hits twice, modes that fit this error
-are added:
+The fit of `frf_refinement` adds modes until only noise is left.  If a joint softens with the amplitude, a transducer
+resonates or a hammer hits twice, no few linear modes fit the functions, and spurious ones fit the remainder:
 
-- beside a peak, with its shape: what one mode leaves there is a small part of the peak, and no second mode;
-- on the skirts of peaks: what is left at most peaks is a small part of the functions that varies slowly over many
-  lines, as no noise does, and a mode that is hardly larger may be more of this.
+- beside a peak: one mode alone leaves a small part of the peak there;
+- between peaks: at most peaks the strong modes leave a small part of the functions which, unlike noise, varies slowly
+  over many lines, and the mode is not much larger than that.
 
-They are left out.  An error of a part of a peak displaces its pole by as large a part of the half bandwidth, which
-counts as uncertainty.  The displaced pole explains most of the error itself, so that the largest one of all peaks
-counts for each.
+These are left out.  An error of one per cent of a peak can displace its pole by one per cent of the half bandwidth,
+which counts as uncertainty.  A displaced pole absorbs much of the error at its own peak, so that the largest error of
+all peaks counts for each.
 """
 
 from __future__ import annotations
@@ -36,14 +35,14 @@ Index = NDArray[np.int64]
 
 #: One peak: modes nearer than a bandwidth and alike, of which one leaves less than this part of the peak.
 NEAR, PEAK = 1.0, 0.1
-#: Shapes of fewer functions are alike by chance.
+#: Shapes at fewer sensors are alike by chance.
 ENOUGH = 3
-#: So many modes beside a peak are errors of the model, if one mode does, even if they are not alike.
+#: Where one mode fits the peak, as many others beside it are spurious even if their shapes differ.
 SEVERAL = 2
-#: A mode that is at least this part of the others where it is may not be an error of theirs,
+#: A mode of at least this part of the response of all others at its frequency is never spurious,
 STRONG = 0.2
-#: and one that is less than so many times the error may.
-GHOST = 8.0
+#: and a weaker one is if it is below this multiple of the error.
+SPURIOUS = 8.0
 #: The error is estimated from lines this far apart: the noise of nearer ones is correlated, too.
 LAG = 2 * LAGS
 #: Fewer pairs of lines tell no error, nor do fewer peaks: what is at one peak alone may be a mode.
@@ -54,18 +53,18 @@ SURE = 4.0
 MENTIONED = 4
 
 
-class Linear(NamedTuple):
-    """Modes without those that fit an error of the model.
+class Remaining(NamedTuple):
+    """Modes without spurious ones.
 
     Attributes
     ----------
     modes : Modes
-        (N,).
     bounds : Uncertainty
+        Without the error.
     error : float
-        What they leave at a peak that is no noise, as a part of the functions there: the largest.
+        Largest part of the functions at a peak that the modes leave and that is not noise.
     left_out : ndarray
-        Frequencies of those that fit an error [Hz], ascending.
+        Frequencies of the spurious ones [Hz], ascending.
     """
 
     modes: Modes
@@ -74,8 +73,10 @@ class Linear(NamedTuple):
     left_out: Array
 
 
-def without_model_errors(data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float) -> Linear:
-    """Return the modes without those that fit an error of the model.
+def without_model_errors(
+    data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float
+) -> Remaining:
+    """Return the modes without those that only fit an error of the model.
 
     Parameters
     ----------
@@ -90,17 +91,17 @@ def without_model_errors(data: Lines, modes: Modes, bounds: Uncertainty, low: fl
         left_out += modes.frequencies[drop].tolist()
         modes, bounds = refined(data, modes.only(~drop), low, high)
     error = float(np.nan_to_num(slow_errors(data, modes)).max(initial=0.0))
+    return Remaining(modes, bounds, error, np.sort(left_out))
+
+
+def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncertainty:
+    """Return uncertainties of poles that an error, a part of each peak, displaces as well."""
     displaced = error * np.abs(modes.poles.real)
-    return Linear(
-        modes,
-        replace(bounds, poles=np.hypot(bounds.poles, displaced[:, None])),
-        error,
-        np.sort(left_out),
-    )
+    return replace(bounds, poles=np.hypot(bounds.poles, displaced[:, None]))
 
 
 def not_linear(error: float, left_out: Sequence[float]) -> str:
-    """Return a sentence on modes that are left out.
+    """Return a sentence on modes that were left out.
 
     Parameters
     ----------
@@ -115,8 +116,8 @@ def not_linear(error: float, left_out: Sequence[float]) -> str:
     modes, are = ("a mode", "is") if one else ("modes", "are")
     part = f" (up to {plain(100 * error, 2)} % of a peak)" if error > 0.0 else ""
     return (
-        f"the functions are not those of a few linear modes{part}: {modes} that would fit the rest, at "
-        f"{some}{more} Hz, {are} left out; the machine is not linear, or what measures it"
+        f"a few linear modes do not fit the functions to noise{part}: {modes} that would fit the remainder, at "
+        f"{some}{more} Hz, {are} left out; the machine or the measuring chain is not linear"
     )
 
 
@@ -126,13 +127,14 @@ def not_linear(error: float, left_out: Sequence[float]) -> str:
 def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
     """Return modes that only fit what one mode at a peak leaves there, for the highest peak that has such ones."""
     drop = np.zeros(len(modes.poles), bool)
-    if data.known.sum() < ENOUGH:
+    if data.known.any(axis=1).sum() < ENOUGH:
         return drop
     height = np.linalg.norm(np.nan_to_num(modes.residues), axis=(1, 2)) / np.abs(modes.poles.real)
     for k in np.argsort(-height).tolist():
         beside = _beside(modes, height, k)
         alike = np.array([i for i in beside if copies(modes, int(i), k, NEAR)], np.int64)
-        for some in (beside if len(beside) >= SEVERAL else alike, alike):
+        both = len(beside) >= SEVERAL and len(beside) > len(alike)
+        for some in [beside, alike] if both else [alike]:
             if len(some) and _left_without(data, modes, some, k) < PEAK:
                 drop[some] = True
                 return drop
@@ -153,9 +155,8 @@ def _beside(modes: Modes, height: Array, k: int) -> Index:
 
 def _left_without(data: Lines, modes: Modes, some: Index, k: int) -> float:
     """Return what a fit without some modes leaves, as a part of mode k at its peak, or of the functions at theirs."""
-    kept = np.setdiff1d(np.arange(len(modes.poles)), some)
-    fewer = modes.only(np.isin(np.arange(len(modes.poles)), kept))
-    place = int(np.searchsorted(kept, k))
+    kept = ~np.isin(np.arange(len(modes.poles)), some)
+    fewer, place = modes.only(kept), int(kept[:k].sum())
     one = group_fit(data, fewer, next(group for group in groups(fewer.poles) if place in group))
     if not np.isfinite(one.fit.cost):
         return math.inf
@@ -180,13 +181,13 @@ def _part(left: Complex, whole: Complex, s: Complex, pole: complex) -> float:
 
 
 def _on_skirts(data: Lines, modes: Modes) -> NDArray[np.bool_]:
-    """Return modes that are hardly larger than the error of the others, which is at most peaks."""
+    """Return weak modes that are not much larger than the error of the strong ones at most peaks."""
     size = _relative_sizes(data, modes)
     strong = size >= STRONG
     if strong.all() or strong.sum() < PEAKS:
         return np.zeros(len(size), bool)
     alone, _ = settled(data, modes.only(strong))
-    return np.asarray(~strong & (size < GHOST * _at_most_peaks(slow_errors(data, alone))))
+    return np.asarray(~strong & (size < SPURIOUS * _at_most_peaks(slow_errors(data, alone))))
 
 
 def _at_most_peaks(errors: Array) -> float:
@@ -206,10 +207,10 @@ def _relative_sizes(data: Lines, modes: Modes) -> Array:
 
 
 def slow_errors(data: Lines, modes: Modes) -> Array:
-    """Return what modes leave that varies slowly over the lines of each, as a part of the functions there, (N,).
+    """Return the part of the functions at each peak that modes leave and that varies slowly over the lines, (N,).
 
-    Noise is as often of one sign as of the other some lines on; an error of the model is not.  NaN for a peak of few
-    lines.
+    What is left at lines some way apart is uncorrelated if it is noise, and correlated if it is a model error.
+    NaN for a peak of few lines.
     """
     known, f = data.known, data.frequencies
     left = _left(data, modes)[:, known]

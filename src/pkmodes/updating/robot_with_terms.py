@@ -205,9 +205,11 @@ class RobotWithTerms:
         if present is None and not of_terms:
             return self.robot.predict(own, of_robot, shape_rates=shape_rates)
         if present is None:
-            sites = [(site, without_term(site)) for site in self._at(own)]
-            absent = [TermRates(site, modes, None) for site, modes in sites if modes is not None]
-            if not absent or len(absent) < len(sites):
+            sites = self._at(own)
+            absent = [
+                TermRates(site, modes, None) for site in sites if (modes := without_term(site)) is not None
+            ]
+            if not sites or len(absent) < len(sites):
                 return self._nothing(len(by))
             of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
             prediction = self.robot.predict(own, of_robot, shape_rates=shape_rates)

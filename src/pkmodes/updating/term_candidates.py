@@ -29,8 +29,8 @@ STIFFEST = 10.0
 PARTS = (0.03, 0.15, 0.6)
 #: Frequencies from which it is fitted, and the range of these, from the lowest and highest frequency of the machine.
 FREQUENCIES, LOWEST, HIGHEST = 20, 0.6, 1.15
-#: Frequencies from which the mode of a support is fitted above that range, in highest frequencies of the machine: it
-#: then only yields.
+#: Frequencies above that range from which the mode of a support is fitted, as multiples of the machine's highest: the
+#: support is then hardly more than a spring in series.
 ABOVE = (1.4, 2.0, 3.0, 5.0, 8.0)
 #: Compliances of a bearing without a mass of its own, in those of the belt there.
 YIELDS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)

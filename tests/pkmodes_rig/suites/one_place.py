@@ -86,7 +86,7 @@ def _said(o: PlaceOutcome) -> str:
 
 def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[str]:
     """Return the lines of the page."""
-    drawn, outcomes = outcomes, [o for o in outcomes if o.state != UNREACHED]
+    every, outcomes = outcomes, [o for o in outcomes if o.state != UNREACHED]
     faults = [o for o in outcomes if o.case.suite in ("clear", "faint")]
     laws = [o for o in outcomes if o.case.suite == "outside the grammar"]
     return [
@@ -101,7 +101,7 @@ def page(outcomes: Sequence[PlaceOutcome], seconds: float, pool: Pool) -> list[s
         "",
         *([f"Seed {outcomes[0].case.seed}."] if outcomes else []),
         f"The suites were tried with the seeds {SEEN}.",
-        *_left_out(drawn),
+        *_left_out(every),
         "",
         "## Requirements",
         "",
@@ -217,7 +217,9 @@ def _left_out(outcomes: Sequence[PlaceOutcome]) -> list[str]:
     """Say how many cases were not run, and in how many no fault can be as large as asked."""
     every, ran, unreached = sum(1 for _ in cases()), len(outcomes), count(outcomes, UNREACHED)
     lines = ["", f"**Not every case was run**: {ran} of {every}."] if ran < every else []
-    some = f"In {unreached} of {ran} cases no fault of the kind changes the frequencies as much as asked anywhere."
+    some = (
+        f"In {unreached} of {ran} cases no fault of that kind was large enough at any place that was drawn."
+    )
     return [*lines, "", some] if unreached else lines
 
 

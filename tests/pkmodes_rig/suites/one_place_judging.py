@@ -48,6 +48,8 @@ class PlaceOutcome(Outcome[PlaceCase]):
     change : float
         Root mean square of the relative changes of the frequencies that were found.
     rows : int
+
+    `rule` is the one beyond the catalogue that decided, if terms were tried.
     """
 
     truth: tuple[str, ...] = ()

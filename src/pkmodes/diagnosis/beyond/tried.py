@@ -203,7 +203,7 @@ class _Explorer:
             and not fit.at_bound
             and own.p_value(fit) > level
         ]
-        # Of several with the same causes, the best: others set other rows aside.
+        # Fits with the same causes may set different rows aside: the best of them is carried.
         each = {fit.causes: fit for fit in sorted(some, key=own.criterion, reverse=True)}
         best = sorted(each.values(), key=own.criterion)[:CARRIED]
         fits = [self.store.fit(fit.hypothesis, self._padded(fit)) for fit in best]

@@ -13,6 +13,7 @@ def one_term(e: Evidence) -> str:
     term = e.term_instead if several or local else None
     if term is None:
         return ""
-    together, better = ("together ", "alone") if several else ("", "better")
-    who = names(e.final.causes)
-    return f"{who} {together}would explain the residual, but {described(term.causes)} would do so {better}"
+    what = described(term.causes)
+    if several:
+        return f"{names(e.final.causes)} together would explain the residual, but {what} would do so alone"
+    return f"{e.explains} the residual, but {what} would do so better"
