@@ -33,7 +33,7 @@ Values = Mapping[str, float]
 
 @dataclass(frozen=True)
 class PlaceOutcome(Outcome[PlaceCase]):
-    """Outcome of a case.
+    """Outcome of a case; `rule` is the one beyond the catalogue that decided, if terms were tried.
 
     Attributes
     ----------
@@ -48,8 +48,6 @@ class PlaceOutcome(Outcome[PlaceCase]):
     change : float
         Root mean square of the relative changes of the frequencies that were found.
     rows : int
-
-    `rule` is the one beyond the catalogue that decided, if terms were tried.
     """
 
     truth: tuple[str, ...] = ()
