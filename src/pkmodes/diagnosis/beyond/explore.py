@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.diagnosis.beyond.evidence import EQUAL, TermEvidence, name_of
+from pkmodes.diagnosis.beyond.evidence import TermEvidence, name_of
+from pkmodes.diagnosis.beyond.instead import instead, may_compete, of_one_place
 from pkmodes.diagnosis.beyond.rules import BEYOND
 from pkmodes.diagnosis.beyond.tried import tried
 from pkmodes.diagnosis.fit.hypothesis import Fit
@@ -47,14 +48,12 @@ class TermSearch:
         return self._found[1]
 
     def instead(self, catalogue: Evidence) -> Fit | None:
-        """Return the fit with one term that is better by the criterion than the causes of the catalogue."""
-        of_terms = self.evidence(catalogue)
-        if of_terms is None or not of_terms.found or not of_terms.final.causes[0].form:
+        """Return the fit with one term that explains the data in place of the causes of the catalogue."""
+        asked = of_one_place(catalogue) or in_one_joint(self.structure, catalogue)
+        if not asked and not may_compete(self.structure.with_terms(), catalogue, self.held):
             return None
-        own, criterion = catalogue.final.causes, of_terms.store.criterion
-        again = (fit for fit in of_terms.tried.carried if fit.causes == own)
-        best = min(map(criterion, again), default=-np.inf)  # what cannot be compared stays
-        return of_terms.final if criterion(of_terms.final) < best - EQUAL else None
+        of_terms = self.evidence(catalogue)
+        return None if of_terms is None else instead(of_terms, catalogue)
 
     def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
         """Return the evidence for terms; None where the verdict of the catalogue leaves nothing to try."""

@@ -167,7 +167,7 @@ class _Explorer:
         """Try all terms; None if the structure cannot be evaluated."""
         self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
         errors, seen = Hypothesis(), list[Hypothesis]()
-        plain = self.store.fit(errors, self._padded(self.catalogue.outcome.nuisances))
+        plain = self.store.fit(errors, self.fitter.padded(self.catalogue.outcome.nuisances.values))
         if plain is None:
             return None
         fits = first = self._refitted(plain)
@@ -185,12 +185,6 @@ class _Explorer:
         beside = self.store.fit(errors) or plain
         return Tried(self.setups, self.search, self.terms, beside, tuple(fits), tuple(self._carried()))
 
-    def _padded(self, fit: Fit) -> Array:
-        """Return the values of a fit of the catalogue, with all terms absent."""
-        values = self.fitter.declared.copy()
-        values[: len(fit.values)] = fit.values
-        return values
-
     def _carried(self) -> list[Fit]:
         """Return the best explanations of the catalogue that leave noise, fitted again."""
         own, level = self.catalogue.store, self.criteria.gate.surely
@@ -206,7 +200,7 @@ class _Explorer:
         # Fits with the same causes may set different rows aside: the best of them is carried.
         each = {fit.causes: fit for fit in sorted(some, key=own.criterion, reverse=True)}
         best = sorted(each.values(), key=own.criterion)[:CARRIED]
-        fits = [self.store.fit(fit.hypothesis, self._padded(fit)) for fit in best]
+        fits = [self.store.fit(fit.hypothesis, self.fitter.padded(fit.values)) for fit in best]
         return [fit for fit in fits if fit is not None]
 
     def _refitted(self, plain: Fit) -> list[Fit]:

@@ -72,6 +72,10 @@ class Fitter:
         """Return the indices of a cause's parameters."""
         return tuple(self._index[name] for name in cause.parameters)
 
+    def padded(self, values: Array) -> Array:
+        """Return values of the first parameters, as of a fit of fewer, with the declared ones of the others."""
+        return np.concatenate([values, self.declared[len(values) :]])
+
     def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
         used = self.observations.every

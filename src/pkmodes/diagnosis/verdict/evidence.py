@@ -81,7 +81,7 @@ class Evidence:
     claim : Claim, optional
         By default, of the outcome of the search.
     term_instead : callable, optional
-        Returns the fit with one term that is better by the criterion than this evidence's causes; None if none is.
+        Returns the fit with one term that explains the data in place of this evidence's causes; None if none does.
     """
 
     def __init__(
@@ -126,7 +126,7 @@ class Evidence:
 
     @cached_property
     def term_instead(self) -> Fit | None:
-        """The fit with one term, beyond the catalogue, that is better by the criterion than the causes."""
+        """The fit with one term, beyond the catalogue, that explains the data in place of the causes."""
         return None if self._term_instead is None else self._term_instead(self)
 
     @cached_property

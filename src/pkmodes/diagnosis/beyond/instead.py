@@ -1,0 +1,75 @@
+"""Whether one term explains the data in place of what the catalogue would claim.
+
+A cause that acts on the whole machine is one of few: it is preferred to the best of many terms unless that is better
+by more than chance.  Several causes, or a wrong value of one axis, are not: of these there are as many as of terms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pkmodes.diagnosis.beyond.evidence import EQUAL, TermEvidence, best_first
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.search.score import score
+from pkmodes.diagnosis.verdict.classes import nested
+from pkmodes.diagnosis.verdict.evidence import Evidence
+
+#: Terms are tried before one cause is claimed if the linear model promises one of them this part of its gain.
+COMPETES = 0.5
+
+
+def of_one_place(catalogue: Evidence) -> bool:
+    """Return whether what would be claimed is several causes, or a wrong value of one axis."""
+    local = any(fit.causes[-1].local for fits in catalogue.claim.own for fit in fits)
+    return len(catalogue.final.causes) > 1 or local
+
+
+def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) -> bool:
+    """Return whether some term of a structure may explain as much as the causes, by the linear model.
+
+    Parameters
+    ----------
+    structure : Structure
+        With its terms, at all measured setups.
+    held : sequence of int
+        Held-out setups.
+    """
+    data, declared = catalogue.setups.data, catalogue.outcome.nuisances
+    fitted = [i for i in range(len(data.labels)) if i not in held]
+    fitter = Fitter(
+        structure.subset(fitted), data.at(fitted), catalogue.criteria, catalogue.fitter.shape_scatter
+    )
+    plain = FitStore(fitter).fit(Hypothesis(), fitter.padded(declared.values))
+    if plain is None:
+        return False
+    terms = [one for one in structure.candidates if one.form and not one.starts]
+    most = max((one.gain for one in score(fitter, plain, terms).each), default=0.0)
+    return most >= COMPETES * (declared.deviance - catalogue.final.deviance)
+
+
+def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
+    """Return the best term that survives beside several causes or one of one axis, or is clearly better than others.
+
+    A term that does exactly the same as a cause, such as a mass on a carriage and a heavier carriage, is none, nor is
+    one joint alone of a cause with a value for each.
+    """
+    own, criterion = catalogue.final.causes, of_terms.store.criterion
+    again = [fit for fit in of_terms.tried.carried if fit.causes == own]
+    if not again:  # what cannot be compared stays
+        return None
+    claimed = min(again, key=criterion)
+    limit, worth = criterion(claimed), catalogue.criteria.search.worth
+    rivals = [
+        fit
+        for group in of_terms.groups
+        for fit in group
+        if all(cause.form for cause in fit.causes) and not nested(of_terms.fitter, fit, claimed)
+    ]
+    if of_one_place(catalogue):
+        left = [fit for fit in rivals if abs(criterion(fit) - limit) > EQUAL]
+    else:
+        left = [fit for fit in rivals if criterion(fit) < limit - worth]
+    return next(iter(best_first(of_terms.store, left)), None)
