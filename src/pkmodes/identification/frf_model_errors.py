@@ -35,6 +35,8 @@ Index = NDArray[np.int64]
 
 #: One peak: modes nearer than a bandwidth and alike, of which one leaves less than this part of the peak.
 NEAR, PEAK = 1.0, 0.1
+#: A mode that is this much broader than the peak fits what is left of its skirts, with any shape.
+BROAD = 3.0
 #: Shapes at fewer sensors are alike by chance.
 ENOUGH = 3
 #: Where one mode fits the peak, as many others beside it are spurious even if their shapes differ.
@@ -132,7 +134,8 @@ def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
     height = np.linalg.norm(np.nan_to_num(modes.residues), axis=(1, 2)) / np.abs(modes.poles.real)
     for k in np.argsort(-height).tolist():
         beside = _beside(modes, height, k)
-        alike = np.array([i for i in beside if copies(modes, int(i), k, NEAR)], np.int64)
+        broad = modes.half_widths > BROAD * modes.half_widths[k]
+        alike = np.array([i for i in beside if broad[i] or copies(modes, int(i), k, NEAR)], np.int64)
         both = len(beside) >= SEVERAL and len(beside) > len(alike)
         for some in [beside, alike] if both else [alike]:
             if len(some) and _left_without(data, modes, some, k) < PEAK:

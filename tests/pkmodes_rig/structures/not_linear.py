@@ -6,6 +6,8 @@ highest peak.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
@@ -19,6 +21,8 @@ FREQUENCIES, DAMPING = (1074.0, 1961.0, 2617.0), (0.034, 0.030, 0.025)
 SHAPES = np.array([[1.0, 0.7, 0.4, 0.2, 0.1], [-0.6, 0.2, 0.7, 0.6, 0.3], [0.3, -0.5, 0.1, 0.6, 0.5]])
 #: Iterations of the amplitudes of a joint: each changes them by a few per cent of the step before.
 ITERATIONS = 200
+#: Amplitude at which a Jenkins element begins to slip, as a part of that at the peak of the linear mode.
+SLIPS = 0.3
 #: Lines over which errors of a function are alike.
 ALIKE = 30
 
@@ -27,6 +31,9 @@ def responses(
     rng: np.random.Generator,
     *,
     softens: float = 0.0,
+    cubic: float = 0.0,
+    jenkins: float = 0.0,
+    transducer: float = math.inf,
     error: float = 0.0,
     common: bool = False,
     noise: float = 0.002,
@@ -38,6 +45,12 @@ def responses(
     softens : float
         Part by which a frequency is lower at the peak than at small amplitudes; the damping rises by twice as much,
         as in joints that slip (harmonic balance).
+    cubic : float
+        Part by which a cubic spring raises the stiffness at the peak of the linear mode.
+    jenkins : float
+        Part of the stiffness that a Jenkins element has, which slips above an amplitude.
+    transducer : float
+        Frequency of the transducer's own resonance [Hz].
     error : float
         Root mean square of an error in proportion to the function, which varies over some `ALIKE` lines.
     common : bool
@@ -46,10 +59,11 @@ def responses(
         Standard deviation, as a part of the largest value.
     """
     H = sum(
-        _mode(f, zeta, softens)[:, None] * shape
+        _mode(f, zeta, softens, cubic, jenkins)[:, None] * shape
         for f, zeta, shape in zip(FREQUENCIES, DAMPING, SHAPES, strict=True)
     )
     H = -((LINES / FREQUENCIES[0]) ** 2)[:, None] * np.asarray(H)
+    H = H * (1.0 / (1.0 - (LINES / transducer) ** 2 + 0.04j * LINES / transducer))[:, None]
     parts = rng.standard_normal((2, len(LINES), 1 if common else H.shape[1]))
     slow = gaussian_filter1d(parts, ALIKE, axis=1)
     slow = slow[0] + 1j * slow[1]
@@ -58,15 +72,21 @@ def responses(
     return np.asarray(H + noise * np.abs(H).max() * (white[0] + 1j * white[1]))[..., None]
 
 
-def _mode(frequency: float, zeta: float, softens: float) -> Complex:
-    """Return the receptance of a mode, of height 1 at the peak of the linear one."""
+def _mode(frequency: float, zeta: float, softens: float, cubic: float, jenkins: float) -> Complex:
+    """Return the receptance of a mode, of height 1 at the peak of the linear one, by harmonic balance."""
     w, s = 2.0 * np.pi * frequency, 2j * np.pi * LINES
 
     def receptance(amplitude: Array) -> Complex:
-        wa, damped = w * (1.0 - softens * amplitude), zeta * (1.0 + 2.0 * softens * amplitude)
-        return np.asarray(2.0 * zeta * w**2 / (wa**2 + s**2 + 2.0 * damped * wa * s))
+        slipping = np.maximum(amplitude, SLIPS)
+        angle = np.arccos(1.0 - 2.0 * SLIPS / slipping)
+        sticks = (angle - 0.5 * np.sin(2.0 * angle)) / np.pi
+        lost = 4.0 * SLIPS * (slipping - SLIPS) / (np.pi * slipping**2)
+        slip = jenkins * (1.0 - sticks - 1j * lost)
+        stiffness = (1.0 - softens * amplitude) ** 2 + cubic * amplitude**2 - slip
+        damped = zeta * (1.0 + 2.0 * softens * amplitude) * (1.0 - softens * amplitude)
+        return np.asarray(2.0 * zeta * w**2 / (w**2 * stiffness + s**2 + 2.0 * damped * w * s))
 
     amplitude = np.zeros(len(LINES))
     for _ in range(ITERATIONS):
-        amplitude = 0.5 * amplitude + 0.5 * np.abs(receptance(amplitude))
+        amplitude = 0.7 * amplitude + 0.3 * np.abs(receptance(amplitude))
     return receptance(amplitude)
