@@ -125,6 +125,27 @@ class StepDocument(Document, frozen=True, kw_only=True):
     ]
 
 
+class FirmwareVersionDocument(Document, frozen=True):
+    """Lines for the versions of a firmware that make the same impulses of the same lines."""
+
+    firmware: Annotated[str, Meta(description="klipper, marlin or reprapfirmware.")]
+    option: Annotated[str, Meta(description="Value of --firmware that chooses the newest of them.")]
+    version: Annotated[
+        str,
+        Meta(description="Their name and dates; the firmware alone where all known versions make the same."),
+    ]
+    lines: Annotated[
+        str | None, Meta(description="The lines; null where they lack the shaper, or one of them.")
+    ]
+    worst: Annotated[
+        Size | None,
+        Meta(
+            description="What the impulses that they make leave, as worst of left (of measured modes: "
+            "worst_uncertain); null without lines."
+        ),
+    ]
+
+
 class ScheduleDocument(Document, frozen=True):
     """Fixed shapers for one setting each."""
 
@@ -141,6 +162,12 @@ class ScheduleDocument(Document, frozen=True):
         Meta(
             description="Commands of all steps, each after a comment that says where it belongs; null where the "
             "firmware lacks one of the shapers."
+        ),
+    ]
+    firmware_versions: Annotated[
+        list[FirmwareVersionDocument],
+        Meta(
+            description="The same with the versions for which they are, and those for others where they differ."
         ),
     ]
 
@@ -193,7 +220,15 @@ class ShaperDocument(Document, frozen=True):
     spectrum: SpectrumDocument | None
     firmware: Annotated[
         dict[str, str | None],
-        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+        Meta(
+            description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
+        ),
+    ]
+    firmware_versions: Annotated[
+        list[FirmwareVersionDocument],
+        Meta(
+            description="The same with the versions for which they are, and those for others where they differ."
+        ),
     ]
     schedule: Annotated[
         ScheduleDocument | None,
@@ -251,7 +286,15 @@ class MeasuredShaperDocument(Document, frozen=True):
     spectrum: SpectrumDocument | None
     firmware: Annotated[
         dict[str, str | None],
-        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+        Meta(
+            description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
+        ),
+    ]
+    firmware_versions: Annotated[
+        list[FirmwareVersionDocument],
+        Meta(
+            description="The same with the versions for which they are, and those for others where they differ."
+        ),
     ]
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
 
@@ -259,6 +302,7 @@ class MeasuredShaperDocument(Document, frozen=True):
 def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
     """Return the result for a robot."""
     from pkmodes.shaping.choice import lines_of
+    from pkmodes.shaping.offers import offers
     from pkmodes.shaping.remarks import remarks
 
     best = choice.candidates[choice.recommended]
@@ -273,12 +317,14 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         recommended=choice.recommended,
         spectrum=seen,
         firmware=lines_of(best),
-        schedule=None if choice.schedule is None else _schedule(choice.schedule),
+        firmware_versions=[FirmwareVersionDocument(*one) for one in offers(choice)],
+        schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
         notes=[*choice.notes, *remarks(choice), *said],
     )
 
 
-def _schedule(schedule: Schedule) -> ScheduleDocument:
+def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
+    from pkmodes.shaping.offers import schedule_offers
     from pkmodes.shaping.results import command_of
 
     steps = [
@@ -303,6 +349,7 @@ def _schedule(schedule: Schedule) -> ScheduleDocument:
         left=_left(schedule.left),
         steps=steps,
         firmware=schedule.lines(),
+        firmware_versions=[FirmwareVersionDocument(*one) for one in schedule_offers(choice, schedule)],
     )
 
 
@@ -332,6 +379,7 @@ def _design(one: Candidate) -> dict[str, list[float]]:
 def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
     """Return the result for measured modes."""
     from pkmodes.shaping.choice import lines_of
+    from pkmodes.shaping.offers import offers
     from pkmodes.shaping.remarks import remarks
 
     at = of_measured(choice)
@@ -372,5 +420,6 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
         measured_modes=modes,
         spectrum=seen,
         firmware=lines_of(best),
+        firmware_versions=[FirmwareVersionDocument(*one) for one in offers(choice)],
         notes=[*choice.notes, *remarks(choice), *said],
     )
