@@ -12,7 +12,7 @@ import pkmodes
 from pkmodes.shaping import KINDS, residual, shaper
 from pkmodes.shaping.firmware import change, command, firmware, setting
 from pkmodes.shaping.firmware_impulses import as_made
-from pkmodes.shaping.offers import offers
+from pkmodes.shaping.version_lines import lines_by_version
 
 ROOT = Path(__file__).parents[2]
 F, ZETA = 31.27, 0.02
@@ -163,7 +163,7 @@ def test_versions_that_differ_are_offered_with_what_each_leaves() -> None:
     model = pkmodes.load(ROOT / "robots/corexy-printer.toml").with_values({"damping.ratio": 0.06})
     choice = model.shapers([[0.05, 0.05]], "2hump_ei", modes=1)
     best, at = choice.candidates[0], choice.ringing
-    found = {one.option: one for one in offers(choice)}
+    found = {one.option: one for one in lines_by_version(choice)}
     assert list(found) == [
         "klipper",
         "klipper-2025-08",

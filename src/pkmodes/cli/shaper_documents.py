@@ -10,6 +10,7 @@ from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives
 from pkmodes.shaping.measured_modes import LeftOfModes, of_measured
+from pkmodes.shaping.version_lines import VersionLines, lines_by_version, schedule_lines_by_version
 from pkmodes.support.documents import Count, Document, Number, Size
 from pkmodes.support.numbers import plain
 
@@ -23,6 +24,13 @@ if TYPE_CHECKING:
 SettingsOf = Annotated[
     dict[str, float],
     Meta(description="Values of --set there, by path, in SI units; present only with --set."),
+]
+#: Beside the lines for the current versions.
+VersionsOf = Annotated[
+    list[VersionLines],
+    Meta(
+        description="The same with the versions for which they are, and those for others where they differ."
+    ),
 ]
 
 
@@ -125,27 +133,6 @@ class StepDocument(Document, frozen=True, kw_only=True):
     ]
 
 
-class FirmwareVersionDocument(Document, frozen=True):
-    """Lines for the versions of a firmware that make the same impulses of the same lines."""
-
-    firmware: Annotated[str, Meta(description="klipper, marlin or reprapfirmware.")]
-    option: Annotated[str, Meta(description="Value of --firmware that chooses the newest of them.")]
-    version: Annotated[
-        str,
-        Meta(description="Their name and dates; the firmware alone where all known versions make the same."),
-    ]
-    lines: Annotated[
-        str | None, Meta(description="The lines; null where they lack the shaper, or one of them.")
-    ]
-    worst: Annotated[
-        Size | None,
-        Meta(
-            description="What the impulses that they make leave, as worst of left (of measured modes: "
-            "worst_uncertain); null without lines."
-        ),
-    ]
-
-
 class ScheduleDocument(Document, frozen=True):
     """Fixed shapers for one setting each."""
 
@@ -164,12 +151,7 @@ class ScheduleDocument(Document, frozen=True):
             "firmware lacks one of the shapers."
         ),
     ]
-    firmware_versions: Annotated[
-        list[FirmwareVersionDocument],
-        Meta(
-            description="The same with the versions for which they are, and those for others where they differ."
-        ),
-    ]
+    firmware_versions: VersionsOf
 
 
 class SpectrumDocument(Document, frozen=True):
@@ -224,12 +206,7 @@ class ShaperDocument(Document, frozen=True):
             description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
         ),
     ]
-    firmware_versions: Annotated[
-        list[FirmwareVersionDocument],
-        Meta(
-            description="The same with the versions for which they are, and those for others where they differ."
-        ),
-    ]
+    firmware_versions: VersionsOf
     schedule: Annotated[
         ScheduleDocument | None,
         Meta(description="The shaper of each setting; null unless --set gives several values."),
@@ -290,19 +267,13 @@ class MeasuredShaperDocument(Document, frozen=True):
             description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
         ),
     ]
-    firmware_versions: Annotated[
-        list[FirmwareVersionDocument],
-        Meta(
-            description="The same with the versions for which they are, and those for others where they differ."
-        ),
-    ]
+    firmware_versions: VersionsOf
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
 
 
 def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
     """Return the result for a robot."""
     from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.offers import offers
     from pkmodes.shaping.remarks import remarks
 
     best = choice.candidates[choice.recommended]
@@ -317,14 +288,13 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         recommended=choice.recommended,
         spectrum=seen,
         firmware=lines_of(best),
-        firmware_versions=[FirmwareVersionDocument(*one) for one in offers(choice)],
+        firmware_versions=lines_by_version(choice),
         schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
         notes=[*choice.notes, *remarks(choice), *said],
     )
 
 
 def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
-    from pkmodes.shaping.offers import schedule_offers
     from pkmodes.shaping.results import command_of
 
     steps = [
@@ -349,7 +319,7 @@ def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
         left=_left(schedule.left),
         steps=steps,
         firmware=schedule.lines(),
-        firmware_versions=[FirmwareVersionDocument(*one) for one in schedule_offers(choice, schedule)],
+        firmware_versions=schedule_lines_by_version(choice, schedule),
     )
 
 
@@ -379,7 +349,6 @@ def _design(one: Candidate) -> dict[str, list[float]]:
 def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
     """Return the result for measured modes."""
     from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.offers import offers
     from pkmodes.shaping.remarks import remarks
 
     at = of_measured(choice)
@@ -420,6 +389,6 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
         measured_modes=modes,
         spectrum=seen,
         firmware=lines_of(best),
-        firmware_versions=[FirmwareVersionDocument(*one) for one in offers(choice)],
+        firmware_versions=lines_by_version(choice),
         notes=[*choice.notes, *remarks(choice), *said],
     )

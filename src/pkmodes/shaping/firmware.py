@@ -54,8 +54,8 @@ VERSIONS = {
 ASK = {
     "klipper": "Klipper writes its version at the start of klippy.log, and web interfaces show it; forks count anew.",
     "marlin": 'Send M493 V: Marlin from October 2025 answers "FTM V2", an older one only "ok". Afterwards M493 by '
-    "itself reports the shaper: S1 with letters of another version turns fixed-time motion on without one. Still older "
-    "ones choose the shaper by S10 and above; there are no lines for these.",
+    "itself reports the shaper: S1 with letters of another version turns fixed-time motion on without one. Still "
+    "older ones choose the shaper by S10 and above; there are no lines for these.",
     "reprapfirmware": "M115 reports the version of RepRapFirmware.",
 }
 #: The shapers of Klipper, and the largest damping ratio that it accepts (from 4 October 2025 on, commit 768b19e8b).

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from typing import NamedTuple
+from typing import Annotated
 
 import numpy as np
+from msgspec import Meta
 
 from pkmodes.shaping.choice import relative, shaped_by
 from pkmodes.shaping.firmware import NAMES, VERSIONS, name_of, setting
@@ -13,62 +14,60 @@ from pkmodes.shaping.firmware_impulses import as_made
 from pkmodes.shaping.results import Candidate, Choice, Schedule
 from pkmodes.shaping.schedule import each_setting
 from pkmodes.shaping.shapers import Shaper
+from pkmodes.support.documents import Document, Size
 
 #: Decimal digits of amplitudes and delays [s] that tell impulses apart.
 DIGITS = 9
 
 
-class Offer(NamedTuple):
-    """The lines of the versions of a firmware that make the same of the same lines.
+class VersionLines(Document, frozen=True):
+    """Lines for the versions of a firmware that make the same impulses of the same lines."""
 
-    Attributes
-    ----------
-    firmware : str
-        A key of `pkmodes.shaping.firmware.NAMES`.
-    option : str
-        The newest of the versions, a key of `pkmodes.shaping.firmware.VERSIONS`.
-    version : str
-        Its name with its dates; that of the firmware alone where all versions known make the same.
-    lines : str or None
-        None where it lacks a shaper.
-    worst : float or None
-        What its impulses leave, the largest value as `Amplitude.worst`; None without lines.
-    """
-
-    firmware: str
-    option: str
-    version: str
-    lines: str | None
-    worst: float | None
+    firmware: Annotated[str, Meta(description="klipper, marlin or reprapfirmware.")]
+    option: Annotated[str, Meta(description="Value of --firmware that chooses the newest of them.")]
+    version: Annotated[
+        str,
+        Meta(description="Their name and dates; the firmware alone where all known versions make the same."),
+    ]
+    lines: Annotated[
+        str | None, Meta(description="The lines; null where they lack the shaper, or one of them.")
+    ]
+    worst: Annotated[
+        Size | None,
+        Meta(
+            description="What the impulses that they make leave, as worst of left (of measured modes: "
+            "worst_uncertain); null without lines."
+        ),
+    ]
 
 
-def offers(choice: Choice) -> list[Offer]:
+def lines_by_version(choice: Choice) -> list[VersionLines]:
     """Return the lines of the recommended shaper, for each firmware the newest versions first."""
     best = choice.candidates[choice.recommended]
 
-    def offered(version: str, name: str) -> Offer:
+    def written(version: str, name: str) -> VersionLines:
         lines, worst = setting(version, *best.design), None
         if lines is not None:
             made = made_by(version, best)
             worst = relative(made, choice.ringing, shaped_by(made, choice.ringing)).worst
-        return Offer(VERSIONS[version].firmware, version, name, lines, worst)
+        return VersionLines(VERSIONS[version].firmware, version, name, lines, worst)
 
-    return _grouped(lambda version: (setting(version, *best.design), _key(made_by(version, best))), offered)
+    return _grouped(lambda version: (setting(version, *best.design), _key(made_by(version, best))), written)
 
 
-def schedule_offers(choice: Choice, schedule: Schedule) -> list[Offer]:
+def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[VersionLines]:
     """Return the commands of a schedule, likewise; what is left is that over all settings."""
     every, at = [step.best for step in schedule.steps], choice.ringing
 
-    def offered(version: str, name: str) -> Offer:
+    def written(version: str, name: str) -> VersionLines:
         lines, worst = schedule.commands(version), None
         if lines is not None:
             made = each_setting([made_by(version, one) for one in every], at)
             worst = relative(made, at, shaped_by(made, at)).worst
-        return Offer(VERSIONS[version].firmware, version, name, lines, worst)
+        return VersionLines(VERSIONS[version].firmware, version, name, lines, worst)
 
     return _grouped(
-        lambda version: (schedule.commands(version), *(_key(made_by(version, one)) for one in every)), offered
+        lambda version: (schedule.commands(version), *(_key(made_by(version, one)) for one in every)), written
     )
 
 
@@ -84,8 +83,10 @@ def _key(shaper: Shaper) -> Hashable:
     return tuple(map(float, np.round(np.concatenate(shaper), DIGITS)))
 
 
-def _grouped(key: Callable[[str], Hashable], offered: Callable[[str, str], Offer]) -> list[Offer]:
-    """Return one offer for successive versions of a firmware with the same key."""
+def _grouped(
+    key: Callable[[str], Hashable], written: Callable[[str, str], VersionLines]
+) -> list[VersionLines]:
+    """Return the lines of successive versions of a firmware with the same key."""
     found = []
     for firmware in NAMES:
         versions = [version for version, one in VERSIONS.items() if one.firmware == firmware]
@@ -95,5 +96,5 @@ def _grouped(key: Callable[[str], Hashable], offered: Callable[[str, str], Offer
                 groups[-1].append(version)
             else:
                 groups.append([version])
-        found += [offered(group[0], name_of(group[0], group[-1])) for group in groups]
+        found += [written(group[0], name_of(group[0], group[-1])) for group in groups]
     return found
