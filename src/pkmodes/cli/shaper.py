@@ -132,7 +132,8 @@ class _Result:
 @click.option(
     "--firmware",
     metavar="NAME",
-    help="klipper, marlin or reprapfirmware: recommend only a shaper that it has.",
+    help="klipper, marlin or reprapfirmware: compare shapers as its current version makes them, and recommend one "
+    "that it has; versions before are klipper-2025-09, klipper-2025-08, marlin-2025-09 and reprapfirmware-3.5.",
 )
 @click.option(
     "--drives",
@@ -292,8 +293,9 @@ def _of_robot(
         return shaper_report(model, choice, content, sources, spectrum)
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
-        from pkmodes.report.shaper import firmware_lines, machine, shapers_table, summary
-        from pkmodes.report.shaper_schedule import schedule_blocks, schedule_lines
+        from pkmodes.report.firmware_lines import firmware_lines, schedule_lines
+        from pkmodes.report.shaper import machine, shapers_table, summary
+        from pkmodes.report.shaper_schedule import schedule_blocks
 
         printed: list[Shown] = [
             machine(model, choice, content),
@@ -318,7 +320,7 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
         return measured_shaper_report(choice, content, sources, spectrum)
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
-        from pkmodes.report.shaper import firmware_lines
+        from pkmodes.report.firmware_lines import firmware_lines
         from pkmodes.report.shaper_measured import modes_table, shapers_table, summary
 
         printed: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]

@@ -10,6 +10,7 @@ from msgspec import Meta
 
 from pkmodes.core.base.drives import Drives
 from pkmodes.shaping.measured_modes import LeftOfModes, of_measured
+from pkmodes.shaping.version_lines import VersionLines, lines_by_version, schedule_lines_by_version
 from pkmodes.support.documents import Count, Document, Number, Size
 from pkmodes.support.numbers import plain
 
@@ -23,6 +24,13 @@ if TYPE_CHECKING:
 SettingsOf = Annotated[
     dict[str, float],
     Meta(description="Values of --set there, by path, in SI units; present only with --set."),
+]
+#: Beside the lines for the current versions.
+VersionsOf = Annotated[
+    list[VersionLines],
+    Meta(
+        description="The same with the versions for which they are, and those for others where they differ."
+    ),
 ]
 
 
@@ -143,6 +151,7 @@ class ScheduleDocument(Document, frozen=True):
             "firmware lacks one of the shapers."
         ),
     ]
+    firmware_versions: VersionsOf
 
 
 class SpectrumDocument(Document, frozen=True):
@@ -193,8 +202,11 @@ class ShaperDocument(Document, frozen=True):
     spectrum: SpectrumDocument | None
     firmware: Annotated[
         dict[str, str | None],
-        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+        Meta(
+            description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
+        ),
     ]
+    firmware_versions: VersionsOf
     schedule: Annotated[
         ScheduleDocument | None,
         Meta(description="The shaper of each setting; null unless --set gives several values."),
@@ -251,8 +263,11 @@ class MeasuredShaperDocument(Document, frozen=True):
     spectrum: SpectrumDocument | None
     firmware: Annotated[
         dict[str, str | None],
-        Meta(description="Lines for klipper, marlin and reprapfirmware; null where it has no such shaper."),
+        Meta(
+            description="Lines for the current klipper, marlin and reprapfirmware; null where it has no such shaper."
+        ),
     ]
+    firmware_versions: VersionsOf
     notes: Annotated[list[str], Meta(description="What the reader should know.")]
 
 
@@ -273,12 +288,13 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         recommended=choice.recommended,
         spectrum=seen,
         firmware=lines_of(best),
-        schedule=None if choice.schedule is None else _schedule(choice.schedule),
+        firmware_versions=lines_by_version(choice),
+        schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
         notes=[*choice.notes, *remarks(choice), *said],
     )
 
 
-def _schedule(schedule: Schedule) -> ScheduleDocument:
+def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
     from pkmodes.shaping.results import command_of
 
     steps = [
@@ -303,6 +319,7 @@ def _schedule(schedule: Schedule) -> ScheduleDocument:
         left=_left(schedule.left),
         steps=steps,
         firmware=schedule.lines(),
+        firmware_versions=schedule_lines_by_version(choice, schedule),
     )
 
 
@@ -372,5 +389,6 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
         measured_modes=modes,
         spectrum=seen,
         firmware=lines_of(best),
+        firmware_versions=lines_by_version(choice),
         notes=[*choice.notes, *remarks(choice), *said],
     )

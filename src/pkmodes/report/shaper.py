@@ -13,14 +13,14 @@ from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.units import SHOWN
 from pkmodes.plots import shapers
 from pkmodes.plots.labels import typeset
-from pkmodes.report.blocks import Cell, Column, Facts, Lines, Paragraph, Picture, Section, Summary, Table
+from pkmodes.report.blocks import Cell, Column, Facts, Paragraph, Picture, Section, Summary, Table
+from pkmodes.report.firmware_lines import firmware_lines, schedule_lines
 from pkmodes.report.formatting import clean, minus, number, pointer, sentence, shortened, thousands
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.shaper_curves import CURVES, design_of, over_frequency_section, spectrum_facts
-from pkmodes.report.shaper_schedule import schedule_blocks, schedule_lines
+from pkmodes.report.shaper_schedule import schedule_blocks
 from pkmodes.report.sources import Source, known_sources
-from pkmodes.shaping.firmware import NAMES
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.settings import with_unit
 from pkmodes.support.numbers import plain
@@ -302,18 +302,3 @@ def _against_error(choice: Choice) -> Picture:
     return Picture.of(
         shapers.against_error(ERRORS, left, spread), "Against frequency error", caption, caption
     )
-
-
-def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
-    """Return the lines for each firmware that has the recommended shaper."""
-    blocks: list[Paragraph | Lines] = [
-        Paragraph(
-            "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."
-        )
-    ]
-    for name, lines in content["firmware"].items():
-        if lines:
-            blocks.append(Lines(NAMES[name], [clean(line) for line in lines.splitlines()]))
-        else:
-            blocks.append(Paragraph(f"{NAMES[name]} has no such shaper."))
-    return blocks

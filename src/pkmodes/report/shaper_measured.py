@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from pkmodes.report.blocks import Cell, Column, Section, Summary, Table
+from pkmodes.report.firmware_lines import firmware_lines
 from pkmodes.report.formatting import clean, label, number, plural, pointer, shortened, uncertain
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
-from pkmodes.report.shaper import as_sentence, firmware_lines, why_recommended
+from pkmodes.report.shaper import as_sentence, why_recommended
 from pkmodes.report.shaper_curves import design_of, over_frequency_section, spectrum_facts
 from pkmodes.report.sources import Source
 from pkmodes.report.tables import table

@@ -1,12 +1,11 @@
-"""The schedule of ``pkmodes shaper --set``: the shaper of each setting, and lines that change it during a print."""
+"""The schedule of ``pkmodes shaper --set``: the shaper of each setting."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from pkmodes.report.blocks import Cell, Column, Lines, Paragraph, Table
+from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import clean, number, pointer, unit
-from pkmodes.shaping.firmware import NAMES
 from pkmodes.support.numbers import plain
 
 if TYPE_CHECKING:
@@ -76,25 +75,3 @@ def _row(one: Step, i: int, layers: bool, one_parameter: bool) -> list[Cell]:
         number(best.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6),
     ]
     return cells
-
-
-def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
-    """Return the lines of the schedule for each firmware that has its shapers; nothing without a schedule."""
-    if content["schedule"] is None:
-        return []
-    layers = content["schedule"]["steps"][0]["heights_m"] is not None
-    where = (
-        "before the first layer that begins at its height or above" if layers else "where its values begin"
-    )
-    blocks: list[Paragraph | Lines] = [
-        Paragraph(
-            f"For the schedule: G-code, each line to be inserted {where}. Klipper takes it if printer.cfg has a "
-            "section [input_shaper]."
-        )
-    ]
-    for name, lines in content["schedule"]["firmware"].items():
-        if lines:
-            blocks.append(Lines(f"{NAMES[name]}, schedule", [clean(line) for line in lines.splitlines()]))
-        else:
-            blocks.append(Paragraph(f"{NAMES[name]} lacks a shaper of the schedule."))
-    return blocks

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping.at_poses import check_factors, following
-from pkmodes.shaping.firmware import NAMES
+from pkmodes.shaping.firmware import NAMES, VERSIONS, name_of, setting
 from pkmodes.shaping.firmware import firmware as lines
+from pkmodes.shaping.firmware_impulses import has_own
 from pkmodes.shaping.fixed import best_fixed
 from pkmodes.shaping.kinds import KINDS, PRODUCT, plain
 from pkmodes.shaping.residual_vibration import residual
@@ -19,6 +20,7 @@ from pkmodes.shaping.results import LEFT, Amplitude, Candidate, Choice
 from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.shapers import Shaper
 from pkmodes.support import numbers
+from pkmodes.support.ordering import joined
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
@@ -56,8 +58,9 @@ def choose(
     check_argument(tick, TIME, "tick", "for example: 0.001")
     if length is not None:
         check_argument(length, TIME, "length", "for example: 0.05")
-    if firmware is not None:
-        check_argument(firmware, one_of(NAMES), "firmware", "for example: klipper")
+    if firmware is not None and not (isinstance(firmware, str) and firmware in VERSIONS):
+        older = ", ".join(name for name in VERSIONS if name not in NAMES)
+        check_argument(firmware, one_of(NAMES), "firmware", f"for example: klipper; older versions: {older}")
     if isinstance(kinds, str):
         kinds = (kinds,)
     names = default_kinds(at.modes) if kinds is None else tuple(dict.fromkeys(map(plain, kinds)))
@@ -72,7 +75,7 @@ def choose(
     for number, name in enumerate(every):
         say(f"shaper {number + 1} of {len(every)}: {name}")
         if number < len(names):
-            frequencies, fixed = best_fixed(name, at)
+            frequencies, fixed = best_fixed(name, at, firmware)
             both.append(_candidate(name, False, frequencies, at.mean_ratio, fixed, at))
         else:
             followed = following(name, at, both[number - len(names)].shaper)
@@ -84,6 +87,8 @@ def choose(
         what = f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
         raise PkmodesError(what, "tick", "shorten the tick, or choose a longer kind")
     recommended, notes = _recommended(candidates, left, length, firmware, at)
+    if firmware is not None:
+        notes += _as_made(candidates, firmware)
     if short:
         kept = {one.kind for one in candidates}
         listed = dict.fromkeys(f"{one.kind}{_variant(one, at) if one.kind in kept else ''}" for one in short)
@@ -101,8 +106,21 @@ def _variant(one: Candidate, at: Ringing) -> str:
 
 
 def lines_of(one: Candidate) -> dict[str, str | None]:
-    """Return the lines of a fixed shaper by firmware; None where it has no such shaper."""
-    return lines(one.kind, one.frequencies, one.damping_ratio, one.shaper)
+    """Return the lines of a fixed shaper for the current version by firmware; None where it has no such shaper."""
+    return lines(*one.design)
+
+
+def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
+    """Say of which kinds a version makes impulses of its own, which are those compared."""
+    own = [
+        one.kind
+        for one in candidates
+        if not one.follows_pose and has_own(version, one.kind, one.damping_ratio)
+    ]
+    if not own:
+        return []
+    are, name = "is" if len(own) == 1 else "are", name_of(version, version)
+    return [f"the fixed {joined(own)} compared {are} as {name} makes {'it' if len(own) == 1 else 'them'}"]
 
 
 def recommended_of(
@@ -117,7 +135,7 @@ def recommended_of(
     length : float or None
         Longest duration allowed [s].
     firmware : str or None
-        That has it; None for any.
+        The version of a firmware that has it; None for any.
 
     Returns
     -------
@@ -131,7 +149,7 @@ def recommended_of(
         for i, one in enumerate(candidates)
         if not one.follows_pose
         and (length is None or one.duration <= length)
-        and (firmware is None or lines_of(one)[firmware] is not None)
+        and (firmware is None or setting(firmware, *one.design) is not None)
     ]
     good = [i for i in allowed if candidates[i].left.worst <= left]
     if good:
@@ -151,17 +169,18 @@ def _recommended(
     notes: list[str] = []
     if best is None:
         fixed = [one for one in candidates if not one.follows_pose]
-        has = [one for one in fixed if firmware is None or lines_of(one)[firmware] is not None]
+        has = [one for one in fixed if firmware is None or setting(firmware, *one.design) is not None]
         if not has:
-            what = f"{NAMES[firmware or '']} has none of the shapers compared: {', '.join(one.kind for one in fixed)}"
+            kinds = ", ".join(one.kind for one in fixed)
+            what = f"{name_of(firmware or '')} has none of the shapers compared: {kinds}"
             raise PkmodesError(what, "firmware", "compare others, such as zv, mzv and ei")
-        of = "" if firmware is None else f" that {NAMES[firmware]} has"
+        of = "" if firmware is None else f" that {name_of(firmware)} has"
         what = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
         shortest = min(one.duration for one in has)
         raise PkmodesError(what, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
     if good:
         return best, notes
-    of = "" if firmware is None else f" of {NAMES[firmware]}"
+    of = "" if firmware is None else f" of {name_of(firmware)}"
     notes.append(
         f"no fixed shaper{of} leaves at most {numbers.plain(100 * left, 3)} % {at.where_most}; the best one is "
         "recommended"

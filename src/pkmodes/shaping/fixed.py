@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize, minimize_scalar
 
+from pkmodes.shaping.firmware_impulses import as_made, settled
 from pkmodes.shaping.kinds import names_of
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.ringing import Ringing
@@ -32,28 +33,44 @@ TOGETHER = 100
 STARTS, APART = 5, 3
 
 
-def best_fixed(kind: str, at: Ringing) -> tuple[tuple[float, ...], Shaper]:
-    """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio."""
-    names, zeta, some = names_of(kind), at.mean_ratio, _chosen(at.unshaped, MOST // at.frequencies.shape[1])
+def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tuple[float, ...], Shaper]:
+    """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio.
+
+    Parameters
+    ----------
+    kind : str
+    at : Ringing
+        Of the machine.
+    version : str, optional
+        Of the firmware whose impulses count, a key of `pkmodes.shaping.firmware.VERSIONS`; by default those of
+        `pkmodes.shaping.shaper`, as for products.
+    """
+    names, zeta = names_of(kind), at.mean_ratio
+    version = None if len(names) > 1 else version
+    some = _chosen(at.unshaped, MOST // at.frequencies.shape[1])
     modes, weights = (at.frequencies[some], at.damping_ratios[some]), at.weights[some]
 
     def worst(log_frequencies: Array) -> float:
-        left = residual(fixed_shaper(kind, np.exp(log_frequencies), zeta), *modes)
+        left = residual(_fixed(kind, np.exp(log_frequencies), zeta, version), *modes)
         return float(np.linalg.norm(weights * left, axis=-1).max())
 
     low, high = modes[0].min() / BEYOND, modes[0].max() * BEYOND
     tried = np.geomspace(low, high, _resolution(names))
-    tables = {name: _table(name, tried, zeta, *modes) for name in names}
+    tables = {name: _table(name, tried, zeta, version, *modes) for name in names}
     starts = _best_combinations([tables[name] for name in names], weights, alike=len(set(names)) == 1)
     found = [_refined(worst, np.log(tried), start) for start in starts]
     best = np.exp(min(found, key=worst))
     if len(set(names)) == 1:
         best = np.sort(best)
-    return tuple(best.tolist()), fixed_shaper(kind, best, zeta)
+    if version is not None:
+        best = np.array([settled(version, kind, float(best[0]), zeta)])
+    return tuple(best.tolist()), _fixed(kind, best, zeta, version)
 
 
-def fixed_shaper(kind: str, frequencies: Array, zeta: float) -> Shaper:
-    """Return the shaper with one frequency for each factor."""
+def _fixed(kind: str, frequencies: Array, zeta: float, version: str | None) -> Shaper:
+    """Return the shaper with one frequency for each factor, as a version of a firmware makes it if there is one."""
+    if version is not None:
+        return as_made(version, kind, float(frequencies[0]), zeta)
     return shaper(kind, frequencies if len(frequencies) > 1 else frequencies[0], zeta)
 
 
@@ -76,9 +93,11 @@ def _resolution(names: tuple[str, ...]) -> int:
     return count
 
 
-def _table(name: str, tried: Array, zeta: float, f: Array, ratios: Array) -> Array:
+def _table(name: str, tried: Array, zeta: float, version: str | None, f: Array, ratios: Array) -> Array:
     """Return the squared vibration that a factor leaves, for every frequency that is tried, (G, N, m)."""
-    return np.stack([residual(shaper(name, frequency, zeta), f, ratios) ** 2 for frequency in tried])
+    return np.stack(
+        [residual(_fixed(name, tried[i : i + 1], zeta, version), f, ratios) ** 2 for i in range(len(tried))]
+    )
 
 
 def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> list[tuple[int, ...]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pkmodes.shaping.choice import lines_of, recommended_of
-from pkmodes.shaping.firmware import DAMPED, KLIPPER, LEAST, MARLIN, NAMES, TOLERANT
+from pkmodes.shaping.firmware import LEAST, MARLIN, NAMES
 from pkmodes.shaping.results import Candidate, Choice
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
@@ -13,11 +13,6 @@ def remarks(choice: Choice) -> list[str]:
     """Return sentences on firmware that lacks the recommended shaper, or makes another one of its lines."""
     best = choice.candidates[choice.recommended]
     notes = _substitutes(choice, best)
-    if best.kind in TOLERANT and DAMPED < best.damping_ratio <= KLIPPER[best.kind]:
-        notes.append(
-            f"with a damping ratio of {best.damping_ratio:.2g} Klipper makes slightly other impulses of {best.kind}, "
-            "by formulas of its own: it leaves somewhat more than is said here"
-        )
     if best.kind in MARLIN and best.damping_ratio < LEAST:
         notes.append(f"Marlin takes damping ratios from {LEAST:g} on, and its line has that one")
     return notes

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.attached import Attached
-from pkmodes.shaping.firmware import NAMES, command
+from pkmodes.shaping.firmware import NAMES, change, command
 from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.settings import Setting, with_unit
 from pkmodes.shaping.shapers import Shaper
@@ -76,6 +76,11 @@ class Candidate:
         return float(np.max(self.shaper.durations))
 
     @property
+    def design(self) -> tuple[str, tuple[float, ...], float, Shaper]:
+        """Kind, frequencies [Hz], damping ratio and impulses of a fixed one: what lines for firmware are made of."""
+        return self.kind, self.frequencies, self.damping_ratio, self.shaper
+
+    @property
     def rounding(self) -> float:
         """Distance of a path of constant acceleration from its command, for 1 m/s^2 [s^2]; fixed shapers only.
 
@@ -107,7 +112,7 @@ class Choice:
     length : float or None
         Longest duration allowed [s].
     firmware : str or None
-        That has the recommended one; None for any.
+        The version of a firmware that has the recommended one, and whose impulses all have; None for any.
     schedule : Schedule or None
         Fixed shapers for one setting each; None without several settings.
     """
@@ -184,17 +189,23 @@ class Schedule:
     left: Amplitude
 
     def lines(self) -> dict[str, str | None]:
-        """Return the commands for each firmware, each after a comment that says where it belongs.
+        """Return the commands for the current version of each firmware; see `commands`."""
+        return {name: self.commands(name) for name in NAMES}
 
-        None where the firmware lacks one of the shapers.
+    def commands(self, version: str) -> str | None:
+        """Return the commands for a version of a firmware, each after a comment that says where it belongs.
+
+        None where the version lacks one of the shapers.
+
+        Parameters
+        ----------
+        version : str
+            A key of `pkmodes.shaping.firmware.VERSIONS`.
         """
-        found: dict[str, str | None] = {}
-        for name in NAMES:
-            commands = [command_of(one.best)[name] for one in self.steps]
-            pairs = zip(self.steps, commands, strict=True)
-            known = all(text is not None for text in commands)
-            found[name] = "\n".join(f"; {self._place(one)}\n{text}" for one, text in pairs) if known else None
-        return found
+        pairs = [(one, change(version, *one.best.design)) for one in self.steps]
+        if any(text is None for _, text in pairs):
+            return None
+        return "\n".join(f"; {self._place(one)}\n{text}" for one, text in pairs)
 
     def _place(self, step: Step) -> str:
         """Return where a command belongs: from which layer on, or for which values."""
@@ -209,4 +220,4 @@ class Schedule:
 
 def command_of(one: Candidate) -> dict[str, str | None]:
     """Return the commands that set a fixed shaper between two moves, by firmware."""
-    return command(one.kind, one.frequencies, one.damping_ratio, one.shaper)
+    return command(*one.design)

@@ -80,7 +80,7 @@ def schedule_of(
         except PkmodesError as error:
             raise type(error)(f"at {setting}: {error.what}", error.where, error.remedy) from None
     best = [one.candidates[one.recommended].shaper for one in choices]
-    every = _each(best, at)
+    every = each_setting(best, at)
     serves, ends = _between(model, poses, at, parameter, best)
     heights = _heights(serves, height)
     fixed = whole.candidates[whole.recommended].shaper
@@ -118,7 +118,7 @@ def check_heights(height: Any, parameter: str | None) -> None:
         raise PkmodesError(what, "height", "give several values to one parameter, such as a payload")
 
 
-def _each(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
+def each_setting(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
     """Return the shaper of each operating point, (N, n): shorter ones get impulses of nothing at their end."""
     count = max(one.delays.shape[-1] for one in shapers)
     more = [(0, count - one.delays.shape[-1]) for one in shapers]

@@ -1,0 +1,80 @@
+"""Lines for firmware in the report of ``pkmodes shaper``: for each version where lines or impulses differ."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pkmodes.report.blocks import Lines, Paragraph
+from pkmodes.report.formatting import clean
+from pkmodes.shaping.firmware import ASK
+from pkmodes.support.numbers import plain
+
+#: Of what is left: the first key that a document has.
+WORST = ("worst_uncertain", "worst")
+
+
+def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
+    """Return the lines for each version of a firmware that has the recommended shaper.
+
+    Parameters
+    ----------
+    content : dict
+        The JSON of the command.
+    """
+    left = content["shapers"][content["recommended"]]["left"]
+    said = next(left[key] for key in WORST if key in left)
+    intro = "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."
+    return _blocks(intro, content["firmware_versions"], said, "", "{} has no such shaper.")
+
+
+def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
+    """Return the lines of the schedule, likewise; nothing without a schedule.
+
+    Parameters
+    ----------
+    content : dict
+        The JSON of the command.
+    """
+    schedule = content["schedule"]
+    if schedule is None:
+        return []
+    layers = schedule["steps"][0]["heights_m"] is not None
+    where = (
+        "before the first layer that begins at its height or above" if layers else "where its values begin"
+    )
+    intro = (
+        f"For the schedule: G-code, each line to be inserted {where}. Klipper takes it if printer.cfg has a section "
+        "[input_shaper]."
+    )
+    said, lacks = schedule["left"]["worst"], "{} lacks a shaper of the schedule."
+    return _blocks(intro, schedule["firmware_versions"], said, ", schedule", lacks)
+
+
+def _blocks(
+    intro: str, versions: list[dict[str, Any]], said: float, what: str, lacks: str
+) -> list[Paragraph | Lines]:
+    """Return the lines, with what a version leaves of the vibration where this is not what is said elsewhere."""
+    leaves = {one["version"]: _per_cent(one["worst"]) for one in versions if one["worst"] is not None}
+    others = {name for name, share in leaves.items() if share != _per_cent(said)}
+    if others:
+        intro += (
+            " Some versions make other impulses of these lines than those compared above: what theirs leave at most, "
+            f"instead of {_per_cent(said)}, stands beside the name."
+        )
+    blocks: list[Paragraph | Lines] = [Paragraph(intro)]
+    for i, one in enumerate(versions):
+        name, firmware = one["version"], one["firmware"]
+        if one["lines"]:
+            share = f", leaves {leaves[name]}" if name in others else ""
+            blocks.append(Lines(f"{name}{what}{share}", [clean(line) for line in one["lines"].splitlines()]))
+        else:
+            blocks.append(Paragraph(lacks.format(name)))
+        known = [other["firmware"] for other in versions[: i + 1]]
+        if known.count(firmware) > 1 and firmware not in [other["firmware"] for other in versions[i + 1 :]]:
+            blocks.append(Paragraph(ASK[firmware]))
+    return blocks
+
+
+def _per_cent(share: float) -> str:
+    """Return a share as it is said."""
+    return f"{plain(100.0 * share, 2)} %"

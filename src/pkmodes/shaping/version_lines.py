@@ -1,0 +1,100 @@
+"""Lines for each version of a firmware whose lines or impulses differ, with what each leaves of the vibration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from typing import Annotated
+
+import numpy as np
+from msgspec import Meta
+
+from pkmodes.shaping.choice import relative, shaped_by
+from pkmodes.shaping.firmware import NAMES, VERSIONS, name_of, setting
+from pkmodes.shaping.firmware_impulses import as_made
+from pkmodes.shaping.results import Candidate, Choice, Schedule
+from pkmodes.shaping.schedule import each_setting
+from pkmodes.shaping.shapers import Shaper
+from pkmodes.support.documents import Document, Size
+
+#: Decimal digits of amplitudes and delays [s] that tell impulses apart.
+DIGITS = 9
+
+
+class VersionLines(Document, frozen=True):
+    """Lines for the versions of a firmware that make the same impulses of the same lines."""
+
+    firmware: Annotated[str, Meta(description="klipper, marlin or reprapfirmware.")]
+    option: Annotated[str, Meta(description="Value of --firmware that chooses the newest of them.")]
+    version: Annotated[
+        str,
+        Meta(description="Their name and dates; the firmware alone where all known versions make the same."),
+    ]
+    lines: Annotated[
+        str | None, Meta(description="The lines; null where they lack the shaper, or one of them.")
+    ]
+    worst: Annotated[
+        Size | None,
+        Meta(
+            description="What the impulses that they make leave, as worst of left (of measured modes: "
+            "worst_uncertain); null without lines."
+        ),
+    ]
+
+
+def lines_by_version(choice: Choice) -> list[VersionLines]:
+    """Return the lines of the recommended shaper, for each firmware the newest versions first."""
+    best = choice.candidates[choice.recommended]
+
+    def written(version: str, name: str) -> VersionLines:
+        lines, worst = setting(version, *best.design), None
+        if lines is not None:
+            made = made_by(version, best)
+            worst = relative(made, choice.ringing, shaped_by(made, choice.ringing)).worst
+        return VersionLines(VERSIONS[version].firmware, version, name, lines, worst)
+
+    return _grouped(lambda version: (setting(version, *best.design), _key(made_by(version, best))), written)
+
+
+def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[VersionLines]:
+    """Return the commands of a schedule, likewise; what is left is that over all settings."""
+    every, at = [step.best for step in schedule.steps], choice.ringing
+
+    def written(version: str, name: str) -> VersionLines:
+        lines, worst = schedule.commands(version), None
+        if lines is not None:
+            made = each_setting([made_by(version, one) for one in every], at)
+            worst = relative(made, at, shaped_by(made, at)).worst
+        return VersionLines(VERSIONS[version].firmware, version, name, lines, worst)
+
+    return _grouped(
+        lambda version: (schedule.commands(version), *(_key(made_by(version, one)) for one in every)), written
+    )
+
+
+def made_by(version: str, one: Candidate) -> Shaper:
+    """Return the impulses that a version of a firmware makes of the lines of a fixed shaper."""
+    if len(one.frequencies) > 1:
+        return one.shaper
+    return as_made(version, one.kind, one.frequencies[0], one.damping_ratio)
+
+
+def _key(shaper: Shaper) -> Hashable:
+    """Return what tells impulses apart."""
+    return tuple(map(float, np.round(np.concatenate(shaper), DIGITS)))
+
+
+def _grouped(
+    key: Callable[[str], Hashable], written: Callable[[str, str], VersionLines]
+) -> list[VersionLines]:
+    """Return the lines of successive versions of a firmware with the same key."""
+    found = []
+    for firmware in NAMES:
+        versions = [version for version, one in VERSIONS.items() if one.firmware == firmware]
+        groups: list[list[str]] = []
+        for version in versions:
+            if groups and key(groups[-1][0]) == key(version):
+                groups[-1].append(version)
+            else:
+                groups.append([version])
+        found += [written(group[0], name_of(group[0], group[-1])) for group in groups]
+    return found
