@@ -115,8 +115,6 @@ def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | N
     if not forces:
         return None
     found = of_reference(name, forces)
-    if found is None and name in NAMELESS and len(forces) == 1:
-        found = next(iter(forces.values()))
     if found is None:
         what = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'

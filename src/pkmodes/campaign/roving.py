@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from pkmodes.campaign.averaging import Mean, grouped_means
-from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.campaign import Campaign
+from pkmodes.campaign.found import FileModes, Found
+from pkmodes.campaign.sensors import unsigned
 
 #: Difference of the frequencies of a mode at two points at most, in half-power bandwidths, for functions to have one
 #: pole.
@@ -30,14 +31,29 @@ class Change:
         return replace(mode, sigma_frequency=sigma)
 
 
-def points_of(record: Record, campaign: Campaign) -> list[dict[str, Path]]:
-    """Return the files of each repeat by setup where every setup is a point of a roving hammer; none otherwise."""
-    setups = record.setups
-    sensors = [campaign.sensors_in(setup) for setup in setups]
-    alike = len({len(paths) for paths in setups.values()}) == 1 and all(one == sensors[0] for one in sensors)
-    if len(setups) < 2 or not alike or not all(map(campaign.forces_in, setups)):
+def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign) -> list[dict[str, Path]]:
+    """Return the files of each repeat by setup where setups are points of a roving hammer; none otherwise.
+
+    Parameters
+    ----------
+    files : mapping of str to mapping of Path to FileModes
+        What each file of each setup gives.  If a setup has more files than another one, its last ones are in no
+        repeat.
+    """
+    sensors = [campaign.sensors_in(setup) for setup in files]
+    forces = [_hit(setup, each.values(), campaign) for setup, each in files.items()]
+    if len(set(forces)) < 2 or not all(forces) or any(each != sensors[0] for each in sensors):
         return []
-    return [dict(zip(setups, files, strict=True)) for files in zip(*setups.values(), strict=True)]
+    return [dict(zip(files, paths, strict=True)) for paths in zip(*files.values(), strict=False)]
+
+
+def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozenset[str]:
+    """Return the keys of the forces that act in all files of a setup."""
+    forces = campaign.forces_in(setup)
+    in_each = [
+        {place.key for name, place in forces.items() if unsigned(name) in (file.seen or ())} for file in files
+    ]
+    return frozenset(set.intersection(*in_each)) if in_each else frozenset()
 
 
 def change_of(points: Sequence[Sequence[Mean]]) -> Change:
