@@ -15,6 +15,7 @@ from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.frequency_records import frf_modes, spectrum_modes
 from pkmodes.campaign.identified_modes import identified_modes
 from pkmodes.campaign.impact_records import impact_modes, roving_modes
+from pkmodes.campaign.roving import Point
 from pkmodes.campaign.roving_functions import roving_frf_modes
 
 
@@ -40,7 +41,7 @@ class Kind:
     find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
     signals: bool = True
-    roving: Callable[[Mapping[str, Path], Record, Campaign], FileModes] | None = None
+    roving: Callable[[Mapping[str, Point], Record, Campaign], FileModes] | None = None
     forces: bool = False
 
 

@@ -19,7 +19,7 @@ from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import Kind
 from pkmodes.campaign.missing import Places, lacking, places_in, unnamed
 from pkmodes.campaign.results import LeftOut
-from pkmodes.campaign.roving import change_of, points_of
+from pkmodes.campaign.roving import Point, change_of, points_of
 from pkmodes.campaign.roving_functions import ApartError
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
@@ -142,16 +142,22 @@ def _setups(
         read = [path for path in paths if str(path) not in left_out]
         has = [places_in(file.seen, record, setup, kind, campaign) for file in one.found]
         setups[setup] = replace(one, places=[list(zip(read, has, strict=True))])
-    points = [] if kind.roving is None else points_of(_files(setups), campaign)
+    given = _files(setups)
+    points = [] if kind.roving is None else points_of(given, campaign)
     if kind.roving is None or not points:
         return setups
-    change = change_of([averaged(_groups(one)) for one in setups.values() if one.found])
+    change = change_of({name: averaged(_groups(setups[name])) for name in given})
     apart = plain(100.0 * change.apart, 2)
     differ = f"{record.pose}: the frequencies differ by {apart} % between the points that were hit"
     if change.apart > change.allowed:
         return _with_message(setups, f"{differ}: each point is fitted by itself")
     runs = {
-        f"{record.pose}, file {i} of each setup": partial(kind.roving, each, record, campaign)
+        f"{record.pose}, file {i} of each setup": partial(
+            kind.roving,
+            {name: Point(path, given[name][path].modes, change.factors[name]) for name, path in each.items()},
+            record,
+            campaign,
+        )
         for i, each in enumerate(points, start=1)
     }
     try:
@@ -159,7 +165,7 @@ def _setups(
     except ApartError as error:
         return _with_message(setups, f"{record.pose}: each point is fitted by itself: {error}")
     noted = [f"{differ}: half of it is in sigma"] if change.apart > (campaign.repeatability or 0.0) else []
-    noted += _unused(record.pose, setups, points)
+    noted += _unused(record.pose, given, points)
     together = replace(
         joint,
         found=[file.changed(change.on) for file in joint.found],
@@ -185,11 +191,13 @@ def _with_message(setups: Mapping[str, _Setup], message: str) -> dict[str, _Setu
     return {**setups, first: replace(setups[first], messages=[message, *setups[first].messages])}
 
 
-def _unused(pose: str, setups: Mapping[str, _Setup], points: Sequence[Mapping[str, Path]]) -> list[str]:
+def _unused(
+    pose: str, files: Mapping[str, Mapping[Path, FileModes]], points: Sequence[Mapping[str, Path]]
+) -> list[str]:
     """Name the files of points that have more of them than others."""
-    more = [path.name for files in _files(setups).values() for path in list(files)[len(points) :]]
+    more = [path.name for each in files.values() for path in list(each)[len(points) :]]
     few = "the first file" if len(points) == 1 else f"the first {len(points)} files"
-    return [f"{pose}: {few} of each point are fitted together; not used: {', '.join(more)}"] if more else []
+    return [f"{pose}: {few} of each point fitted together; not used: {', '.join(more)}"] if more else []
 
 
 def _least(setup: _Setup) -> float:

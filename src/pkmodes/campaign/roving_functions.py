@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, modes_of_fit
 from pkmodes.campaign.frequency_records import ResponseFile, Responses, frf_fit, read_responses, remarks_on
+from pkmodes.campaign.roving import Point
 from pkmodes.campaign.sensor_functions import in_file
 from pkmodes.core.base.errors import shown
 
@@ -29,12 +29,12 @@ class ApartError(Exception):
     """Why the files of several points cannot be fitted together."""
 
 
-def roving_frf_modes(points: Mapping[str, Path], record: Record, campaign: Campaign) -> FileModes:
+def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the functions at all points of a hammer that roved, their shapes by the keys of the forces.
 
     Parameters
     ----------
-    points : mapping of str to Path
+    points : mapping of str to Point
         A file of each setup, each with references that forces of the campaign name.
 
     Raises
@@ -44,7 +44,7 @@ def roving_frf_modes(points: Mapping[str, Path], record: Record, campaign: Campa
     ApartError
         If their lines differ, or no sensor is in all of them.
     """
-    files = [_by_key(path, record, setup, campaign) for setup, path in points.items()]
+    files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
     given, left_out = together(files, record.band)
     with in_file(record.pose):
         fit = frf_fit(given, record.averages, record, campaign)
@@ -56,12 +56,13 @@ def roving_frf_modes(points: Mapping[str, Path], record: Record, campaign: Campa
     return modes_of_fit(fit, [*said, *remarks_on(fit, record.pose)], seen)
 
 
-def _by_key(path: Path, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
-    """Return the functions of a file, its forces by names that no other setup has."""
-    read = read_responses(path, record, setup, campaign)
-    forces = campaign.forces_in(setup)
-    names = tuple(forces[name].key for name in read.responses.names)
-    return replace(read, responses=replace(read.responses, names=names))
+def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
+    """Return the functions of a file, as of the machine in the middle of its change, and its forces by their keys."""
+    read = read_responses(point.path, record, setup, campaign)
+    given, forces = read.responses, campaign.forces_in(setup)
+    names = tuple(forces[name].key for name in given.names)
+    change = point.change(given.frequencies, names, given.references, record.exponential)
+    return replace(read, responses=replace(given, names=names, values=given.values + change))
 
 
 def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
