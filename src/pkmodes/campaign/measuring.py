@@ -196,8 +196,8 @@ def _unused(
 ) -> list[str]:
     """Name the files of points that have more of them than others."""
     more = [path.name for each in files.values() for path in list(each)[len(points) :]]
-    few = "the first file" if len(points) == 1 else f"the first {len(points)} files"
-    return [f"{pose}: {few} of each point fitted together; not used: {', '.join(more)}"] if more else []
+    few = "one file" if len(points) == 1 else f"{len(points)} files"
+    return [f"{pose}: as some point has only {few}, not used: {', '.join(more)}"] if more else []
 
 
 def _least(setup: _Setup) -> float:

@@ -160,7 +160,7 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
     factors = {
         setup: float(np.exp(0.5 * (low + high) - one)) for setup, one in zip(points, sure, strict=True)
     }
-    return Change(float(high - low), float(np.median(widths)), factors)
+    return Change(float(-np.expm1(low - high)), float(np.median(widths)), factors)
 
 
 def _median(values: Array, sigma: Array) -> float:
