@@ -111,7 +111,8 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         fit = frf_fit(given, record.averages, record, campaign)
     unnamed = () if given.roves else tuple(name for name in given.references if name not in NAMELESS)
     said = (*read.messages, *remarks_on(fit, read.source))
-    return replace(modes_of_fit(fit, said, read.seen), unnamed=unnamed)
+    forces = given.names if given.roves else ()
+    return replace(modes_of_fit(fit, said, read.seen), unnamed=unnamed, forces=forces)
 
 
 def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
@@ -129,8 +130,7 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
         functions = replace(functions, used=inverted(functions.used, read.source))
     checked = phase_checked(functions.used, record.band, record.conjugate, read.source)
     functions = replace(functions, used=checked)
-    forces = campaign.forces_in(setup)
-    given = responses_of(functions, sensors, forces, campaign.channels)
+    given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
     first, last = given.frequencies[0], given.frequencies[-1]
     if low < first:

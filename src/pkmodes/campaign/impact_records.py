@@ -52,7 +52,8 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     names = () if one.acting is None else (one.acting.name,)
     found = _modes([one], names, record, campaign, one.signals.source)
     unnamed = (one.signals.force,) if not names and one.signals.force not in NAMELESS else ()
-    return replace(found, seen=one.signals.seen | set(map(unsigned, names)), unnamed=unnamed)
+    seen = one.signals.seen | set(map(unsigned, names))
+    return replace(found, seen=seen, unnamed=unnamed, forces=names)
 
 
 def roving_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:

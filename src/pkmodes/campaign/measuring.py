@@ -133,7 +133,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
 def _setups(
     record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool
 ) -> dict[str, _Setup]:
-    """Return the setups of a record; those of a hammer that roved over a steady machine are one."""
+    """Return the setups of a record; those of a hammer that roved are one."""
     setups = {}
     for setup, paths in record.separate.items():
         files = {str(path): partial(_find, path, record, setup, kind, campaign) for path in paths}
@@ -142,9 +142,25 @@ def _setups(
         read = [path for path in paths if str(path) not in left_out]
         has = [places_in(file.seen, record, setup, kind, campaign) for file in one.found]
         setups[setup] = replace(one, places=[list(zip(read, has, strict=True))])
+    return (
+        setups
+        if kind.roving is None
+        else _together(setups, kind.roving, record, campaign, keep_going, inspect)
+    )
+
+
+def _together(
+    setups: dict[str, _Setup],
+    roving: Callable[[Mapping[str, Point], Record, Campaign], FileModes],
+    record: Record,
+    campaign: Campaign,
+    keep_going: bool,
+    inspect: bool,
+) -> dict[str, _Setup]:
+    """Return the setups of a hammer that roved over a machine as one, fitted together; others as they are."""
     given = _files(setups)
-    points = [] if kind.roving is None else points_of(given, campaign)
-    if kind.roving is None or not points:
+    points = points_of(given, campaign)
+    if not points:
         return setups
     change = change_of({name: averaged(_groups(setups[name])) for name in given})
     apart = plain(100.0 * change.apart, 2)
@@ -153,7 +169,7 @@ def _setups(
         return _with_message(setups, f"{differ}: each point is fitted by itself")
     runs = {
         f"{record.pose}, file {i} of each setup": partial(
-            kind.roving,
+            roving,
             {name: Point(path, given[name][path].modes, change.factors[name]) for name, path in each.items()},
             record,
             campaign,

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from pkmodes.campaign.averaging import Mean, grouped_means
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.found import FileModes, Found
-from pkmodes.campaign.sensors import unsigned
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -122,10 +121,9 @@ def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign)
 def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozenset[str]:
     """Return the keys of the forces that act in all files of a setup."""
     forces = campaign.forces_in(setup)
-    in_each = [
-        {place.key for name, place in forces.items() if unsigned(name) in (file.seen or ())} for file in files
-    ]
-    return frozenset(set.intersection(*in_each)) if in_each else frozenset()
+    return frozenset[str].intersection(
+        *(frozenset(forces[name].key for name in file.forces) for file in files)
+    )
 
 
 def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:

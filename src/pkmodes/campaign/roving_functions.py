@@ -49,9 +49,8 @@ def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Camp
     with in_file(record.pose):
         fit = frf_fit(given, record.averages, record, campaign)
     said = [message for one in files for message in one.messages]
-    said += [f"{record.pose}: not used, as only some of the points that were hit have it: {left_out}"] * bool(
-        left_out
-    )
+    if left_out:
+        said.append(f"{record.pose}: not used, as only some of the points that were hit have it: {left_out}")
     seen = frozenset[str]().union(*(one.seen for one in files))
     return modes_of_fit(fit, [*said, *remarks_on(fit, record.pose)], seen)
 
@@ -112,9 +111,8 @@ def _in_band(file: ResponseFile, band: tuple[float, float]) -> Responses:
 
 def _check_lines(source: str, f: Array, first: str, of_first: Array) -> None:
     """Refuse lines that are not those of the first file."""
-    if len(f) == len(of_first) and np.ptp(f - of_first) + abs(f[0] - of_first[0]) <= SAME_LINE * _step(
-        of_first
-    ):
+    same = SAME_LINE * _step(of_first)
+    if len(f) == len(of_first) and np.abs(f - of_first).max(initial=0.0) <= same:
         return
     raise ApartError(
         f"expected in {source} the frequencies of {first} in the band, {_lines(of_first)}, found {_lines(f)}; "
