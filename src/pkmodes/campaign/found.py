@@ -125,6 +125,8 @@ class FileModes:
         None for modes that are already identified.
     unnamed : tuple of str
         References of the file, if the campaign names none of them: its shapes have the places of the sensors.
+    forces : tuple of str
+        Names of the forces whose places its shapes have; none if they have those of the sensors.
     """
 
     modes: tuple[Found, ...]
@@ -133,6 +135,7 @@ class FileModes:
     added: tuple[Found | str, ...] = ()
     fit: Fit | None = None
     unnamed: tuple[str, ...] = ()
+    forces: tuple[str, ...] = ()
 
     def changed(self, change: Callable[[Found], Found]) -> FileModes:
         """Return it with another mode for each, also for each that the user asked for."""

@@ -79,8 +79,44 @@ class Responses:
         )
 
 
+@dataclass(frozen=True, eq=False)
+class ResponseFile:
+    """What a file of frequency response functions gives.
+
+    Attributes
+    ----------
+    seen : frozenset of str
+        As in `FileModes`.
+    messages : tuple of str
+        What the user should know of the file.
+    """
+
+    source: str
+    responses: Responses
+    seen: frozenset[str]
+    messages: tuple[str, ...]
+
+
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the frequency response functions in a file, their shapes by sensor.
+
+    Raises
+    ------
+    MeasurementError
+        If the file is faulty, or its functions are not those of the campaign.
+    """
+    read = read_responses(path, record, setup, campaign)
+    given = read.responses
+    with in_file(read.source):
+        fit = frf_fit(given, record.averages, record, campaign)
+    unnamed = () if given.roves else tuple(name for name in given.references if name not in NAMELESS)
+    said = (*read.messages, *remarks_on(fit, read.source))
+    forces = given.names if given.roves else ()
+    return replace(modes_of_fit(fit, said, read.seen), unnamed=unnamed, forces=forces)
+
+
+def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
+    """Return the frequency response functions in a file of a record, which cover its band.
 
     Raises
     ------
@@ -103,17 +139,11 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
     if high > last:
         what = f"expected frequencies up to the end of the band, {high:g} Hz, found {last:g} Hz"
         raise MeasurementError(what, read.source, "narrow the band of the record")
-    with in_file(read.source):
-        fit = frf_fit(given, record.averages, record, campaign)
-    said = (
-        *read.messages,
-        *given.messages,
-        *dead_channels(given.dead, read.source),
-        *remarks_on(fit, read.source),
-    )
     seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
-    unnamed = () if given.roves else tuple(name for name in given.references if name not in NAMELESS)
-    return replace(modes_of_fit(fit, said, frozenset(seen)), unnamed=unnamed)
+    if given.roves:  # a reference without a name is seen by that of its force
+        seen |= {unsigned(name) for name in given.names}
+    said = (*read.messages, *given.messages, *dead_channels(given.dead, read.source))
+    return ResponseFile(read.source, given, frozenset(seen), said)
 
 
 def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
@@ -176,7 +206,8 @@ def responses_of(
     check_size(values, read.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
-    acting = {name: force for name in columns if (force := of_reference(name, forces)) is not None}
+    known = [name for name in columns if name not in NAMELESS or len(columns) == 1]
+    acting = {name: force for name in known if (force := of_reference(name, forces)) is not None}
     unnamed = [name for name in columns if name and name not in acting]
     said: tuple[str, ...] = ()
     if unnamed and acting:
@@ -199,8 +230,11 @@ def _coherence(
 
 
 def of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
-    """Return the force of a reference; the sign in its name is only a name."""
-    return next((place for own, place in forces.items() if unsigned(own) == unsigned(name)), None)
+    """Return the force of a reference; the sign in its name is only a name, and without one it is the only force."""
+    named = next((place for own, place in forces.items() if unsigned(own) == unsigned(name)), None)
+    if named is None and name in NAMELESS and len(forces) == 1:
+        return next(iter(forces.values()))
+    return named
 
 
 def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import NAMELESS, FileModes, Fit
 from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
+from pkmodes.campaign.roving import Point
 from pkmodes.campaign.sensor_functions import in_file
 from pkmodes.campaign.sensors import Place, unsigned
 from pkmodes.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
@@ -51,15 +52,16 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     names = () if one.acting is None else (one.acting.name,)
     found = _modes([one], names, record, campaign, one.signals.source)
     unnamed = (one.signals.force,) if not names and one.signals.force not in NAMELESS else ()
-    return replace(found, seen=one.signals.seen | set(map(unsigned, names)), unnamed=unnamed)
+    seen = one.signals.seen | set(map(unsigned, names))
+    return replace(found, seen=seen, unnamed=unnamed, forces=names)
 
 
-def roving_modes(points: Mapping[str, Path], record: Record, campaign: Campaign) -> FileModes:
+def roving_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the blows at all points of a hammer that roved, their shapes by the keys of the forces.
 
     Parameters
     ----------
-    points : mapping of str to Path
+    points : mapping of str to Point
         A file of each setup, each with a force of the campaign.
 
     Raises
@@ -67,7 +69,7 @@ def roving_modes(points: Mapping[str, Path], record: Record, campaign: Campaign)
     MeasurementError
         If a file is faulty, or they differ in their sensors or rates.
     """
-    every = [_blows(path, record, setup, campaign) for setup, path in points.items()]
+    every = [_blows(point.path, record, setup, campaign) for setup, point in points.items()]
     first = every[0].signals
     for one in (each.signals for each in every):
         if one.seen != first.seen or abs(one.step / first.step - 1.0) > ROUNDING:
@@ -79,7 +81,7 @@ def roving_modes(points: Mapping[str, Path], record: Record, campaign: Campaign)
         raise MeasurementError(what, record.pose, "check the sensors and their cables")
     every = [replace(one, signals=one.signals.of(names)) for one in every]
     acting = [one.acting.key for one in every if one.acting is not None]
-    return _modes(every, acting, record, campaign, record.pose)
+    return _modes(every, acting, record, campaign, record.pose, list(points.values()))
 
 
 def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
@@ -115,8 +117,6 @@ def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | N
     if not forces:
         return None
     found = of_reference(name, forces)
-    if found is None and name in NAMELESS and len(forces) == 1:
-        found = next(iter(forces.values()))
     if found is None:
         what = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
@@ -125,18 +125,30 @@ def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | N
 
 
 def _modes(
-    every: Sequence[_Blows], forces: Sequence[str], record: Record, campaign: Campaign, source: str
+    every: Sequence[_Blows],
+    forces: Sequence[str],
+    record: Record,
+    campaign: Campaign,
+    source: str,
+    points: Sequence[Point] = (),
 ) -> FileModes:
     """Return the modes of files of blows, their shapes at the forces with these names, or else at the sensors."""
     signals = [one.signals for one in every]
-    fit, more = with_bridges(lambda given: _fit(given, forces, record, campaign, source), signals, source)
+    fit, more = with_bridges(
+        lambda given: _fit(given, forces, record, campaign, source, points), signals, source
+    )
     said = (*(message for one in signals for message in one.messages), *more)
     together = replace(signals[0], pieces=tuple(piece for one in signals for piece in one.pieces))
     return with_levels(fit, said, together, record.exponential)
 
 
 def _fit(
-    signals: Sequence[TimeSignals], forces: Sequence[str], record: Record, campaign: Campaign, source: str
+    signals: Sequence[TimeSignals],
+    forces: Sequence[str],
+    record: Record,
+    campaign: Campaign,
+    source: str,
+    points: Sequence[Point],
 ) -> tuple[Fit, tuple[str, ...]]:
     """Return the fit of files of blows, and what to say of it."""
     hits, step, sensors = record.hits, signals[0].step, signals[0].names
@@ -166,6 +178,12 @@ def _fit(
     responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
     if forces:
         responses = responses.roving(range(len(forces)), forces)
+    if points:
+        changes = [
+            point.change(f, [force], sensors, record.exponential, float(1.0 / f[1]))
+            for point, force in zip(points, forces, strict=True)
+        ]
+        responses = replace(responses, values=responses.values + np.concatenate(changes, axis=1))
     with in_file(source):
         fit = frf_fit(responses, functions.averages, record, campaign)
     said += remarks_on(fit, source)

@@ -15,6 +15,8 @@ from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.frequency_records import frf_modes, spectrum_modes
 from pkmodes.campaign.identified_modes import identified_modes
 from pkmodes.campaign.impact_records import impact_modes, roving_modes
+from pkmodes.campaign.roving import Point
+from pkmodes.campaign.roving_functions import roving_frf_modes
 
 
 @dataclass(frozen=True)
@@ -31,6 +33,7 @@ class Kind:
         Whether its files have signals, to which a mode can be fitted.
     roving : callable or None
         The modes of one file of each setup, fitted together, where a hammer roved in front of sensors that stayed.
+        Raises `MeasurementError` for a faulty file, and `ApartError` if they cannot be fitted together.
     forces : bool
         Whether the forces of the campaign are in its files.
     """
@@ -38,12 +41,12 @@ class Kind:
     find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
     signals: bool = True
-    roving: Callable[[Mapping[str, Path], Record, Campaign], FileModes] | None = None
+    roving: Callable[[Mapping[str, Point], Record, Campaign], FileModes] | None = None
     forces: bool = False
 
 
 KINDS = {
-    "frf": Kind(frf_modes, forces=True),
+    "frf": Kind(frf_modes, roving=roving_frf_modes, forces=True),
     "impact": Kind(impact_modes, roving=roving_modes, forces=True),
     "ambient": Kind(ambient_modes),
     "spectrum": Kind(spectrum_modes),

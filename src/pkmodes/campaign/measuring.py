@@ -19,7 +19,8 @@ from pkmodes.campaign.joining import joined
 from pkmodes.campaign.kinds import Kind
 from pkmodes.campaign.missing import Places, lacking, places_in, unnamed
 from pkmodes.campaign.results import LeftOut
-from pkmodes.campaign.roving import change_of, points_of
+from pkmodes.campaign.roving import Point, change_of, points_of
+from pkmodes.campaign.roving_functions import ApartError
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
 from pkmodes.support.numbers import plain
@@ -132,7 +133,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
 def _setups(
     record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool
 ) -> dict[str, _Setup]:
-    """Return the setups of a record; those of a hammer that roved over a steady machine are one."""
+    """Return the setups of a record; those of a hammer that roved are one."""
     setups = {}
     for setup, paths in record.separate.items():
         files = {str(path): partial(_find, path, record, setup, kind, campaign) for path in paths}
@@ -141,29 +142,78 @@ def _setups(
         read = [path for path in paths if str(path) not in left_out]
         has = [places_in(file.seen, record, setup, kind, campaign) for file in one.found]
         setups[setup] = replace(one, places=[list(zip(read, has, strict=True))])
-    points = points_of(record, campaign)
-    if kind.roving is None or not points or any(one.left_out for one in setups.values()):
+    return (
+        setups
+        if kind.roving is None
+        else _together(setups, kind.roving, record, campaign, keep_going, inspect)
+    )
+
+
+def _together(
+    setups: dict[str, _Setup],
+    roving: Callable[[Mapping[str, Point], Record, Campaign], FileModes],
+    record: Record,
+    campaign: Campaign,
+    keep_going: bool,
+    inspect: bool,
+) -> dict[str, _Setup]:
+    """Return the setups of a hammer that roved over a machine as one, fitted together; others as they are."""
+    given = _files(setups)
+    points = points_of(given, campaign)
+    if not points:
         return setups
-    change = change_of([averaged(_groups(one)) for one in setups.values()])
+    change = change_of({name: averaged(_groups(setups[name])) for name in given})
     apart = plain(100.0 * change.apart, 2)
     differ = f"{record.pose}: the frequencies differ by {apart} % between the points that were hit"
     if change.apart > change.allowed:
-        said = f"{differ}: each point is fitted by itself"
-        first = next(iter(setups))
-        return setups | {first: replace(setups[first], messages=[said, *setups[first].messages])}
+        return _with_message(setups, f"{differ}: each point is fitted by itself")
     runs = {
-        f"{record.pose}, file {i} of each setup": partial(kind.roving, each, record, campaign)
+        f"{record.pose}, file {i} of each setup": partial(
+            roving,
+            {name: Point(path, given[name][path].modes, change.factors[name]) for name, path in each.items()},
+            record,
+            campaign,
+        )
         for i, each in enumerate(points, start=1)
     }
-    together = _read("", runs, record, campaign, keep_going, inspect)
+    try:
+        joint = _read("", runs, record, campaign, keep_going, inspect)
+    except ApartError as error:
+        return _with_message(setups, f"{record.pose}: each point is fitted by itself: {error}")
     noted = [f"{differ}: half of it is in sigma"] if change.apart > (campaign.repeatability or 0.0) else []
-    joint = replace(
-        together,
-        found=[file.changed(change.on) for file in together.found],
-        messages=[*noted, *together.messages],
+    noted += _unused(record.pose, given, points)
+    together = replace(
+        joint,
+        found=[file.changed(change.on) for file in joint.found],
+        messages=[*noted, *joint.messages],
+        left_out=[each for one in (*setups.values(), joint) for each in one.left_out],
         places=[each for one in setups.values() for each in one.places],
     )
-    return {"": joint}
+    return {"": together}
+
+
+def _files(setups: Mapping[str, _Setup]) -> dict[str, dict[Path, FileModes]]:
+    """Return what each file gives of the setups of which any could be read."""
+    return {
+        name: {path: file for (path, _), file in zip(one.places[0], one.found, strict=True)}
+        for name, one in setups.items()
+        if one.found
+    }
+
+
+def _with_message(setups: Mapping[str, _Setup], message: str) -> dict[str, _Setup]:
+    """Return setups with something more to say, first."""
+    first = next(iter(setups))
+    return {**setups, first: replace(setups[first], messages=[message, *setups[first].messages])}
+
+
+def _unused(
+    pose: str, files: Mapping[str, Mapping[Path, FileModes]], points: Sequence[Mapping[str, Path]]
+) -> list[str]:
+    """Name the files of points that have more of them than others."""
+    more = [path.name for each in files.values() for path in list(each)[len(points) :]]
+    few = "one file" if len(points) == 1 else f"{len(points)} files"
+    return [f"{pose}: as some point has only {few}, not used: {', '.join(more)}"] if more else []
 
 
 def _least(setup: _Setup) -> float:

@@ -95,6 +95,10 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
         new = [name for name in names if name not in {one.name for one in places.values()}]
         what = f"expected {label} in a file, found {found} in those of {first.pose}"
         remedy = nearest(place.name, new, "correct the name, or remove it from the campaign")
+        if not names and not of_sensors:
+            remedy = (
+                "these files do not name their force: give each [[force]] the setup in which it acts alone"
+            )
         raise MeasurementError(what, f"{campaign.source}: {where}.name", remedy)
 
 

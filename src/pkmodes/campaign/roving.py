@@ -2,27 +2,99 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.campaign.averaging import Mean, grouped_means
-from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import Found
+from pkmodes.campaign.campaign import Campaign
+from pkmodes.campaign.found import FileModes, Found
 
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+#: Standard deviations of a change above which it is one.
+SURE = 3.0
+#: Relative standard deviation of a frequency below which it is rounding, and sweeps of the polish.
+LEAST, SWEEPS = 1e-7, 20
 #: Difference of the frequencies of a mode at two points at most, in half-power bandwidths, for functions to have one
 #: pole.
 SHIFT = 0.15
 
 
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A file of a point that was hit.
+
+    Attributes
+    ----------
+    modes : tuple of Found
+        Those of the file alone.
+    factor : float
+        On its frequencies, for those of the machine in the middle of its change.
+    """
+
+    path: Path
+    modes: tuple[Found, ...]
+    factor: float = 1.0
+
+    def change(
+        self,
+        frequencies: Array,
+        places: Sequence[str],
+        references: Sequence[str],
+        exponential: float | None = None,
+        length: float | None = None,
+    ) -> Complex:
+        """Return what to add to the accelerances of the file, (F, S, R), for those of the machine in the middle.
+
+        Accelerances are functions of the ratio of frequencies, with the same damping ratios: only the poles move, and
+        the residues with them.  The modes of the file say where; its noise stays as it is.
+
+        Parameters
+        ----------
+        frequencies : ndarray, shape (F,)
+            [Hz].
+        places, references : sequence of str
+            As in the shapes and participations of the modes.
+        exponential : float, optional
+            Time constant of a window that the responses have had [s].
+        length : float, optional
+            Of the record of each blow, which cuts off the decays [s]; complete ones by default.
+        """
+        s = 2j * np.pi * frequencies[:, None, None]
+        added = np.zeros((len(frequencies), len(places), len(references)), complex)
+        for mode in self.modes if self.factor != 1.0 else ():
+            shape, parts = (
+                np.array([of.get(name, 0.0) for name in names])
+                for of, names in ((mode.shape, places), (mode.participation, references))
+            )
+            undamped = 2.0 * np.pi * mode.frequency
+            pole = undamped * (-mode.damping + 1j * np.sqrt(max(1.0 - mode.damping**2, 0.0)))
+            for factor, sign in ((self.factor, 1.0), (1.0, -1.0)):
+                moved = factor * pole - (1.0 / exponential if exponential else 0.0)
+                residue = sign * factor * np.outer(shape, parts)
+                if length is not None:
+                    residue = residue * (1.0 - np.exp(moved * length))
+                added += residue / (s - moved) + residue.conj() / (s - moved.conjugate())
+        return added
+
+
 @dataclass(frozen=True)
 class Change:
-    """By how much a machine changed from point to point, and by how much it may, both relative to its frequencies."""
+    """By how much a machine changed from point to point, and by how much it may, both relative to its frequencies.
+
+    Attributes
+    ----------
+    factors : mapping of str to float
+        On the frequencies of each setup, for those in the middle of the change; 1 where nothing changed surely.
+    """
 
     apart: float
     allowed: float
+    factors: Mapping[str, float] = field(default_factory=dict)
 
     def on(self, mode: Found) -> Found:
         """Return a mode of the functions of all points: the machine had both ends of the change."""
@@ -30,33 +102,79 @@ class Change:
         return replace(mode, sigma_frequency=sigma)
 
 
-def points_of(record: Record, campaign: Campaign) -> list[dict[str, Path]]:
-    """Return the files of each repeat by setup where every setup is a point of a roving hammer; none otherwise."""
-    setups = record.setups
-    sensors = [campaign.sensors_in(setup) for setup in setups]
-    alike = len({len(paths) for paths in setups.values()}) == 1 and all(one == sensors[0] for one in sensors)
-    if len(setups) < 2 or not alike or not all(map(campaign.forces_in, setups)):
-        return []
-    return [dict(zip(setups, files, strict=True)) for files in zip(*setups.values(), strict=True)]
+def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign) -> list[dict[str, Path]]:
+    """Return the files of each repeat by setup where setups are points of a roving hammer; none otherwise.
 
-
-def change_of(points: Sequence[Sequence[Mean]]) -> Change:
-    """Return by how much the machine changed from point to point.
-
-    Warmth and settling change all modes; what differs in single ones are fits of modes that a point hardly shows.
+    Parameters
+    ----------
+    files : mapping of str to mapping of Path to FileModes
+        What each file of each setup gives.  If a setup has more files than another one, its last ones are in no
+        repeat.
     """
-    shifts: list[list[float]] = [[] for _ in points]
-    widths = []
-    for group in grouped_means(points):
-        known = {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
-        if len(known) < 2:
-            continue
-        middle = float(np.median([mode.frequency for mode in known.values()]))
-        widths.append(min(_allowed(mode) / mode.frequency for mode in known.values()))
-        for i, mode in known.items():
-            shifts[i].append(mode.frequency / middle - 1.0)
-    each = [float(np.median(one)) for one in shifts if one]
-    return Change(max(each) - min(each) if each else 0.0, float(np.median(widths)) if widths else np.inf)
+    sensors = [campaign.sensors_in(setup) for setup in files]
+    forces = [_hit(setup, each.values(), campaign) for setup, each in files.items()]
+    if len(set(forces)) < 2 or not all(forces) or any(each != sensors[0] for each in sensors):
+        return []
+    return [dict(zip(files, paths, strict=True)) for paths in zip(*files.values(), strict=False)]
+
+
+def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozenset[str]:
+    """Return the keys of the forces that act in all files of a setup."""
+    forces = campaign.forces_in(setup)
+    return frozenset[str].intersection(
+        *(frozenset(forces[name].key for name in file.forces) for file in files)
+    )
+
+
+def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
+    """Return by how much the machine changed from point to point, of which each has its modes.
+
+    Warmth and settling change all modes; what differs in single ones are fits of modes that a point hardly shows.  So
+    the logarithm of each frequency is that of the mode and a shift of the point, by a median polish (Tukey,
+    Exploratory Data Analysis, 1977, chapter 11) with weights.
+    """
+    groups = [
+        {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
+        for group in grouped_means(list(points.values()))
+    ]
+    groups = [group for group in groups if len(group) > 1]
+    if not groups:
+        return Change(0.0, np.inf, dict.fromkeys(points, 1.0))
+    widths = [min(_allowed(one) / one.frequency for one in group.values()) for group in groups]
+    logs, sigma = (np.full((len(groups), len(points)), np.nan) for _ in range(2))
+    for k, group in enumerate(groups):
+        for i, mode in group.items():
+            logs[k, i] = np.log(mode.frequency)
+            sigma[k, i] = max(mode.sigma_frequency / mode.frequency, LEAST)
+    shifts = np.zeros(len(points))
+    for _ in range(SWEEPS):
+        of_modes = np.array([_median(*row) for row in zip(logs - shifts, sigma, strict=True)])
+        left = logs - of_modes[:, None]
+        shifts = np.array([_median(*column) for column in zip(left.T, sigma.T, strict=True)])
+    errors = [_error(*column) for column in zip((left - shifts).T, sigma.T, strict=True)]
+    shifts -= np.median(shifts)
+    sure = np.where(np.abs(shifts) > SURE * np.array(errors), shifts, 0.0)
+    low, high = min(sure), max(sure)
+    factors = {
+        setup: float(np.exp(0.5 * (low + high) - one)) for setup, one in zip(points, sure, strict=True)
+    }
+    return Change(float(-np.expm1(low - high)), float(np.median(widths)), factors)
+
+
+def _median(values: Array, sigma: Array) -> float:
+    """Return the median of values, weighted by their standard deviations; 0 where none is known."""
+    order = np.argsort(values)[: int(np.isfinite(values).sum())]
+    weights = np.cumsum(1.0 / sigma[order])
+    return float(values[order[np.searchsorted(weights, 0.5 * weights[-1])]]) if len(order) else 0.0
+
+
+def _error(left: Array, sigma: Array) -> float:
+    """Return the standard deviation of a weighted median: as stated, or larger as what is left of its values is."""
+    known = np.isfinite(left)
+    if not known.any():
+        return np.inf
+    larger = max(1.0, 1.4826 * float(np.median(np.abs(left[known]) / sigma[known])))
+    return float(larger * np.sqrt(0.5 * np.pi / (sigma[known] ** -2.0).sum()))
 
 
 def _allowed(mode: Found) -> float:

@@ -1,0 +1,151 @@
+"""Frequency responses of a hammer that roved, a file for each point: those of one structure, fitted together.
+
+The points that were hit are the places of the shape, and the sensors that stayed its references.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.campaign.campaign import Campaign, Record
+from pkmodes.campaign.found import FileModes, modes_of_fit
+from pkmodes.campaign.frequency_records import ResponseFile, Responses, frf_fit, read_responses, remarks_on
+from pkmodes.campaign.roving import Point
+from pkmodes.campaign.sensor_functions import in_file
+from pkmodes.core.base.errors import shown
+
+Array = NDArray[np.float64]
+T = TypeVar("T", bound=np.generic)
+#: Lines are the same that differ by less, in line spacings: tables round them.
+SAME_LINE = 0.01
+
+
+class ApartError(Exception):
+    """Why the files of several points cannot be fitted together."""
+
+
+def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:
+    """Return the modes of the functions at all points of a hammer that roved, their shapes by the keys of the forces.
+
+    Parameters
+    ----------
+    points : mapping of str to Point
+        A file of each setup, each with references that forces of the campaign name.
+
+    Raises
+    ------
+    MeasurementError
+        If a file is faulty.
+    ApartError
+        If their lines differ, or no sensor is in all of them.
+    """
+    files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
+    given, left_out = together(files, record.band)
+    with in_file(record.pose):
+        fit = frf_fit(given, record.averages, record, campaign)
+    said = [message for one in files for message in one.messages]
+    if left_out:
+        said.append(f"{record.pose}: not used, as only some of the points that were hit have it: {left_out}")
+    seen = frozenset[str]().union(*(one.seen for one in files))
+    return modes_of_fit(fit, [*said, *remarks_on(fit, record.pose)], seen)
+
+
+def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
+    """Return the functions of a file, as of the machine in the middle of its change, and its forces by their keys."""
+    read = read_responses(point.path, record, setup, campaign)
+    given, forces = read.responses, campaign.forces_in(setup)
+    names = tuple(forces[name].key for name in given.names)
+    change = point.change(given.frequencies, names, given.references, record.exponential)
+    return replace(read, responses=replace(given, names=names, values=given.values + change))
+
+
+def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
+    """Return the functions of several points as those of one file, and the sensors that only some have.
+
+    A point in several files has the mean of its functions.
+
+    Raises
+    ------
+    ApartError
+        If their lines differ in the band [Hz], or no sensor is in all of them.
+    """
+    inside = [_in_band(one, band) for one in files]
+    f = inside[0].frequencies
+    for one, given in zip(files, inside, strict=True):
+        _check_lines(one.source, given.frequencies, files[0].source, f)
+    sensors = list(dict.fromkeys(name for one in inside for name in one.references))
+    common = [name for name in sensors if all(_shows(one, name) for one in inside)]
+    if not common:
+        which = ", ".join(map(shown, sensors))
+        raise ApartError(f"expected a sensor that shows something of every point, found none among {which}")
+    kept = [_of_sensors(one, common) for one in inside]
+    names = [name for one in kept for name in one.names]
+    points = tuple(dict.fromkeys(names))
+    at = [[i for i, name in enumerate(names) if name == point] for point in points]
+    coherences = [
+        one.coherence for one in kept if one.coherence is not None and np.isfinite(one.coherence).all()
+    ]
+    joint = replace(
+        kept[0],
+        values=_means([one.values for one in kept], at),
+        coherence=_means(coherences, at) if len(coherences) == len(kept) else None,
+        names=points,
+    )
+    return joint, ", ".join(name for name in sensors if name not in common)
+
+
+def _in_band(file: ResponseFile, band: tuple[float, float]) -> Responses:
+    """Return the functions of a file on the lines of a band [Hz]."""
+    given = file.responses
+    f = given.frequencies
+    rounding = SAME_LINE * float(np.median(np.diff(f)))
+    inside = (f >= band[0] - rounding) & (f <= band[1] + rounding)
+    coherence = None if given.coherence is None else given.coherence[inside]
+    return replace(given, frequencies=f[inside], values=given.values[inside], coherence=coherence)
+
+
+def _check_lines(source: str, f: Array, first: str, of_first: Array) -> None:
+    """Refuse lines that are not those of the first file."""
+    same = SAME_LINE * _step(of_first)
+    if len(f) == len(of_first) and np.abs(f - of_first).max(initial=0.0) <= same:
+        return
+    raise ApartError(
+        f"expected in {source} the frequencies of {first} in the band, {_lines(of_first)}, found {_lines(f)}; "
+        "export all points with the same lines"
+    )
+
+
+def _step(f: Array) -> float:
+    return float(np.median(np.diff(f))) if len(f) > 1 else 0.0
+
+
+def _lines(f: Array) -> str:
+    """Return in words which lines there are [Hz]."""
+    ends = f" from {f[0]:.6g} Hz, {_step(f):.4g} Hz apart" if len(f) else ""
+    return f"{len(f)} lines{ends}"
+
+
+def _shows(given: Responses, sensor: str) -> bool:
+    """Return whether a sensor measured something of every point in a file."""
+    if sensor not in given.references:
+        return False
+    values = given.values[:, :, given.references.index(sensor)]
+    return bool(np.isfinite(values).all() and values.any(axis=0).all())
+
+
+def _of_sensors(given: Responses, names: Sequence[str]) -> Responses:
+    """Return the functions of some sensors."""
+    at = [given.references.index(name) for name in names]
+    coherence = None if given.coherence is None else given.coherence[:, :, at]
+    return replace(given, values=given.values[:, :, at], coherence=coherence, references=tuple(names))
+
+
+def _means(parts: Sequence[NDArray[T]], at: Sequence[Sequence[int]]) -> NDArray[T]:
+    """Return the means over places, side by side in several arrays, that are of one point."""
+    whole = np.concatenate(parts, axis=1)
+    return np.stack([whole[:, places].mean(axis=1) for places in at], axis=1)
