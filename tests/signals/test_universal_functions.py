@@ -228,17 +228,37 @@ UNITS = {
 }
 
 
+def units_of(length: float, force: float) -> bytes:
+    """A dataset 164."""
+    numbers = [f"{factor:25.17E}".replace("E", "D") for factor in (length, force)]
+    return dataset(164, f"{9:10d}{'any':20}{2:10d}\n{''.join(numbers)}{1.0:25.17E}\n{0.0:25.17E}\n".encode())
+
+
 @pytest.mark.parametrize("factors", UNITS)
 def test_dataset_164_gives_the_units_of_functions_without_a_label(
     path: Path, factors: tuple[float, float]
 ) -> None:
-    length, force = (f"{factor:25.17E}".replace("E", "D") for factor in factors)
-    units = dataset(164, f"{9:10d}{'any':20}{2:10d}\n{length}{force}{1.0:25.17E}\n{0.0:25.17E}\n".encode())
+    units = units_of(*factors)
     header = {**FRF, "denominator": (13, "NONE")}
     function = only(path, units + dataset58(PAIRS, ordinate=5, quantity=(12, "NONE"), **header))
     assert (function.unit, function.reference_unit) == UNITS[factors]
     function = only(path, units + dataset58(PAIRS, ordinate=5, quantity=(12, "g"), **FRF))
     assert (function.unit, function.reference_unit) == ("g0", "N")
+
+
+def test_units_hold_for_functions_before_them(path: Path) -> None:
+    header = {**FRF, "denominator": (13, "NONE"), "quantity": (12, "NONE")}
+    function = dataset58(PAIRS, ordinate=5, **header)
+    for content in (units_of(1e3, 1.0) + function, function + units_of(1e3, 1.0)):
+        found = only(path, content)
+        assert (found.unit, found.reference_unit, found.assumed) == ("mm/s^2", "N", False)
+    path.write_bytes(function + units_of(1e3, 1.0) + dataset58(NUMBERS) + units_of(1e3, 1.0))
+    assert [one.unit for one in read_signals(path).functions] == ["mm/s^2", "m/s^2"]  # the second has a label
+
+
+def test_two_systems_of_units_in_a_file_are_refused(path: Path) -> None:
+    with pytest.raises(MeasurementError, match="expected one system of units, found mm and N after m and N"):
+        only(path, units_of(1.0, 1.0) + dataset58(NUMBERS) + units_of(1e3, 1.0))
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,7 @@ from pkmodes.measured.rules import SHAPE
 from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
+from pkmodes.support.ordering import joined
 
 #: Modes of one file within the width in which those of two files may be the same: far above what any test tells
 #: apart, and few enough that all pairs of them are compared in seconds.
@@ -57,7 +58,9 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     for mode in read.modes:
         _check(mode, read.source)
     turned = campaign.places_at(record)
-    places = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
+    sensors = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
+    unmeasured = [name for name in sensors if _is_zero_throughout(name, read.modes)]
+    places = {name: place for name, place in sensors.items() if name not in unmeasured}
     shapes = [
         combined({name: value for name, value in mode.shape.items() if name in places}, places)
         for mode in read.modes
@@ -70,7 +73,18 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     seen = {name for mode in read.modes for name in mode.shape}
     blank = [(mode.frequency, one.blank) for mode, one in zip(found, shapes, strict=True)]
     said = left_blank(read.source, UNDETERMINED, blank)
+    if unmeasured:
+        every = "is 0 in every mode" if len(unmeasured) == 1 else "are 0 in every mode"
+        zeros = (
+            f"{read.source}: {joined(unmeasured)} {every}: taken as not measured, and left out of the shapes"
+        )
+        said = [zeros, *said]
     return FileModes(found, (*read.messages, *said), frozenset(seen))
+
+
+def _is_zero_throughout(name: str, modes: Sequence[ModeShape]) -> bool:
+    """Return whether a component is exactly 0 in each mode: programs write this for nodes without a sensor."""
+    return any(name in mode.shape for mode in modes) and not any(mode.shape.get(name) for mode in modes)
 
 
 def _check_apart(modes: Sequence[Found], source: str) -> None:

@@ -12,9 +12,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from os import fspath
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.formats import Format
 from pkmodes.signals.dataset58 import read_points
 from pkmodes.signals.functions import Asked, Function, ModeShape, SignalFile
@@ -43,11 +45,30 @@ def read(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If a dataset is damaged or incomplete.
     """
+    found, late = _read(path, asked, FileUnits())
+    if late is None:
+        return found
+    del found  # its functions, which may be large, are in the units that come after them
+    return _read(path, asked, late)[0]
+
+
+def _read(path: Path, asked: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
+    """Read a universal file whose units are these until it states others.
+
+    Returns
+    -------
+    found : SignalFile
+    late : FileUnits or None
+        Units that it states only after functions, which hold for these, too.
+    """
     source = fspath(path)
     functions: list[Function] = []
     modes: list[ModeShape] = []
     skipped: dict[str, list[str]] = {}
-    units, abscissas = FileUnits(), Abscissas()
+    stated: FileUnits | None = None
+    late = False
+    contradictions: list[tuple[str, FileUnits, FileUnits]] = []
+    abscissas = Abscissas()
     others: dict[int, None] = {}
     axes: dict[str, str] = {}
     with path.open("rb") as file:
@@ -62,7 +83,11 @@ def read(path: Path, asked: Asked) -> SignalFile:
             elif dataset.number in MODES:
                 found = MODES[dataset.number](scanner)
             elif dataset.number == UNITS:
-                units = _units(scanner)
+                before, stated = stated, _units(scanner)
+                late |= bool(functions) and stated != units
+                units = stated
+                if before is not None and before != stated:
+                    contradictions.append((scanner.where, before, stated))
             elif dataset.number in NODES:
                 axes |= _axes(scanner, NODES[dataset.number])
                 others[dataset.number] = None
@@ -75,12 +100,15 @@ def read(path: Path, asked: Asked) -> SignalFile:
                 modes.append(found)
             elif found is not None:
                 skipped.setdefault(found, []).append(dataset.where)
+    if functions and contradictions:  # shapes of modes have no unit
+        _refuse_units(*contradictions[0])
     messages = tuple(f"{places[0]}: skipped: {_counted(why, places)}" for why, places in skipped.items())
     whys = [_counted(why, places) for why, places in skipped.items()]
     whys += [f"dataset {number} holds {OTHERS.get(number, 'what is not read')}" for number in others]
     used = [one.response for one in functions] + [name for mode in modes for name in mode.shape]
     said = (*messages, *_different_axes(used, axes, source))
-    return SignalFile(source, tuple(functions), tuple(modes), said, skipped=tuple(whys))
+    content = SignalFile(source, tuple(functions), tuple(modes), said, skipped=tuple(whys))
+    return content, stated if late else None
 
 
 def _axes(scanner: Scanner, lines: int) -> dict[str, str]:
@@ -123,6 +151,15 @@ def _skip(scanner: Scanner, binary: Binary) -> None:
         scanner.line(f"line {number + 1} of the header")
     scanner.skip_bytes(binary.bytes)
     scanner.close()
+
+
+def _refuse_units(where: str, before: FileUnits, after: FileUnits) -> NoReturn:
+    """Refuse a file of functions in two systems of units: those hold for the whole file, wherever they stand."""
+    first, second = (
+        f"{one.length or 'another length'} and {one.force or 'another force'}" for one in (before, after)
+    )
+    what = f"expected one system of units, found {second} after {first}"
+    raise MeasurementError(what, where, "write the functions in each system into a file of their own")
 
 
 def _units(scanner: Scanner) -> FileUnits:
