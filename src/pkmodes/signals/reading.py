@@ -23,7 +23,7 @@ FORMATS: dict[str, Format[Reader]] = {
     known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, SHAKE_AND_TUNE, ARCHIVE, TABLE)
 }
 #: Those that hold several records, each with a name.
-SEVERAL = (SHAKE_AND_TUNE, ARCHIVE)
+SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
@@ -72,7 +72,9 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
         what = "expected a file of measured signals, found another kind of content"
         raise MeasurementError(what, source, REMEDY)
     if member and known not in SEVERAL:
-        what = f"expected an archive or a file of Shake&Tune, found another file ({known.name})"
+        what = (
+            f"expected an archive or a file of Shake&Tune, MATLAB or NumPy, found another file ({known.name})"
+        )
         raise MeasurementError(what, source, f"leave {shown(member)} out of its name")
     try:
         return known.read(place, replace(asked, member=member))

@@ -15,13 +15,12 @@ from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.clock import is_clock, seconds_of
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
-from pkmodes.signals.sampling import as_sampled
+from pkmodes.signals.sampling import as_sampled, counts_samples
 from pkmodes.signals.table_columns import Column, Layout, layout_of
 from pkmodes.signals.table_programs import framed
 from pkmodes.signals.table_rates import (
     counted,
     counter_in,
-    counts_samples,
     rates_in,
     same_rate,
     stated_rate,

@@ -107,8 +107,3 @@ def counted(numbers: Array) -> Array | None:
         return None
     after = (numbers - numbers[0]) / usual
     return after if np.all(steps > 0.0) and np.array_equal(after, np.round(after)) else None
-
-
-def counts_samples(times: Array) -> bool:
-    """Return whether times are numbers of samples: whole and consecutive."""
-    return bool(times.size > 2 and times[0] in (0.0, 1.0) and np.all(np.diff(times) == 1.0))
