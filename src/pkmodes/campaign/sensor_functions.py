@@ -48,6 +48,12 @@ class SensorFunctions:
     used: tuple[Function, ...]
 
 
+def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
+    """Return what is wanted of a file of a record: the functions of some sensors, all by default."""
+    blows = record.kind == "impact"
+    return Asked(record.rate, names, record.header, record.band, names=record.names, force=blows)
+
+
 def sensor_functions(
     path: Path, kind: Kind, names: frozenset[str], record: Record, *, signs: bool = False
 ) -> SensorFunctions:
@@ -68,7 +74,7 @@ def sensor_functions(
     MeasurementError
         If the file is faulty or has none of them, or their times or frequencies differ.
     """
-    asked = Asked(record.rate, names or None, record.header, record.band)
+    asked = asked_of(record, names or None)
     read = read_signals(path, asked)
     if signs:
         read = replace(read, functions=tuple(map(signed, read.functions)))
