@@ -261,6 +261,29 @@ def test_two_systems_of_units_in_a_file_are_refused(path: Path) -> None:
         only(path, units_of(1.0, 1.0) + dataset58(NUMBERS) + units_of(1e3, 1.0))
 
 
+def test_functions_of_one_label_are_told_apart_by_their_number(path: Path) -> None:
+    first, second = (dataset58b(packed([k, 2.0], "f"), count=2, response=(1, -3)) for k in (5.0, 7.0))
+    other = dataset58b(packed([9.0, 2.0], "f"), count=2, response=(2, 3))
+    path.write_bytes(first + other + second)
+
+    def found(*names: str) -> list[tuple[str, float]]:
+        asked = Asked(sensors=frozenset(names) if names else None)
+        return [(one.response, float(one.values[0].real)) for one in read_signals(path, asked).functions]
+
+    assert found() == [("1:-Z", 5.0), ("2:+Z", 9.0), ("1:-Z#2", 7.0)]
+    assert found("1:-Z#2") == [("1:-Z#2", 7.0)]
+    assert found("1:-Z#1", "2:+Z") == [("1:-Z#1", 5.0), ("2:+Z", 9.0)]
+    assert found("1:-Z", "1:-Z#2") == [("1:-Z", 5.0), ("1:-Z#2", 7.0)]
+    assert found("1:-Z") == [("1:-Z", 5.0), ("1:-Z", 7.0)]  # which of them, only the campaign can say
+    assert found("1:-Z#3") == []
+
+
+def test_names_of_columns_are_refused_for_a_universal_file(path: Path) -> None:
+    path.write_bytes(dataset58(NUMBERS))
+    with pytest.raises(MeasurementError, match="found a universal file"):
+        read_signals(path, Asked(names={"force": "1:+Z"}))
+
+
 @pytest.mark.parametrize(
     ("data_type", "direction", "unit"),
     [

@@ -21,21 +21,20 @@ from pkmodes.campaign.description import (
     uncertain,
 )
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of
+from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, names_of, sensors_of
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
 from pkmodes.identification.asked import NOTHING, Asked
 from pkmodes.measured.rules import PRINTABLE, is_label
-from pkmodes.signals.functions import WORDS
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
 
 #: What `repeatability` may say instead of a share: it is estimated from poses that were measured twice.
 REVISITS = "revisits"
-#: The kinds of records of frequency response functions, and of modes that another program has identified.
-FUNCTIONS, IDENTIFIED = "frf", "modes"
+#: The kind of records of frequency response functions.
+FUNCTIONS = "frf"
 
 
 @dataclass(frozen=True)
@@ -296,29 +295,11 @@ def _record(
         rate=None if given.rate is None else frequency(given.rate, f"{where}.rate", "3200 Hz"),
         columns=given.columns if isinstance(given.columns, dict) else {},
         header=tuple(given.columns) if isinstance(given.columns, list) else (),
-        names=_names(given, table, where),
+        names=names_of(given, table.sensor, where),
         invert=given.invert,
         conjugate=given.conjugate,
         clocks={} if given.clock is None else clocks_of(given, files, where),
     )
-
-
-def _names(given: RecordTable, table: CampaignTable, where: str) -> dict[str, str]:
-    """Return what the files of a record call what a campaign names."""
-    known = [*WORDS, *dict.fromkeys(sensor.name for sensor in table.sensor)]
-    for name in given.names:
-        if name not in known:
-            what = f"expected time, frequency, force or a sensor of the campaign, found {shown(name)}"
-            raise MeasurementError(what, f"{where}.names", nearest(name, known))
-    if given.names and given.kind == IDENTIFIED:
-        what = f"expected a record of signals with names, found the kind {shown(given.kind)}"
-        raise MeasurementError(what, f"{where}.names", 'for tables of modes: columns = { frequency = "f0" }')
-    theirs = list(given.names.values())
-    twice = next((name for i, name in enumerate(theirs) if name in theirs[:i]), None)
-    if twice is not None:
-        what = f"{shown(twice)} is given two names"
-        raise MeasurementError(what, f"{where}.names", "each column of the files is one signal")
-    return given.names
 
 
 def _time(text: str, where: str) -> float:

@@ -3,13 +3,19 @@
 Of nodes only their axes count: a direction is along those of its node.  Where sensors are, the campaign says.  Other
 datasets are skipped.
 
+Functions that occur several times, alike in kind and degrees of freedom, are told apart by their place in the file:
+``1:+Z#2`` is the second.
+
 The structure of the whole file is checked, so that a file that was cut off is refused.  A cut exactly between two
 datasets leaves a complete file: nothing in this format says how many there should be.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from os import fspath
 from pathlib import Path
 from typing import NoReturn
@@ -26,6 +32,8 @@ from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, is_
 from pkmodes.signals.units import FileUnits
 from pkmodes.support.ordering import listed
 
+#: The name of a function that occurs several times.
+NUMBERED = re.compile(r"(.+)#[0-9]+")
 #: Numbers of the datasets that are read.
 FUNCTIONS, UNITS = 58, 164
 #: Those of modes, and their readers.
@@ -45,11 +53,35 @@ def read(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If a dataset is damaged or incomplete.
     """
+    sensors = asked.sensors
+    if sensors is not None:
+        bases = (match[1] for name in sensors if (match := NUMBERED.fullmatch(name)) is not None)
+        asked = replace(asked, sensors=sensors.union(bases))
     found, late = _read(path, asked, FileUnits())
-    if late is None:
-        return found
-    del found  # its functions, which may be large, are in the units that come after them
-    return _read(path, asked, late)[0]
+    if late is not None:
+        del found  # its functions, which may be large, are in the units that come after them
+        found, _ = _read(path, asked, late)
+    return replace(found, functions=tuple(_numbered(found.functions, sensors)))
+
+
+def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) -> Iterator[Function]:
+    """Yield functions by the names of sensors, which may have numbers; all that are alike without one.
+
+    Without sensors, those after the first have their numbers.
+    """
+    seen = Counter[tuple[str, str, str, bool]]()
+    for one in functions:
+        key = (one.kind, one.response, one.reference, one.force)
+        seen[key] += 1
+        number = f"{one.response}#{seen[key]}"
+        if one.force or (sensors is None and seen[key] == 1):
+            yield one
+        elif sensors is None or number in sensors:
+            yield replace(one, response=number)
+        elif one.response in sensors and (
+            seen[key] == 1 or not any(name.startswith(f"{one.response}#") for name in sensors)
+        ):
+            yield one
 
 
 def _read(path: Path, asked: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
