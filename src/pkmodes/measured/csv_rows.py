@@ -202,6 +202,8 @@ def read_table(
                 unit = column.unit or column.si
                 remedy = f"write a plain number{f' in {unit}' if unit else ''}, with {notation.decimal}"
                 problems.append(Problem(row, column.text, what, remedy))
+    if not problems:
+        problems = list(_rotations_in_degrees(columns, numbers, components))
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
     try:
@@ -210,6 +212,21 @@ def read_table(
     except BrokenRuleError as error:
         what = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
         raise MeasurementError(what, error.where, error.remedy) from None
+
+
+def _rotations_in_degrees(
+    columns: Sequence[Column], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
+) -> Iterator[Problem]:
+    """Yield the first value of each rotation of a pose that is no angle in rad, where no unit says that it is one."""
+    for column in columns:
+        if components.get(column.name) != "rad" or column.factor is not None:
+            continue
+        for row, value in enumerate(numbers[column.name]):
+            if abs(value) > math.pi:
+                what = f"expected a rotation in rad, of at most pi, found {value:g}: these look like degrees"
+                remedy = f"write the unit into the header: {column.name} [deg], or {column.name} [rad] if it is that"
+                yield Problem(row, column.text, what, remedy)
+                break
 
 
 def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:
