@@ -23,6 +23,7 @@ from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
+from pkmodes.measured.meanings import likely_meaning, worded
 from pkmodes.measured.rules import SHAPE
 from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
@@ -176,6 +177,8 @@ def _places(
     found: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
         name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
+        if name in theirs and unit is None:
+            unit = worded(cell)[1] or None  # "Damping ratio in %"
         name = theirs.get(name, theirs.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             wanted = name.removeprefix(SHAPE)
@@ -191,9 +194,21 @@ def _places(
     if missing:
         _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
     if "frequency" not in found:
-        remedy = 'name it in the record: columns = { frequency = "f0" }'
+        own = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+        meant: dict[str, str] = {}
+        for cell in names:
+            meaning = worded(likely_meaning(cell, own, {*found, *meant}))[0]
+            meant |= {meaning: cell} if meaning else {}
+        likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
+        example = ", ".join(f"{_key(own)} = {shown(cell)}" for own, cell in likely.items())
+        remedy = f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
         _refuse("expected a column of frequencies, found none", where, remedy)
     return found
+
+
+def _key(name: str) -> str:
+    """Return a name as a key of a table in TOML."""
+    return f'"{name}"' if ":" in name else name
 
 
 def _factor(name: str, unit: str, where: str) -> Decimal:
