@@ -10,7 +10,9 @@ import pytest
 from scipy.io import wavfile
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
+from pkmodes.campaign.sensors import signed
 from pkmodes.measured.reading import read_modes
+from pkmodes.signals.reading import read_signals
 from signals.universal import dataset58b, packed
 
 STEP = 1.0 / 2048.0
@@ -49,11 +51,10 @@ def test_a_table_in_which_nothing_has_the_names_of_the_campaign(tmp_path: Path) 
     assert 'found "Elapsed [ms]", "Hammer [N]", "Ch 1", "A2", "a3" (b.csv: line 1)' in error
     assert 'names = { time = "NAME" }' in error
     error = refused(tmp_path, campaign + 'names = { time = "Elapsed" }\n')
+    assert "expected a force, found none (b.csv)" in error
     assert (
-        'expected a force, found "Hammer", "Ch 1", "a2", "a3" (b.csv)' in error
-        or 'found "Hammer", "Ch 1"' in error
+        'of "Hammer", "Ch 1", "A2", "a3" say in the record which it is, names = { force = "NAME" }' in error
     )
-    assert 'names = { force = "NAME" }' in error
     named = 'names = { time = "Elapsed", force = "Hammer", a1 = "Ch 1" }\n'
     check(identify(tmp_path, campaign + named).file)
 
@@ -108,10 +109,10 @@ def test_a_sound_file_of_a_hammer_and_accelerometers(tmp_path: Path) -> None:
     )
     two = HEAD + sensors("m/s^2").replace('"a1"', '"2"') + record("impact", "hit.wav")
     error = refused(tmp_path, two)
-    assert 'expected a force, found "1", "2", "3", "4" (hit.wav)' in error
-    check_first = identify(tmp_path, two + 'names = { force = "1" }\n')
+    assert 'expected a force, found none (hit.wav); of "1", "2", "3", "4" say' in error
+    single = identify(tmp_path, two + 'names = { force = "1" }\n')
     np.testing.assert_allclose(
-        read_modes(check_first.file, CHANNELS).frequency, Frame.build().modes()[0], rtol=1e-3
+        read_modes(single.file, CHANNELS).frequency, Frame.build().modes()[0], rtol=1e-3
     )
 
 
@@ -146,3 +147,22 @@ def test_one_of_two_signals_with_one_label(tmp_path: Path) -> None:
     for k in (1, 2, 3):
         chosen = chosen.replace(f'"a{k}"', json.dumps(f"1:+Z#{k}"))
     check(identify(tmp_path, chosen).file)
+
+
+def test_the_sign_of_a_numbered_label_counts_where_those_of_the_file_do(tmp_path: Path) -> None:
+    force, a = blow()
+    content = dataset58b(
+        packed(force, "f"), count=len(force), step=STEP, response=(9, 3), quantity=(13, "NONE")
+    )
+    for signal in -noisy(a, 8).T:
+        content += dataset58b(
+            packed(signal, "f"), count=len(force), step=STEP, response=(1, -3), quantity=(12, "NONE")
+        )
+    (tmp_path / "b.uff").write_bytes(content)
+    campaign = 'signs = "file"\n' + ACCELEROMETERS + record("impact", "b.uff")
+    for k in (1, 2, 3):
+        campaign = campaign.replace(f'"a{k}"', json.dumps(f"1:-Z#{k}"))
+    numbered = [one for one in read_signals(tmp_path / "b.uff").functions if not one.force]
+    for one, expected in zip(numbered, noisy(a, 8).T, strict=True):
+        np.testing.assert_allclose(signed(one).values, expected, rtol=1e-6, atol=1e-9)
+    check(identify(tmp_path, campaign).file)

@@ -201,7 +201,9 @@ def _places(
             meant |= {meaning: cell} if meaning else {}
         likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
         example = ", ".join(f"{_key(own)} = {shown(cell)}" for own, cell in likely.items())
-        remedy = f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
+        remedy = (
+            f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
+        )
         _refuse("expected a column of frequencies, found none", where, remedy)
     return found
 

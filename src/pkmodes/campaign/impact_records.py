@@ -110,9 +110,11 @@ def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
     """Say which signals a file has, one of which may be the force."""
     functions = read_signals(path, replace(asked_of(record), force=False)).functions
     names = list(dict.fromkeys(one.response for one in functions))
-    what = f"expected a force, found {listed([*map(shown, names)], MOST_NAMES)}"
-    remedy = 'say which it is in the record, names = { force = "NAME" }, or give its type in a universal file'
-    raise MeasurementError(what, source, f"{remedy}; without a force the kind is ambient")
+    of_file = (
+        f"of {listed([*map(shown, names)], MOST_NAMES)} say in the record which it is, names = {{ force = "
+    )
+    remedy = f'{of_file}"NAME" }}, or give its type in a universal file; without a force the kind is ambient'
+    raise MeasurementError("expected a force, found none", source, remedy)
 
 
 def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | None:
