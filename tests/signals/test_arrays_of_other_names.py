@@ -131,6 +131,9 @@ def test_the_measurement_has_to_be_named(path: Path) -> None:
     with pytest.raises(MeasurementError, match="expected one measurement, found 3") as error:
         read_signals(path)
     assert f'files = ["{path.name}/1", "{path.name}/2"]' in error.value.remedy
+    assert (
+        read_signals(path / "1", Asked(sensors=frozenset({"x"}))).functions == ()
+    )  # the campaign says what is there
     with pytest.raises(MeasurementError, match='expected a measurement from 1 to 3, found "4"'):
         read_signals(path / "4")
     with pytest.raises(

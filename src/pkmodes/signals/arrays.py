@@ -159,7 +159,8 @@ def functions_of(found: Sequence[Variable], source: str, asked: Asked, what: str
     signals = _called(every, asked, source)
     forced = FORCE if kind is Kind.TIME else None
     wanted = [one for one in signals if one.name == forced or asked.wants(one.response, one.name)]
-    wanted, source = _of_measurement(wanted, asked, source)
+    if wanted or all(one.measurement is None for one in signals):
+        wanted, source = _of_measurement(wanted, asked, source)
     read = [
         known[name] for name in dict.fromkeys([*([named] if named else []), *(s.variable for s in wanted)])
     ]

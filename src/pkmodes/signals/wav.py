@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.formats import Format
@@ -53,7 +54,7 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         form = _checked(file, path.stat().st_size, source)
     samples = loaded(lambda: _samples(path), source, "WAV")
-    signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))
+    signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))  # as stored
     own = asked.own_names(signals, source)
     said = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
     rest = [name for name in signals if name not in (asked.sensors or signals) and name not in own]
@@ -62,29 +63,33 @@ def read(path: Path, asked: Asked) -> SignalFile:
         said.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
     time = np.arange(len(samples)) / form.rate
     functions = []
-    for name, values in signals.items():
+    for name, stored in signals.items():
         called = own.get(name, name)
         if called and (called == FORCE or asked.wants(called)):
+            values = _parts_of_full_scale(stored)
             check_finite(values, f"{source}: channel {name}")
-            functions.append(
-                Function(Kind.TIME, called, "", time, np.array(values), None, None, called == FORCE)
-            )
+            functions.append(Function(Kind.TIME, called, "", time, values, None, None, called == FORCE))
     return SignalFile(source, tuple(functions), (), tuple(said))
 
 
-def _samples(path: Path) -> Array:
-    """Return all samples, (N, channels), as parts of full scale."""
+def _samples(path: Path) -> NDArray[Any]:
+    """Return all samples as they are stored, (N, channels)."""
     from scipy.io import wavfile
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", wavfile.WavFileWarning)  # chunks that it does not know
-        numbers: Any = wavfile.read(path)[1]
-    numbers = numbers.reshape(len(numbers), -1)
-    if numbers.dtype.kind == "f":
-        return np.asarray(numbers, np.float64)
-    size = 2.0 ** (8 * numbers.dtype.itemsize - 1)  # SciPy puts 24 bits into the upper ones of 32
-    middle = size if numbers.dtype.kind == "u" else 0.0
-    return np.asarray((numbers - middle) / size, np.float64)
+        numbers: NDArray[Any] = wavfile.read(path)[1]
+    return numbers.reshape(len(numbers), -1)
+
+
+def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
+    """Return the samples of a channel, whose full scale is 1; those of eight bits have their middle at half of it."""
+    values: Array = stored.astype(np.float64)
+    if stored.dtype.kind != "f":
+        size = 2.0 ** (8 * stored.dtype.itemsize - 1)  # SciPy puts 24 bits into the upper ones of 32
+        values -= size if stored.dtype.kind == "u" else 0.0
+        values /= size
+    return values
 
 
 def _checked(file: BinaryIO, length: int, source: str) -> _Form:
