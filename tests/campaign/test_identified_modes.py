@@ -14,6 +14,7 @@ from helpers.pages.page_reading import read
 from pkmodes import updating
 from pkmodes.campaign.averaging import averaged
 from pkmodes.campaign.found import Found
+from pkmodes.measured.reading import read_modes
 
 ROOT = Path(__file__).parents[2]
 ROBOT = ROOT / "robots/linear-delta-2022.toml"
@@ -211,3 +212,20 @@ def test_what_a_measurement_file_may_not_hold_is_left_out_and_said(tmp_path: Pat
     )
     assert "the mode at 60 Hz has no damping ratio: its standard deviation is 1.2" in found.remarks
     assert "the mode at 70 Hz is left out: the standard deviation of its frequency is 71 Hz" in found.remarks
+
+
+def test_columns_named_in_words_are_suggested_and_can_be_mapped(tmp_path: Path) -> None:
+    """As the record should have it, in words that it can be written with: then with the units in these words."""
+    (tmp_path / "m.csv").write_text(
+        "Nr;Frequency in Hz;Damping ratio in %;Shape a\n1;50,5;1,2;0,5\n2;80;0,9;-1\n", encoding="utf-8"
+    )
+    head = 'format = 1\nchannels = ["a"]\nband = ["10 Hz", "300 Hz"]\n'
+    record = '[[record]]\npose = "P1"\nkind = "modes"\nfiles = ["m.csv"]\n'
+    columns = (
+        'columns = { frequency = "Frequency in Hz", damping = "Damping ratio in %", "shape:a" = "Shape a" }'
+    )
+    assert columns in refused(tmp_path, head + record)
+    data = read_modes(identify(tmp_path, f"{head}{record}{columns}\n").file, ("a",))
+    assert data.frequency.tolist() == [50.5, 80.0]
+    np.testing.assert_allclose(data.damping, [0.012, 0.009], rtol=1e-12)
+    np.testing.assert_allclose(data.shapes[:, 0], [1.0, 1.0])  # of one component: any scale and sign

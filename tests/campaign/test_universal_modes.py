@@ -75,3 +75,47 @@ def test_modes_that_cannot_be_are_refused(
     assert run(["identify", "c.toml", "--out", "modes.csv"]) == 2
     assert message in " ".join(capsys.readouterr().err.split())
     assert not Path("modes.csv").exists()
+
+
+THREE = 'format = 1\nchannels = ["a", "b", "c"]\nband = ["1 Hz", "400 Hz"]\n' + "".join(
+    f'[[sensor]]\nname = "{k}:+X"\nchannel = "{name}"\n' for k, name in ((1, "a"), (2, "b"), (3, "c"))
+)
+
+
+def test_nodes_that_are_zero_in_every_mode_were_not_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Node 3 is 0 in both modes; node 1 in one of them, which is a node of vibration."""
+    monkeypatch.chdir(tmp_path)
+    modes = dataset(20.0, 0.02, {1: 0.0, 2: 0.5, 3: 0.0}), dataset(50.0, 0.01, {1: 1.0, 2: -0.75, 3: 0.0})
+    Path("m.uff").write_text("".join(modes), encoding="ascii")
+    Path("c.toml").write_text(THREE + RECORD, encoding="utf-8")
+    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 0
+    data = read_modes("modes.csv", ("a", "b", "c"))
+    shapes = dict(zip(data.channels, data.shapes.T, strict=True))
+    np.testing.assert_allclose(shapes["a"], [0.0, 1.0])
+    np.testing.assert_allclose(shapes["b"], [1.0, -0.75])
+    assert np.isnan(shapes.get("c", np.nan)).all()
+    assert "3:+X is 0 in every mode: taken as not measured" in capsys.readouterr().err
+
+
+def test_on_a_platform_only_the_sensors_that_measured_count(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two sensors along x and one that measured nothing: with it, the mean along x would be two thirds."""
+    monkeypatch.chdir(tmp_path)
+    robot = Path(__file__).parents[2] / "robots/linear-delta-2022.toml"
+    sensors = "".join(f'[[sensor]]\nname = "{k}:+X"\nchannel = "p_x"\n' for k in (1, 2, 3))
+    sensors += '[[sensor]]\nname = "4:+X"\nchannel = "p_y"\n'
+    at = 'at = { x = "600 mm", y = "0 mm", z = "-245 mm" }\n'
+    head = f'format = 1\nrobot = "{robot.as_posix()}"\nband = ["1 Hz", "400 Hz"]\n'
+    shapes = {1: 1.0, 2: 1.0, 3: 0.0, 4: 0.5}, {1: 0.5, 2: 0.5, 3: 0.0, 4: -1.0}
+    Path("m.uff").write_text(
+        dataset(20.0, 0.02, shapes[0]) + dataset(50.0, 0.01, shapes[1]), encoding="ascii"
+    )
+    Path("c.toml").write_text(head + sensors + RECORD + at, encoding="utf-8")
+    assert run(["identify", "c.toml", "--out", "modes.csv"]) == 0
+    with Path("modes.csv").open(encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    found = [[float(row["shape:p_x"]), float(row["shape:p_y"])] for row in rows]
+    np.testing.assert_allclose(found, [[1.0, 0.5], [-0.5, 1.0]])

@@ -158,6 +158,7 @@ def test_a_wrong_name_among_those_of_another_mechanism_is_still_a_wrong_name(tmp
     path.write_text("pose,x,y,z,frequency,sigma,shape:x1,shape:phi_1\nP1,0.6,0,-0.245,50,0.1,1,2\n")
     machine = pkmodes.read_robot(PUBLISHED)
     with pytest.raises(
-        MeasurementError, match=r'"shape:x1" is not a coordinate .* did you mean "shape:x_1"\?'
+        MeasurementError,
+        match=r'unknown columns "shape:x1", "shape:phi_1" .* "shape:x1" -> "shape:x_1"',
     ):
         updating.read(path, robot=machine)

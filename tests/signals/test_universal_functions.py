@@ -228,17 +228,60 @@ UNITS = {
 }
 
 
+def units_of(length: float, force: float) -> bytes:
+    """A dataset 164."""
+    numbers = [f"{factor:25.17E}".replace("E", "D") for factor in (length, force)]
+    return dataset(164, f"{9:10d}{'any':20}{2:10d}\n{''.join(numbers)}{1.0:25.17E}\n{0.0:25.17E}\n".encode())
+
+
 @pytest.mark.parametrize("factors", UNITS)
 def test_dataset_164_gives_the_units_of_functions_without_a_label(
     path: Path, factors: tuple[float, float]
 ) -> None:
-    length, force = (f"{factor:25.17E}".replace("E", "D") for factor in factors)
-    units = dataset(164, f"{9:10d}{'any':20}{2:10d}\n{length}{force}{1.0:25.17E}\n{0.0:25.17E}\n".encode())
+    units = units_of(*factors)
     header = {**FRF, "denominator": (13, "NONE")}
     function = only(path, units + dataset58(PAIRS, ordinate=5, quantity=(12, "NONE"), **header))
     assert (function.unit, function.reference_unit) == UNITS[factors]
     function = only(path, units + dataset58(PAIRS, ordinate=5, quantity=(12, "g"), **FRF))
     assert (function.unit, function.reference_unit) == ("g0", "N")
+
+
+def test_units_hold_for_functions_before_them(path: Path) -> None:
+    header = {**FRF, "denominator": (13, "NONE"), "quantity": (12, "NONE")}
+    function = dataset58(PAIRS, ordinate=5, **header)
+    for content in (units_of(1e3, 1.0) + function, function + units_of(1e3, 1.0)):
+        found = only(path, content)
+        assert (found.unit, found.reference_unit, found.assumed) == ("mm/s^2", "N", False)
+    path.write_bytes(function + units_of(1e3, 1.0) + dataset58(NUMBERS) + units_of(1e3, 1.0))
+    assert [one.unit for one in read_signals(path).functions] == ["mm/s^2", "m/s^2"]  # the second has a label
+
+
+def test_two_systems_of_units_in_a_file_are_refused(path: Path) -> None:
+    with pytest.raises(MeasurementError, match="expected one system of units, found mm and N after m and N"):
+        only(path, units_of(1.0, 1.0) + dataset58(NUMBERS) + units_of(1e3, 1.0))
+
+
+def test_functions_of_one_label_are_told_apart_by_their_number(path: Path) -> None:
+    first, second = (dataset58b(packed([k, 2.0], "f"), count=2, response=(1, -3)) for k in (5.0, 7.0))
+    other = dataset58b(packed([9.0, 2.0], "f"), count=2, response=(2, 3))
+    path.write_bytes(first + other + second)
+
+    def found(*names: str) -> list[tuple[str, float]]:
+        asked = Asked(sensors=frozenset(names) if names else None)
+        return [(one.response, float(one.values[0].real)) for one in read_signals(path, asked).functions]
+
+    assert found() == [("1:-Z", 5.0), ("2:+Z", 9.0), ("1:-Z#2", 7.0)]
+    assert found("1:-Z#2") == [("1:-Z#2", 7.0)]
+    assert found("1:-Z#1", "2:+Z") == [("1:-Z#1", 5.0), ("2:+Z", 9.0)]
+    assert found("1:-Z", "1:-Z#2") == [("1:-Z", 5.0), ("1:-Z#2", 7.0)]
+    assert found("1:-Z") == [("1:-Z", 5.0), ("1:-Z", 7.0)]  # which of them, only the campaign can say
+    assert found("1:-Z#3") == []
+
+
+def test_names_of_columns_are_refused_for_a_universal_file(path: Path) -> None:
+    path.write_bytes(dataset58(NUMBERS))
+    with pytest.raises(MeasurementError, match="found a universal file"):
+        read_signals(path, Asked(names={"force": "1:+Z"}))
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,7 @@ from pkmodes.campaign.description import (
     uncertain,
 )
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, sensors_of
+from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, names_of, sensors_of
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
@@ -60,6 +60,8 @@ class Record:
         Names of a table's columns, by those of a measurement file.
     header : tuple of str
         Names of all columns of a table of signals, in order, where its own are others or missing.
+    names : mapping of str to str
+        What the files call time, frequency, force and sensors, by these names.
     invert, conjugate : bool
         Whether the functions are force over motion, or complex conjugates.
     clocks : mapping of str to Clock
@@ -81,6 +83,7 @@ class Record:
     rate: float | None
     columns: Mapping[str, str]
     header: tuple[str, ...] = ()
+    names: Mapping[str, str] = field(default_factory=dict)
     invert: bool = False
     conjugate: bool = False
     clocks: Mapping[str, Clock] = field(default_factory=dict)
@@ -292,6 +295,7 @@ def _record(
         rate=None if given.rate is None else frequency(given.rate, f"{where}.rate", "3200 Hz"),
         columns=given.columns if isinstance(given.columns, dict) else {},
         header=tuple(given.columns) if isinstance(given.columns, list) else (),
+        names=names_of(given, table.sensor, where),
         invert=given.invert,
         conjugate=given.conjugate,
         clocks={} if given.clock is None else clocks_of(given, files, where),

@@ -82,6 +82,7 @@ class RecordTable(Part, frozen=True):
     drives: Literal["free", "held"] | None = None
     rate: str | None = None
     columns: dict[str, str] | list[str] = {}
+    names: dict[str, str] = {}
     invert: bool = False
     conjugate: bool = False
     clock: str | dict[str, str | int | float | Uncertain] | None = None

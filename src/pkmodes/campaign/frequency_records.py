@@ -20,6 +20,7 @@ from pkmodes.campaign.sensor_functions import (
     dead_channels,
     in_file,
     motion_of,
+    refuse_repeated,
     sensor_functions,
 )
 from pkmodes.campaign.sensors import Place, Sensor, unsigned
@@ -197,8 +198,7 @@ def responses_of(
     for one in used:
         place = (slice(None), rows.index(one.response), columns.index(one.reference))
         if np.isfinite(values[place]).any():
-            what = f"the function {one.response}/{one.reference} occurs twice"
-            raise MeasurementError(what, read.source, "give repeats as files of their own")
+            refuse_repeated(one.response, f"the function {one.response}/{one.reference}", read.source)
         sensor = sensors[one.response]
         below = force_factor(one, read.source, sensor.motion)
         of = motion_of(one, sensor, channels, read.source)

@@ -23,10 +23,12 @@ from pkmodes.core.robot.units import QuantityError, base_units
 from pkmodes.measured.cells import Notation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
+from pkmodes.measured.meanings import likely_meaning, worded
 from pkmodes.measured.rules import SHAPE
 from pkmodes.signals.functions import ModeShape
 from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
+from pkmodes.support.ordering import joined
 
 #: Modes of one file within the width in which those of two files may be the same: far above what any test tells
 #: apart, and few enough that all pairs of them are compared in seconds.
@@ -57,7 +59,9 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     for mode in read.modes:
         _check(mode, read.source)
     turned = campaign.places_at(record)
-    places = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
+    sensors = {name: turned[sensor.key] for name, sensor in campaign.sensors_in(setup).items()}
+    unmeasured = [name for name in sensors if _is_zero_throughout(name, read.modes)]
+    places = {name: place for name, place in sensors.items() if name not in unmeasured}
     shapes = [
         combined({name: value for name, value in mode.shape.items() if name in places}, places)
         for mode in read.modes
@@ -70,7 +74,18 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
     seen = {name for mode in read.modes for name in mode.shape}
     blank = [(mode.frequency, one.blank) for mode, one in zip(found, shapes, strict=True)]
     said = left_blank(read.source, UNDETERMINED, blank)
+    if unmeasured:
+        every = "is 0 in every mode" if len(unmeasured) == 1 else "are 0 in every mode"
+        zeros = (
+            f"{read.source}: {joined(unmeasured)} {every}: taken as not measured, and left out of the shapes"
+        )
+        said = [zeros, *said]
     return FileModes(found, (*read.messages, *said), frozenset(seen))
+
+
+def _is_zero_throughout(name: str, modes: Sequence[ModeShape]) -> bool:
+    """Return whether a component is exactly 0 in each mode: programs write this for nodes without a sensor."""
+    return any(name in mode.shape for mode in modes) and not any(mode.shape.get(name) for mode in modes)
 
 
 def _check_apart(modes: Sequence[Found], source: str) -> None:
@@ -162,6 +177,8 @@ def _places(
     found: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
         name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
+        if name in theirs and unit is None:
+            unit = worded(cell)[1] or None  # "Damping ratio in %"
         name = theirs.get(name, theirs.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             wanted = name.removeprefix(SHAPE)
@@ -177,9 +194,23 @@ def _places(
     if missing:
         _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
     if "frequency" not in found:
-        remedy = 'name it in the record: columns = { frequency = "f0" }'
+        own = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+        meant: dict[str, str] = {}
+        for cell in names:
+            meaning = worded(likely_meaning(cell, own, {*found, *meant}))[0]
+            meant |= {meaning: cell} if meaning else {}
+        likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
+        example = ", ".join(f"{_key(own)} = {shown(cell)}" for own, cell in likely.items())
+        remedy = (
+            f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
+        )
         _refuse("expected a column of frequencies, found none", where, remedy)
     return found
+
+
+def _key(name: str) -> str:
+    """Return a name as a key of a table in TOML."""
+    return f'"{name}"' if ":" in name else name
 
 
 def _factor(name: str, unit: str, where: str) -> Decimal:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +18,15 @@ from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import NAMELESS, FileModes, Fit
 from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
 from pkmodes.campaign.roving import Point
-from pkmodes.campaign.sensor_functions import in_file
+from pkmodes.campaign.sensor_functions import asked_of, in_file
 from pkmodes.campaign.sensors import Place, unsigned
 from pkmodes.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.identification.estimates import Estimate, Mode
 from pkmodes.identification.frf_estimates import impact_estimate, samples_of_blows
+from pkmodes.signals.functions import MOST_NAMES
+from pkmodes.signals.reading import read_signals
+from pkmodes.support.ordering import listed
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -88,8 +92,7 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
     """Read a file of blows."""
     given = time_signals(path, record, setup, campaign)
     if not given.forces:
-        remedy = "name its column force, or give its type in the universal file; without a force the kind is ambient"
-        raise MeasurementError("expected a force, found none", given.source, remedy)
+        _refuse_without_force(path, record, given.source)
     if len(given.pieces) > 1:
         what = f"expected one piece of even sampling, found {len(given.pieces)}"
         raise MeasurementError(what, given.source, "measure the blows again, or leave the file out")
@@ -103,6 +106,17 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
         )
         raise MeasurementError(what, given.source, "measure longer, or narrow the band")
     return _Blows(given, _acting(given.force, setup, campaign, given.source))
+
+
+def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
+    """Say which signals a file has, one of which may be the force."""
+    functions = read_signals(path, replace(asked_of(record), force=False)).functions
+    names = list(dict.fromkeys(one.response for one in functions))
+    of_file = (
+        f"of {listed([*map(shown, names)], MOST_NAMES)} say in the record which it is, names = {{ force = "
+    )
+    remedy = f'{of_file}"NAME" }}, or give its type in a universal file; without a force the kind is ambient'
+    raise MeasurementError("expected a force, found none", source, remedy)
 
 
 def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | None:

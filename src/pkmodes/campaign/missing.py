@@ -11,9 +11,9 @@ from pathlib import Path
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.sensor_functions import asked_of
 from pkmodes.campaign.sensors import Place, Sensor, unsigned
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
-from pkmodes.signals.functions import Asked
 from pkmodes.signals.reading import read_signals
 from pkmodes.support.ordering import joined, listed
 
@@ -108,7 +108,7 @@ def _numbered(kind: str, places: Sequence[Place]) -> dict[str, Place]:
 
 def _names(path: Path, record: Record, sensors: bool) -> Iterator[str]:
     """Yield the names of the sensors in a file, or of the forces and references."""
-    read = read_signals(path, Asked(record.rate, None, record.header, record.band))
+    read = read_signals(path, asked_of(record))
     for one in read.functions:
         name = one.response if sensors or one.force else one.reference
         if name and not (sensors and one.force):

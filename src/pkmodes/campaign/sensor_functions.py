@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +48,12 @@ class SensorFunctions:
     used: tuple[Function, ...]
 
 
+def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
+    """Return what is wanted of a file of a record: the functions of some sensors, all by default."""
+    blows = record.kind == "impact"
+    return Asked(record.rate, names, record.header, record.band, names=record.names, force=blows)
+
+
 def sensor_functions(
     path: Path, kind: Kind, names: frozenset[str], record: Record, *, signs: bool = False
 ) -> SensorFunctions:
@@ -68,7 +74,7 @@ def sensor_functions(
     MeasurementError
         If the file is faulty or has none of them, or their times or frequencies differ.
     """
-    asked = Asked(record.rate, names or None, record.header, record.band)
+    asked = asked_of(record, names or None)
     read = read_signals(path, asked)
     if signs:
         read = replace(read, functions=tuple(map(signed, read.functions)))
@@ -95,6 +101,12 @@ def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], asked: 
     remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(found[0])}"
     remedy = nearest(found[0], names, remedy) if names else remedy
     raise MeasurementError(what, read.source, remedy)
+
+
+def refuse_repeated(name: str, what: str, source: str) -> NoReturn:
+    """Refuse what a file has several times under one name, of which the campaign may choose one."""
+    remedy = f"if one of them counts, choose it by its number in the file, name = {shown(f'{name}#2')}"
+    raise MeasurementError(f"{what} occurs twice", source, f"{remedy}; give repeats as files of their own")
 
 
 def motion_of(one: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:

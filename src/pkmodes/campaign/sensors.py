@@ -10,19 +10,21 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.description import ForceTable, SensorTable, quantity
+from pkmodes.campaign.description import ForceTable, RecordTable, SensorTable, quantity
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
 from pkmodes.campaign.mounts import DISPLACEMENT, ORIGIN, ROTATION, Mount, Platform, Vector, along
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.response.directions import unit_direction
-from pkmodes.signals.functions import Function, Kind, computed
+from pkmodes.signals.functions import WORDS, Function, Kind, computed
 from pkmodes.support.ordering import joined
 
 #: Channel of a sensor that helps to find modes but is in no shape.
 NONE = "none"
+#: The kind of records of modes that another program has identified.
+IDENTIFIED = "modes"
 EXAMPLE_OF_AT = 'at = ["0 mm", "40 mm", "-5 mm"]'
-#: The name of a degree of freedom of a universal file along a negative direction.
-NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ]")
+#: A degree of freedom of a universal file along a negative direction, perhaps with its number in the file.
+NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ](?:#[0-9]+)?")
 
 
 @dataclass(frozen=True)
@@ -116,6 +118,30 @@ def forces_of(
     ]
     _check_names(found, f"{source}: force")
     return tuple(found)
+
+
+def names_of(given: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
+    """Check what the files of a record call time, frequency, force and the sensors.
+
+    Raises
+    ------
+    MeasurementError
+        If a name is none of these, one of theirs has two, or the record is one of identified modes.
+    """
+    known = [*WORDS, *dict.fromkeys(sensor.name for sensor in sensors)]
+    for name in given.names:
+        if name not in known:
+            what = f"expected time, frequency, force or a sensor of the campaign, found {shown(name)}"
+            raise MeasurementError(what, f"{where}.names", nearest(name, known))
+    if given.names and given.kind == IDENTIFIED:
+        what = f"expected a record of signals with names, found the kind {shown(given.kind)}"
+        raise MeasurementError(what, f"{where}.names", 'for tables of modes: columns = { frequency = "f0" }')
+    theirs = list(given.names.values())
+    twice = next((name for i, name in enumerate(theirs) if name in theirs[:i]), None)
+    if twice is not None:
+        what = f"{shown(twice)} is given two names"
+        raise MeasurementError(what, f"{where}.names", "each column of the files is one signal")
+    return given.names
 
 
 def _place(

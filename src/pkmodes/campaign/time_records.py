@@ -22,6 +22,7 @@ from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
     check_size,
     motion_of,
+    refuse_repeated,
     sensor_functions,
 )
 from pkmodes.core.base.errors import MeasurementError, shown
@@ -126,8 +127,7 @@ def time_signals(
     names = [one.response for one in used]
     repeated = next((name for i, name in enumerate(names) if name in names[:i]), None)
     if repeated is not None:
-        what = f"the signal {shown(repeated)} occurs twice"
-        raise MeasurementError(what, read.source, "give repeats as files of their own")
+        refuse_repeated(repeated, f"the signal {shown(repeated)}", read.source)
     motions = [motion_of(one, sensors[one.response], campaign.channels, read.source) for one in used]
     pieces, gaps = _pieces(time, record, read.source)
     fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)

@@ -12,7 +12,7 @@ import numpy as np
 
 from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.measured.cells import SEPARATORS, Notation, separator_of
+from pkmodes.measured.cells import QUOTED, SEPARATORS, Notation, separator_of
 from pkmodes.measured.columns import Stated
 from pkmodes.measured.header import SPREAD, TEXT, Column
 from pkmodes.measured.measurements import Measurements
@@ -112,8 +112,20 @@ def read_lines(text: str, source: str) -> Lines:
         elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
             records.append((number, line))
     notation = Notation(separator_of(records[0][1])) if records else Notation()
+    records = _without_ends(records, notation.separator)
     band, drives = (next((one.value for one in stated[name].values()), None) for name in ("band", "drives"))
     return Lines(records, notation, band, drives, stated["prior"], stated["usable"])
+
+
+def _without_ends(records: list[tuple[int, str]], separator: str) -> list[tuple[int, str]]:
+    """Return lines without the separator that some programs write after the last cell of every row."""
+    lines = [line.rstrip(" ") for _, line in records]
+    if len(lines) < 2 or not all(line.endswith(separator) for line in lines[1:]):
+        return records
+    named, *counts = (QUOTED.sub("", line).count(separator) for line in lines)
+    if any(count != named + (not lines[0].endswith(separator)) for count in counts):
+        return records  # the last cells of the rows are blank, or some rows have too many
+    return [(number, line.removesuffix(separator)) for (number, _), line in zip(records, lines, strict=True)]
 
 
 def read_table(
@@ -190,6 +202,8 @@ def read_table(
                 unit = column.unit or column.si
                 remedy = f"write a plain number{f' in {unit}' if unit else ''}, with {notation.decimal}"
                 problems.append(Problem(row, column.text, what, remedy))
+    if not problems:
+        problems = list(_rotations_in_degrees(columns, numbers, components))
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
     try:
@@ -198,6 +212,21 @@ def read_table(
     except BrokenRuleError as error:
         what = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
         raise MeasurementError(what, error.where, error.remedy) from None
+
+
+def _rotations_in_degrees(
+    columns: Sequence[Column], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
+) -> Iterator[Problem]:
+    """Yield the first value of each rotation of a pose that is no angle in rad, where no unit says that it is one."""
+    for column in columns:
+        if components.get(column.name) != "rad" or column.factor is not None:
+            continue
+        for row, value in enumerate(numbers[column.name]):
+            if abs(value) > math.pi:
+                what = f"expected a rotation in rad, of at most pi, found {value:g}: these look like degrees"
+                remedy = f"write the unit into the header: {column.name} [deg], or {column.name} [rad] if it is that"
+                yield Problem(row, column.text, what, remedy)
+                break
 
 
 def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:

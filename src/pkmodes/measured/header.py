@@ -6,7 +6,6 @@ units, frequencies in Hz.
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Collection, Mapping, Sequence
 from decimal import Decimal
 from typing import NamedTuple, NoReturn
@@ -14,6 +13,7 @@ from typing import NamedTuple, NoReturn
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
 from pkmodes.measured.formats import Machine
+from pkmodes.measured.meanings import likely_meaning, worded
 from pkmodes.measured.quantities import (
     QUANTITIES,
     SHAPE_SIGMA,
@@ -101,13 +101,15 @@ def read_header(
     if not set(names) & set(required):
         _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
     columns: list[Column] = []
+    unknown = [i for i, name in enumerate(names) if name not in known]
+    if len(unknown) > 1 and not owners([names[i] for i in unknown], machine.others()):
+        _refuse_all_unknown({i: cells[i] for i in unknown}, where, known, names)
     for i, (cell, (name, unit)) in enumerate(zip(cells, parts, strict=True)):
         place = f"{where}, column {i + 1}"
         if name not in known:
-            unknown = [one for one in names if one not in known]
-            if whose := owners(unknown, machine.others()):
+            if whose := owners([names[k] for k in unknown], machine.others()):
                 _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE)
-            _refuse_unknown(name, place, known)
+            _refuse_unknown(name, place, known, names)
         if name in names[:i]:
             what = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
             _refuse(what, place, "remove one of them")
@@ -143,24 +145,44 @@ def owners(names: Sequence[str], others: Mapping[str, Collection[str]]) -> str:
     return f"the columns of the file are those of {machines}" if last else ""
 
 
-def _refuse_unknown(name: str, place: str, known: Sequence[str]) -> NoReturn:
+def _refuse_all_unknown(
+    cells: Mapping[int, str], where: str, known: Sequence[str], taken: Collection[str]
+) -> NoReturn:
+    """Refuse several unknown columns, those first that are likely to mean another."""
+    meant: dict[int, str] = {}
+    for i, cell in cells.items():
+        before = {worded(meaning)[0] for meaning in meant.values()}
+        if meaning := likely_meaning(cell, known, {*taken, *before}):
+            meant[i] = meaning
+    rest = [i for i in cells if i not in meant]
+    listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *rest)]
+    places = joined([str(i + 1) for i in cells])
+    likely = ", ".join(f'{shown(cells[i])} -> "{meaning}"' for i, meaning in meant.items())
+    remedy = f"likely meanings: {likely}; rename these" if meant else "remove them, or correct their names"
+    remedy += ", and remove the others" if meant and rest else ""
+    _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {places}", remedy)
+
+
+def _refuse_unknown(name: str, place: str, known: Sequence[str], taken: Collection[str]) -> NoReturn:
     if not name:
         _refuse("expected the name of a column, found nothing", place, "name the column or remove it")
     what = f"{shown(name)} is not a coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
     if f"{SHAPE}{name}" in known:
         _refuse(what, place, f"for the component of a mode shape, write {SHAPE}{name}; otherwise remove it")
-    # There are very many settable values: suggest them only for names that start with their prefix or lack only it.
+    # There are very many settable values: they are listed nowhere.
     others = [one for one in known if not one.startswith(SET)]
-    some = [f"{SET}{name}"] if f"{SET}{name}" in known else others
     otherwise = f"known: {', '.join(others)}"
     if name.startswith(SET) and len(others) < len(known):
         what = f"{shown(name)} is not a value that can be set"
-        some = [one for one in known if one.startswith(SET)]
         otherwise = "see docs/sensitivities.md for the paths"
-    nearest = difflib.get_close_matches(name, some, n=1, cutoff=0.5)
-    remedy = "remove it or correct the name: "
-    remedy += f'did you mean "{nearest[0]}"?' if nearest else otherwise
-    _refuse(what, place, remedy)
+    meaning = likely_meaning(name, known, taken)
+    meant, unit = worded(meaning)
+    in_unit = f' With its unit: "{meaning}"' if unit else ""
+    _refuse(
+        what,
+        place,
+        "remove it or correct the name: " + (f'did you mean "{meant}"?{in_unit}' if meaning else otherwise),
+    )
 
 
 def _factor(

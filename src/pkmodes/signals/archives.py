@@ -87,7 +87,7 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
 
     found = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
     found[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
-    read = functions_of(found, where, asked, "Shake&Tune")
+    read = functions_of(found, where, replace(asked, member=""), "Shake&Tune")
     return replace(read, functions=tuple(replace(one, unit=UNIT) for one in read.functions))
 
 

@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.support.ordering import listed
+
+#: What signals in time have beside sensors, and what a file may call otherwise: see `Asked.names`.
+FORCE = "force"
+WORDS = ("time", "frequency", FORCE)
+#: Names in a file that an error shows.
+MOST_NAMES = 12
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -171,6 +180,10 @@ class Asked:
         Frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none.
     member : str
         Which of the records in a file that holds several; "" for the only one.
+    names : mapping of str to str
+        What the file calls ``time``, ``frequency``, ``force`` and sensors, by these names.
+    force : bool
+        Whether signals in time need a force.
     """
 
     rate: float | None = None
@@ -178,7 +191,49 @@ class Asked:
     columns: tuple[str, ...] = ()
     band: tuple[float, float] | None = None
     member: str = ""
+    names: Mapping[str, str] = field(default_factory=dict)
+    force: bool = False
 
     def wants(self, *names: str) -> bool:
         """Return whether a sensor that has any of these names is wanted."""
         return self.sensors is None or not self.sensors.isdisjoint(names)
+
+    def own_names(self, given: Collection[str], where: str) -> dict[str, str]:
+        """Return what names in a file are called here, "" for those that stand back.
+
+        As `names` says; else sensors and ``force`` are also those that differ by capitals alone, where only one does.
+
+        Parameters
+        ----------
+        given : collection of str
+            Names in the file.
+        where : str
+            For messages.
+
+        Raises
+        ------
+        MeasurementError
+            If the file lacks a name that `names` says, other than of a sensor.
+        """
+        own: dict[str, str] = {}
+        for name, theirs in self.names.items():
+            place = _alike(theirs, given)
+            if place is not None:
+                own[place] = name
+            elif name in WORDS:
+                listing = listed([shown(one) for one in given if one], MOST_NAMES) or "none"
+                what = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
+                raise MeasurementError(what, where, nearest(theirs, given, "correct the names of the record"))
+        meant = set(own.values())
+        own |= {name: "" for name in given if name in meant and name not in own}
+        for name in (*sorted(self.sensors or ()), FORCE):
+            free = [one for one in given if one not in own and not (self.sensors and one in self.sensors)]
+            if name not in given and name not in meant and (place := _alike(name, free)) is not None:
+                own[place] = name
+        return own
+
+
+def _alike(name: str, given: Collection[str]) -> str | None:
+    """Return the name that is this one, or the only one that differs from it by capitals alone."""
+    alike = {one for one in given if one.casefold() == name.casefold()}
+    return name if name in given else alike.pop() if len(alike) == 1 else None

@@ -1,10 +1,15 @@
-"""Files of NumPy: ``.npz`` with arrays under their names, ``.npy`` with a single one, which is called ``data``."""
+"""Files of NumPy: ``.npz`` with arrays under their names, ``.npy`` with a single one, which is called ``data``.
+
+Fields of structured arrays go by their own names.
+"""
 
 from __future__ import annotations
 
+import math
 import zipfile
-from collections.abc import Callable
-from functools import partial
+from collections.abc import Callable, Iterator
+from functools import partial, reduce
+from operator import getitem
 from os import fspath
 from pathlib import Path
 from typing import Any
@@ -18,6 +23,8 @@ from pkmodes.signals.functions import Array, Asked, Complex, SignalFile
 
 NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
 WHAT, DATA = "NumPy", "data"
+#: Bytes of an array with fields, which is read as a whole, at most.
+LARGEST = 2_000_000_000
 
 
 def read(path: Path, asked: Asked) -> SignalFile:
@@ -33,29 +40,50 @@ def read(path: Path, asked: Asked) -> SignalFile:
         single = file.read(len(NPY)) == NPY
     if single:
         found: Any = loaded(lambda: np.load(path, mmap_mode="r", allow_pickle=False), source, WHAT)
-        fields = found.dtype.names
-        arrays = {name: found[name] for name in fields} if fields else {DATA: found}
-        every = [
-            _variable(name, one.shape, one.dtype, partial(np.asarray, one)) for name, one in arrays.items()
-        ]
+        every = []
+        for field, kind in _fields(found.dtype):
+            part: Any = reduce(getitem, field, found)
+            every.append(_variable(".".join(field) or DATA, part.shape, kind.base, partial(np.asarray, part)))
         return functions_of(every, source, asked, WHAT)
     with loaded(lambda: zipfile.ZipFile(path), source, WHAT) as archive:
-        every = loaded(lambda: [_member(archive, name) for name in archive.namelist()], source, WHAT)
+        every = loaded(
+            lambda: [one for name in archive.namelist() for one in _members(archive, name)], source, WHAT
+        )
         return functions_of(every, source, asked, WHAT)
 
 
-def _member(archive: zipfile.ZipFile, name: str) -> Variable:
-    """Return an array of an archive, of which only the header is read."""
+def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
+    """Return an array of an archive, or those that are its fields; only its header is read."""
     with archive.open(name) as file:
         version = npy.read_magic(file)
         header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
         shape, _, dtype = header(file)
 
-    def load() -> Any:
+    def load(field: tuple[str, ...]) -> Any:
+        if math.prod(shape) * dtype.itemsize > LARGEST:
+            raise ValueError(f"the array {name} has more than {LARGEST / 1e9:g} GB")
         with archive.open(name) as file:
-            return npy.read_array(file, allow_pickle=False)
+            found: Any = npy.read_array(file, allow_pickle=False)
+        return reduce(getitem, field, found)
 
-    return _variable(name.removesuffix(".npy"), shape, dtype, load)
+    return [
+        _variable(
+            ".".join([name.removesuffix(".npy"), *field]),
+            (*shape, *kind.shape),
+            kind.base,
+            partial(load, field),
+        )
+        for field, kind in _fields(dtype)
+    ]
+
+
+def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[Any]]]:
+    """Yield the fields of a type, by their names in one another, and their types; the type itself without any."""
+    if dtype.names is None:
+        yield (), dtype
+    for name in dtype.names or ():
+        for inner, kind in _fields(dtype[name]):
+            yield (name, *inner), kind
 
 
 def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> Variable:

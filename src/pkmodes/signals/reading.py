@@ -16,18 +16,19 @@ from pkmodes.signals.matlab import MATLAB
 from pkmodes.signals.numpy_arrays import NUMPY
 from pkmodes.signals.table import TABLE
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
+from pkmodes.signals.wav import WAV
 
 Reader = Callable[[Path, Asked], SignalFile]
 #: Formats by name, in the order in which they are tried.
 FORMATS: dict[str, Format[Reader]] = {
-    known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, SHAKE_AND_TUNE, ARCHIVE, TABLE)
+    known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, WAV, SHAKE_AND_TUNE, ARCHIVE, TABLE)
 }
 #: Those that hold several records, each with a name.
-SEVERAL = (SHAKE_AND_TUNE, ARCHIVE)
+SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
-WHAT, REMEDY = "the signals", "give a universal file, a MATLAB or NumPy file, or a table in text"
+WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
 
 
 def format_of(path: Path, head: bytes) -> Format[Reader] | None:
@@ -47,8 +48,8 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     Parameters
     ----------
     path : path-like
-        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB or NumPy file; a table in text; or one of several
-        records in a file of Shake&Tune or an archive, ``belts.zip/raw_data_a.csv``.
+        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one of
+        several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``.
     asked : Asked
         What is wanted of it; everything by default.
 
@@ -72,8 +73,15 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
         what = "expected a file of measured signals, found another kind of content"
         raise MeasurementError(what, source, REMEDY)
     if member and known not in SEVERAL:
-        what = f"expected an archive or a file of Shake&Tune, found another file ({known.name})"
+        what = (
+            f"expected an archive or a file of Shake&Tune, MATLAB or NumPy, found another file ({known.name})"
+        )
         raise MeasurementError(what, source, f"leave {shown(member)} out of its name")
+    if asked.names and known is UNIVERSAL_FILE:
+        what = "expected names of columns, variables or channels in the record, found a universal file"
+        raise MeasurementError(
+            what, source, "leave names out: a universal file says which signal is the force"
+        )
     try:
         return known.read(place, replace(asked, member=member))
     except OSError as error:

@@ -251,6 +251,11 @@ def as_sampled(time: Array) -> Array:
     return even if apart <= HALF * last_digit else time
 
 
+def counts_samples(time: Array) -> bool:
+    """Return whether what is called times are numbers of samples: whole, consecutive, from 0 or 1."""
+    return bool(time.size > FEWEST and time[0] in (0.0, 1.0) and np.all(np.diff(time) == 1.0))
+
+
 def _breaks(time: Array, usual: float, tolerance: float) -> NDArray[np.intp]:
     """Return the samples after which a step differs from the usual one by more than a tolerance."""
     found = [low + np.flatnonzero(np.abs(np.diff(part) - usual) > tolerance) for low, part in _parts(time)]

@@ -15,9 +15,16 @@ from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.clock import is_clock, seconds_of
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
-from pkmodes.signals.sampling import as_sampled
+from pkmodes.signals.sampling import as_sampled, counts_samples
 from pkmodes.signals.table_columns import Column, Layout, layout_of
 from pkmodes.signals.table_programs import framed
+from pkmodes.signals.table_rates import (
+    counted,
+    counter_in,
+    rates_in,
+    same_rate,
+    stated_rate,
+)
 from pkmodes.signals.table_text import TableText, check_text, split_table
 from pkmodes.signals.units import hertz_in, quotient, radians_in, seconds_in, unit_text
 
@@ -27,6 +34,10 @@ LARGEST_FILE = 1_000_000_000
 RADIANS, DEGREES = 2.0 * np.pi, 40.0
 #: Bytes from which binary data are told from text.
 HEAD = 4096
+#: What any comment may state of lost samples; others are looked for in lines beginning with ``##`` only.
+LOST_SAMPLES = re.compile(
+    r"\b(?:skipped|lost|missed|missing|dropped)[ _]samples?[ \t]*[:=][ \t]*0*[1-9]", re.IGNORECASE
+)
 LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
@@ -61,7 +72,8 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
     said = [] if rate is None or asked.rate in (None, rate) else [_other_rate(rate, asked.rate)]
     if asked.rate is None:
         asked = replace(asked, rate=rate)
-    layout = layout_of(text.names, f"{source}: line {text.header_line}", asked)
+    rated = bool(rates_in(text.comments))
+    layout = layout_of(text.names, f"{source}: line {text.header_line}", asked, rated=rated)
     wanted = [place for column in layout.columns for place in column.places]
     if layout.kind is Kind.FRF and layout.abscissa is not None and text.may_have_gaps:
         factor = _factor(layout, text)
@@ -76,7 +88,14 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
         assert layout.abscissa is not None
         numbers[layout.abscissa] = _clock(layout.abscissa, text)
     rows = numbers[read_places[0]].size
-    abscissa = _abscissa(layout, numbers, rows, text, asked)
+    if rows < FEWEST:
+        what = f"expected at least {FEWEST} rows, found {rows}"
+        raise MeasurementError(what, source, "export the whole measurement")
+    if layout.abscissa is None or (not clock and _counts_samples(layout, numbers)):
+        abscissa, more = _by_rate(layout, numbers, rows, text, asked)
+        said += more
+    else:
+        abscissa = _abscissa(layout, numbers, text)
     for column in layout.columns:
         if column.kind is Kind.COHERENCE:
             _check_coherence(column, numbers, text)
@@ -86,14 +105,47 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
     return SignalFile(source, functions, (), messages, stated)
 
 
-def _abscissa(layout: Layout, numbers: dict[int, Array], rows: int, text: TableText, asked: Asked) -> Array:
+def _counts_samples(layout: Layout, numbers: dict[int, Array]) -> bool:
+    """Return whether what is called times may be numbers of samples."""
+    return layout.kind is Kind.TIME and not layout.label and counts_samples(numbers[layout.abscissa or 0])
+
+
+def _by_rate(
+    layout: Layout, numbers: dict[int, Array], rows: int, text: TableText, asked: Asked
+) -> tuple[Array, list[str]]:
+    """Return the times of all rows by the rate of the record or else of the file, and what to say of them."""
+    rate, said = asked.rate, list[str]()
+    if rate is None:
+        rate, said = stated_rate(text.comments, text.source)
+    else:
+        others = [other for other, _ in rates_in(text.comments) if not same_rate(other, rate)]
+        said = [_other_rate(others[0], rate)] if others else []
+    if layout.abscissa is not None:
+        name = text.names[layout.abscissa]
+        if rate is None:  # as far as anything says, they are seconds
+            return numbers[layout.abscissa], []
+        return np.arange(rows) / rate, [*said, f"its column {shown(name)} counts samples, of {rate:g} Hz"]
+    assert rate is not None
+    place = counter_in(text.names, [place for column in layout.columns for place in column.places])
+    after = None if place is None else _counted(place, text)
+    if place is None or after is None or after[-1] == rows - 1:
+        return np.arange(rows) / rate, said
+    lost = f"its column {shown(text.names[place])} shows that {after[-1] - rows + 1:.0f} samples are missing"
+    return after / rate, [*said, lost]
+
+
+def _counted(place: int, text: TableText) -> Array | None:
+    """Return the numbers of the samples in a column, from 0; None if it holds anything else."""
+    try:
+        (numbers,) = text.columns([place])
+    except MeasurementError:  # no column of the campaign: it may hold what it likes
+        return None
+    return counted(numbers)
+
+
+def _abscissa(layout: Layout, numbers: dict[int, Array], text: TableText) -> Array:
     """Return the times or frequencies of all rows."""
-    if rows < FEWEST:
-        what = f"expected at least {FEWEST} rows, found {rows}"
-        raise MeasurementError(what, text.source, "export the whole measurement")
-    if layout.abscissa is None:
-        assert asked.rate is not None
-        return np.arange(rows) / asked.rate
+    assert layout.abscissa is not None
     name = text.names[layout.abscissa]
     abscissa = numbers[layout.abscissa]
     abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
@@ -206,9 +258,11 @@ def _stated(comments: Sequence[str]) -> dict[str, str]:
 
 
 def _losses(comments: Sequence[str]) -> list[str]:
-    """Return the lines beginning with ``##`` that state lost or overloaded samples, other than none."""
+    """Return the comments that state lost or overloaded samples, other than none."""
     found = []
     for text in comments:
+        if not text.startswith("##") and LOST_SAMPLES.search(text):
+            found.append(f"the file states: {text.lstrip('# ').strip()}")
         for clause in re.split(r"[,;|]", text.lstrip("#")) if text.startswith("##") else ():
             counts = [float(number) for number in NUMBERS.findall(clause)]
             if LOSS.search(clause) and not NONE_LOST.search(clause) and (any(counts) or not counts):

@@ -12,19 +12,23 @@ from dataclasses import dataclass
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import parted
-from pkmodes.signals.functions import Asked, Kind
+from pkmodes.signals.functions import FORCE, MOST_NAMES, Asked, Kind
 from pkmodes.signals.units import hertz_in, seconds_in, unit_text
+from pkmodes.support.ordering import listed
 
-TIME, FORCE = "time", "force"
+TIME = "time"
 FREQUENCIES = ("frequency", "freq")
 #: What programs call times and frequencies where no column has one of these names.
 ALSO_TIMES, ALSO_FREQUENCIES = ("t", "timestamp", "datetime", "clock"), ("f", "frequencies")
 REAL, IMAGINARY, MAGNITUDE, PHASE, COHERENCE, POWER = "re:", "im:", "mag:", "phase:", "coh:", "psd_"
 #: The two parts of a frequency response, and how programs that draw it name them, such as ``Mag1 (dB)``.
 PARTS = ((REAL, IMAGINARY), (MAGNITUDE, PHASE))
+#: A name of a function of frequency: what it is, its sensor, and a reference.
+SPECTRAL = re.compile(r"(re:|im:|mag:|phase:|coh:|psd_)([^/]*)(.*)", re.IGNORECASE)
 BODE = re.compile(r"(?:(?P<mag>mag(?:nitude)?|ampl(?:itude)?)|phase)[ _]?(?P<name>.*)", re.IGNORECASE)
 POWERS = ("psd_x", "psd_y", "psd_z")
 IN_PARENTHESES = re.compile(r"(.*?)\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
+IN_WORDS = re.compile(r"(.*?)\s+in\s+(\S+)")
 AFTER_LOW_LINE = re.compile(r"(.*)_([A-Za-z]+)")
 DECIBELS = "db"
 
@@ -72,7 +76,7 @@ class Layout:
     columns: tuple[Column, ...]
 
 
-def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
+def layout_of(cells: Sequence[str], where: str, asked: Asked, *, rated: bool = False) -> Layout:
     """Return what the columns of a table are.
 
     Parameters
@@ -83,13 +87,15 @@ def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
         The line of the header, for messages.
     asked : Asked
         What is wanted of the file.
+    rated : bool
+        Whether the file states a rate, which stands in for times.
 
     Raises
     ------
     MeasurementError
         If there is no time or frequency, or more than one; if a wanted column occurs twice or lacks its other part.
     """
-    heads = [_head(cell, asked) for cell in cells]
+    heads = _own_heads([_head(cell, asked) for cell in cells], where, asked)
     times = _named(heads, (TIME,), seconds_in)
     frequencies = _named(heads, FREQUENCIES, hertz_in)
     if not times and not frequencies and asked.rate is None:
@@ -102,9 +108,10 @@ def layout_of(cells: Sequence[str], where: str, asked: Asked) -> Layout:
     if len(found) > 1:
         what = f"expected one column of times or frequencies, found {len(found)}"
         raise MeasurementError(what, where, "leave one of them out")
-    if not found and asked.rate is None:
-        remedy = 'name the column of times "time" or that of frequencies "frequency", or give the rate in the record'
-        raise MeasurementError("expected a column of times or frequencies, found none", where, remedy)
+    if not found and asked.rate is None and not rated:
+        what = f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MOST_NAMES)}"
+        remedy = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
+        raise MeasurementError(what, where, f'{remedy}, or give the rate there, rate = "3200 Hz"')
     names = {i: name for i, (name, _) in enumerate(heads) if i not in found and name}
     labels = [label for _, label in heads]
     columns = _spectral(names, labels, where, asked) if frequencies else _signals(names, labels, asked)
@@ -119,8 +126,29 @@ def _head(cell: str, asked: Asked) -> tuple[str, str]:
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
         known = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
         name, label = (match[1], match[2]) if known else (cell, None)
-    whole = asked.sensors is not None and cell in asked.sensors
+    if label is None and (match := IN_WORDS.fullmatch(cell)) is not None and unit_text(match[2]) is not None:
+        name, label = match[1], match[2]
+    whole = cell in (asked.sensors or ()) or cell in asked.names.values()
     return (cell if whole else name), label or ""
+
+
+def _own_heads(heads: Sequence[tuple[str, str]], where: str, asked: Asked) -> list[tuple[str, str]]:
+    """Return names as they are called here, "" for columns that are not read, and the labels of their units."""
+    split = [SPECTRAL.fullmatch(name) for name, _ in heads]
+    given = [match[2].strip() if match else name for (name, _), match in zip(heads, split, strict=True)]
+    own = asked.own_names(dict.fromkeys(given), where)
+    found = []
+    for (name, label), match, plain in zip(heads, split, given, strict=True):
+        after = AFTER_LOW_LINE.fullmatch(name)
+        if not label and own.get(plain) in (TIME, FREQUENCIES[0]) and after and _unit_of_abscissa(after[2]):
+            label = after[2]
+        called = own.get(plain, plain)
+        found.append((f"{match[1].lower()}{called}{match[3]}" if match else called, label))
+    return found
+
+
+def _unit_of_abscissa(label: str) -> bool:
+    return seconds_in(label) is not None or hertz_in(label) is not None
 
 
 def _named(

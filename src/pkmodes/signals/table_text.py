@@ -30,6 +30,8 @@ INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
 GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
+#: Lines from which it is told whether rows end with a separator.
+FIRST = 20
 #: Bytes that are checked, and rows that are read, at once.
 PART, ROWS = 1 << 20, 1 << 16
 #: What lines at the end have in which spreadsheet programs leave nothing but separators.
@@ -176,7 +178,7 @@ class TableText:
     def _rows(self) -> Iterator[tuple[int, str]]:
         """Yield the rows with the numbers of their lines."""
         for number, line in enumerate(io.BytesIO(self.body), start=self.first_line):
-            if line.strip() and not line.lstrip().startswith(b"#"):
+            if _is_row(line):
                 yield number, text_of(line.removesuffix(b"\n")).replace('"', "")
 
     def _cells(self, line: str) -> list[str]:
@@ -260,6 +262,7 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
     separator, names = _separated(header, _first_row(body))
     if separator == " ":
         separator, body = "\t", BLANKS.sub(b"\t", AROUND_LINES.sub(b"", body))
+    names, body = _without_ends(names, body, separator, len(columns))
     if columns:
         if len(columns) != len(names):
             what = f"expected the names of {len(names)} columns, found {len(columns)}"
@@ -282,10 +285,38 @@ def _with_units(table: TableText) -> TableText:
     return replace(table.without_first_row(), names=names)
 
 
+def _without_ends(
+    names: tuple[str, ...], body: bytes, separator: str, count: int
+) -> tuple[tuple[str, ...], bytes]:
+    """Return the names and the rows of a table without separators after the last cell.
+
+    Parameters
+    ----------
+    count : int
+        Of the columns, 0 if only the names and the rows tell it.
+    """
+    rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if _is_row(line)]
+    most = count or max((len(row) for row in rows), default=len(names))
+    while len(names) > most and not names[-1]:
+        names = names[:-1]
+    if all(len(row) <= len(names) or "".join(row[len(names) :]).strip(' \t\r\n"') for row in rows):
+        return names, body
+    cell = rf"[^{separator}\r\n]*"
+    longer = re.compile(
+        rf"^((?:{cell}{separator}){{{len(names) - 1}}}{cell})(?:{separator}[ \t]*)+(?=\r?$)".encode(),
+        re.MULTILINE,
+    )
+    return names, longer.sub(rb"\1", body)
+
+
+def _is_row(line: bytes) -> bool:
+    return bool(line.strip()) and not line.lstrip().startswith(b"#")
+
+
 def _first_row(body: bytes) -> str:
     """Return the first line that is not a comment, "" without one."""
     for line in islice(io.BytesIO(body), 1000):
-        if line.strip() and not line.lstrip().startswith(b"#"):
+        if _is_row(line):
             return text_of(line).strip("\r\n")
     return ""
 
@@ -318,7 +349,11 @@ def _header_among(
         names = text.lstrip("# \t")
         separator = separator_of(names)
         of_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
-        as_many = of_blanks or len(names.split(separator)) == len(row.split(separator))
+        cells, others = names.split(separator), row.split(separator)
+        as_many = of_blanks or len(cells) == len(others)
+        as_many |= (
+            len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
+        )  # others end with a separator
         if not text.startswith("##") and as_many:
             return line, names
     if columns:

@@ -3,18 +3,26 @@
 Of nodes only their axes count: a direction is along those of its node.  Where sensors are, the campaign says.  Other
 datasets are skipped.
 
+Functions that occur several times, alike in kind and degrees of freedom, are told apart by their place in the file:
+``1:+Z#2`` is the second.
+
 The structure of the whole file is checked, so that a file that was cut off is refused.  A cut exactly between two
 datasets leaves a complete file: nothing in this format says how many there should be.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections import Counter
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from os import fspath
 from pathlib import Path
+from typing import NoReturn
 
 import numpy as np
 
+from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.formats import Format
 from pkmodes.signals.dataset58 import read_points
 from pkmodes.signals.functions import Asked, Function, ModeShape, SignalFile
@@ -24,6 +32,8 @@ from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, is_
 from pkmodes.signals.units import FileUnits
 from pkmodes.support.ordering import listed
 
+#: The name of a function that occurs several times.
+NUMBERED = re.compile(r"(.+)#[0-9]+")
 #: Numbers of the datasets that are read.
 FUNCTIONS, UNITS = 58, 164
 #: Those of modes, and their readers.
@@ -43,11 +53,54 @@ def read(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If a dataset is damaged or incomplete.
     """
+    sensors = asked.sensors
+    if sensors is not None:
+        bases = (match[1] for name in sensors if (match := NUMBERED.fullmatch(name)) is not None)
+        asked = replace(asked, sensors=sensors.union(bases))
+    found, late = _read(path, asked, FileUnits())
+    if late is not None:
+        del found  # its functions, which may be large, are in the units that come after them
+        found, _ = _read(path, asked, late)
+    return replace(found, functions=tuple(_numbered(found.functions, sensors)))
+
+
+def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) -> Iterator[Function]:
+    """Yield functions by the names of sensors, which may have numbers; all that are alike without one.
+
+    Without sensors, those after the first have their numbers.
+    """
+    seen = Counter[tuple[str, str, str, bool]]()
+    for one in functions:
+        key = (one.kind, one.response, one.reference, one.force)
+        seen[key] += 1
+        number = f"{one.response}#{seen[key]}"
+        if one.force or (sensors is None and seen[key] == 1):
+            yield one
+        elif sensors is None or number in sensors:
+            yield replace(one, response=number)
+        elif one.response in sensors and (
+            seen[key] == 1 or not any(name.startswith(f"{one.response}#") for name in sensors)
+        ):
+            yield one
+
+
+def _read(path: Path, asked: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
+    """Read a universal file whose units are these until it states others.
+
+    Returns
+    -------
+    found : SignalFile
+    late : FileUnits or None
+        Units that it states only after functions, which hold for these, too.
+    """
     source = fspath(path)
     functions: list[Function] = []
     modes: list[ModeShape] = []
     skipped: dict[str, list[str]] = {}
-    units, abscissas = FileUnits(), Abscissas()
+    stated: FileUnits | None = None
+    late = False
+    contradictions: list[tuple[str, FileUnits, FileUnits]] = []
+    abscissas = Abscissas()
     others: dict[int, None] = {}
     axes: dict[str, str] = {}
     with path.open("rb") as file:
@@ -62,7 +115,11 @@ def read(path: Path, asked: Asked) -> SignalFile:
             elif dataset.number in MODES:
                 found = MODES[dataset.number](scanner)
             elif dataset.number == UNITS:
-                units = _units(scanner)
+                before, stated = stated, _units(scanner)
+                late |= bool(functions) and stated != units
+                units = stated
+                if before is not None and before != stated:
+                    contradictions.append((scanner.where, before, stated))
             elif dataset.number in NODES:
                 axes |= _axes(scanner, NODES[dataset.number])
                 others[dataset.number] = None
@@ -75,12 +132,15 @@ def read(path: Path, asked: Asked) -> SignalFile:
                 modes.append(found)
             elif found is not None:
                 skipped.setdefault(found, []).append(dataset.where)
+    if functions and contradictions:  # shapes of modes have no unit
+        _refuse_units(*contradictions[0])
     messages = tuple(f"{places[0]}: skipped: {_counted(why, places)}" for why, places in skipped.items())
     whys = [_counted(why, places) for why, places in skipped.items()]
     whys += [f"dataset {number} holds {OTHERS.get(number, 'what is not read')}" for number in others]
     used = [one.response for one in functions] + [name for mode in modes for name in mode.shape]
     said = (*messages, *_different_axes(used, axes, source))
-    return SignalFile(source, tuple(functions), tuple(modes), said, skipped=tuple(whys))
+    content = SignalFile(source, tuple(functions), tuple(modes), said, skipped=tuple(whys))
+    return content, stated if late else None
 
 
 def _axes(scanner: Scanner, lines: int) -> dict[str, str]:
@@ -123,6 +183,15 @@ def _skip(scanner: Scanner, binary: Binary) -> None:
         scanner.line(f"line {number + 1} of the header")
     scanner.skip_bytes(binary.bytes)
     scanner.close()
+
+
+def _refuse_units(where: str, before: FileUnits, after: FileUnits) -> NoReturn:
+    """Refuse a file of functions in two systems of units: those hold for the whole file, wherever they stand."""
+    first, second = (
+        f"{one.length or 'another length'} and {one.force or 'another force'}" for one in (before, after)
+    )
+    what = f"expected one system of units, found {second} after {first}"
+    raise MeasurementError(what, where, "write the functions in each system into a file of their own")
 
 
 def _units(scanner: Scanner) -> FileUnits:

@@ -1,0 +1,92 @@
+"""What the columns of other programs are likely to mean: ``Frequency in Hz`` is ``frequency [Hz]``.
+
+They are suggested in errors, never assumed.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Collection, Iterator, Sequence
+
+from pkmodes.measured.rules import SET, SHAPE
+
+#: A name with its unit, in words or in brackets.
+WITH_UNIT = re.compile(r"(.*?)(?:\s+in\s+(\S+)|\s*[\[(]([^\[\]()]*)[\])])")
+#: What others call columns of a measurement file, in lower case and without signs between the words.
+SYNONYMS = {
+    "frequency": (
+        "freq",
+        "f",
+        "fn",
+        "f0",
+        "natural frequency",
+        "eigenfrequency",
+        "modal frequency",
+        "frequenz",
+    ),
+    "sigma": (
+        "standard deviation",
+        "std",
+        "std dev",
+        "stdev",
+        "sd",
+        "uncertainty",
+        "sigma f",
+        "sigma frequency",
+    ),
+    "damping": ("damping ratio", "modal damping", "damp", "zeta", "xi"),
+    "sigma_damping": ("sigma zeta", "std damping", "standard deviation of damping", "damping uncertainty"),
+    "pose": ("position", "point", "label", "pose name", "pose label"),
+    "mode": ("mode number", "mode no", "no", "nr", "number"),
+}
+OF_SHAPE = re.compile(r"(?:mode ?)?shape (.+)")
+OF_POSE = re.compile(r"(?:pos|position|pose) (.+)|(.+) (?:pos|position)")
+#: How alike a name must be to a known one that it may be meant.
+ALIKE = 0.5
+
+
+def worded(cell: str) -> tuple[str, str]:
+    """Return the name in a cell and the unit that it says in words or brackets, "" without one."""
+    match = WITH_UNIT.fullmatch(cell)
+    return (cell, "") if match is None else (match[1], match[2] or match[3] or "")
+
+
+def likely_meaning(cell: str, known: Sequence[str], taken: Collection[str] = ()) -> str:
+    """Return the column that a cell is likely to mean, with its unit, "" if there is none.
+
+    Parameters
+    ----------
+    known : sequence of str
+        Names that a column may have.
+    taken : collection of str
+        Those that other columns have already.
+    """
+    name, unit = worded(cell)
+    free = [one for one in known if one not in taken]
+    meant = next((one for one in _meanings(name, free) if one in free), "")
+    return f"{meant} [{unit}]" if meant and unit else meant
+
+
+def _meanings(name: str, known: Sequence[str]) -> Iterator[str]:
+    """Yield what a name may mean, the likeliest first."""
+    words = " ".join(re.split(r"[\s_:.\-]+", name.strip().lower()))
+    yield from (own for own, others in SYNONYMS.items() if words in (own.replace("_", " "), *others))
+    if (match := OF_SHAPE.fullmatch(words)) is not None:
+        yield from _of_shape(match[1])
+    yield from _of_shape(words)
+    if (match := OF_POSE.fullmatch(words)) is not None:
+        yield match[1] or match[2]
+    # There are very many values that can be set: only names that begin like them, or lack only that, mean one.
+    yield f"{SET}{name}"
+    some = [one for one in known if one.startswith(SET) is name.startswith(SET)]
+    yield from difflib.get_close_matches(name, some, n=1, cutoff=ALIKE)
+
+
+def _of_shape(words: str) -> Iterator[str]:
+    """Yield the columns of a shape that some words may mean, such as ``x``, ``p x`` and ``rx``."""
+    channel = words.replace(" ", "_")
+    yield f"{SHAPE}{channel}"
+    yield f"{SHAPE}p_{channel}"
+    if len(channel) == 2:
+        yield f"{SHAPE}{channel[0]}_{channel[1]}"

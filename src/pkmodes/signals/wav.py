@@ -1,0 +1,146 @@
+"""Sound files (.wav), as data loggers and audio interfaces write them: channels ``1``, ``2``, ... in their order.
+
+Numbers are parts of full scale, which the file gives no unit.  The chunks of the file are walked through before SciPy
+reads it, which would take memory for what a damaged header declares (Multimedia Programming Interface and Data
+Specifications 1.0, IBM and Microsoft, 1991).
+"""
+
+from __future__ import annotations
+
+import struct
+import warnings
+from os import fspath
+from pathlib import Path
+from typing import Any, BinaryIO, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.base.errors import MeasurementError, shown
+from pkmodes.measured.formats import Format
+from pkmodes.signals.arrays import MOST_VALUES, loaded
+from pkmodes.signals.checks import FEWEST, check_finite
+from pkmodes.signals.functions import FORCE, Array, Asked, Function, Kind, SignalFile
+
+RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
+#: Bytes of the head of the file, of that of a chunk, and of the form of the numbers.
+HEAD, CHUNK, FORM = 12, 8, 16
+#: Codes of numbers: integers, floating, and either of them with more channels.
+INTEGERS, FLOATING, EXTENDED = 1, 3, 0xFFFE
+BITS = {INTEGERS: (8, 16, 24, 32), FLOATING: (32, 64), EXTENDED: (8, 16, 24, 32, 64)}
+MOST_CHANNELS = 1024
+INCOMPLETE = "open it in a sound editor and export it again, as WAV with 16, 24 or 32 bits (PCM)"
+
+
+class _Form(NamedTuple):
+    """What a file says of its numbers: their code, channels, sampling rate [Hz], bytes of a sample and bits."""
+
+    code: int
+    channels: int
+    rate: int
+    bytes_each: int
+    bits: int
+
+
+def read(path: Path, asked: Asked) -> SignalFile:
+    """Read a sound file.
+
+    Raises
+    ------
+    MeasurementError
+        If it is damaged, compressed or incomplete.
+    """
+    source = fspath(path)
+    with path.open("rb") as file:
+        form = _checked(file, path.stat().st_size, source)
+    samples = loaded(lambda: _samples(path), source, "WAV")
+    signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))  # as stored
+    own = asked.own_names(signals, source)
+    said = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
+    rest = [name for name in signals if name not in (asked.sensors or signals) and name not in own]
+    if asked.force and FORCE not in own.values() and len(rest) == 1:
+        own[rest[0]] = FORCE
+        said.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
+    time = np.arange(len(samples)) / form.rate
+    functions = []
+    for name, stored in signals.items():
+        called = own.get(name, name)
+        if called and (called == FORCE or asked.wants(called)):
+            values = _parts_of_full_scale(stored)
+            check_finite(values, f"{source}: channel {name}")
+            functions.append(Function(Kind.TIME, called, "", time, values, None, None, called == FORCE))
+    return SignalFile(source, tuple(functions), (), tuple(said))
+
+
+def _samples(path: Path) -> NDArray[Any]:
+    """Return all samples as they are stored, (N, channels)."""
+    from scipy.io import wavfile
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", wavfile.WavFileWarning)  # chunks that it does not know
+        numbers: NDArray[Any] = wavfile.read(path)[1]
+    return numbers.reshape(len(numbers), -1)
+
+
+def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
+    """Return the samples of a channel, whose full scale is 1; those of eight bits have their middle at half of it."""
+    values: Array = stored.astype(np.float64)
+    if stored.dtype.kind != "f":
+        size = 2.0 ** (8 * stored.dtype.itemsize - 1)  # SciPy puts 24 bits into the upper ones of 32
+        values -= size if stored.dtype.kind == "u" else 0.0
+        values /= size
+    return values
+
+
+def _checked(file: BinaryIO, length: int, source: str) -> _Form:
+    """Walk through all chunks of a file and return the form of its numbers.
+
+    Raises
+    ------
+    MeasurementError
+        If a chunk is longer than the file, or the numbers are not what is read here.
+    """
+    order = "<" if file.read(HEAD).startswith(RIFF[0]) else ">"
+    form, data, at = None, list[int](), HEAD
+    while at + CHUNK <= length:
+        file.seek(at)
+        name, size = struct.unpack(f"{order}4sI", file.read(CHUNK))
+        if size > length - at - CHUNK:
+            words = shown(name.decode("latin-1").strip())
+            what = f"expected {size} bytes of the chunk {words}, found {length - at - CHUNK} to the end of the file"
+            raise MeasurementError(what, source, INCOMPLETE)
+        if name == b"fmt " and size >= FORM:
+            code, channels, rate, _, each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
+            form = _Form(code, channels, rate, each, bits)
+        elif name == b"data":
+            data.append(size)
+        at += CHUNK + size + size % 2
+    problem = (
+        "expected one chunk of samples and one on their form" if form is None or len(data) != 1 else None
+    )
+    if form is None or problem or (problem := _problem(form, data[0])):
+        raise MeasurementError(str(problem), source, INCOMPLETE)
+    return form
+
+
+def _problem(form: _Form, size: int) -> str | None:
+    """Return what is wrong with so many bytes of samples in some form, None if nothing is."""
+    if form.bits not in BITS.get(form.code, ()):
+        return f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
+    if not 1 <= form.channels <= MOST_CHANNELS or form.bytes_each != form.channels * form.bits // 8:
+        return f"expected 1 to {MOST_CHANNELS} channels, found {form.channels} in {form.bytes_each} bytes a sample"
+    if not form.rate:
+        return "expected a sampling rate above 0, found 0"
+    if size < FEWEST * form.bytes_each or size % form.bytes_each:
+        return f"expected whole samples of {form.bytes_each} bytes, at least {FEWEST}, found {size} bytes"
+    if size // form.bytes_each * form.channels > MOST_VALUES:
+        return f"expected at most {MOST_VALUES:,} values, found {size // form.bytes_each * form.channels:,}"
+    return None
+
+
+def recognises(head: bytes) -> bool:
+    """Return whether a file is one of sound."""
+    return head.startswith(RIFF) and head[8:HEAD] == WAVE
+
+
+WAV = Format("WAV", (".wav",), recognises, read)
