@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import zipfile
 from collections.abc import Callable
 from functools import partial
@@ -13,11 +14,14 @@ import numpy as np
 from numpy.lib import format as npy
 
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import Variable, functions_of, loaded
-from pkmodes.signals.functions import Array, Asked, Complex, SignalFile
+from pkmodes.signals.arrays import Variable, at_most, functions_of, loaded
+from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.zip_files import opened_zip
 
 NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
 WHAT, DATA = "NumPy", "data"
+#: Bytes at the beginning of an array, in which its header is.
+HEADER = 1 << 14
 
 
 def read(path: Path, asked: Asked) -> SignalFile:
@@ -39,17 +43,19 @@ def read(path: Path, asked: Asked) -> SignalFile:
             _variable(name, one.shape, one.dtype, partial(np.asarray, one)) for name, one in arrays.items()
         ]
         return functions_of(every, source, asked, WHAT)
-    with loaded(lambda: zipfile.ZipFile(path), source, WHAT) as archive:
-        every = loaded(lambda: [_member(archive, name) for name in archive.namelist()], source, WHAT)
-        return functions_of(every, source, asked, WHAT)
+    with loaded(lambda: opened_zip(path), source, WHAT) as archive:
+        names = archive.namelist()
+        every = loaded(lambda: at_most(_member(archive, name) for name in names), source, WHAT)
+        return functions_of(every, source, asked, WHAT, path.stat().st_size)
 
 
 def _member(archive: zipfile.ZipFile, name: str) -> Variable:
     """Return an array of an archive, of which only the header is read."""
     with archive.open(name) as file:
-        version = npy.read_magic(file)
-        header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
-        shape, _, dtype = header(file)
+        beginning = io.BytesIO(file.read(HEADER))
+    version = npy.read_magic(beginning)
+    header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+    shape, _, dtype = header(beginning)
 
     def load() -> Any:
         with archive.open(name) as file:
@@ -61,14 +67,11 @@ def _member(archive: zipfile.ZipFile, name: str) -> Variable:
 def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> Variable:
     numeric = dtype.kind in "iufc"
     what = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
-    return Variable(name, what, (shape or (1,)) if numeric else None, partial(_values, load))
+    return Variable(name, what, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize)
 
 
-def _values(load: Callable[[], Any]) -> Array | Complex:
-    flat = np.ravel(load(), order="F")
-    if flat.dtype.kind == "c":
-        return np.asarray(flat, np.complex128)
-    return np.asarray(flat, np.float64)
+def _values(load: Callable[[], Any]) -> Any:
+    return np.ravel(load(), order="F")
 
 
 def recognises(head: bytes) -> bool:

@@ -60,11 +60,7 @@ def narrow(values: NDArray[np.float64]) -> NDArray[Any]:
 
     A cell of a digit and a separator has two bytes, and a number of double precision eight.
     """
-    if (
-        values.size
-        and np.array_equal(values, np.rint(values))
-        and not np.signbit(values[values == 0.0]).any()
-    ):
+    if values.size and np.array_equal(values, np.rint(values)):
         low, high = values.min(), values.max()
         for kind in WHOLE:
             if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:
