@@ -7,7 +7,7 @@ import zipfile
 from pathlib import Path
 
 #: Bytes of the table of contents at most: an entry has 46 and its name, and takes ten times as much memory.
-LARGEST_DIRECTORY = 4_000_000
+LARGEST_DIRECTORY = 1_000_000
 #: What the last record of an archive begins with, and that of one with more entries; their sizes, and the longest
 #: comment after the first.
 END, END_64 = b"PK\x05\x06", b"PK\x06\x06"
