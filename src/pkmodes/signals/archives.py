@@ -225,7 +225,8 @@ def _of_tar(path: Path, source: str) -> dict[str, Load]:
     """Return the files of an archive by name, and how the first bytes of each are read."""
 
     def load(number: int, most: int) -> bytes:
-        return next(islice(tar_files(path), number, None)).read(most)
+        files = tar_files(path)  # which closes the archive when it is forgotten
+        return next(islice(files, number, None)).read(most)
 
     found: dict[str, Load] = {}
     total = 0

@@ -22,9 +22,10 @@ from pkmodes.signals.arrays import EXPANDED, ROOM, Values, Variable, at_most, lo
 DEEPEST, MOST_LINKS = 8, 64
 #: Bytes of the name of a class at most.
 LONGEST_CLASS = 64
-#: What compresses a byte to a thousand at most: a filter of HDF5.
-DEFLATE = "gzip"
-PARTS = ("real", "imag")
+#: Number of the filter of HDF5 whose bytes become a thousand each at most.
+DEFLATE = 1
+#: The parts of complex numbers, and classes that are none.
+PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of another type")
 
 
 @contextmanager
@@ -113,15 +114,18 @@ def _followed(group: Any, name: str, left: list[int]) -> Any:
 def _variable(item: Any, name: str, most: int) -> Variable:
     """Return the variable that a dataset is."""
     of = _class(item)
-    numeric = of not in ("char", "cell", "logical") and item.shape is not None and _is_of_numbers(item.dtype)
+    try:
+        dtype = item.dtype
+    except TypeError:  # one that NumPy does not have
+        of, dtype = "variable of another type", np.dtype("V")
     if item.is_virtual or item.external:
         what = "an array whose values are in another file"
         return Variable(name, what, None, partial(_none, name))
-    if not numeric:
+    if of in NO_NUMBERS or item.shape is None or not _is_of_numbers(dtype):
         return Variable(name, f"a {of}", None, partial(_none, name))
     shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
     what = f"an array of {' x '.join(map(str, shape))} values"
-    size = 16 if item.dtype.names else item.dtype.itemsize
+    size = 16 if dtype.names else dtype.itemsize
     return Variable(name, what, shape, partial(_values, item, most), size)
 
 
@@ -130,9 +134,10 @@ def _class(item: Any) -> str:
     if "MATLAB_class" not in item.attrs:
         return "double"
     attribute = item.attrs.get_id("MATLAB_class")
-    if attribute.shape != () or attribute.dtype.kind != "S" or attribute.dtype.itemsize > LONGEST_CLASS:
+    if attribute.shape != () or attribute.dtype.kind not in "SO" or attribute.dtype.itemsize > LONGEST_CLASS:
         return "double"
-    return bytes(item.attrs["MATLAB_class"]).decode("utf-8", "replace")
+    text = item.attrs["MATLAB_class"]
+    return (text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text))[:LONGEST_CLASS]
 
 
 def _is_of_numbers(dtype: Any) -> bool:
@@ -167,12 +172,18 @@ def _check_parts(item: Any, most: int) -> None:
     size = int(np.prod(item.chunks, dtype=np.float64)) * item.dtype.itemsize
     if size > most:
         raise ValueError(f"expected parts of at most {most:,} bytes, found parts of {size:,}")
-    if item.compression != DEFLATE:
-        return
-    for number in range(item.id.get_num_chunks()):
+    pipeline = item.id.get_create_plist()
+    filters = [pipeline.get_filter(number)[0] for number in range(pipeline.get_nfilters())]
+    if filters.count(DEFLATE) > 1:
+        raise ValueError("expected an array that is compressed once, found it compressed again")
+    for number in range(item.id.get_num_chunks() if DEFLATE in filters else 0):
         stored = item.id.get_chunk_info(number)
         if stored.size > most:
             raise ValueError(f"expected a part of at most {most:,} bytes, found {stored.size:,}")
         _, packed = item.id.read_direct_chunk(stored.chunk_offset)
-        if not stored.filter_mask and len(zlib.decompressobj().decompress(packed, size + 1)) > size:
+        try:
+            unpacked = b"" if stored.filter_mask else zlib.decompressobj().decompress(packed, size + 1)
+        except zlib.error as error:
+            raise ValueError(f"cannot unpack a part of an array: {error}") from None
+        if len(unpacked) > size:
             raise ValueError(f"expected a part of {size:,} bytes, found more")

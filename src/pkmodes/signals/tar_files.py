@@ -26,7 +26,7 @@ SPARSE = "expected whole files in it, found one with holes"
 
 
 class Entry(NamedTuple):
-    """A file in an archive: its name, its size, and what returns its first bytes before the next one is looked for."""
+    """A file in an archive: its name, its size, and what returns its bytes until the next one is asked for."""
 
     name: str
     size: int
