@@ -34,8 +34,6 @@ from pkmodes.signals.zip_files import opened_zip
 from pkmodes.support.ordering import listed
 
 T = TypeVar("T")
-#: What returns at most so many of the first bytes of a file.
-Load = Callable[[int], bytes]
 #: A time and three accelerations.
 Row = tuple[float, float, float, float]
 #: Bytes that a record may have when it is unpacked: some, and so many times its file; and in all.  A table of
@@ -185,7 +183,7 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
         with path.open("rb") as file:
             zipped = file.read(len(ZIP)) == ZIP
         with opened_zip(path) if zipped else nullcontext() as archive:
-            files = _of_zip(archive) if archive else _of_tar(path, source)
+            files = _of_zip(archive, most, source) if archive else _of_tar(path, most, source)
             if OF_WORKBOOKS in files:
                 check_text(ZIP, source)
             tables = {name: load for name, load in files.items() if _is_table(name)}
@@ -193,8 +191,7 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
                 what = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
                 raise MeasurementError(what, source, UNPACK)
             chosen = _chosen(tables, asked.member, source, "table")
-            content = [tables[chosen](most + 1)]
-            _check_size(len(content[0]), most, source)
+            content = [tables[chosen]()]
     except MeasurementError:
         raise
     except Exception as error:  # damage and passwords make readers raise errors of many types
@@ -211,24 +208,27 @@ def _is_table(name: str) -> bool:
     return place.suffix.lower() in TABLE.suffixes and not place.name.startswith(".")
 
 
-def _of_zip(archive: zipfile.ZipFile) -> dict[str, Load]:
-    """Return the files of an archive by name, and how the first bytes of each are read."""
+def _of_zip(archive: zipfile.ZipFile, most: int, source: str) -> dict[str, Callable[[], bytes]]:
+    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
 
-    def load(one: zipfile.ZipInfo, most: int) -> bytes:
+    def load(one: zipfile.ZipInfo) -> bytes:
+        _check_size(one.file_size, most, source)
         with archive.open(one) as file:
             return file.read(most)
 
     return {one.filename: partial(load, one) for one in archive.infolist() if not one.is_dir()}
 
 
-def _of_tar(path: Path, source: str) -> dict[str, Load]:
-    """Return the files of an archive by name, and how the first bytes of each are read."""
+def _of_tar(path: Path, most: int, source: str) -> dict[str, Callable[[], bytes]]:
+    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
 
-    def load(number: int, most: int) -> bytes:
+    def load(number: int) -> bytes:
         files = tar_files(path)  # which closes the archive when it is forgotten
-        return next(islice(files, number, None)).read(most)
+        one = next(islice(files, number, None))
+        _check_size(one.size, most, source)
+        return one.read(most)
 
-    found: dict[str, Load] = {}
+    found: dict[str, Callable[[], bytes]] = {}
     total = 0
     for number, one in enumerate(tar_files(path)):
         total += one.size

@@ -37,6 +37,8 @@ MOST_VALUES = 100_000_000
 ROOM, EXPANDED = 64_000_000, 20
 #: Variables that a message names, and of a file, with the fields of its structs.
 MOST_NAMED, MOST_VARIABLES = 20, 20_000
+#: Letters of a name; MATLAB allows 63, and the fields of structs have those of all around them.
+LONGEST_NAME = 1024
 #: Rates are the same that differ by less, relative.
 SAME = 1e-6
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.arrays import EXPANDED, ROOM, Values, Variable, at_most, loaded
+from pkmodes.signals.arrays import EXPANDED, LONGEST_NAME, ROOM, Values, Variable, at_most, loaded
 
 #: Structs in one another at most, and links that are followed to an object.
 DEEPEST, MOST_LINKS = 8, 64
@@ -71,6 +71,8 @@ def _variables(group: Any, prefix: str, most: int, seen: set[int]) -> Iterator[V
         if name.startswith("#"):  # what MATLAB stores for itself
             continue
         full = f"{prefix}{name}"
+        if len(full) > LONGEST_NAME:
+            raise ValueError(f"expected names of at most {LONGEST_NAME} letters, found one of {len(full):,}")
         item = _followed(group, name, [MOST_LINKS])
         if isinstance(item, Group):
             address = _address(item)

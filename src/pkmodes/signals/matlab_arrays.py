@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.arrays import MOST_VARIABLES, Variable
+from pkmodes.signals.arrays import LONGEST_NAME, MOST_VARIABLES, Variable
 
 HEADER = 128
 MATRIX, COMPRESSED = 14, 15
@@ -32,7 +32,7 @@ STRUCT = 2
 CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
 #: Bytes of a tag; and, at most, of the dimensions or name of a variable, and of the names of the fields of a struct.
-TAG, HEAD, NAMES = 8, 1 << 16, 64 * MOST_VARIABLES
+TAG, HEAD, NAMES = 8, LONGEST_NAME, 64 * MOST_VARIABLES
 #: Structs in one another.
 DEEPEST = 8
 #: Bytes that are unpacked at once.
@@ -257,6 +257,8 @@ def _fields(
     length = _tag(element, at, order, end)
     width_bytes = _part(element, length, TAG)
     width = int(np.frombuffer(width_bytes, f"{order}i4")[0]) if len(width_bytes) == 4 else 0
+    if width > LONGEST_NAME:
+        raise DamagedError(f"expected names of at most {LONGEST_NAME} bytes, found {width:,}")
     names = _tag(element, length.next, order, end)
     text = _part(element, names, NAMES)
     fields = [

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
 
-#: Bytes of a part, and of the longest line.
-PART = 1 << 18
+#: Bytes of a part, whose cells take thirty times as much where a pattern is replaced; and of the longest line.
+PART, LONGEST_LINE = 1 << 16, 1 << 18
 #: Types of whole numbers, the smallest first.
 WHOLE = ("i1", "i2", "i4")
 
@@ -47,8 +47,8 @@ def check_lines(text: bytes, source: str) -> None:
         With the number of the line.
     """
     for start, end in parts_of(text):
-        if end - start > PART:
-            what = f"expected lines of at most {PART:,} bytes, found one of {end - start:,}"
+        if end - start > LONGEST_LINE:
+            what = f"expected lines of at most {LONGEST_LINE:,} bytes, found one of {end - start:,}"
             number = text.count(b"\n", 0, start) + 1
             raise MeasurementError(
                 what, f"{source}: line {number}", "write each sample into a line of its own"
