@@ -418,7 +418,10 @@ def test_one_cause_is_not_claimed_where_a_term_is_better_by_more_than_chance() -
     assert of_one_candidate(data, both, terms=False).verdict == "effect_found"
     found = of_one_candidate(data, both)
     assert (found.verdict, found.rule, found.effects) == ("ambiguous", "claims.one_term", ())
-    assert "change would explain the residual, but so would a spring between floor 5 and the ground" in found.reason
+    assert (
+        "change would explain the residual, but so would a spring between floor 5 and the ground"
+        in found.reason
+    )
 
 
 @pytest.mark.parametrize("size", [1e3, 2e3, 5e3])
