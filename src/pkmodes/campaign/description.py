@@ -11,6 +11,7 @@ import msgspec
 from msgspec import Struct, field
 
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.toml import MOST_PARTS, long_key
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import (
     NUMBER,
@@ -134,6 +135,9 @@ def read_description(path: Path) -> CampaignTable:
     """
     source = str(path)
     text = read_text(path, source, "the campaign", "give a campaign file in TOML", LARGEST_FILE)
+    if (line := long_key(text)) is not None:
+        what = f"expected a key of at most {MOST_PARTS} parts, found more"
+        _refuse(what, f"{source}: line {line}", "shorten the key")
     try:
         document = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # also integers with too many digits

@@ -7,11 +7,13 @@ and samples of a time and three accelerations, compressed by Zstandard
 
 from __future__ import annotations
 
-import tarfile
+import re
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
+from itertools import islice
 from os import fspath
 from pathlib import Path, PurePosixPath
 from typing import TypeVar
@@ -27,11 +29,22 @@ from pkmodes.signals.functions import Array, Asked, SignalFile
 from pkmodes.signals.sampling import as_sampled
 from pkmodes.signals.table import TABLE, tabulated
 from pkmodes.signals.table_text import check_text
+from pkmodes.signals.tar_files import tar_files
+from pkmodes.signals.zip_files import opened_zip
 from pkmodes.support.ordering import listed
 
 T = TypeVar("T")
-#: Bytes that are unpacked at most, and of a compressed file at a time: these may become many times as many.
-LARGEST, BLOCK = 500_000_000, 4096
+#: A time and three accelerations.
+Row = tuple[float, float, float, float]
+#: Bytes that a record may have when it is unpacked: some, and so many times its file; and in all.  A table of
+#: measured numbers that is compressed has a tenth of its size at least.
+ROOM, EXPANDED, LARGEST = 16_000_000, 20, 500_000_000
+#: Bytes that are unpacked at a time, each of which may become 32,000; and what a file may refer back to.
+BLOCK, WINDOW = 128, 1 << 23
+#: Files of an archive, and measurements of a file, at most.
+MOST_FILES = 20_000
+#: Bytes of samples that are read at once, and what is between two of them.
+PART, ROW_END = 1 << 16, re.compile(rb"(\])\s*,\s*(?=\[)")
 ZSTANDARD, GZIP, ZIP = b"\x28\xb5\x2f\xfd", b"\x1f\x8b", WORKBOOKS[0]
 #: The first byte of what Shake&Tune wrote before version 5.1, which runs code where it is read.
 PICKLE = b"\x80"
@@ -41,7 +54,6 @@ COLUMNS, UNIT = ("time", "accel_x", "accel_y", "accel_z"), "mm/s^2"
 OF_WORKBOOKS = "[Content_Types].xml"
 INCOMPLETE = "the file is damaged or incomplete: copy it again"
 UNPACK = "unpack it, and name its files in the record"
-LARGE = f"expected at most {LARGEST / 1e6:g} MB, found more"
 
 
 class Named(msgspec.Struct):
@@ -51,9 +63,9 @@ class Named(msgspec.Struct):
 
 
 class Measurement(Named):
-    """A measurement: times [s] and accelerations."""
+    """A measurement: times [s] and accelerations, as they are written."""
 
-    samples: list[tuple[float, float, float, float]]
+    samples: msgspec.Raw
 
 
 def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
@@ -65,22 +77,27 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
         If zstandard is not installed, the file is damaged or of an old version, or has no such measurement.
     """
     source = fspath(path)
-    content = _unpacked(path, source)
-    if content.startswith(PICKLE):
-        what = (
-            "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it before version 5.1"
-        )
-        remedy = f"write each as a table {','.join(COLUMNS)}, or measure again with a newer version"
-        raise MeasurementError(what, source, remedy)
-    lines = [line for line in content.splitlines() if line.strip()]
-    names: dict[str, int] = {}
-    for number, line in enumerate(lines, start=1):
-        names[_decoded(line, Named, f"{source}: line {number}").name] = number
+    names: dict[str, None] = {}
+    kept = bytearray()
+    for number, line in enumerate(_lines(_unpacked(path, source)), start=1):
+        if number == 1 and line.startswith(PICKLE):
+            what = "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it before version 5.1"
+            remedy = f"write each as a table {','.join(COLUMNS)}, or measure again with a newer version"
+            raise MeasurementError(what, source, remedy)
+        name = _decoded(line, Named, f"{source}: line {number}").name
+        if len(names) == MOST_FILES:
+            raise MeasurementError(
+                f"expected at most {MOST_FILES:,} measurements, found more", source, INCOMPLETE
+            )
+        if name == asked.member or names.keys() <= {name}:
+            kept = line
+        names[name] = None
+        del line
     chosen = _chosen(names, asked.member, source, "measurement")
     where = f"{source}/{chosen}"
-    samples = np.array(_decoded(lines[names[chosen] - 1], Measurement, where).samples).reshape(
-        -1, len(COLUMNS)
-    )
+    parts = list(_samples(_decoded(kept, Measurement, where).samples, where))
+    del kept
+    samples = np.concatenate([np.empty((0, len(COLUMNS))), *parts])
 
     def variable(name: str, values: Array) -> Variable:
         return Variable(name, "an array", values.shape, lambda: values)
@@ -91,38 +108,69 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
     return replace(read, functions=tuple(replace(one, unit=UNIT) for one in read.functions))
 
 
-def _decoded(line: bytes, kind: type[T], where: str) -> T:
+def _samples(given: msgspec.Raw, where: str) -> Iterator[Array]:
+    """Yield parts of the samples, (n, 4): as objects of Python all of them would take five times their text."""
+    text = memoryview(given)
+    if bytes(text[:1]) != b"[":
+        raise MeasurementError("expected a measurement of Shake&Tune: no list of samples", where, INCOMPLETE)
+    start, end = 1, len(text) - 1
+    while start < end:
+        after = ROW_END.search(text, min(start + PART, end), end)
+        stop = after.end(1) if after else end
+        rows = _decoded(b"[%b]" % bytes(text[start:stop]), list[Row], where)
+        yield np.array(rows, np.float64).reshape(-1, len(COLUMNS))
+        start = after.end() if after else end
+
+
+def _decoded(line: bytes | bytearray, kind: type[T], where: str) -> T:
     try:
         return msgspec.json.decode(line, type=kind)
+    except RecursionError:
+        what = "expected a measurement of Shake&Tune, found lists in very many lists"
+        raise MeasurementError(what, where, INCOMPLETE) from None
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise MeasurementError(f"expected a measurement of Shake&Tune: {error}", where, INCOMPLETE) from None
 
 
-def _unpacked(path: Path, source: str) -> bytes:
-    """Return what a file of one or several frames of Zstandard holds."""
+def _lines(parts: Iterable[bytes]) -> Iterator[bytearray]:
+    """Yield the lines of a text that are not blank."""
+    line = bytearray()
+    for part in parts:
+        *ends, rest = part.split(b"\n")
+        for end in ends:
+            line += end
+            if line.strip():
+                yield line
+            line = bytearray()
+        line += rest
+    if line.strip():
+        yield line
+
+
+def _unpacked(path: Path, source: str) -> Iterator[bytes]:
+    """Yield what a file of one or several frames of Zstandard holds, part by part."""
     try:
         import zstandard
     except ImportError:
         what = "expected signals, found a file compressed by Zstandard, which needs the library zstandard"
         raise MeasurementError(what, source, "install it with pip install 'pkmodes[zstd]'") from None
-    parts, total = [], 0
-    frame = zstandard.ZstdDecompressor().decompressobj()
+    unpacking, total, most = zstandard.ZstdDecompressor(max_window_size=WINDOW), 0, _most_unpacked(path)
+    frame = unpacking.decompressobj()
     with path.open("rb") as file:
         left = b""
         while left or (left := file.read(BLOCK)):
             if frame.eof:
-                frame = zstandard.ZstdDecompressor().decompressobj()
+                frame = unpacking.decompressobj()
             try:
-                parts.append(frame.decompress(left))
+                part = frame.decompress(left)
             except zstandard.ZstdError as error:
                 raise MeasurementError(f"cannot unpack the file: {error}", source, INCOMPLETE) from None
             left = frame.unused_data
-            total += len(parts[-1])
-            if total > LARGEST:
-                raise MeasurementError(LARGE, source, "record less in one file")
+            total += len(part)
+            _check_size(total, most, source, "record less in one file")
+            yield part
     if not frame.eof:
         raise MeasurementError("expected a complete file, found its beginning", source, INCOMPLETE)
-    return b"".join(parts)
 
 
 def read_archive(path: Path, asked: Asked) -> SignalFile:
@@ -133,12 +181,12 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If it is damaged, or has no such table.
     """
-    source = fspath(path)
+    source, most = fspath(path), _most_unpacked(path)
     try:
         with path.open("rb") as file:
             zipped = file.read(len(ZIP)) == ZIP
-        with zipfile.ZipFile(path) if zipped else tarfile.open(path) as archive:
-            files = dict(_of_zip(archive) if isinstance(archive, zipfile.ZipFile) else _of_tar(archive))
+        with opened_zip(path) if zipped else nullcontext() as archive:
+            files = _of_zip(archive, most, source) if archive else _of_tar(path, most, source)
             if OF_WORKBOOKS in files:
                 check_text(ZIP, source)
             tables = {name: load for name, load in files.items() if _is_table(name)}
@@ -146,7 +194,7 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
                 what = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
                 raise MeasurementError(what, source, UNPACK)
             chosen = _chosen(tables, asked.member, source, "table")
-            content = tables[chosen]()
+            content = [tables[chosen]()]
     except MeasurementError:
         raise
     except Exception as error:  # damage and passwords make readers raise errors of many types
@@ -154,7 +202,7 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
             raise
         reason = (str(error) or type(error).__name__).splitlines()[0].rstrip(":")
         raise MeasurementError(f"cannot read the archive: {reason}", source, UNPACK) from None
-    return tabulated(content, f"{source}/{chosen}", asked)
+    return tabulated(content.pop(), f"{source}/{chosen}", asked)  # which may then forget it
 
 
 def _is_table(name: str) -> bool:
@@ -163,27 +211,47 @@ def _is_table(name: str) -> bool:
     return place.suffix.lower() in TABLE.suffixes and not place.name.startswith(".")
 
 
-def _of_zip(archive: zipfile.ZipFile) -> Iterator[tuple[str, Callable[[], bytes]]]:
-    """Yield the files of an archive, and how each is read."""
-    for one in archive.infolist():
-        if not one.is_dir():
-            _check_size(one.file_size, str(archive.filename))
-            yield one.filename, partial(archive.read, one)
+def _of_zip(archive: zipfile.ZipFile, most: int, source: str) -> dict[str, Callable[[], bytes]]:
+    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
+
+    def load(one: zipfile.ZipInfo) -> bytes:
+        _check_size(one.file_size, most, source)
+        with archive.open(one) as file:
+            return file.read(most)
+
+    return {one.filename: partial(load, one) for one in archive.infolist() if not one.is_dir()}
 
 
-def _of_tar(archive: tarfile.TarFile) -> Iterator[tuple[str, Callable[[], bytes]]]:
-    """Yield the files of an archive, and how each is read."""
+def _of_tar(path: Path, most: int, source: str) -> dict[str, Callable[[], bytes]]:
+    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
+
+    def load(number: int) -> bytes:
+        files = tar_files(path)  # which closes the archive when it is forgotten
+        one = next(islice(files, number, None))
+        _check_size(one.size, most, source)
+        return one.read(most)
+
+    found: dict[str, Callable[[], bytes]] = {}
     total = 0
-    for one in archive:
+    for number, one in enumerate(tar_files(path)):
         total += one.size
-        _check_size(total, str(archive.name))  # before the next one is looked for, which unpacks this one
-        if (content := archive.extractfile(one) if one.isreg() else None) is not None:
-            yield one.name, content.read
+        _check_size(total, LARGEST, source)  # before the next one is looked for, which unpacks this one
+        found[one.name] = partial(load, number)
+        if number == MOST_FILES:
+            what = f"expected an archive of at most {MOST_FILES:,} files, found more"
+            raise MeasurementError(what, source, UNPACK)
+    return found
 
 
-def _check_size(size: int, source: str) -> None:
-    if size > LARGEST:
-        raise MeasurementError(LARGE, source, UNPACK)
+def _most_unpacked(path: Path) -> int:
+    """Return the bytes that a record in a file may have."""
+    return min(LARGEST, ROOM + EXPANDED * path.stat().st_size)
+
+
+def _check_size(size: int, most: int, source: str, remedy: str = UNPACK) -> None:
+    if size > most:
+        what = f"expected at most {most / 1e6:.4g} MB when unpacked, found more"
+        raise MeasurementError(what, source, remedy)
 
 
 def _chosen(names: Mapping[str, object], asked: str, source: str, what: str) -> str:

@@ -9,19 +9,34 @@ functions with several references ``NAME_1__2`` (frequencies x sensors x referen
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache, partial
+from itertools import islice
 from typing import Any, NamedTuple, NoReturn, TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_finite, within
-from pkmodes.signals.functions import FORCE, MOST_NAMES, Array, Asked, Complex, Function, Kind, SignalFile
-from pkmodes.signals.sampling import counts_samples
+from pkmodes.signals.functions import (
+    FORCE,
+    MOST_NAMES,
+    Array,
+    Asked,
+    Complex,
+    Function,
+    Kind,
+    SignalFile,
+    StoredFunction,
+)
+from pkmodes.signals.sampling import counts_samples, even_times
 from pkmodes.support.ordering import listed
 
 T = TypeVar("T")
+#: Numbers of any type, as files store them.
+Values = NDArray[Any]
 REFERENCE = "__"
 #: Names of abscissas and of sampling rates, in capitals or not; the first that a file has prevails.
 TIMES = ("time", "t", "time_domain")
@@ -29,8 +44,15 @@ FREQUENCIES = ("frequency", "frequencies", "freq", "frequencyband", "f")
 RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 #: What a record may call otherwise: these two are variables, all others signals.
 ABSCISSAS = ("time", "frequency")
-#: Values that are read of a file, in all: together with what they are unpacked from they take 2 GB of memory.
+#: Values that are read of a file, in all.
 MOST_VALUES = 100_000_000
+#: Bytes that compressed arrays may become: some, and so many times the file.  Measured signals of double precision
+#: that are compressed have a tenth of their size at least, but for channels that are constant.
+ROOM, EXPANDED = 64_000_000, 20
+#: Variables of a file, with the fields of its structs.
+MOST_VARIABLES = 20_000
+#: Letters of a name; MATLAB allows 63, and the fields of structs have those of all around them.
+LONGEST_NAME = 1024
 #: Rates are the same that differ by less, relative.
 SAME = 1e-6
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
@@ -48,12 +70,18 @@ class Variable(NamedTuple):
         Of an array of numbers.
     load : callable
         Returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
+    itemsize : int
+        Bytes of a value as it is loaded.
+    again : callable, optional
+        Of whole numbers, returns the same when the file is closed.
     """
 
     name: str
     what: str
     shape: tuple[int, ...] | None
-    load: Callable[[], Array | Complex]
+    load: Callable[[], Values]
+    itemsize: int = 8
+    again: Callable[[], Values] | None = None
 
     @property
     def size(self) -> int:
@@ -64,6 +92,20 @@ class Variable(NamedTuple):
     def lengths(self) -> tuple[int, ...]:
         """Its sizes along the dimensions that have more than one value."""
         return tuple(one for one in self.shape or () if one != 1)
+
+
+def at_most(found: Iterable[Variable]) -> list[Variable]:
+    """Return the variables of a file.
+
+    Raises
+    ------
+    ValueError
+        If there are more than any measurement has.
+    """
+    every = list(islice(found, MOST_VARIABLES + 1))
+    if len(every) > MOST_VARIABLES:
+        raise ValueError(f"expected at most {MOST_VARIABLES:,} variables, found more")
+    return every
 
 
 def loaded(load: Callable[[], T], source: str, what: str) -> T:
@@ -106,18 +148,22 @@ class _Signal(NamedTuple):
     response: str
     reference: str
     variable: str
-    pick: Callable[[Array | Complex], Array | Complex]
+    pick: Callable[[Values], Values]
     length: int
     measurement: int | None = None
 
 
-def functions_of(found: Sequence[Variable], source: str, asked: Asked, what: str) -> SignalFile:
+def functions_of(
+    found: Sequence[Variable], source: str, asked: Asked, what: str, size: int | None = None
+) -> SignalFile:
     """Return the functions that variables are; only the values of those asked for are read.
 
     Parameters
     ----------
     what : str
         Kind of the file, for messages.
+    size : int, optional
+        Of the file [bytes], of which compressed arrays become a multiple at most.
 
     Raises
     ------
@@ -168,17 +214,24 @@ def functions_of(found: Sequence[Variable], source: str, asked: Asked, what: str
     if total > MOST_VALUES:
         text = f"cannot read the arrays: they have {total:,} values, more than {MOST_VALUES:,}"
         raise MeasurementError(text, source, "split the record, or give a binary universal file")
-    numbers = {one.name: loaded(one.load, source, what) for one in read}
+    bytes_of_all = sum(one.size * one.itemsize for one in read)
+    if size is not None and bytes_of_all > ROOM + EXPANDED * size:
+        text = f"cannot read the arrays: they have {bytes_of_all:,} bytes, and the file {size:,}"
+        remedy = (
+            f"save the signals that were measured: compressed, they have more than 1/{EXPANDED} of their size"
+        )
+        raise MeasurementError(text, source, remedy)
+    load = cache(lambda name: loaded(known[name].load, source, what))
     said = [f"{source}: {name}: skipped: {one} holds no signals" for name, one in skipped.items()]
-    abscissa = None if named is None else _abscissa(numbers[named], f"{source}: {named}")
+    abscissa = None if named is None else _abscissa(load(named), f"{source}: {named}")
     if abscissa is not None and kind is Kind.TIME and counts_samples(abscissa):
         rate = _rate(None if rate_of is None else known[rate_of], asked, source)
         said += [] if rate is None else [f"{source}: {named} counts samples, of {rate:g} Hz"]
     if rate is not None:
-        abscissa = np.arange((wanted or signals)[0].length) / rate
+        abscissa = even_times((wanted or signals)[0].length, rate)
     assert abscissa is not None
     functions = tuple(
-        _function(one, one.pick(numbers[one.variable]), abscissa, kind, source, asked) for one in wanted
+        _function(one, known[one.variable], load, abscissa, kind, source, asked) for one in wanted
     )
     return SignalFile(source, functions, (), tuple(said))
 
@@ -261,10 +314,10 @@ def _signals(one: Variable, kind: Kind, count: int | None, blows: int | None = N
         return []
     axis = sizes.index((sizes[0] if of_measurements else max(sizes)) if count is None else count)
 
-    def picked(at: tuple[int, ...]) -> Callable[[Array | Complex], Array | Complex]:
-        def pick(values: Array | Complex) -> Array | Complex:
+    def picked(at: tuple[int, ...]) -> Callable[[Values], Values]:
+        def pick(values: Values) -> Values:
             table: Any = np.moveaxis(values.reshape(sizes, order="F"), axis, 0)
-            column: Array | Complex = table[(slice(None), *at)]
+            column: Values = table[(slice(None), *at)]
             return column
 
         return pick
@@ -323,28 +376,53 @@ def _rate(variable: Variable | None, asked: Asked, source: str) -> float | None:
     return rate
 
 
-def _abscissa(values: Array | Complex, where: str) -> Array:
+def _abscissa(values: Values, where: str) -> Array:
     if np.iscomplexobj(values):
         raise MeasurementError("expected real numbers, found complex ones", where, REMEDY)
-    check_abscissa(np.real(values), where)
-    return np.real(values)
+    abscissa = np.asarray(values, np.float64)
+    check_abscissa(abscissa, where)
+    return abscissa
 
 
 def _function(
-    one: _Signal, vector: Array | Complex, abscissa: Array, kind: Kind, source: str, asked: Asked
+    one: _Signal,
+    variable: Variable,
+    load: Callable[[str], Values],
+    abscissa: Array,
+    kind: Kind,
+    source: str,
+    asked: Asked,
 ) -> Function:
+    """Return the function that a signal is; numbers that are not of double precision stay as they are."""
     where = f"{source}: {one.name}"
-    if vector.size != abscissa.size:
-        what = f"expected {abscissa.size} values, one for each time or frequency, found {vector.size}"
+    length = max(variable.lengths) if len(variable.lengths) == 1 else None
+    vector = None
+    if length is None or variable.again is None:
+        vector = one.pick(load(one.variable))
+        length = vector.size
+    if length != abscissa.size:
+        what = f"expected {abscissa.size} values, one for each time or frequency, found {length}"
         raise MeasurementError(what, where, "save vectors of one length, or remove this one")
     inside = within(abscissa, None if kind is Kind.TIME else asked.band)
-    check_finite(vector[inside], where, inside.start)
-    if kind is not Kind.TIME:
-        vector = np.where(np.isfinite(vector), vector, np.nan)
-    if kind is Kind.TIME and np.iscomplexobj(vector):
+    is_complex = vector is not None and vector.dtype.kind == "c"
+    if vector is not None and vector.dtype.kind not in "iu":
+        check_finite(vector[inside], where, inside.start)
+        if kind is not Kind.TIME and not (finite := np.isfinite(vector)).all():
+            vector = np.where(finite, vector, np.nan)
+    if kind is Kind.TIME and is_complex:
         what = "expected a real signal, found complex values"
         raise MeasurementError(what, where, 'name the abscissa "frequency" if these are frequency responses')
     if kind is not Kind.TIME:
-        kind = Kind.FRF if np.iscomplexobj(vector) else Kind.SPECTRUM
+        kind = Kind.FRF if is_complex else Kind.SPECTRUM
     force = kind is Kind.TIME and one.name == FORCE
-    return Function(kind, one.response, one.reference, abscissa, vector, None, None, force)
+    precision = np.complex128 if is_complex else np.float64
+    if vector is not None and vector.dtype == precision:
+        return Function(kind, one.response, one.reference, abscissa, vector, None, None, force)
+    stored = variable.again if vector is None else partial(np.asarray, vector)
+    assert stored is not None
+    load_again = partial(_in_double_precision, stored, precision)
+    return StoredFunction(kind, one.response, one.reference, abscissa, None, None, force, load=load_again)
+
+
+def _in_double_precision(stored: Callable[[], Values], precision: type) -> Array | Complex:
+    return np.asarray(stored(), precision)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from array import array
+from collections.abc import Iterable
 from datetime import datetime, time, timedelta
 
 import numpy as np
@@ -20,12 +21,12 @@ def is_clock(text: str) -> bool:
     return _microseconds(text) is not None
 
 
-def seconds_of(texts: Sequence[str]) -> tuple[Array, int | None]:
+def seconds_of(texts: Iterable[str]) -> tuple[Array, int | None]:
     """Return times since the first one.
 
     Parameters
     ----------
-    texts : sequence of str
+    texts : iterable of str
         Such as ``2024-05-03 10:00:00.005`` or ``10:00:00.005``; a time of day may pass midnight.
 
     Returns
@@ -35,15 +36,23 @@ def seconds_of(texts: Sequence[str]) -> tuple[Array, int | None]:
     bad : int or None
         The first text that is none.
     """
-    found: NDArray[np.int64] = np.empty(len(texts), dtype=np.int64)
+    moments = array("q")
     for i, text in enumerate(texts):
         value = _microseconds(text)
         if value is None:
             return np.zeros(0), i
-        found[i] = value
-    if len(texts) and found[0] < DAY:  # without dates: a step back by most of a day is midnight
-        found += DAY * np.cumsum(np.diff(found, prepend=found[0]) < -DAY // 2)
-    return np.asarray((found - found[:1]) * 1e-6, dtype=np.float64), None
+        moments.append(value)
+    found: NDArray[np.int64] = np.frombuffer(moments, np.int64) if moments else np.zeros(0, np.int64)
+    first = found[:1].copy()
+    if found.size and first[0] < DAY:  # without dates: a step back by most of a day is midnight
+        days = np.cumsum(found[1:] - found[:-1] < -DAY // 2, dtype=np.int64)
+        days *= DAY
+        found[1:] += days
+        del days
+    found -= first
+    seconds = found.astype(np.float64)
+    seconds *= 1e-6
+    return seconds, None
 
 
 def _microseconds(text: str) -> int | None:

@@ -1,7 +1,12 @@
-"""Arrays of numbers in MATLAB files of version 7.3, which are HDF5: read by h5py, an extra."""
+"""Arrays of numbers in MATLAB files of version 7.3, which are HDF5: read by h5py, an extra.
+
+A file of HDF5 may refer to itself and to others: links lead back to what holds them, or to another file, and values
+lie elsewhere.  Only what is in the file itself is opened.
+"""
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
@@ -11,11 +16,16 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.arrays import Variable, loaded
-from pkmodes.signals.functions import Array, Complex
+from pkmodes.signals.arrays import EXPANDED, LONGEST_NAME, ROOM, Values, Variable, at_most, loaded
 
-#: Structs in one another at most.
-DEEPEST = 8
+#: Structs in one another at most, and links that are followed to an object.
+DEEPEST, MOST_LINKS = 8, 64
+#: Bytes of the name of a class at most.
+LONGEST_CLASS = 64
+#: Number of the filter of HDF5 whose bytes become a thousand each at most.
+DEFLATE = 1
+#: The parts of complex numbers, and classes that are none.
+PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of another type")
 
 
 @contextmanager
@@ -33,32 +43,149 @@ def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[Variable]]:
         what = "expected a MATLAB file of version 7 or older, found version 7.3, which needs h5py"
         remedy = "install it with pip install 'pkmodes[hdf5]', or save the file with save -v7"
         raise MeasurementError(what, source, remedy) from None
+    most = ROOM + EXPANDED * path.stat().st_size
     with loaded(lambda: h5py.File(path, "r"), source, "MATLAB") as file:
-        yield loaded(lambda: list(_variables(file, "", 0)), source, "MATLAB")
+        yield loaded(lambda: at_most(_variables(file, "", most, {_address(file)})), source, "MATLAB")
 
 
-def _variables(group: Any, prefix: str, depth: int) -> Iterator[Variable]:
-    """Yield the arrays of a group; those of a struct, which is a group in it, under the names of its fields."""
-    for name, item in group.items():
+def _address(item: Any) -> int:
+    """Return where an object is in the file: several links may lead to it."""
+    from h5py import h5o
+
+    return int(h5o.get_info(item.id).addr)
+
+
+def _variables(group: Any, prefix: str, most: int, seen: set[int]) -> Iterator[Variable]:
+    """Yield the arrays of a group; those of a struct, which is a group in it, under the names of its fields.
+
+    Parameters
+    ----------
+    most : int
+        Bytes that a part of an array may have.
+    seen : set of int
+        Where the groups are that have been looked at; others are added.
+    """
+    from h5py import Dataset, Group
+
+    for name in group:
         if name.startswith("#"):  # what MATLAB stores for itself
             continue
-        kind = item.attrs.get("MATLAB_class", b"double")
-        text = kind.decode() if isinstance(kind, bytes) else str(kind)
-        if not hasattr(item, "dtype"):
-            if depth < DEEPEST:
-                yield from _variables(item, f"{prefix}{name}.", depth + 1)
-            continue
-        parts = item.dtype.names
-        numeric = text not in ("char", "cell", "logical") and (
-            item.dtype.kind in "iuf" or parts == ("real", "imag")
-        )
-        shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
-        what = f"an array of {' x '.join(map(str, shape))} values" if numeric else f"a {text}"
-        yield Variable(prefix + name, what, shape if numeric else None, partial(_values, item))
+        full = f"{prefix}{name}"
+        if len(full) > LONGEST_NAME:
+            raise ValueError(f"expected names of at most {LONGEST_NAME} letters, found one of {len(full):,}")
+        item = _followed(group, name, [MOST_LINKS])
+        if isinstance(item, Group):
+            address = _address(item)
+            if prefix.count(".") < DEEPEST and address not in seen:
+                seen.add(address)
+                yield from _variables(item, f"{full}.", most, seen)
+        elif isinstance(item, Dataset):
+            yield _variable(item, full, most)
+        else:
+            what = "a link that leads to nothing in the file" if item is None else "a type of numbers"
+            yield Variable(full, what, None, partial(_none, full))
 
 
-def _values(item: Any) -> Array | Complex:
-    values = np.asarray(item[()]).ravel()
-    if values.dtype.names:
-        return np.asarray(values["real"] + 1j * values["imag"], np.complex128)
-    return np.asarray(values, np.float64)
+def _followed(group: Any, name: str, left: list[int]) -> Any:
+    """Return what a link leads to; None if that is nothing, or in another file.
+
+    Parameters
+    ----------
+    left : list of int
+        Number of links that may still be followed.
+    """
+    from h5py import Group, HardLink, SoftLink
+
+    left[0] -= 1
+    try:
+        link = group.get(name, getlink=True)
+    except (KeyError, TypeError):  # none of this name, and one of a kind that a program has defined
+        return None
+    if isinstance(link, HardLink):
+        return group[name]
+    if not isinstance(link, SoftLink):
+        return None
+    item = group.file["/"] if link.path.startswith("/") else group
+    for part in (part for part in link.path.split("/") if part not in ("", ".")):
+        if left[0] <= 0 or not isinstance(item, Group):
+            return None
+        item = _followed(item, part, left)
+    return item
+
+
+def _variable(item: Any, name: str, most: int) -> Variable:
+    """Return the variable that a dataset is."""
+    of = _class(item)
+    try:
+        dtype = item.dtype
+    except TypeError:  # one that NumPy does not have
+        of, dtype = "variable of another type", np.dtype("V")
+    if item.is_virtual or item.external:
+        what = "an array whose values are in another file"
+        return Variable(name, what, None, partial(_none, name))
+    if of in NO_NUMBERS or item.shape is None or not _is_of_numbers(dtype):
+        return Variable(name, f"a {of}", None, partial(_none, name))
+    shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
+    what = f"an array of {' x '.join(map(str, shape))} values"
+    size = 16 if dtype.names else dtype.itemsize
+    return Variable(name, what, shape, partial(_values, item, most), size)
+
+
+def _class(item: Any) -> str:
+    """Return the class of a variable as MATLAB has written it, or that of numbers."""
+    if "MATLAB_class" not in item.attrs:
+        return "double"
+    attribute = item.attrs.get_id("MATLAB_class")
+    if attribute.shape != () or attribute.dtype.kind not in "SO" or attribute.dtype.itemsize > LONGEST_CLASS:
+        return "double"
+    text = item.attrs["MATLAB_class"]
+    return (text.decode("utf-8", "replace") if isinstance(text, bytes) else str(text))[:LONGEST_CLASS]
+
+
+def _is_of_numbers(dtype: Any) -> bool:
+    """Return whether numbers are real, or complex as MATLAB stores them."""
+    if dtype.names == PARTS:
+        return all(dtype[part].kind in "iuf" for part in PARTS)
+    return bool(dtype.kind in "iuf")
+
+
+def _none(name: str) -> Values:
+    raise ValueError(f"{name} is not an array of numbers")
+
+
+def _values(item: Any, most: int) -> Values:
+    """Return the values of an array, in the type in which they are stored."""
+    _check_parts(item, most)
+    if not item.dtype.names:
+        return np.asarray(item[()]).ravel()
+    values = np.empty(item.shape, np.complex128)
+    stored = item[()]
+    values.real, values.imag = stored["real"], stored["imag"]
+    return values.ravel()
+
+
+def _check_parts(item: Any, most: int) -> None:
+    """Refuse an array whose parts are larger than an array may be, as stated or as they unpack.
+
+    HDF5 unpacks a part to its end, whatever its size is.
+    """
+    if item.chunks is None:
+        return
+    size = int(np.prod(item.chunks, dtype=np.float64)) * item.dtype.itemsize
+    if size > most:
+        raise ValueError(f"expected parts of at most {most:,} bytes, found parts of {size:,}")
+    pipeline = item.id.get_create_plist()
+    filters = [pipeline.get_filter(number)[0] for number in range(pipeline.get_nfilters())]
+    if filters.count(DEFLATE) > 1:
+        raise ValueError("expected an array that is compressed once, found it compressed again")
+    for number in range(item.id.get_num_chunks() if DEFLATE in filters else 0):
+        stored = item.id.get_chunk_info(number)
+        if stored.size > most:
+            raise ValueError(f"expected a part of at most {most:,} bytes, found {stored.size:,}")
+        _, packed = item.id.read_direct_chunk(stored.chunk_offset)
+        try:
+            unpacked = b"" if stored.filter_mask else zlib.decompressobj().decompress(packed, size + 1)
+        except zlib.error as error:
+            raise ValueError(f"cannot unpack a part of an array: {error}") from None
+        if len(unpacked) > size:
+            raise ValueError(f"expected a part of {size:,} bytes, found more")

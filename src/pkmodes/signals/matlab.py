@@ -8,11 +8,9 @@ from os import fspath
 from pathlib import Path
 from typing import Any, BinaryIO
 
-import numpy as np
-
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import Variable, functions_of, loaded
-from pkmodes.signals.functions import Array, Asked, Complex, SignalFile
+from pkmodes.signals.arrays import MOST_VARIABLES, Variable, at_most, functions_of, loaded
+from pkmodes.signals.functions import Asked, SignalFile
 from pkmodes.signals.hdf5_arrays import hdf5_variables
 from pkmodes.signals.matlab_arrays import DamagedError, variables
 
@@ -37,16 +35,16 @@ def read(path: Path, asked: Asked) -> SignalFile:
         head = file.read(1024)
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
         with hdf5_variables(path, source) as found:
-            return functions_of(found, source, asked, WHAT)
+            return functions_of(found, source, asked, WHAT, path.stat().st_size)
     with path.open("rb") as file:
-        return functions_of(_variables(file, path, head, source), source, asked, WHAT)
+        return functions_of(_variables(file, path, head, source), source, asked, WHAT, path.stat().st_size)
 
 
 def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[Variable]:
     """Return all variables of a file; their values are read later."""
     if b"\0" in head[:4]:  # version 4 has no text at its beginning
         return loaded(lambda: _of_version_4(file, path), source, WHAT)
-    return loaded(lambda: list(variables(file, path.stat().st_size)), source, WHAT)
+    return loaded(lambda: at_most(variables(file, path.stat().st_size)), source, WHAT)
 
 
 def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
@@ -55,11 +53,8 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
 
     _check_sizes(file, path.stat().st_size)
 
-    def values(name: str) -> Array | Complex:
-        found: Any = loadmat(path, appendmat=False, variable_names=[name])[name].ravel(order="F")
-        if found.dtype.kind == "c":
-            return np.asarray(found, np.complex128)
-        return np.asarray(found, np.float64)
+    def values(name: str) -> Any:
+        return loadmat(path, appendmat=False, variable_names=[name])[name].ravel(order="F")
 
     found = []
     for name, shape, of in whosmat(path, appendmat=False):
@@ -71,8 +66,11 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
 
 def _check_sizes(file: BinaryIO, length: int) -> None:
     """Refuse a file of version 4 that ends before its variables: SciPy would make room for what they state."""
-    at = 0
+    at, count = 0, 0
     while at < length:
+        count += 1
+        if count > MOST_VARIABLES:
+            raise DamagedError(f"expected at most {MOST_VARIABLES:,} variables, found more")
         file.seek(at)
         head = file.read(HEAD_OF_4)
         order = "<" if int.from_bytes(head[:4], "little") < TYPES_OF_4 else ">"

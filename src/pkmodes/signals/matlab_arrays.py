@@ -4,22 +4,24 @@ An element has a tag with its type and size.  A variable is an element with part
 and imaginary values if it is complex; it may be compressed as a whole ("MAT-File Format", The MathWorks).  SciPy's
 reader cannot be used for files that may be damaged: with wrong sizes it reads memory that is not the file's.
 
-Of each array only the first parts are read, or unpacked, until its values are asked for: a few compressed bytes may
-be gigabytes.  A struct is unpacked as a whole.
+Of each array only the first parts are kept until its values are asked for: a few compressed bytes may be gigabytes.
+What lies before those in a compressed struct is unpacked again, piece by piece, and thrown away.
 """
 
 from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import partial
-from typing import BinaryIO, NamedTuple
+from typing import Any, BinaryIO, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pkmodes.signals.arrays import Variable
-from pkmodes.signals.functions import Array, Complex
+from pkmodes.core.base.errors import MeasurementError
+from pkmodes.signals.arrays import LONGEST_NAME, MOST_VARIABLES, Variable
 
 HEADER = 128
 MATRIX, COMPRESSED = 14, 15
@@ -29,28 +31,142 @@ NUMERIC = range(6, 16)
 STRUCT = 2
 CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
-#: Bytes of a tag, and at most of the flags, dimensions and name of a variable.
-TAG, HEAD = 8, 1 << 16
-#: Bytes of a struct at most, and structs in one another.
-LARGEST_STRUCT, DEEPEST = 1 << 28, 8
-#: Compressed bytes that are unpacked at once.
-BLOCK = 1 << 20
+#: Bytes of a tag; and, at most, of the dimensions or name of a variable, and of the names of the fields of a struct.
+TAG, HEAD, NAMES = 8, LONGEST_NAME, 64 * MOST_VARIABLES
+#: Structs in one another.
+DEEPEST = 8
+#: Bytes that are unpacked at once.
+BLOCK = 1 << 16
 
 
 class DamagedError(ValueError):
     """The structure of a file is not that of a MATLAB file."""
 
 
-class _Element(NamedTuple):
-    type: int
-    data: memoryview
+class _Stored:
+    """Bytes of a file from some place on.
+
+    Parameters
+    ----------
+    file : binary file
+        Open for reading.
+    start, size : int
+        Where they are.
+    """
+
+    def __init__(self, file: BinaryIO, start: int, size: int) -> None:
+        self._file, self._start, self._size, self.at = file, start, size, 0
+
+    def read(self, size: int) -> bytes:
+        """Return the next bytes, fewer only at the end."""
+        self._file.seek(self._start + self.at)
+        found = self._file.read(max(0, min(size, self._size - self.at)))
+        self.at += len(found)
+        return found
+
+    def skip_to(self, at: int) -> None:
+        """Go to a later place."""
+        self.at = at
 
 
-class _Place(NamedTuple):
-    """Where the data of an element are in the file."""
+class _Unpacked:
+    """What compressed bytes of a file unpack to, block by block.
 
-    offset: int
+    Parameters
+    ----------
+    file : binary file
+        Open for reading.
+    start, size : int
+        Where the compressed bytes are.
+    """
+
+    def __init__(self, file: BinaryIO, start: int, size: int) -> None:
+        self._packed, self._left = _Stored(file, start, size), b""
+        self._unpacking, self.at = zlib.decompressobj(), 0
+
+    def read(self, size: int) -> bytes:
+        """Return the next bytes, fewer only at the end."""
+        content = bytearray()
+        while len(content) < size and (more := self._more(size - len(content))):
+            content += more
+        return bytes(content)
+
+    def skip_to(self, at: int) -> None:
+        """Go to a later place, by unpacking what is before it."""
+        while self.at < at and self._more(at - self.at):
+            pass
+
+    def _more(self, most: int) -> bytes:
+        """Return at most so many of the next bytes, none at the end."""
+        more = b""
+        try:
+            while not more and not self._unpacking.eof:
+                packed = self._left or self._packed.read(BLOCK)
+                more = self._unpacking.decompress(packed, min(most, BLOCK))
+                self._left = self._unpacking.unconsumed_tail
+                if not packed and not more:
+                    break
+        except zlib.error as error:
+            raise DamagedError(f"cannot unpack a compressed variable: {error}") from None
+        self.at += len(more)
+        return more
+
+    def ends(self, least: int, most: int) -> bool:
+        """Return whether the bytes end at a place between two."""
+        self.skip_to(most + 1)
+        return least <= self.at <= most and self._unpacking.eof
+
+
+class _Reading:
+    """What is read of a file: the bytes of one element at a time, since those that unpack take memory.
+
+    Parameters
+    ----------
+    file : binary file
+        Open for reading.
+    """
+
+    def __init__(self, file: BinaryIO) -> None:
+        self.file = file
+        self._element: _Element | None = None
+        self._data: _Stored | _Unpacked | None = None
+
+    def from_place(self, element: _Element, at: int) -> _Stored | _Unpacked:
+        """Return the bytes of an element from some place on: going on where they are, if that is before."""
+        if self._data is None or self._element is not element or self._data.at > at:
+            kind = _Unpacked if element.compressed else _Stored
+            self._element, self._data = element, kind(self.file, element.start, element.size)
+        self._data.skip_to(at)
+        return self._data
+
+
+@dataclass(frozen=True, eq=False)
+class _Element:
+    """Where the bytes of an element are in the file, and whether they are compressed."""
+
+    reading: _Reading
+    start: int
     size: int
+    compressed: bool = False
+
+    def data(self, at: int) -> _Stored | _Unpacked:
+        """Return its bytes, unpacked, from some place on."""
+        return self.reading.from_place(self, at)
+
+    def check_end(self, end: int) -> None:
+        """Refuse a compressed element that ends elsewhere, perhaps after a padding that not every program writes."""
+        data = self.data(end) if self.compressed else None
+        if isinstance(data, _Unpacked) and not data.ends(end, -(-end // 8) * 8):
+            raise DamagedError("expected one whole variable in a compressed element")
+
+
+class _Tag(NamedTuple):
+    """The type of an element, the size of its data, where these begin, and where the next element does."""
+
+    type: int
+    size: int
+    start: int
+    next: int
 
 
 def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
@@ -73,58 +189,46 @@ def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
     if mark not in (b"IM", b"MI"):
         raise DamagedError("expected the header of a MATLAB file")
     order = "<" if mark == b"IM" else ">"
-    at = HEADER
+    at, reading = HEADER, _Reading(file)
     while at < length:
-        kind, size, start = _tag(_bytes(file, at, min(TAG, length - at)), order, 0)
-        start += at
-        if start + size > length:
-            raise DamagedError(f"expected {size} bytes of an element, found {length - start}")
-        place = _Place(start, size)
-        if kind == COMPRESSED:
-            head = _unpacked(file, place, HEAD + TAG)
-            kind, whole, inner = _tag(memoryview(head), order, 0)
-            data = partial(_whole, file, place, inner + whole, inner)
-            head, size = head[inner : inner + whole], whole
-            at = start + place.size  # without padding
-        else:
-            head = bytearray(_bytes(file, start, min(size, HEAD)))
-            data = partial(_bytes, file, start, size)
-            at = start + (4 if start == at + 4 else -(-size // 8) * 8)
-        if kind != MATRIX:
-            raise DamagedError(f"expected a variable, found an element of type {kind}")
-        for variable in _variables(head, size, order, data):
+        outer = _tag(_Element(reading, at, length - at), 0, order, length - at)
+        compressed = outer.type == COMPRESSED
+        element = _Element(reading, at + outer.start, outer.size, compressed)
+        inner = _tag(element, 0, order) if compressed else outer._replace(start=0)
+        if inner.type != MATRIX:
+            raise DamagedError(f"expected a variable, found an element of type {inner.type}")
+        for variable in _variables(element, inner.start, inner.start + inner.size, order):
             if variable.name:  # what MATLAB stores for itself has none
                 yield variable
+        at += outer.start + outer.size if compressed else outer.next  # the first without padding
 
 
 def _variables(
-    head: bytearray | memoryview,
-    size: int,
-    order: str,
-    data: Callable[[], memoryview],
-    name_in: str = "",
-    depth: int = 0,
+    element: _Element, at: int, end: int, order: str, name_in: str = "", depth: int = 0
 ) -> Iterator[Variable]:
-    """Yield a variable from the beginning of its parts, which have `size` bytes in all, or the fields of a struct.
+    """Yield a variable from its parts, which begin and end at some places, or the fields of a struct.
 
     Parameters
     ----------
     name_in : str
         Of a field in a struct, whose parts have none.
     """
-    parts = _elements(memoryview(head), order)
-    try:
-        flags, dimensions, name = (next(parts) for _ in range(3))
-    except StopIteration:
-        raise DamagedError("expected the flags, dimensions and name of a variable") from None
-    if flags.type != 6 or len(flags.data) != 8 or dimensions.type != 5 or name.type not in (1, 2, 16):
+    parts = []
+    for _ in range(3):
+        tag = _tag(element, at, order, end)
+        parts.append((tag.type, _part(element, tag, HEAD)))
+        at = tag.next
+    (of_flags, flag_bytes), (of_dimensions, sizes_bytes), (of_name, name_bytes) = parts
+    if of_flags != 6 or len(flag_bytes) != 8 or of_dimensions != 5 or of_name not in (1, 2, 16):
         raise DamagedError("expected the flags, dimensions and name of a variable")
-    (bits,) = struct.unpack(f"{order}I", flags.data[:4])
-    sizes = np.frombuffer(dimensions.data, f"{order}i4") if len(dimensions.data) % 4 == 0 else np.array([-1])
-    text = name_in or bytes(name.data).decode("utf-8", "replace")
+    (bits,) = struct.unpack(f"{order}I", flag_bytes[:4])
+    sizes = np.frombuffer(sizes_bytes, f"{order}i4") if len(sizes_bytes) % 4 == 0 else np.array([-1])
+    text = name_in or name_bytes.decode("utf-8", "replace")
     kind = bits & 0xFF
-    if kind == STRUCT and sizes.tolist() == [1, 1] and size <= LARGEST_STRUCT and depth < DEEPEST and text:
-        yield from _fields(data(), order, text, depth)
+    if kind == STRUCT and sizes.tolist() == [1, 1] and depth < DEEPEST and text:
+        yield from _fields(element, at, end, order, text, depth)
+        if not depth:
+            element.check_end(end)
         return
     if kind not in NUMERIC:
         what = CLASSES.get(kind, "another kind of variable")
@@ -132,123 +236,116 @@ def _variables(
         return
     what = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
-    if not count <= size <= 16.0 * count + len(head):  # a byte for each number at least, two of eight at most
+    left = end - at
+    if not count <= left <= 16.0 * count + HEAD:  # a byte for each number at least, two of eight at most
         raise DamagedError(f"expected the values of {text}")
-    shape = tuple(map(int, sizes))
-    load = partial(_values, data, order, int(count), bool(bits & COMPLEX), text)
-    yield Variable(text, what, shape, load)
+    is_complex, shape = bool(bits & COMPLEX), tuple(map(int, sizes))
+    load = partial(_values, element, at, end, order, int(count), is_complex, text, whole=not depth)
+    again = None
+    if not element.compressed and not is_complex and count:
+        tag = _tag(element, at, order, end)
+        if (stored := TYPES.get(tag.type, "f8"))[0] in "iu" and tag.size == count * int(stored[1]):
+            place = element.start + tag.start
+            again = partial(_again, element.reading.file.name, f"{order}{stored}", int(count), place)
+    yield Variable(text, what, shape, load, int(left // count) if count else 8, again)
 
 
-def _fields(parts: memoryview, order: str, struct_name: str, depth: int) -> Iterator[Variable]:
+def _fields(
+    element: _Element, at: int, end: int, order: str, struct_name: str, depth: int
+) -> Iterator[Variable]:
     """Yield the variables that are the fields of a struct."""
-    _, _, _, length, names, *values = _elements(parts, order)
-    width = int(np.frombuffer(length.data, f"{order}i4")[0]) if len(length.data) == 4 else 0
-    text = bytes(names.data)
+    length = _tag(element, at, order, end)
+    width_bytes = _part(element, length, TAG)
+    width = int(np.frombuffer(width_bytes, f"{order}i4")[0]) if len(width_bytes) == 4 else 0
+    if width > LONGEST_NAME:
+        raise DamagedError(f"expected names of at most {LONGEST_NAME} bytes, found {width:,}")
+    names = _tag(element, length.next, order, end)
+    text = _part(element, names, NAMES)
     fields = [
         text[i : i + width].split(b"\0")[0].decode("utf-8", "replace")
         for i in range(0, len(text), max(width, 1))
     ]
-    if width < 1 or len(fields) != len(values) or any(one.type != MATRIX for one in values):
-        raise DamagedError("expected the fields of a struct")
-    for field, value in zip(fields, values, strict=True):
-        if value.data:
+    if len(fields) > MOST_VARIABLES:
+        raise DamagedError(f"expected at most {MOST_VARIABLES:,} fields of a struct, found {len(fields):,}")
+    at = names.next
+    for field in fields:
+        tag = _tag(element, at, order, end)
+        if tag.type != MATRIX:
+            raise DamagedError("expected the fields of a struct")
+        if tag.size:
             yield from _variables(
-                value.data,
-                len(value.data),
-                order,
-                partial(_same, value.data),
-                f"{struct_name}.{field}",
-                depth + 1,
+                element, tag.start, tag.start + tag.size, order, f"{struct_name}.{field}", depth + 1
             )
-
-
-def _same(data: memoryview) -> memoryview:
-    return data
+        at = tag.next
+    if at < end:
+        raise DamagedError("expected the fields of a struct")
 
 
 def _values(
-    data: Callable[[], memoryview], order: str, count: int, is_complex: bool, name: str
-) -> Array | Complex:
-    """Return the values of a vector."""
-    parts = list(_elements(data(), order))[3:]
-    if len(parts) != (2 if is_complex else 1):
+    element: _Element, at: int, end: int, order: str, count: int, is_complex: bool, name: str, *, whole: bool
+) -> NDArray[Any]:
+    """Return the values of a vector, in the type in which they are stored.
+
+    Parameters
+    ----------
+    whole : bool
+        Whether it is all of its element.
+    """
+    last = _tag(element, at, order, end)
+    values = _numbers(element, last, order, count, name)
+    if is_complex:
+        last = _tag(element, last.next, order, end)
+        both = np.empty(count, np.complex128)
+        both.real, both.imag = values, _numbers(element, last, order, count, name)
+        values = both
+    if last.next < end:
         raise DamagedError(f"expected the values of {name}")
-    if not is_complex:
-        return _numbers(parts[0], order, count, name)
-    values = np.empty(count, np.complex128)
-    values.real, values.imag = (_numbers(part, order, count, name) for part in parts)
+    if whole:
+        element.check_end(end)
     return values
 
 
-def _none(name: str) -> Array:
+def _again(path: str, dtype: str, count: int, offset: int) -> NDArray[Any]:
+    """Return whole numbers that have stayed in their file."""
+    values = np.fromfile(path, dtype, count, offset=offset)
+    if values.size < count:
+        raise MeasurementError("expected the file as it was, found it changed", path, "read it again")
+    return values
+
+
+def _none(name: str) -> NDArray[Any]:
     raise DamagedError(f"{name} is not a vector of numbers")
 
 
-def _numbers(part: _Element, order: str, count: int, name: str) -> Array:
-    kind = TYPES.get(part.type)
-    if kind is None or len(part.data) != count * int(kind[1]):
+def _numbers(element: _Element, tag: _Tag, order: str, count: int, name: str) -> NDArray[Any]:
+    kind = TYPES.get(tag.type)
+    if kind is None or tag.size != count * int(kind[1]):
         raise DamagedError(f"expected {count} values of {name}")
-    return np.asarray(np.frombuffer(part.data, f"{order}{kind}"), np.float64)
+    return np.frombuffer(_part(element, tag, tag.size), f"{order}{kind}")
 
 
-def _tag(data: memoryview, order: str, at: int) -> tuple[int, int, int]:
-    """Return the type of an element, the size of its data and where these begin."""
-    if at + TAG > len(data):
+def _part(element: _Element, tag: _Tag, most: int) -> bytes:
+    """Return the data of an element, of at most so many bytes."""
+    if tag.size > most:
+        raise DamagedError(f"expected at most {most:,} bytes of an element, found {tag.size:,}")
+    found = element.data(tag.start).read(tag.size)
+    if len(found) < tag.size:
+        raise DamagedError(f"expected {tag.size} bytes of an element, found {len(found)}")
+    return found
+
+
+def _tag(element: _Element, at: int, order: str, end: int | None = None) -> _Tag:
+    """Return the tag of an element at some place, which lies within others that end at `end`."""
+    data = element.data(at).read(TAG)
+    if len(data) < TAG or (end is not None and at + TAG > end):
         raise DamagedError("expected an element, found the end of the file")
-    kind, size = struct.unpack(f"{order}II", data[at : at + TAG])
+    kind, size = struct.unpack(f"{order}II", data)
     if not kind >> 16:
-        return kind, size, at + TAG
-    # a small element: its type and size in four bytes, its data in the next four
-    if kind >> 16 > 4:
+        tag = _Tag(kind, size, at + TAG, at + TAG + -(-size // 8) * 8)
+    elif kind >> 16 > 4:
         raise DamagedError(f"expected at most 4 bytes of a small element, found {kind >> 16}")
-    return kind & 0xFFFF, kind >> 16, at + 4
-
-
-def _elements(data: memoryview, order: str) -> Iterator[_Element]:
-    """Yield the elements that fill some data."""
-    at = 0
-    while at < len(data):
-        kind, size, start = _tag(data, order, at)
-        if start + size > len(data):
-            raise DamagedError(f"expected {size} bytes of an element, found {len(data) - start}")
-        yield _Element(kind, data[start : start + size])
-        at = start + (4 if start == at + 4 else -(-size // 8) * 8)
-
-
-def _bytes(file: BinaryIO, offset: int, size: int) -> memoryview:
-    file.seek(offset)
-    found = file.read(size)
-    if len(found) < size:
-        raise DamagedError(f"expected {size} bytes, found {len(found)}")
-    return memoryview(found)
-
-
-def _whole(file: BinaryIO, place: _Place, size: int, start: int) -> memoryview:
-    """Return the data of the only element, of `size` bytes with its tag, in a compressed one."""
-    padded = start + -(-(size - start) // 8) * 8  # which not every program writes
-    content = _unpacked(file, place, padded + 1, end=True)
-    if not size <= len(content) <= padded:
-        raise DamagedError(f"expected one variable of {size} bytes in a compressed element")
-    return memoryview(content)[start:size]
-
-
-def _unpacked(file: BinaryIO, place: _Place, most: int, *, end: bool = False) -> bytearray:
-    """Return the first bytes of a compressed element, at most so many; perhaps to its end."""
-    unpacking, content = zlib.decompressobj(), bytearray()
-    left, packed = place.size, b""
-    file.seek(place.offset)
-    try:
-        while len(content) < most and not unpacking.eof:
-            if not packed:
-                packed = file.read(min(left, BLOCK))
-                left -= len(packed)
-            more = unpacking.decompress(packed, most - len(content))
-            if not packed and not more:
-                break
-            content += more
-            packed = unpacking.unconsumed_tail
-    except zlib.error as error:
-        raise DamagedError(f"cannot unpack a compressed variable: {error}") from None
-    if end and not unpacking.eof and len(content) < most:
-        raise DamagedError("expected the end of a compressed variable")
-    return content
+    else:  # a small element: its type and size in four bytes, its data in the next four
+        tag = _Tag(kind & 0xFFFF, kind >> 16, at + 4, at + TAG)
+    if end is not None and tag.start + tag.size > end:
+        raise DamagedError(f"expected {tag.size} bytes of an element, found {end - tag.start}")
+    return tag

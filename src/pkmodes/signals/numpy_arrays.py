@@ -5,6 +5,7 @@ Fields of structured arrays go by their own names.
 
 from __future__ import annotations
 
+import io
 import math
 import zipfile
 from collections.abc import Callable, Iterator
@@ -18,11 +19,14 @@ import numpy as np
 from numpy.lib import format as npy
 
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import Variable, functions_of, loaded
-from pkmodes.signals.functions import Array, Asked, Complex, SignalFile
+from pkmodes.signals.arrays import Variable, at_most, functions_of, loaded
+from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.zip_files import opened_zip
 
 NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
 WHAT, DATA = "NumPy", "data"
+#: Bytes at the beginning of an array, in which its header is.
+HEADER = 1 << 14
 #: Bytes of an array with fields, which is read as a whole, at most.
 LARGEST = 2_000_000_000
 
@@ -45,19 +49,21 @@ def read(path: Path, asked: Asked) -> SignalFile:
             part: Any = reduce(getitem, field, found)
             every.append(_variable(".".join(field) or DATA, part.shape, kind.base, partial(np.asarray, part)))
         return functions_of(every, source, asked, WHAT)
-    with loaded(lambda: zipfile.ZipFile(path), source, WHAT) as archive:
+    with loaded(lambda: opened_zip(path), source, WHAT) as archive:
+        names = archive.namelist()
         every = loaded(
-            lambda: [one for name in archive.namelist() for one in _members(archive, name)], source, WHAT
+            lambda: at_most(one for name in names for one in _members(archive, name)), source, WHAT
         )
-        return functions_of(every, source, asked, WHAT)
+        return functions_of(every, source, asked, WHAT, path.stat().st_size)
 
 
 def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
     """Return an array of an archive, or those that are its fields; only its header is read."""
     with archive.open(name) as file:
-        version = npy.read_magic(file)
-        header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
-        shape, _, dtype = header(file)
+        beginning = io.BytesIO(file.read(HEADER))
+    version = npy.read_magic(beginning)
+    header = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+    shape, _, dtype = header(beginning)
 
     def load(field: tuple[str, ...]) -> Any:
         if math.prod(shape) * dtype.itemsize > LARGEST:
@@ -89,14 +95,11 @@ def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[An
 def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> Variable:
     numeric = dtype.kind in "iufc"
     what = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
-    return Variable(name, what, (shape or (1,)) if numeric else None, partial(_values, load))
+    return Variable(name, what, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize)
 
 
-def _values(load: Callable[[], Any]) -> Array | Complex:
-    flat = np.ravel(load(), order="F")
-    if flat.dtype.kind == "c":
-        return np.asarray(flat, np.complex128)
-    return np.asarray(flat, np.float64)
+def _values(load: Callable[[], Any]) -> Any:
+    return np.ravel(load(), order="F")
 
 
 def recognises(head: bytes) -> bool:

@@ -225,6 +225,13 @@ def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> 
     )
 
 
+def even_times(count: int, rate: float) -> Array:
+    """Return the times of samples of a rate [Hz], from 0 [s], without an array beside them."""
+    times: Array = np.arange(count, dtype=np.float64)
+    times /= rate
+    return times
+
+
 def as_sampled(time: Array) -> Array:
     """Return the even times of a record whose times were rounded; the times themselves if they have digits enough.
 

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Set
 from dataclasses import replace
+from functools import partial
+from itertools import islice
 from os import fspath
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.clock import is_clock, seconds_of
-from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile
-from pkmodes.signals.sampling import as_sampled, counts_samples
+from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile, StoredFunction
+from pkmodes.signals.sampling import as_sampled, counts_samples, even_times
 from pkmodes.signals.table_columns import Column, Layout, layout_of
 from pkmodes.signals.table_programs import framed
 from pkmodes.signals.table_rates import (
@@ -41,7 +45,11 @@ LOST_SAMPLES = re.compile(
 LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|ing)|gap|clip)", re.IGNORECASE)
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
-STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:\s*(.+?)\s*", re.IGNORECASE)
+STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
+#: Lines about lost samples that are said, and letters of each.
+MOST_LOSSES, LONGEST_LOSS = 20, 500
+#: A column: whole numbers may be of a smaller type than those of double precision.
+Numbers = NDArray[Any]
 
 
 def read(path: Path, asked: Asked) -> SignalFile:
@@ -83,7 +91,7 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
         read_places = [0]
     clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
     of_numbers = wanted if clock and wanted else read_places
-    numbers = dict(zip(of_numbers, text.columns(of_numbers), strict=True))
+    numbers: dict[int, Numbers] = dict(zip(of_numbers, text.columns(of_numbers), strict=True))
     if clock:
         assert layout.abscissa is not None
         numbers[layout.abscissa] = _clock(layout.abscissa, text)
@@ -99,19 +107,20 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
     for column in layout.columns:
         if column.kind is Kind.COHERENCE:
             _check_coherence(column, numbers, text)
-    stated = _stated(text.comments)
+    channels = {f"{one.response}/{one.reference}".removesuffix("/") for one in layout.columns}
+    stated = _stated(text.comments, channels)
     functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
     messages = tuple(f"{source}: {one}" for one in (*said, *_losses(text.comments), *losses))
     return SignalFile(source, functions, (), messages, stated)
 
 
-def _counts_samples(layout: Layout, numbers: dict[int, Array]) -> bool:
+def _counts_samples(layout: Layout, numbers: dict[int, Numbers]) -> bool:
     """Return whether what is called times may be numbers of samples."""
     return layout.kind is Kind.TIME and not layout.label and counts_samples(numbers[layout.abscissa or 0])
 
 
 def _by_rate(
-    layout: Layout, numbers: dict[int, Array], rows: int, text: TableText, asked: Asked
+    layout: Layout, numbers: dict[int, Numbers], rows: int, text: TableText, asked: Asked
 ) -> tuple[Array, list[str]]:
     """Return the times of all rows by the rate of the record or else of the file, and what to say of them."""
     rate, said = asked.rate, list[str]()
@@ -123,13 +132,13 @@ def _by_rate(
     if layout.abscissa is not None:
         name = text.names[layout.abscissa]
         if rate is None:  # as far as anything says, they are seconds
-            return numbers[layout.abscissa], []
-        return np.arange(rows) / rate, [*said, f"its column {shown(name)} counts samples, of {rate:g} Hz"]
+            return np.asarray(numbers[layout.abscissa], np.float64), []
+        return even_times(rows, rate), [*said, f"its column {shown(name)} counts samples, of {rate:g} Hz"]
     assert rate is not None
     place = counter_in(text.names, [place for column in layout.columns for place in column.places])
     after = None if place is None else _counted(place, text)
     if place is None or after is None or after[-1] == rows - 1:
-        return np.arange(rows) / rate, said
+        return even_times(rows, rate), said
     lost = f"its column {shown(text.names[place])} shows that {after[-1] - rows + 1:.0f} samples are missing"
     return after / rate, [*said, lost]
 
@@ -140,14 +149,14 @@ def _counted(place: int, text: TableText) -> Array | None:
         (numbers,) = text.columns([place])
     except MeasurementError:  # no column of the campaign: it may hold what it likes
         return None
-    return counted(numbers)
+    return counted(np.asarray(numbers, np.float64))
 
 
-def _abscissa(layout: Layout, numbers: dict[int, Array], text: TableText) -> Array:
+def _abscissa(layout: Layout, numbers: dict[int, Numbers], text: TableText) -> Array:
     """Return the times or frequencies of all rows."""
     assert layout.abscissa is not None
     name = text.names[layout.abscissa]
-    abscissa = numbers[layout.abscissa]
+    abscissa = np.asarray(numbers[layout.abscissa], np.float64)
     abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
     if layout.kind is Kind.TIME:
         abscissa = as_sampled(abscissa)
@@ -186,13 +195,14 @@ def _clock(place: int, text: TableText) -> Array:
     """Return the seconds since the first time of a column of times of day."""
     times, bad = seconds_of(text.texts(place))
     if bad is not None:
-        what = f"expected a time, found {shown(text.texts(place)[bad]) or 'nothing'}"
+        cell = next(islice(text.texts(place), bad, None))
+        what = f"expected a time, found {shown(cell) or 'nothing'}"
         where = f"{text.source}: line {text.line_of(bad)}, column {text.names[place]}"
         raise MeasurementError(what, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
     return times
 
 
-def _check_coherence(column: Column, numbers: dict[int, Array], text: TableText) -> None:
+def _check_coherence(column: Column, numbers: dict[int, Numbers], text: TableText) -> None:
     """Refuse a coherence outside 0 to 1, with its line."""
     (place,) = column.places
     found = outside_coherence(numbers[place])
@@ -203,32 +213,43 @@ def _check_coherence(column: Column, numbers: dict[int, Array], text: TableText)
 
 
 def _function(
-    column: Column, numbers: dict[int, Array], abscissa: Array, stated: dict[str, str], source: str
+    column: Column, numbers: dict[int, Numbers], abscissa: Array, stated: dict[str, str], source: str
 ) -> Function:
-    values: Array | Complex = numbers[column.places[0]]
+    """Return a function, whose values are computed from the numbers of the table at each access."""
+    parts = [numbers[place] for place in column.places]
     unit, reference_unit = unit_text(column.unit), None
+    load: Callable[[], Array | Complex] = partial(np.asarray, parts[0], np.float64)
     if column.kind is Kind.FRF:
-        other = numbers[column.places[1]]
-        values = _polar(column, values.real, other, source) if column.polar else values + 1j * other
+        load = partial(_complex, parts[0], parts[1])
+        if column.polar:
+            load = partial(
+                _polar, parts[0], parts[1], _phase_factor(column, parts[1], source), column.decibels
+            )
         channel = f"{column.response}/{column.reference}".removesuffix("/")
         unit, reference_unit = quotient(column.unit or stated.get(f"unit {channel}", ""))
     if column.kind is Kind.COHERENCE:
         unit = None
-    return Function(
+    return StoredFunction(
         kind=column.kind,
         response=column.response,
         reference=column.reference,
         abscissa=abscissa,
-        values=values,
         unit=unit,
         reference_unit=reference_unit,
         force=column.force,
+        load=load,
     )
 
 
-def _polar(column: Column, magnitude: Array, phase: Array, source: str) -> Complex:
-    """Return a frequency response from magnitude and phase, which is in degrees where it is too large for radians."""
-    label, largest = column.labels[1], float(np.abs(phase).max(initial=0.0))
+def _complex(real: Numbers, imaginary: Numbers) -> Complex:
+    values = np.empty(real.size, np.complex128)
+    values.real, values.imag = real, imaginary
+    return values
+
+
+def _phase_factor(column: Column, phase: Numbers, source: str) -> float:
+    """Return the factor of a phase to radians: it is in degrees where it is too large for radians."""
+    label, largest = column.labels[1], float(max(phase.max(initial=0), -float(phase.min(initial=0))))
     where = f"{source}: phase of {column.response}"
     if not label and RADIANS < largest < DEGREES:
         what = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
@@ -236,39 +257,52 @@ def _polar(column: Column, magnitude: Array, phase: Array, source: str) -> Compl
     factor = radians_in(label or ("rad" if largest <= RADIANS else "deg"))
     if factor is None:
         raise MeasurementError(f"expected a unit of angle, found {shown(label)}", where, "write deg or rad")
-    if column.decibels:
-        magnitude = 10.0 ** (magnitude / 20.0)
-    return np.asarray(magnitude * np.exp(1j * factor * phase))
+    return factor
 
 
-def _stated(comments: Sequence[str]) -> dict[str, str]:
+def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) -> Complex:
+    """Return a frequency response from magnitude and phase."""
+    size = 10.0 ** (magnitude / 20.0) if decibels else magnitude
+    return np.asarray(size * np.exp(1j * factor * phase))
+
+
+def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
     """Return what comments such as pkmodes itself writes state: quantity, drives, and the unit of each channel."""
     found = {}
     for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
         if match is None:
             continue
-        word, value = match[1].lower(), match[2]
+        word, value = match[1].lower(), match[2].strip()
         if word == "unit":
             channel, equals, value = (part.strip() for part in value.partition("="))
-            if not equals:
+            if not equals or channel not in channels:
                 continue
             word = f"unit {channel}"
-        found[word] = value
+        if value:
+            found[word] = value
     return found
 
 
-def _losses(comments: Sequence[str]) -> list[str]:
+def _losses(comments: Iterable[str]) -> list[str]:
     """Return the comments that state lost or overloaded samples, other than none."""
-    found = []
+    found, more = list[str](), 0
     for text in comments:
-        if not text.startswith("##") and LOST_SAMPLES.search(text):
-            found.append(f"the file states: {text.lstrip('# ').strip()}")
-        for clause in re.split(r"[,;|]", text.lstrip("#")) if text.startswith("##") else ():
-            counts = [float(number) for number in NUMBERS.findall(clause)]
-            if LOSS.search(clause) and not NONE_LOST.search(clause) and (any(counts) or not counts):
-                found.append(f"the file states: {text.lstrip('# ').strip()}")
-                break
-    return found
+        if not (_states_losses(text) if text.startswith("##") else LOST_SAMPLES.search(text)):
+            continue
+        if len(found) < MOST_LOSSES:
+            found.append(f"the file states: {text.lstrip('# ').strip()[:LONGEST_LOSS]}")
+        else:
+            more += 1
+    return [*found, f"{more} more lines of it state such losses"] if more else found
+
+
+def _states_losses(text: str) -> bool:
+    """Return whether some clause of a comment states losses."""
+    for clause in re.split(r"[,;|]", text.lstrip("#")):
+        counts = [float(number) for number in NUMBERS.findall(clause)]
+        if LOSS.search(clause) and not NONE_LOST.search(clause) and (any(counts) or not counts):
+            return True
+    return False
 
 
 def looks_like_text(head: bytes) -> bool:

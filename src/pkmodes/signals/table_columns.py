@@ -181,6 +181,9 @@ def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, asked
     plain = asked.sensors is not None or not any(
         name.startswith((REAL, MAGNITUDE, COHERENCE, POWER)) for name in names.values()
     )
+    places: dict[str, list[int]] = {}
+    for i, name in names.items():
+        places.setdefault(name, []).append(i)
     for i, name in names.items():
         if i in taken:
             continue
@@ -190,15 +193,15 @@ def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, asked
         if parts is not None:
             if not asked.wants(response):
                 continue
-            pair = [[j for j, other in names.items() if other == f"{part}{channel}"] for part in parts]
+            pair = [places.get(f"{part}{channel}", []) for part in parts]
             if [len(one) for one in pair] != [1, 1]:
                 what = f"expected one column {shown(parts[0] + channel)} and one {shown(parts[1] + channel)}"
                 raise MeasurementError(what, where, "give both parts of each frequency response once")
             if name.startswith(parts[0]):
-                places = (pair[0][0], pair[1][0])
-                of_both = (labels[places[0]], labels[places[1]])
+                both = (pair[0][0], pair[1][0])
+                of_both = (labels[both[0]], labels[both[1]])
                 polar = parts[0] == MAGNITUDE
-                columns.append(Column(Kind.FRF, response, reference, places, of_both, polar=polar))
+                columns.append(Column(Kind.FRF, response, reference, both, of_both, polar=polar))
         elif name.startswith(COHERENCE):
             if asked.wants(response):
                 columns.append(Column(Kind.COHERENCE, response, reference, (i,), (labels[i],)))

@@ -6,18 +6,27 @@ out, so that the numbers of lines stay those of the file.
 
 from __future__ import annotations
 
+import io
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.scanning import text_of
+from pkmodes.signals.table_parts import in_parts
 
 LABVIEW, END_OF_HEADER = b"LabVIEW Measurement", b"***End_of_Header***"
 #: Columns of LabVIEW that are no signals: times, and a text that few rows have.
 X_VALUE, COMMENT = b"X_Value", b"Comment"
+NAMES, LINE_ENDS = (
+    re.compile(rb"^[ \t]*X_Value[^\n]*", re.MULTILINE),
+    re.compile(rb"(?<![\t \r])[\t \r]+(?=\n|\Z)"),
+)
+#: Entries of its header that say how many columns of times there are.
+COLUMNS_OF_X = (b"X_Columns", b"Multi_Headings")
 #: The last line of a file of RepRapFirmware, such as ``Rate 1344, overflows 0``.
 REPRAP = re.compile(rb"\n[ \t]*Rate[ \t]+([0-9.]+),[ \t]*overflows[ \t]+([0-9]+)[ \t\r]*(?=\n|\Z)")
+RATE = re.compile(rb"[0-9]+\.?[0-9]*|\.[0-9]+")
 
 
 @dataclass(frozen=True)
@@ -45,32 +54,34 @@ def _labview(content: bytes, source: str) -> Framed | None:
     """
     if not content.lstrip().startswith(LABVIEW):
         return None
-    head, end, body = content.rpartition(END_OF_HEADER)
-    entries = dict(
-        re.split(r"[\t,;]", line.strip(), maxsplit=1)
-        for line in text_of(head).splitlines()
-        if re.search(r"[\t,;]", line.strip())
-    )
-    if not end:
+    end = content.rfind(END_OF_HEADER)
+    if end < 0:
         what = "expected a LabVIEW measurement file, found no end of its header"
         raise MeasurementError(what, source, "export the file again")
-    if (
-        entries.get("X_Columns", "One").strip() != "One"
-        or entries.get("Multi_Headings", "No").strip() != "No"
-    ):
-        what = f"expected one column of times, found X_Columns {shown(entries.get('X_Columns', ''))}"
+    entries = {}
+    for line in io.BytesIO(content[:end]):
+        key, *value = re.split(rb"[\t,;]", line.strip(), maxsplit=1)
+        if key in COLUMNS_OF_X and value:
+            entries[key] = text_of(value[0]).strip()
+    columns = entries.get(COLUMNS_OF_X[0], "One")
+    if columns != "One" or entries.get(COLUMNS_OF_X[1], "No") != "No":
+        what = f"expected one column of times, found X_Columns {shown(columns)}"
         raise MeasurementError(what, source, "write the file with one X column and one header")
     if content.count(END_OF_HEADER) > 2:
         what = "expected one measurement, found several in the file"
         raise MeasurementError(what, source, "write each measurement into a file of its own")
-    lines = body.split(b"\n")
-    for i, line in enumerate(lines):
-        if line.lstrip().startswith(X_VALUE):
-            names = line.rstrip().removesuffix(COMMENT).rstrip(b"\t,; ")
-            lines[i] = b"time" + names.lstrip().removeprefix(X_VALUE)
-        else:
-            lines[i] = line.rstrip(b"\t \r")
-    return Framed(b"\n" * (head + end).count(b"\n") + b"\n".join(lines))
+    start = end + len(END_OF_HEADER)
+    return Framed(in_parts(content, _plain_rows, start, before=b"\n" * content.count(b"\n", 0, start)))
+
+
+def _plain_rows(part: bytes) -> bytes:
+    """Return rows of LabVIEW without the blanks at their ends, where comments would be, and the times called so."""
+    return LINE_ENDS.sub(b"", NAMES.sub(_names, part) if X_VALUE in part else part)
+
+
+def _names(line: re.Match[bytes]) -> bytes:
+    names = line[0].rstrip().removesuffix(COMMENT).rstrip(b"\t,; ")
+    return b"time" + names.lstrip().removeprefix(X_VALUE)
 
 
 def _reprap(content: bytes, source: str) -> Framed | None:
@@ -78,8 +89,13 @@ def _reprap(content: bytes, source: str) -> Framed | None:
     found = REPRAP.search(content[-200:])
     if found is None:
         return None
-    rate, overflows = float(found[1]), int(found[2])
     start = max(len(content) - 200, 0) + found.start()
+    if RATE.fullmatch(found[1]) is None:
+        number = content.count(b"\n", 0, start + 1) + 1
+        where = f"{source}: line {number}"
+        remedy = "correct it; or remove the line, and give the rate in the record"
+        raise MeasurementError(f"expected a sampling rate, found {shown(text_of(found[1]))}", where, remedy)
+    rate, overflows = float(found[1]), int(found[2])
     rest = content[: start + 1] + content[start + len(found[0]) :]
     lost = (f"the file states: {text_of(found[0]).strip()}",) if overflows else ()
     return Framed(rest, rate or None, lost)

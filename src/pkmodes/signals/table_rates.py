@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -41,6 +41,8 @@ HERTZ |= {"samples/s": 1.0, "samples/sec": 1.0, "samples per s": 1.0, "samples p
 LIMIT = re.compile(r"\b(?:max|maximum|min|minimum)\W*$", re.IGNORECASE)
 #: Rates are the same that differ by less, relative.
 SAME = 1e-6
+#: Statements that are read at most: they agree, or any two contradict each other.
+MOST = 20
 #: Names of columns that count samples, in lower case.
 COUNTERS = frozenset(
     {"sample", "samples", "count", "counter", "index", "n", "no", "no.", "nr", "nr.", "number"}
@@ -50,7 +52,7 @@ COUNTERS |= {"sample number", "sample_number", "sample no", "sample_no", "sample
 MOSTLY = 0.9
 
 
-def rates_in(comments: Sequence[str]) -> list[tuple[float, str]]:
+def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
     """Return the sampling rates [Hz] that comments state, each with the words of it."""
     found = []
     for comment in comments:
@@ -60,10 +62,12 @@ def rates_in(comments: Sequence[str]) -> list[tuple[float, str]]:
             rate = float(match["number"]) * HERTZ.get(unit, math.nan)
             if rate > 0.0 and not LIMIT.search(text[: match.start()]):
                 found.append((rate, match[0].strip(" \t,;|([")))
+        if len(found) >= MOST:
+            break
     return found
 
 
-def stated_rate(comments: Sequence[str], source: str) -> tuple[float | None, list[str]]:
+def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, list[str]]:
     """Return the sampling rate [Hz] that comments state, None if they state none, and what to say of it.
 
     Raises

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.cells import NUMBER, number_in, separator_of
@@ -19,21 +20,22 @@ from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.signals.clock import is_clock
 from pkmodes.signals.functions import Array
 from pkmodes.signals.scanning import text_of
+from pkmodes.signals.table_parts import check_lines, in_parts, joined, narrow, parts_of
 from pkmodes.signals.units import unit_text
 
 #: What separates cells where nothing else does; such a table is read as one with tabs.
 BLANKS = re.compile(rb"[ \t]+")
-AROUND_LINES = re.compile(rb"^[ \t]+|[ \t]+(?=\r?$)", re.MULTILINE)
+AROUND_LINES = re.compile(rb"^[ \t]+|(?<![ \t])[ \t]+(?=\r?$)", re.MULTILINE)
 #: Carriage returns that end no line; a reader of numbers would take them for line ends.
 INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
 #: Within the rows, what is or may be a missing value: no number, or nothing between two separators or at an end.
 GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
+#: Columns of a table, and letters of the name of one, at most.
+MOST_COLUMNS, LONGEST_NAME = 10_000, 1000
 #: Lines from which it is told whether rows end with a separator.
 FIRST = 20
-#: Bytes that are checked, and rows that are read, at once.
-PART, ROWS = 1 << 20, 1 << 16
 #: What lines at the end have in which spreadsheet programs leave nothing but separators.
 EMPTY = b" \t,;\r\n"
 COMMENT_LINES = re.compile(rb"^[ \t]*#.*\n?", re.MULTILINE)
@@ -54,8 +56,8 @@ class TableText:
         Cells of the header.
     header_line : int
         Number of its line.
-    comments : tuple of str
-        Lines that begin with ``#`` other than the header, in the whole file.
+    head : bytes
+        The lines before the body.
     body : bytes
         The lines from `first_line` on.
     first_line : int
@@ -66,63 +68,74 @@ class TableText:
     separator: str
     names: tuple[str, ...]
     header_line: int
-    comments: tuple[str, ...]
+    head: bytes
     body: bytes
     first_line: int
 
-    def columns(self, wanted: Sequence[int]) -> Array:
+    @property
+    def comments(self) -> Iterator[str]:
+        """The lines that begin with ``#`` other than the header, in the whole file."""
+        for number, text in _comments(self.head):
+            if number != self.header_line:
+                yield text
+        for match in COMMENT_LINES.finditer(self.body) if b"#" in self.body else ():
+            yield text_of(match[0]).strip()
+
+    def columns(self, wanted: Sequence[int]) -> list[NDArray[Any]]:
         """Read some columns.
 
         Returns
         -------
-        ndarray, shape (columns, rows)
+        list of ndarray, shape (rows,)
+            In double precision, or of a smaller type that has the same whole numbers.
 
         Raises
         ------
         MeasurementError
             If a cell is not a finite number or a row has too few or too many cells, with line and column.
         """
-        body = BLANK_LINES.sub(b"", COMMENT_LINES.sub(b"", self.body) if b"#" in self.body else self.body)
-        body = body.replace(b'"', b"")
-        if not body.strip():
+        found: list[list[NDArray[Any]]] = [[] for _ in wanted]
+        for start, end in parts_of(self.body):
+            part = self.body[start:end]
+            if (inside := INSIDE_LINES.search(part)) is not None:
+                line = self.first_line + self.body.count(b"\n", 0, start + inside.start())
+                what = "expected the end of the line, found a carriage return inside it"
+                raise MeasurementError(what, f"{self.source}: line {line}", "export the table again")
+            numbers = self._numbers(part, wanted)
+            if numbers is None:
+                raise self._first_problem(wanted)
+            for column, values in zip(found, numbers, strict=True):
+                column.append(narrow(values))
+            del numbers
+        if not found or not sum(part.size for part in found[0]):
             raise MeasurementError("expected rows, found only a header", self.source, "add the rows")
-        if (inside := INSIDE_LINES.search(self.body)) is not None:
-            line = self.first_line + self.body.count(b"\n", 0, inside.start())
-            what, remedy = (
-                "expected the end of the line, found a carriage return inside it",
-                "export the table again",
-            )
-            raise MeasurementError(what, f"{self.source}: line {line}", remedy)
-        if not self._has_even_rows(body):
-            raise self._first_problem(wanted)
+        return [joined(found.pop(0)) for _ in wanted]
+
+    def _numbers(self, part: bytes, wanted: Sequence[int]) -> Array | None:
+        """Return some columns of some of the lines, (columns, rows); None if a cell or a row is no such."""
+        if b"#" in part:
+            part = COMMENT_LINES.sub(b"", part)
+        rows = BLANK_LINES.sub(b"", part).replace(b'"', b"")
+        if not rows.strip():
+            return np.empty((len(wanted), 0))
+        if not self._has_even_rows(rows):
+            return None
         if self.separator != ",":
-            body = body.replace(b",", b".")
-        rows = io.TextIOWrapper(io.BytesIO(body), "latin-1")
-        found = np.empty((len(wanted), body.count(b"\n") + (not body.endswith(b"\n"))))
+            rows = rows.replace(b",", b".")
+        lines = io.TextIOWrapper(io.BytesIO(rows), "latin-1")
         try:
-            for first in range(0, found.shape[1], ROWS):  # in parts, of which there is another copy
-                part = found[:, first : first + ROWS]
-                part[:] = np.loadtxt(
-                    rows,
-                    delimiter=self.separator,
-                    comments=None,
-                    usecols=wanted,
-                    ndmin=2,
-                    max_rows=part.shape[1],
-                ).T
+            found = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=wanted, ndmin=2).T
         except ValueError:
-            raise self._first_problem(wanted) from None
-        if not np.all(np.isfinite(found)):
-            raise self._first_problem(wanted)
-        return found
+            return None
+        return np.ascontiguousarray(found) if np.all(np.isfinite(found)) else None
 
     def cell(self, column: int) -> str:
         """Return the text of a cell of the first row, "" without rows."""
         return next((self._cells(line)[column : column + 1] for _, line in self._rows()), [""])[0]
 
-    def texts(self, column: int) -> list[str]:
-        """Return the cells of a column."""
-        return [self._cells(line)[column] for _, line in self._rows()]
+    def texts(self, column: int) -> Iterator[str]:
+        """Yield the cells of a column, whose rows are even."""
+        return (self._cells(line)[column] for _, line in self._rows())
 
     @property
     def may_have_gaps(self) -> bool:
@@ -139,20 +152,30 @@ class TableText:
         counts : callable
             Whether a row does, by the number in the column `abscissa`.
         """
-        lines = self.body.split(b"\n")
-        for number, line in self._rows():
-            cells = self._cells(line)
-            if len(cells) == len(self.names) and any(MISSING.fullmatch(cells[i]) for i in wanted):
-                at = number_in(cells[abscissa].replace(",", "."), None)
-                if at is not None and not counts(at):
-                    lines[number - self.first_line] = b""  # the numbers of the others stay
-        return replace(self, body=b"\n".join(lines))
+
+        def without(part: bytes) -> bytes:
+            if GAP.search(part) is None:
+                return part
+            return b"".join(
+                line if keeps(line) else b"\n" for line in io.BytesIO(part)
+            )  # the numbers of lines stay
+
+        def keeps(line: bytes) -> bool:
+            cells = self._cells(self._row(line)) if _is_row(line) else []
+            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in wanted):
+                return True
+            at = number_in(cells[abscissa].replace(",", "."), None)
+            return at is None or counts(at)
+
+        return replace(self, body=in_parts(self.body, without))
 
     def without_first_row(self) -> TableText:
         """Return the table without its first row."""
         number, _ = next(self._rows())
-        lines = self.body.split(b"\n", number - self.first_line + 1)
-        return replace(self, body=lines[-1], first_line=number + 1)
+        start = 0
+        for _ in range(number - self.first_line + 1):
+            start = self.body.find(b"\n", start) + 1 or len(self.body)
+        return replace(self, body=self.body[start:], first_line=number + 1)
 
     def line_of(self, row: int) -> int:
         """Return the number of the line of a row, both of which count from the header."""
@@ -163,23 +186,21 @@ class TableText:
 
     def _has_even_rows(self, body: bytes) -> bool:
         """Return whether each row has as many cells as the header."""
-        start, one_less = 0, len(self.names) - 1
-        while start < len(body):  # in parts, as the places of all separators fill more memory than the table
-            end = body.rfind(b"\n", start, start + PART) + 1 or body.find(b"\n", start) + 1 or len(body)
-            part = body[start:end]
-            characters = np.frombuffer(part if part.endswith(b"\n") else part + b"\n", np.uint8)
-            separators = np.flatnonzero(characters == ord(self.separator))
-            before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
-            if not np.all(np.diff(before, prepend=0) == one_less):
-                return False
-            start = end
-        return True
+        one_less = len(self.names) - 1
+        characters = np.frombuffer(body if body.endswith(b"\n") else body + b"\n", np.uint8)
+        separators = np.flatnonzero(characters == ord(self.separator))
+        before = np.searchsorted(separators, np.flatnonzero(characters == ord("\n")))
+        return bool(np.all(np.diff(before, prepend=0) == one_less))
 
     def _rows(self) -> Iterator[tuple[int, str]]:
         """Yield the rows with the numbers of their lines."""
         for number, line in enumerate(io.BytesIO(self.body), start=self.first_line):
             if _is_row(line):
-                yield number, text_of(line.removesuffix(b"\n")).replace('"', "")
+                yield number, self._row(line)
+
+    def _row(self, line: bytes) -> str:
+        """Return a row without its line end and quotes."""
+        return text_of(line.removesuffix(b"\n")).replace('"', "")
 
     def _cells(self, line: str) -> list[str]:
         return [cell.strip() for cell in line.split(self.separator)]
@@ -239,29 +260,29 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
         content = content.replace(b"\r", b"\n")
     last = content.find(b"\n", len(content.rstrip(EMPTY)))
     content = content if last < 0 else content[: last + 1]
-    comments: list[tuple[int, str]] = []
-    start, number = 0, 0
-    while start < len(content):
-        end = content.find(b"\n", start) + 1 or len(content)
-        number += 1
-        line = text_of(content[start:end]).strip("\r\n")
-        if line.lstrip().startswith("#"):
-            comments.append((number, line.strip()))
-        elif line.strip():
-            break
-        start = end
-    else:
+    check_lines(content, source)
+    start, number, line = _first_line(content)
+    if not line:
         raise MeasurementError("expected a header and rows, found none", source, REMEDY)
     if not _is_numbers(line):
-        header, names_line, first = line, number, number + 1
-        body = content[end:]
+        header, names_line = line, number
+        start, number = content.find(b"\n", start) + 1 or len(content), number + 1
     else:
+        comments = _comments(content[:start])
         names_line, header = _header_among(comments, line, source, number, columns)
-        comments = [one for one in comments if one[0] != names_line]
-        first, body = number, content[start:]
-    separator, names = _separated(header, _first_row(body))
+    separator, names = _separated(header, _first_row(content, start))
+    if len(names) > MOST_COLUMNS or max(map(len, names)) > LONGEST_NAME:
+        what = (
+            f"expected the names of at most {MOST_COLUMNS:,} columns, each of at most {LONGEST_NAME} letters"
+        )
+        found = f"{len(names):,} names, the longest of {max(map(len, names)):,}"
+        raise MeasurementError(f"{what}, found {found}", f"{source}: line {names_line}", REMEDY)
+    head = content[:start]
     if separator == " ":
-        separator, body = "\t", BLANKS.sub(b"\t", AROUND_LINES.sub(b"", body))
+        separator = "\t"
+        body = in_parts(content, lambda part: BLANKS.sub(b"\t", AROUND_LINES.sub(b"", part)), start)
+    else:
+        body = content[start:]
     names, body = _without_ends(names, body, separator, len(columns))
     if columns:
         if len(columns) != len(names):
@@ -270,10 +291,30 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
                 what, f"{source}: line {names_line}", "name each column of the table, in order"
             )
         names = tuple(columns)
-    texts = [text for _, text in comments]
-    if b"#" in body:
-        texts += [text_of(match).strip() for match in COMMENT_LINES.findall(body)]
-    return _with_units(TableText(source, separator, names, names_line, tuple(texts), body, first))
+    return _with_units(TableText(source, separator, names, names_line, head, body, number))
+
+
+def _first_line(content: bytes) -> tuple[int, int, str]:
+    """Return where the first line is that is not a comment, its number, and its text, "" if there is none."""
+    start, number = 0, 1
+    while start < len(content):
+        end = content.find(b"\n", start) + 1 or len(content)
+        if _is_row(content[start:end]):
+            return start, number, text_of(content[start:end]).strip("\r\n")
+        start, number = end, number + 1
+    return start, number, ""
+
+
+def _comments(head: bytes) -> Iterator[tuple[int, str]]:
+    """Yield the comments before a table, with the numbers of their lines."""
+    for number, line in enumerate(io.BytesIO(head), start=1):
+        if line.lstrip().startswith(b"#"):
+            yield number, text_of(line).strip()
+
+
+def _is_row(line: bytes) -> bool:
+    """Return whether a line is neither blank nor a comment."""
+    return bool(line.strip()) and not line.lstrip().startswith(b"#")
 
 
 def _with_units(table: TableText) -> TableText:
@@ -306,18 +347,16 @@ def _without_ends(
         rf"^((?:{cell}{separator}){{{len(names) - 1}}}{cell})(?:{separator}[ \t]*)+(?=\r?$)".encode(),
         re.MULTILINE,
     )
-    return names, longer.sub(rb"\1", body)
+    return names, in_parts(body, lambda part: longer.sub(rb"\1", part))
 
 
-def _is_row(line: bytes) -> bool:
-    return bool(line.strip()) and not line.lstrip().startswith(b"#")
-
-
-def _first_row(body: bytes) -> str:
-    """Return the first line that is not a comment, "" without one."""
-    for line in islice(io.BytesIO(body), 1000):
-        if _is_row(line):
-            return text_of(line).strip("\r\n")
+def _first_row(content: bytes, start: int = 0) -> str:
+    """Return the first line from some place on that is not a comment, "" without one among a thousand."""
+    for _ in range(1000):
+        end = content.find(b"\n", start) + 1 or len(content)
+        if _is_row(content[start:end]):
+            return text_of(content[start:end]).strip("\r\n")
+        start = end
     return ""
 
 
@@ -334,7 +373,7 @@ def _units_in(row: str, separator: str) -> list[str] | None:
     """Return the units in the row below the names; None if it is one of numbers, or has anything else."""
     cells = [cell.strip().strip('"').strip() for cell in row.split(separator)]
     units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
-    if not any(units):
+    if not any(units) or max(map(len, units)) > LONGEST_NAME:
         return None
     if not all(not unit or unit == "-" or unit_text(unit) for unit in units):
         return None
@@ -342,10 +381,11 @@ def _units_in(row: str, separator: str) -> list[str] | None:
 
 
 def _header_among(
-    comments: Sequence[tuple[int, str]], row: str, source: str, number: int, columns: Sequence[str]
+    comments: Iterable[tuple[int, str]], row: str, source: str, number: int, columns: Sequence[str]
 ) -> tuple[int, str]:
     """Return the last comment that has as many cells as the first row, without its ``#``; else the row itself."""
-    for line, text in reversed(comments):
+    last = None
+    for line, text in comments:
         names = text.lstrip("# \t")
         separator = separator_of(names)
         of_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
@@ -355,7 +395,9 @@ def _header_among(
             len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
         )  # others end with a separator
         if not text.startswith("##") and as_many:
-            return line, names
+            last = line, names
+    if last is not None:
+        return last
     if columns:
         return number, row
     what = f"expected the names of the columns, found {shown(row)}"

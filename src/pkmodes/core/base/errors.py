@@ -23,7 +23,7 @@ def shown(value: object) -> str:
         return "a very large number"
     except Exception:  # an object of the caller that cannot be converted to text
         text = f"an object of type {type(value).__name__}"
-    text = printable(text)
+    text = printable(text[: LONGEST_SHOWN + 1])
     text = text if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]}..."
     return f'"{text}"' if isinstance(value, str) else text
 

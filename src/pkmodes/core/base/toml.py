@@ -1,0 +1,23 @@
+"""What is looked at in a TOML file before it is parsed."""
+
+from __future__ import annotations
+
+import re
+
+#: Parts of a key.  The memory for a key grows with the square of their number.
+MOST_PARTS = 100
+#: A part of a key, and more of them than a key has: text may look like it, with as many points.
+PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
+LONG_KEY = re.compile(rf"(?<![\w-]){PART}(?:[ \t]*+\.[ \t]*+{PART}){{{MOST_PARTS}}}")
+
+
+def long_key(text: str) -> int | None:
+    """Return the number of the line of a key with too many parts, None if there is none.
+
+    Parameters
+    ----------
+    text : str
+        Of a TOML file.
+    """
+    found = LONG_KEY.search(text)
+    return None if found is None else text.count("\n", 0, found.start()) + 1

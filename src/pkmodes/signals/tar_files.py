@@ -1,0 +1,146 @@
+"""The files in a tar archive, one after the other.
+
+The reader of Python's library takes what heads say of long names and attributes into memory, and keeps every head: a
+small compressed archive may have gigabytes of both.
+"""
+
+from __future__ import annotations
+
+import bz2
+import gzip
+import tarfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+#: Bytes of a head, and of a name or of attributes at most.
+BLOCK, LONGEST = 512, 1 << 16
+#: Bytes that are unpacked at once, and in all of what is no file; and heads.
+PART, MOST_OTHERS, MOST_HEADS = 1 << 16, 1 << 26, 100_000
+#: First bytes of compressed archives, and what opens them.
+COMPRESSED: dict[bytes, Callable[..., Any]] = {b"\x1f\x8b": gzip.open, b"BZh": bz2.open}
+NAMES, ATTRIBUTES = (tarfile.GNUTYPE_LONGNAME,), (tarfile.XHDTYPE, tarfile.SOLARIS_XHDTYPE)
+#: Heads that say nothing of the name of the next file.
+OTHERS = (tarfile.GNUTYPE_LONGLINK, tarfile.XGLTYPE)
+SPARSE = "expected whole files in it, found one with holes"
+
+
+class Entry(NamedTuple):
+    """A file in an archive: its name, its size, and what returns its bytes until the next one is asked for."""
+
+    name: str
+    size: int
+    read: Callable[[int], bytes]
+
+
+def tar_files(path: Path) -> Iterator[Entry]:
+    """Yield the regular files of an archive.
+
+    Raises
+    ------
+    tarfile.TarError, OSError, EOFError, zlib.error
+        If it is damaged, or no archive.
+    """
+    with path.open("rb") as file:
+        head = file.read(4)
+    opened = next((opener for mark, opener in COMPRESSED.items() if head.startswith(mark)), open)
+    with opened(path, "rb") as file:
+        name, size, heads, others = "", -1, 0, 0
+        while block := file.read(BLOCK):
+            if block.count(0) == BLOCK and heads:
+                return
+            info, heads = _head(block), heads + 1
+            if info.type in (*NAMES, *ATTRIBUTES):
+                content = _read(file, info.size, LONGEST)
+                if info.type in NAMES:
+                    name = _text(content.split(b"\0")[0])
+                else:
+                    name, size = _attributes(content, name)
+                continue
+            length = info.size if size < 0 else size
+            if info.isreg():
+                start = [length]  # what is left of it
+                yield Entry(name or info.name, length, lambda most: _some(file, start, most))  # noqa: B023
+                _skip(file, start[0] + -length % BLOCK)
+            elif info.type in OTHERS or info.type not in tarfile.SUPPORTED_TYPES:
+                others += length
+                if others > MOST_OTHERS:
+                    raise tarfile.ReadError(f"expected files in it, found {others:,} bytes of something else")
+                _skip(file, length + -length % BLOCK)
+            if heads > MOST_HEADS:
+                raise tarfile.ReadError(f"expected at most {MOST_HEADS:,} entries in it, found more")
+            if info.type not in OTHERS:
+                name, size = "", -1
+
+
+def _head(block: bytes) -> tarfile.TarInfo:
+    """Return what a head says.
+
+    Raises
+    ------
+    tarfile.ReadError
+        If it is none.
+    """
+    try:
+        info = tarfile.TarInfo.frombuf(block, "utf-8", "surrogateescape")
+    except tarfile.TarError:
+        raise tarfile.ReadError("expected the head of a file in it") from None
+    if info.size < 0:
+        raise tarfile.ReadError(f"expected the size of a file in it, found {info.size}")
+    if info.type == tarfile.GNUTYPE_SPARSE:
+        raise tarfile.ReadError(SPARSE)
+    return info
+
+
+def _attributes(content: bytes, name: str) -> tuple[str, int]:
+    """Return the name and the size that attributes state, the given name and -1 where they do not."""
+    size, at = -1, 0
+    while at < len(content) and content[at]:
+        digits, _, _ = content[at : at + 8].partition(b" ")
+        length = int(digits) if digits.isdigit() else 0
+        key, equals, value = content[at + len(digits) + 1 : at + length - 1].partition(b"=")
+        if not equals or at + length > len(content):
+            raise tarfile.ReadError("expected the attributes of a file in it")
+        if key.startswith(b"GNU.sparse"):
+            raise tarfile.ReadError(SPARSE)
+        if key == b"path":
+            name = _text(value)
+        if key == b"size":
+            if not (value.isdigit() and len(value) < 20):
+                raise tarfile.ReadError("expected the size of a file in its attributes")
+            size = int(value)
+        at += length
+    return name, size
+
+
+def _text(name: bytes) -> str:
+    return name.decode("utf-8", "surrogateescape")
+
+
+def _read(file: Any, size: int, most: int) -> bytes:
+    """Return the bytes after a head, and skip their padding."""
+    if size > most:
+        raise tarfile.ReadError(f"expected names and attributes of at most {most:,} bytes, found {size:,}")
+    content: bytes = file.read(size)
+    if len(content) < size:
+        raise tarfile.ReadError("unexpected end of data")
+    _skip(file, -size % BLOCK)
+    return content
+
+
+def _some(file: Any, left: list[int], most: int) -> bytes:
+    """Return the next bytes of a file of which so many are left."""
+    content: bytes = file.read(min(most, left[0]))
+    if len(content) < min(most, left[0]):
+        raise tarfile.ReadError("unexpected end of data")
+    left[0] -= len(content)
+    return content
+
+
+def _skip(file: Any, count: int) -> None:
+    """Go on by some bytes, as not every file can be sought in."""
+    while count > 0:
+        some = file.read(min(count, PART))
+        if not some:
+            raise tarfile.ReadError("unexpected end of data")
+        count -= len(some)
