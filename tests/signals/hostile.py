@@ -96,7 +96,7 @@ class Taken(NamedTuple):
     memory: int
 
 
-def taken(cases: Mapping[Path, Case], limit: float = 60.0) -> list[Taken]:
+def taken(cases: Mapping[Path, Case], limit: float = 900.0) -> list[Taken]:
     """Read files in a process of its own, one after the other."""
     asked = json.dumps([(str(path), one.rate, one.sensors, one.band) for path, one in cases.items()])
     command = [sys.executable, "-c", CHILD, asked]

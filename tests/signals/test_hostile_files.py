@@ -35,6 +35,7 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[int, T
     return dict(zip(paths, zip(sizes, found, strict=True), strict=True))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", CASES)
 def test_reading_takes_four_times_the_file(measured: dict[str, tuple[int, Taken]], kind: str) -> None:
     size, taken = measured[kind]
