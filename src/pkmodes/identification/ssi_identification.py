@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from pkmodes.identification.asked import NOTHING, Asked, replaced
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
+from pkmodes.identification.ssi_lines import lines_among
 from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
 from pkmodes.identification.ssi_selection import Refined, refined
 from pkmodes.identification.ssi_uncertainty import sigma
@@ -97,6 +98,8 @@ def identify_responses(
         one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
     ]
     longest = max(record.plain, key=lambda one: len(one.frequencies))
+    narrow = lines_among(longest, [one.mode for one in kept], found_tones)
+    kept = [one for i, one in enumerate(kept) if i not in narrow]
     swept = [one for one in kept if at_end_of_line(longest, t_step, one.mode)]
     kept = [one for one in kept if one not in swept]
     kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)
@@ -105,6 +108,7 @@ def identify_responses(
     added = tuple(one if isinstance(one, str) else _mode(record, one) for one in listed)
     every = (*modes, *(one for one in added if isinstance(one, Mode)))
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
+    found_tones = sorted((*found_tones, *narrow.values()), key=lambda tone: tone.frequency)
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
     estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), added, lines)
     said = _sentences(found_tones, every, record.seconds)
@@ -144,6 +148,10 @@ def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
                 said.append(
                     f"the mode at {mode.frequency:.4g} Hz is beside the tone at {tone.frequency:.4g} Hz"
                 )
+        if mode.damping < 2.0 * mode.sigma_damping:
+            said.append(
+                f"the mode at {mode.frequency:.4g} Hz is doubtful: its damping is within two standard deviations of 0"
+            )
     return tuple(said)
 
 
