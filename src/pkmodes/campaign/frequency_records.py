@@ -92,7 +92,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
-    checked = phase_checked(functions.used, record.band, record.conjugate, read.source)
+    checked, doubts = phase_checked(functions.used, record.band, record.conjugate, read.source)
     functions = replace(functions, used=checked)
     given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
@@ -107,6 +107,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         fit = frf_fit(given, record.averages, record, campaign)
     said = (
         *read.messages,
+        *doubts,
         *given.messages,
         *dead_channels(given.dead, read.source),
         *remarks_on(fit, read.source),
