@@ -31,6 +31,9 @@ Complex = NDArray[np.complex128]
 #: Factor on standard deviations for what the peaks and the choice of an order leave out: measured on simulated
 #: records of 40 s, where 2 sigma without it cover 90 to 93 %.
 ALLOWANCE = 1.15
+#: Model orders whose shapes have less than this multiple of the least sigma count as well: what they differ by, such
+#: as how much of a strong neighbour's shape is in that of a weak mode, no order shows alone.
+AS_SURE = 2.0
 #: What to say of a record of tones alone.
 NOTHING_ELSE = (
     "besides tones the record holds only the rounding of its numbers, in which no mode can be found"
@@ -128,6 +131,8 @@ def _mode(record: PreparedRecord, one: PartMode) -> Mode:
         i = int(np.argmin(np.abs(one.part.pole(of.values) - pole)))
         tried.append((sigma(record.plain, one.part, one.references, FIRST, of, i, record.scales).shape, k, i))
     of_shape, k, i = min(tried)
+    as_sure = [one.orders[n].shapes[:, j] * record.scales for s, n, j in tried if s < AS_SURE * of_shape]
+    of_shape = math.hypot(of_shape, _apart(one.orders[k].shapes[:, i] * record.scales, as_sure))
     # |pole| by the damped frequency and the logarithm of the rate, and the damping ratio by these
     omega = abs(pole)
     by = np.array([2 * math.pi * pole.imag, pole.real**2]) / omega
@@ -138,6 +143,14 @@ def _mode(record: PreparedRecord, one: PartMode) -> Mode:
     damping = ALLOWANCE * mode.rate / omega * math.expm1(min(relative, MOST_RELATIVE))
     shape = np.where(record.scales > 0.0, one.orders[k].shapes[:, i] * record.scales, np.nan)
     return Mode(pole, shape, frequency, damping, ALLOWANCE * of_shape, (one.found, len(ORDERS)))
+
+
+def _apart(shape: Complex, others: Sequence[Complex]) -> float:
+    """Return how far other shapes are from one, rms of the real parts relative to its largest component."""
+    largest = int(np.argmax(np.abs(shape)))
+    unit = np.delete(shape / shape[largest], largest)
+    apart = [(np.delete(other / other[largest], largest) - unit).real for other in others]
+    return math.sqrt(float(np.mean(np.square(apart)))) if unit.size else 0.0
 
 
 def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> tuple[str, ...]:
