@@ -3,6 +3,9 @@
 The impulse response of a structure is zero before the blow, and that of a conjugate after it.  So their energies over
 time tell them apart (as Bendat and Piersol, Random Data, 4th edition, 2010, section 2.1: physically realisable
 systems), function by function, before any fit.
+
+So do the energies of what is no response to the force: noise in a few lines, such as drift or what other sources make
+of a resonance, comes before the blow as often as after it.  Functions are conjugates only if modes fit them as such.
 """
 
 from __future__ import annotations
@@ -13,6 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.signals.functions import Array, Complex, Function, computed
 
 #: How far above a half the share of the energy before the blow is of a conjugate: at least, and times the root of the
@@ -20,6 +24,11 @@ from pkmodes.signals.functions import Array, Complex, Function, computed
 LEAST, NOISE = 0.15, 2.8
 #: Samples beside the blow that do not count: there the band's window spreads what is instantaneous.
 BESIDE = 3
+#: Functions of a file that are fitted at most.
+MOST_FITTED = 24
+#: Least share of the power of conjugates that a fit explains: on all lines, which is 0.5 with as much noise as
+#: response, and weighted by the power of the fit, which is 0.92 or more; what other forces make has less of one.
+EXPLAINED, AT_PEAKS = 0.4, 0.9
 #: Lines in the band that the share needs.
 FEWEST = 16
 #: Steps between lines of one spacing differ by less than this part.
@@ -28,8 +37,8 @@ EVEN = 0.01
 
 def phase_checked(
     functions: Sequence[Function], band: tuple[float, float], conjugate: bool, source: str
-) -> tuple[Function, ...]:
-    """Return functions with the phase of exp(+i omega t).
+) -> tuple[tuple[Function, ...], tuple[str, ...]]:
+    """Return functions with the phase of exp(+i omega t), and what to say of them.
 
     Parameters
     ----------
@@ -50,20 +59,54 @@ def phase_checked(
     clearly = [share < 1.0 - _limit(lines) for share in shares]
     wrong = [bad or (mostly and not good) for bad, good in zip(surely, clearly, strict=True)]
     if conjugate:
-        return tuple(
-            computed(one, np.conj) if bad else one for one, bad in zip(functions, wrong, strict=True)
-        )
+        mended = (computed(one, np.conj) if bad else one for one, bad in zip(functions, wrong, strict=True))
+        return tuple(mended), ()
     if any(wrong):
         names = [f"{one.response}/{one.reference}".removesuffix("/") for one in functions]
         which = [name for name, bad in zip(names, wrong, strict=True) if bad]
         some = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
+        suspects = [one for one, bad in zip(functions, wrong, strict=True) if bad]
+        if not _fitted([computed(one, np.conj) for one in suspects], band):
+            remark = (
+                f"{source}: {len(which)} of {len(names)} functions ({some}) hold more vibration before the force "
+                "than after it, and no modes fit their complex conjugates either: they are mostly no response to "
+                "this force; measure with more force or more averages"
+            )
+            return tuple(functions), (remark,)
         what = (
             "expected vibrations that decay after the force, found ones that grow before it in "
             f"{len(which)} of {len(names)} functions ({some}): these are complex conjugates, with the phase of "
             "exp(-i omega t)"
         )
         raise MeasurementError(what, source, "write conjugate = true in the record")
-    return tuple(functions)
+    return tuple(functions), ()
+
+
+def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
+    """Return whether modes explain most of the power of functions."""
+    chosen = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MOST_FITTED))]
+    f = chosen[0].abscissa
+    inside = (f >= band[0]) & (f <= band[1])
+    values = np.stack([np.asarray(one.values, complex) for one in chosen], axis=1)
+    size = np.linalg.norm(values[inside], axis=0)
+    known = np.isfinite(size) & (size > 0.0)
+    try:
+        estimate = identify_frf(f, (values[:, known] / size[known])[..., None], band=band, power=2)
+    except MeasurementError:  # too few lines or functions: nothing can be said
+        return False
+    everywhere = np.ones(estimate.measured.shape)
+    shares = [
+        _share(estimate.measured, estimate.synthesised, weights)
+        for weights in (everywhere, np.abs(estimate.synthesised) ** 2)
+    ]
+    return bool(estimate.modes) and shares[0] > EXPLAINED and shares[1] > AT_PEAKS
+
+
+def _share(measured: Complex, fit: Complex, weights: Array) -> float:
+    """Return the share of the weighted power of functions that a fit explains, at its best scale."""
+    along = abs((weights * fit.conj() * measured).sum()) ** 2
+    whole = (weights * np.abs(fit) ** 2).sum() * (weights * np.abs(measured) ** 2).sum()
+    return float(along / whole) if whole > 0.0 else 0.0
 
 
 def _limit(lines: int) -> float:

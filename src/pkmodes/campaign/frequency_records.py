@@ -129,7 +129,7 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
-    checked = phase_checked(functions.used, record.band, record.conjugate, read.source)
+    checked, doubts = phase_checked(functions.used, record.band, record.conjugate, read.source)
     functions = replace(functions, used=checked)
     given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
@@ -143,7 +143,7 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
     seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
     if given.roves:  # a reference without a name is seen by that of its force
         seen |= {unsigned(name) for name in given.names}
-    said = (*read.messages, *given.messages, *dead_channels(given.dead, read.source))
+    said = (*read.messages, *doubts, *given.messages, *dead_channels(given.dead, read.source))
     return ResponseFile(read.source, given, frozenset(seen), said)
 
 

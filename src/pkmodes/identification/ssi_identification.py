@@ -19,17 +19,22 @@ from numpy.typing import NDArray
 from pkmodes.identification.asked import NOTHING, Asked, replaced
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
+from pkmodes.identification.ssi_lines import lines_among
 from pkmodes.identification.ssi_parts import FIRST, ORDERS, PartMode, Wanted, modes_of_part
 from pkmodes.identification.ssi_selection import Refined, refined
 from pkmodes.identification.ssi_uncertainty import sigma
 from pkmodes.identification.sweeps import at_end_of_line
 from pkmodes.identification.tones import Tone, find_tones, tones_alone, without_tones
+from pkmodes.support.ordering import joined
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Factor on standard deviations for what the peaks and the choice of an order leave out: measured on simulated
 #: records of 40 s, where 2 sigma without it cover 90 to 93 %.
 ALLOWANCE = 1.15
+#: Model orders whose shapes have less than this multiple of the least sigma count as well: what they differ by, such
+#: as how much of a strong neighbour's shape is in that of a weak mode, no order shows alone.
+AS_SURE = 2.0
 #: What to say of a record of tones alone.
 NOTHING_ELSE = (
     "besides tones the record holds only the rounding of its numbers, in which no mode can be found"
@@ -97,6 +102,8 @@ def identify_responses(
         one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
     ]
     longest = max(record.plain, key=lambda one: len(one.frequencies))
+    narrow = lines_among(longest, [one.mode for one in kept], found_tones)
+    kept = [one for i, one in enumerate(kept) if i not in narrow]
     swept = [one for one in kept if at_end_of_line(longest, t_step, one.mode)]
     kept = [one for one in kept if one not in swept]
     kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)
@@ -105,6 +112,7 @@ def identify_responses(
     added = tuple(one if isinstance(one, str) else _mode(record, one) for one in listed)
     every = (*modes, *(one for one in added if isinstance(one, Mode)))
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
+    found_tones = sorted((*found_tones, *narrow.values()), key=lambda tone: tone.frequency)
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
     estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), added, lines)
     said = _sentences(found_tones, every, record.seconds)
@@ -124,6 +132,8 @@ def _mode(record: PreparedRecord, one: PartMode) -> Mode:
         i = int(np.argmin(np.abs(one.part.pole(of.values) - pole)))
         tried.append((sigma(record.plain, one.part, one.references, FIRST, of, i, record.scales).shape, k, i))
     of_shape, k, i = min(tried)
+    as_sure = [one.orders[n].shapes[:, j] * record.scales for s, n, j in tried if s < AS_SURE * of_shape]
+    of_shape = math.hypot(of_shape, _apart(one.orders[k].shapes[:, i] * record.scales, as_sure))
     # |pole| by the damped frequency and the logarithm of the rate, and the damping ratio by these
     omega = abs(pole)
     by = np.array([2 * math.pi * pole.imag, pole.real**2]) / omega
@@ -136,6 +146,14 @@ def _mode(record: PreparedRecord, one: PartMode) -> Mode:
     return Mode(pole, shape, frequency, damping, ALLOWANCE * of_shape, (one.found, len(ORDERS)))
 
 
+def _apart(shape: Complex, others: Sequence[Complex]) -> float:
+    """Return how far other shapes are from one, rms of the real parts relative to its largest component."""
+    largest = int(np.argmax(np.abs(shape)))
+    unit = np.delete(shape / shape[largest], largest)
+    apart = [(np.delete(other / other[largest], largest) - unit).real for other in others]
+    return math.sqrt(float(np.mean(np.square(apart)))) if unit.size else 0.0
+
+
 def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> tuple[str, ...]:
     said = [tone.sentence for tone in found]
     for mode in modes:
@@ -144,6 +162,16 @@ def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
                 said.append(
                     f"the mode at {mode.frequency:.4g} Hz is beside the tone at {tone.frequency:.4g} Hz"
                 )
+    doubtful = [f"{mode.frequency:.4g}" for mode in modes if mode.damping < 2.0 * mode.sigma_damping]
+    if doubtful:
+        which = (
+            f"the modes at {joined(doubtful)} Hz are"
+            if len(doubtful) > 1
+            else f"the mode at {doubtful[0]} Hz is"
+        )
+        said.append(
+            f"{which} doubtful: damping is within two standard deviations of 0; a longer record tells"
+        )
     return tuple(said)
 
 

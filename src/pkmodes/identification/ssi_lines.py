@@ -1,0 +1,153 @@
+"""Lines that a record of responses shows as narrow peaks: orders of a motor whose speed wanders, and tones.
+
+A tone that wanders by a small part of its frequency has a bandwidth, and one that wanders less has what the length of
+the record leaves of it: fits to the spectrum take both for modes of light damping.  The amplitude tells them apart.
+That of a tone is constant; that of the response of a mode to noise is Rayleigh distributed.  The mean of the fourth
+power of the amplitude over the square of the mean power is 1 for a tone and 2 for a response (the kurtosis of
+Jacobsen, Andersen and Brincker, Proceedings of IOMAC 2007, for the analytic signal).  In a record of a few times of
+decay it scatters: `QUANTILES` are those of simulated responses.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.identification.level import along_shape
+from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_selection import Refined
+from pkmodes.identification.tones import Tone
+
+Array = NDArray[np.float64]
+#: Half the width of the band that is followed, in half bandwidths and at least in lines.
+WIDE, LEAST_LINES = 3.0, 3.0
+#: Samples of the amplitude for each line of the band.
+FINE = 4
+#: Rates of decay times length of record, and quantiles of the statistic of responses: 1, 20, 50 and 99 %.
+DECAYS = np.array([1.5, 3.0, 6.0, 12.0, 25.0, 50.0, 100.0, 200.0, 400.0, 800.0])
+QUANTILES = {
+    0.01: np.array([1.05, 1.08, 1.14, 1.27, 1.41, 1.54, 1.64, 1.72, 1.82, 1.84]),
+    0.2: np.array([1.22, 1.30, 1.38, 1.51, 1.64, 1.74, 1.82, 1.87, 1.92, 1.94]),
+    0.5: np.array([1.42, 1.51, 1.60, 1.73, 1.84, 1.90, 1.95, 1.97, 1.99, 1.99]),
+    0.99: np.array([2.63, 2.75, 2.74, 2.96, 2.99, 2.79, 2.58, 2.38, 2.25, 2.19]),
+}
+#: Above this no amplitude is constant, however long the record: half way from a tone to a response.
+CONSTANT = 1.5
+#: Below this rate of decay times length of record a peak is narrower than a line under Hann's window, 1.44 / length.
+AS_A_LINE = 4.5
+#: Standard deviation of the logarithm of a rate above which two standard deviations of the damping reach 0.
+AS_NOTHING = 0.36
+#: Damping ratio below which a peak is rather a tone's than a machine's.
+LIGHTEST = 5e-4
+#: A narrow peak at a multiple or half-multiple of a line, up to so many halves, is an order of it: damping ratios
+#: below the first and distances within the second part of the frequency, and a line.
+NARROW, OFF_ORDER, MOST_HALVES = 0.003, 0.001, 12
+
+
+@dataclass(frozen=True)
+class Followed:
+    """The amplitude at a peak.
+
+    Attributes
+    ----------
+    statistic : float
+        Mean of the fourth power of the amplitude over the square of the mean power.
+    off : float
+        Distance of the mean frequency of the power from the peak, in half bandwidths or lines, the larger ones.
+    """
+
+    statistic: float
+    off: float
+
+
+def lines_among(lines: Lines, modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
+    """Return which modes are lines, or cannot be told from one, by their place, with what to say of each.
+
+    Parameters
+    ----------
+    lines : Lines
+        Of the longest piece, without padding.
+    modes : sequence of Refined
+    tones : sequence of Tone
+        Those that were found before.
+    """
+    seconds = 1.0 / lines.step
+    seen = [followed(lines, mode) for mode in modes]
+    found: dict[int, Tone] = {}
+    for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
+        if one.off < 1.0 and one.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
+            sentence = (
+                f"{mode.undamped:.4g} Hz is a line: its amplitude is as constant as a tone's, no mode's is"
+            )
+            found[i] = Tone(mode.frequency, sentence)
+    known, more = [*tones, *found.values()], True
+    while more:  # an order that is found leads to others
+        orders = {
+            i: _as_order(mode, one, known, seconds)
+            for i, (mode, one) in enumerate(zip(modes, seen, strict=True))
+            if i not in found
+        }
+        added = {i: Tone(modes[i].frequency, sentence) for i, sentence in orders.items() if sentence}
+        found, known, more = found | added, [*known, *added.values()], bool(added)
+    for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
+        if i not in found and (sentence := _not_told(mode, one, seconds)):
+            found[i] = Tone(mode.frequency, sentence)
+    return found
+
+
+def followed(lines: Lines, mode: Refined) -> Followed:
+    """Return what the amplitude of a response does at a peak."""
+    width = mode.rate / (2.0 * math.pi)
+    half = max(WIDE * width, LEAST_LINES * lines.step)
+    inside = slice(*np.searchsorted(lines.frequencies, [mode.frequency - half, mode.frequency + half]))
+    values, f = lines.values[inside] @ along_shape(mode.shape), lines.frequencies[inside]
+    power = np.abs(np.fft.ifft(values, FINE * len(values))) ** 2
+    of_lines = np.abs(values) ** 2
+    centre = float(of_lines @ f / max(float(of_lines.sum()), 1e-300))
+    statistic = float(np.mean(power**2) / max(float(np.mean(power)) ** 2, 1e-300))
+    return Followed(statistic, abs(centre - mode.frequency) / max(width, lines.step))
+
+
+def quantile(share: float, decays: float) -> float:
+    """Return which value of the statistic so many responses are below, for a rate times the length of a record."""
+    return float(np.interp(math.log(max(decays, 1e-300)), np.log(DECAYS), QUANTILES[share]))
+
+
+def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: float) -> str:
+    """Return what to say of a narrow peak at an order of a line, unless it is clearly a mode."""
+    decays = mode.rate * seconds
+    like_a_mode = quantile(0.5, decays) < one.statistic < quantile(0.99, decays)
+    damped = mode.covariance[1, 1] < AS_NOTHING**2
+    if mode.rate > NARROW * 2.0 * math.pi * mode.frequency or (like_a_mode and damped):
+        return ""
+    for tone in tones:
+        for order in (Fraction(n, 2) for n in range(1, MOST_HALVES + 1)):
+            for times in (order, 1 / order):
+                place = float(times) * tone.frequency
+                if abs(mode.frequency - place) < OFF_ORDER * place + 1.0 / seconds:
+                    ratio = f"{float(times):g}" if times >= 1 else str(times)
+                    return (
+                        f"{mode.undamped:.4g} Hz is a narrow line at {ratio} times the one at "
+                        f"{tone.frequency:.4g} Hz: an order of the same motor, no mode"
+                    )
+    return ""
+
+
+def _not_told(mode: Refined, one: Followed, seconds: float) -> str:
+    """Return what to say of a peak that may be a tone's as well as a mode's."""
+    decays = mode.rate * seconds
+    as_nothing = mode.covariance[1, 1] > AS_NOTHING**2
+    as_light = mode.rate < LIGHTEST * 2.0 * math.pi * mode.frequency
+    share = 0.5 if as_light or decays < AS_A_LINE else 0.2 if as_nothing else 0.0
+    like_a_mode = share == 0.0 or one.statistic > quantile(share, decays)
+    if like_a_mode and not (as_nothing and one.statistic > quantile(0.99, decays)):
+        return ""
+    return (
+        f"{mode.undamped:.4g} Hz is a line or a mode of light damping, and the record does not tell which: left out; "
+        "record for longer, or add it"
+    )
