@@ -89,7 +89,7 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
             raise MeasurementError(
                 f"expected at most {MOST_FILES:,} measurements, found more", source, INCOMPLETE
             )
-        if name == asked.member or not names:
+        if name == asked.member or names.keys() <= {name}:
             kept = line
         names[name] = None
         del line
@@ -125,7 +125,10 @@ def _samples(given: msgspec.Raw, where: str) -> Iterator[Array]:
 def _decoded(line: bytes | bytearray, kind: type[T], where: str) -> T:
     try:
         return msgspec.json.decode(line, type=kind)
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+    except RecursionError:
+        what = "expected a measurement of Shake&Tune, found lists in very many lists"
+        raise MeasurementError(what, where, INCOMPLETE) from None
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise MeasurementError(f"expected a measurement of Shake&Tune: {error}", where, INCOMPLETE) from None
 
 
