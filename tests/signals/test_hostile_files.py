@@ -16,7 +16,7 @@ from signals import hostile
 from signals.hostile import CASES
 
 #: Bytes of a file, about; and kinds of files that are read in one go, since a process takes its time to begin.
-SIZE, TOGETHER = 3_000_000, 5
+SIZE, TOGETHER = 2_000_000, 3
 GROUPS = [list(CASES)[i :: len(CASES) // TOGETHER] for i in range(len(CASES) // TOGETHER)]
 
 
