@@ -13,36 +13,28 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import Asked
 from pkmodes.signals.reading import read_signals
 from signals import hostile
-from signals.hostile import CASES, Taken
+from signals.hostile import CASES
 
-#: Bytes of a file, about.
-SIZE = 3_000_000
+#: Bytes of a file, about; and kinds of files that are read in one go, since a process takes its time to begin.
+SIZE, TOGETHER = 2_000_000, 3
+GROUPS = [list(CASES)[i :: len(CASES) // TOGETHER] for i in range(len(CASES) // TOGETHER)]
 
 
-@pytest.fixture(scope="module")
-def measured(tmp_path_factory: pytest.TempPathFactory) -> dict[str, tuple[int, Taken]]:
-    """Sizes of files of all kinds, and what came of each."""
-    if not hostile.CAN_MEASURE:
-        pytest.skip("needs the memory of a process as Linux tells it")
+@pytest.mark.skipif(not hostile.CAN_MEASURE, reason="needs the memory of a process as Linux tells it")
+@pytest.mark.parametrize("kinds", GROUPS, ids=range(len(GROUPS)))
+def test_reading_takes_four_times_the_file(
+    subtests: pytest.Subtests, tmp_path: Path, kinds: list[str]
+) -> None:
     pytest.importorskip("h5py")
     pytest.importorskip("zstandard")
-    folder = tmp_path_factory.mktemp("hostile")
-    paths = {name: folder / f"{i}{one.suffix}" for i, (name, one) in enumerate(CASES.items())}
-    for name, path in paths.items():
-        CASES[name].write(path, SIZE)
-    found = hostile.taken({path: CASES[name] for name, path in paths.items()})
-    sizes = [path.stat().st_size for path in paths.values()]
-    return dict(zip(paths, zip(sizes, found, strict=True), strict=True))
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("kind", CASES)
-def test_reading_takes_four_times_the_file(measured: dict[str, tuple[int, Taken]], kind: str) -> None:
-    size, taken = measured[kind]
-    of = CASES[kind]
-    assert bool(taken.outcome) == bool(of.refused), taken.outcome
-    assert of.refused in taken.outcome
-    assert taken.memory < of.times * size + of.constant
+    cases = {tmp_path / f"{i}{CASES[kind].suffix}": CASES[kind] for i, kind in enumerate(kinds)}
+    for path, of in cases.items():
+        of.write(path, SIZE)
+    for kind, (path, of), taken in zip(kinds, cases.items(), hostile.taken(cases), strict=True):
+        with subtests.test(kind):
+            assert bool(taken.outcome) == bool(of.refused), taken.outcome
+            assert of.refused in taken.outcome
+            assert taken.memory < of.times * path.stat().st_size + of.constant
 
 
 def refusal(path: Path, *sensors: str) -> MeasurementError:
