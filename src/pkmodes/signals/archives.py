@@ -24,12 +24,13 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import Variable, functions_of
+from pkmodes.signals.arrays import functions_of
 from pkmodes.signals.functions import Array, Asked, SignalFile
 from pkmodes.signals.sampling import as_sampled
 from pkmodes.signals.table import TABLE, tabulated
 from pkmodes.signals.table_text import check_text
 from pkmodes.signals.tar_files import tar_files
+from pkmodes.signals.variables import Variable
 from pkmodes.signals.zip_files import opened_zip
 from pkmodes.support.ordering import listed
 

@@ -9,14 +9,12 @@ functions with several references ``NAME_1__2`` (frequencies x sensors x referen
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache, partial
-from itertools import islice
-from typing import Any, NamedTuple, NoReturn, TypeVar
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_finite, within
@@ -32,11 +30,9 @@ from pkmodes.signals.functions import (
     StoredFunction,
 )
 from pkmodes.signals.sampling import counts_samples, even_times
+from pkmodes.signals.variables import EXPANDED, REMEDY, ROOM, Values, Variable, loaded
 from pkmodes.support.ordering import listed
 
-T = TypeVar("T")
-#: Numbers of any type, as files store them.
-Values = NDArray[Any]
 REFERENCE = "__"
 #: Names of abscissas and of sampling rates, in capitals or not; the first that a file has prevails.
 TIMES = ("time", "t", "time_domain")
@@ -46,86 +42,9 @@ RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 ABSCISSAS = ("time", "frequency")
 #: Values that are read of a file, in all.
 MOST_VALUES = 100_000_000
-#: Bytes that compressed arrays may become: some, and so many times the file.  Measured signals of double precision
-#: that are compressed have a tenth of their size at least, but for channels that are constant.
-ROOM, EXPANDED = 64_000_000, 20
-#: Variables of a file, with the fields of its structs.
-MOST_VARIABLES = 20_000
-#: Letters of a name; MATLAB allows 63, and the fields of structs have those of all around them.
-LONGEST_NAME = 1024
 #: Rates are the same that differ by less, relative.
 SAME = 1e-6
-REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
 NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
-
-
-class Variable(NamedTuple):
-    """A variable.
-
-    Attributes
-    ----------
-    what : str
-        What it is, for messages.
-    shape : tuple of int or None
-        Of an array of numbers.
-    load : callable
-        Returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
-    itemsize : int
-        Bytes of a value as it is loaded.
-    again : callable, optional
-        Of whole numbers, returns the same when the file is closed.
-    """
-
-    name: str
-    what: str
-    shape: tuple[int, ...] | None
-    load: Callable[[], Values]
-    itemsize: int = 8
-    again: Callable[[], Values] | None = None
-
-    @property
-    def size(self) -> int:
-        """Number of values, 0 if it is no array of numbers."""
-        return int(np.prod(self.shape, dtype=np.float64)) if self.shape else 0
-
-    @property
-    def lengths(self) -> tuple[int, ...]:
-        """Its sizes along the dimensions that have more than one value."""
-        return tuple(one for one in self.shape or () if one != 1)
-
-
-def at_most(found: Iterable[Variable]) -> list[Variable]:
-    """Return the variables of a file.
-
-    Raises
-    ------
-    ValueError
-        If there are more than any measurement has.
-    """
-    every = list(islice(found, MOST_VARIABLES + 1))
-    if len(every) > MOST_VARIABLES:
-        raise ValueError(f"expected at most {MOST_VARIABLES:,} variables, found more")
-    return every
-
-
-def loaded(load: Callable[[], T], source: str, what: str) -> T:
-    """Return what is read, and say of any failure that the file cannot be.
-
-    Raises
-    ------
-    MeasurementError
-        If it cannot be read.
-    """
-    try:
-        return load()
-    except OSError as error:
-        if error.errno is not None:
-            raise
-        reason: Exception = error
-    except Exception as error:  # damage makes readers raise errors of many types
-        reason = error
-    text = f"cannot read the {what} file: {str(reason) or type(reason).__name__}"
-    raise MeasurementError(text, source, f"the file is damaged or no {what} file: {REMEDY}") from None
 
 
 class _Signal(NamedTuple):

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.arrays import EXPANDED, LONGEST_NAME, ROOM, Values, Variable, at_most, loaded
+from pkmodes.signals.variables import EXPANDED, LONGEST_NAME, ROOM, Values, Variable, at_most, loaded
 
 #: Structs in one another at most, and links that are followed to an object.
 DEEPEST, MOST_LINKS = 8, 64

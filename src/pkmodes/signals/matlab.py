@@ -9,10 +9,11 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import MOST_VARIABLES, Variable, at_most, functions_of, loaded
+from pkmodes.signals.arrays import functions_of
 from pkmodes.signals.functions import Asked, SignalFile
 from pkmodes.signals.hdf5_arrays import hdf5_variables
 from pkmodes.signals.matlab_arrays import DamagedError, variables
+from pkmodes.signals.variables import MOST_VARIABLES, Variable, at_most, loaded
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Classes of variables of version 4 that are not arrays of numbers, in words.

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.arrays import LONGEST_NAME, MOST_VARIABLES, Variable
+from pkmodes.signals.variables import LONGEST_NAME, MOST_VARIABLES, Variable
 
 HEADER = 128
 MATRIX, COMPRESSED = 14, 15

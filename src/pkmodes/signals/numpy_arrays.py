@@ -19,8 +19,9 @@ import numpy as np
 from numpy.lib import format as npy
 
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import Variable, at_most, functions_of, loaded
+from pkmodes.signals.arrays import functions_of
 from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.variables import Variable, at_most, loaded
 from pkmodes.signals.zip_files import opened_zip
 
 NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"

@@ -9,7 +9,6 @@ import io
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -22,6 +21,7 @@ from pkmodes.signals.clock import is_clock
 from pkmodes.signals.functions import Array
 from pkmodes.signals.scanning import text_of
 from pkmodes.signals.table_parts import check_lines, in_parts, joined, narrow, parts_of
+from pkmodes.signals.table_rows import is_row, without_ends
 from pkmodes.signals.units import unit_text
 
 #: What separates cells where nothing else does; such a table is read as one with tabs.
@@ -35,8 +35,6 @@ MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
 #: Columns of a table, and letters of the name of one, at most.
 MOST_COLUMNS, LONGEST_NAME = 10_000, 1000
-#: Lines from which it is told whether rows end with a separator.
-FIRST = 20
 #: What lines at the end have in which spreadsheet programs leave nothing but separators.
 EMPTY = b" \t,;\r\n"
 COMMENT_LINES = re.compile(rb"^[ \t]*#.*\n?", re.MULTILINE)
@@ -162,7 +160,7 @@ class TableText:
             )  # the numbers of lines stay
 
         def keeps(line: bytes) -> bool:
-            cells = self._cells(self._row(line)) if _is_row(line) else []
+            cells = self._cells(self._row(line)) if is_row(line) else []
             if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in wanted):
                 return True
             at = number_in(cells[abscissa].replace(",", "."), None)
@@ -196,7 +194,7 @@ class TableText:
     def _rows(self) -> Iterator[tuple[int, str]]:
         """Yield the rows with the numbers of their lines."""
         for number, line in enumerate(io.BytesIO(self.body), start=self.first_line):
-            if _is_row(line):
+            if is_row(line):
                 yield number, self._row(line)
 
     def _row(self, line: bytes) -> str:
@@ -284,7 +282,7 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
         body = in_parts(content, lambda part: BLANKS.sub(b"\t", AROUND_LINES.sub(b"", part)), start)
     else:
         body = content[start:]
-    names, body = _without_ends(names, body, separator, len(columns))
+    names, body = without_ends(names, body, separator, len(columns))
     if columns:
         if len(columns) != len(names):
             what = f"expected the names of {len(names)} columns, found {len(columns)}"
@@ -300,7 +298,7 @@ def _first_line(content: bytes) -> tuple[int, int, str]:
     start, number = 0, 1
     while start < len(content):
         end = content.find(b"\n", start) + 1 or len(content)
-        if _is_row(content[start:end]):
+        if is_row(content[start:end]):
             return start, number, text_of(content[start:end]).strip("\r\n")
         start, number = end, number + 1
     return start, number, ""
@@ -313,11 +311,6 @@ def _comments(head: bytes) -> Iterator[tuple[int, str]]:
             yield number, text_of(line).strip()
 
 
-def _is_row(line: bytes) -> bool:
-    """Return whether a line is neither blank nor a comment."""
-    return bool(line.strip()) and not line.lstrip().startswith(b"#")
-
-
 def _with_units(table: TableText) -> TableText:
     """Return a table with the units of the row below its names in these, if that is such a row."""
     units = _units_in(_first_row(table.body), table.separator)
@@ -327,35 +320,11 @@ def _with_units(table: TableText) -> TableText:
     return replace(table.without_first_row(), names=names)
 
 
-def _without_ends(
-    names: tuple[str, ...], body: bytes, separator: str, count: int
-) -> tuple[tuple[str, ...], bytes]:
-    """Return the names and the rows of a table without separators after the last cell.
-
-    Parameters
-    ----------
-    count : int
-        Of the columns, 0 if only the names and the rows tell it.
-    """
-    rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if _is_row(line)]
-    most = count or max((len(row) for row in rows), default=len(names))
-    while len(names) > most and not names[-1]:
-        names = names[:-1]
-    if all(len(row) <= len(names) or "".join(row[len(names) :]).strip(' \t\r\n"') for row in rows):
-        return names, body
-    cell = rf"[^{separator}\r\n]*"
-    longer = re.compile(
-        rf"^((?:{cell}{separator}){{{len(names) - 1}}}{cell})(?:{separator}[ \t]*)+(?=\r?$)".encode(),
-        re.MULTILINE,
-    )
-    return names, in_parts(body, lambda part: longer.sub(rb"\1", part))
-
-
 def _first_row(content: bytes, start: int = 0) -> str:
     """Return the first line from some place on that is not a comment, "" without one among a thousand."""
     for _ in range(1000):
         end = content.find(b"\n", start) + 1 or len(content)
-        if _is_row(content[start:end]):
+        if is_row(content[start:end]):
             return text_of(content[start:end]).strip("\r\n")
         start = end
     return ""

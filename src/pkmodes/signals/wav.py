@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import MOST_VALUES, loaded
+from pkmodes.signals.arrays import MOST_VALUES
 from pkmodes.signals.checks import FEWEST, check_finite
 from pkmodes.signals.functions import FORCE, Array, Asked, Function, Kind, SignalFile
+from pkmodes.signals.variables import loaded
 
 RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
 #: Bytes of the head of the file, of that of a chunk, and of the form of the numbers.
