@@ -66,19 +66,19 @@ class Followed:
     off: float
 
 
-def lines_among(lines: Lines, modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
+def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
     """Return which modes are lines, or cannot be told from one, by their place, with what to say of each.
 
     Parameters
     ----------
-    lines : Lines
-        Of the longest piece, without padding.
+    pieces : sequence of Lines
+        Of the record, without padding.
     modes : sequence of Refined
     tones : sequence of Tone
         Those that were found before.
     """
-    seconds = 1.0 / lines.step
-    seen = [followed(lines, mode) for mode in modes]
+    seconds = sum(1.0 / lines.step for lines in pieces)
+    seen = [followed(pieces, mode) for mode in modes]
     found: dict[int, Tone] = {}
     for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
         if one.off < 1.0 and one.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
@@ -101,17 +101,22 @@ def lines_among(lines: Lines, modes: Sequence[Refined], tones: Sequence[Tone]) -
     return found
 
 
-def followed(lines: Lines, mode: Refined) -> Followed:
-    """Return what the amplitude of a response does at a peak."""
-    width = mode.rate / (2.0 * math.pi)
-    half = max(WIDE * width, LEAST_LINES * lines.step)
-    inside = slice(*np.searchsorted(lines.frequencies, [mode.frequency - half, mode.frequency + half]))
-    values, f = lines.values[inside] @ along_shape(mode.shape), lines.frequencies[inside]
-    power = np.abs(np.fft.ifft(values, FINE * len(values))) ** 2
-    of_lines = np.abs(values) ** 2
-    centre = float(of_lines @ f / max(float(of_lines.sum()), 1e-300))
+def followed(pieces: Sequence[Lines], mode: Refined) -> Followed:
+    """Return what the amplitude of a response does at a peak, over the pieces of a record."""
+    width, along = mode.rate / (2.0 * math.pi), along_shape(mode.shape)
+    powers, of_lines, away = [], [], []
+    for lines in pieces:
+        half = max(WIDE * width, LEAST_LINES * lines.step)
+        inside = slice(*np.searchsorted(lines.frequencies, [mode.frequency - half, mode.frequency + half]))
+        values = lines.values[inside] @ along * lines.step
+        samples = FINE * len(values)
+        powers.append(np.abs(np.fft.ifft(values, samples) * samples) ** 2)
+        of_lines.append(np.abs(values) ** 2 / lines.step)
+        away.append(lines.frequencies[inside] - mode.frequency)
+    power, weights = np.concatenate(powers), np.concatenate(of_lines)
+    centre = float(weights @ np.concatenate(away) / max(float(weights.sum()), 1e-300))
     statistic = float(np.mean(power**2) / max(float(np.mean(power)) ** 2, 1e-300))
-    return Followed(statistic, abs(centre - mode.frequency) / max(width, lines.step))
+    return Followed(statistic, abs(centre) / max(width, min(lines.step for lines in pieces)))
 
 
 def quantile(share: float, decays: float) -> float:
