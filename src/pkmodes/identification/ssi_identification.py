@@ -101,9 +101,9 @@ def identify_responses(
     kept = [
         one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
     ]
-    longest = max(record.plain, key=lambda one: len(one.frequencies))
-    narrow = lines_among(longest, [one.mode for one in kept], found_tones)
+    narrow = lines_among(record.plain, [one.mode for one in kept], found_tones)
     kept = [one for i, one in enumerate(kept) if i not in narrow]
+    longest = max(record.plain, key=lambda one: len(one.frequencies))
     swept = [one for one in kept if at_end_of_line(longest, t_step, one.mode)]
     kept = [one for one in kept if one not in swept]
     kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)

@@ -28,10 +28,11 @@ Array = NDArray[np.float64]
 WIDE, LEAST_LINES = 3.0, 3.0
 #: Samples of the amplitude for each line of the band.
 FINE = 4
-#: Rates of decay times length of record, and quantiles of the statistic of responses: 1, 20, 50 and 99 %.
+#: Rates of decay times length of record, and quantiles of the statistic of responses.
 DECAYS = np.array([1.5, 3.0, 6.0, 12.0, 25.0, 50.0, 100.0, 200.0, 400.0, 800.0])
 QUANTILES = {
     0.01: np.array([1.05, 1.08, 1.14, 1.27, 1.41, 1.54, 1.64, 1.72, 1.82, 1.84]),
+    0.05: np.array([1.09, 1.17, 1.25, 1.36, 1.50, 1.63, 1.71, 1.80, 1.85, 1.89]),
     0.2: np.array([1.22, 1.30, 1.38, 1.51, 1.64, 1.74, 1.82, 1.87, 1.92, 1.94]),
     0.5: np.array([1.42, 1.51, 1.60, 1.73, 1.84, 1.90, 1.95, 1.97, 1.99, 1.99]),
     0.99: np.array([2.63, 2.75, 2.74, 2.96, 2.99, 2.79, 2.58, 2.38, 2.25, 2.19]),
@@ -65,19 +66,19 @@ class Followed:
     off: float
 
 
-def lines_among(lines: Lines, modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
+def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
     """Return which modes are lines, or cannot be told from one, by their place, with what to say of each.
 
     Parameters
     ----------
-    lines : Lines
-        Of the longest piece, without padding.
+    pieces : sequence of Lines
+        Of the record, without padding.
     modes : sequence of Refined
     tones : sequence of Tone
         Those that were found before.
     """
-    seconds = 1.0 / lines.step
-    seen = [followed(lines, mode) for mode in modes]
+    seconds = sum(1.0 / lines.step for lines in pieces)
+    seen = [followed(pieces, mode) for mode in modes]
     found: dict[int, Tone] = {}
     for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
         if one.off < 1.0 and one.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
@@ -95,22 +96,27 @@ def lines_among(lines: Lines, modes: Sequence[Refined], tones: Sequence[Tone]) -
         added = {i: Tone(modes[i].frequency, sentence) for i, sentence in orders.items() if sentence}
         found, known, more = found | added, [*known, *added.values()], bool(added)
     for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
-        if i not in found and (sentence := _not_told(mode, one, seconds)):
+        if i not in found and (sentence := _not_told(mode, one, seconds, bool(known))):
             found[i] = Tone(mode.frequency, sentence)
     return found
 
 
-def followed(lines: Lines, mode: Refined) -> Followed:
-    """Return what the amplitude of a response does at a peak."""
-    width = mode.rate / (2.0 * math.pi)
-    half = max(WIDE * width, LEAST_LINES * lines.step)
-    inside = slice(*np.searchsorted(lines.frequencies, [mode.frequency - half, mode.frequency + half]))
-    values, f = lines.values[inside] @ along_shape(mode.shape), lines.frequencies[inside]
-    power = np.abs(np.fft.ifft(values, FINE * len(values))) ** 2
-    of_lines = np.abs(values) ** 2
-    centre = float(of_lines @ f / max(float(of_lines.sum()), 1e-300))
+def followed(pieces: Sequence[Lines], mode: Refined) -> Followed:
+    """Return what the amplitude of a response does at a peak, over the pieces of a record."""
+    width, along = mode.rate / (2.0 * math.pi), along_shape(mode.shape)
+    powers, of_lines, away = [], [], []
+    for lines in pieces:
+        half = max(WIDE * width, LEAST_LINES * lines.step)
+        inside = slice(*np.searchsorted(lines.frequencies, [mode.frequency - half, mode.frequency + half]))
+        values = lines.values[inside] @ along * lines.step
+        samples = FINE * len(values)
+        powers.append(np.abs(np.fft.ifft(values, samples) * samples) ** 2)
+        of_lines.append(np.abs(values) ** 2 / lines.step)
+        away.append(lines.frequencies[inside] - mode.frequency)
+    power, weights = np.concatenate(powers), np.concatenate(of_lines)
+    centre = float(weights @ np.concatenate(away) / max(float(weights.sum()), 1e-300))
     statistic = float(np.mean(power**2) / max(float(np.mean(power)) ** 2, 1e-300))
-    return Followed(statistic, abs(centre - mode.frequency) / max(width, lines.step))
+    return Followed(statistic, abs(centre) / max(width, min(lines.step for lines in pieces)))
 
 
 def quantile(share: float, decays: float) -> float:
@@ -138,14 +144,17 @@ def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: floa
     return ""
 
 
-def _not_told(mode: Refined, one: Followed, seconds: float) -> str:
-    """Return what to say of a peak that may be a tone's as well as a mode's."""
+def _not_told(mode: Refined, one: Followed, seconds: float, lines: bool) -> str:
+    """Return what to say of a peak that may be a tone's as well as a mode's; more may be if the record has lines."""
     decays = mode.rate * seconds
     as_nothing = mode.covariance[1, 1] > AS_NOTHING**2
     as_light = mode.rate < LIGHTEST * 2.0 * math.pi * mode.frequency
-    share = 0.5 if as_light or decays < AS_A_LINE else 0.2 if as_nothing else 0.0
-    like_a_mode = share == 0.0 or one.statistic > quantile(share, decays)
-    if like_a_mode and not (as_nothing and one.statistic > quantile(0.99, decays)):
+    if as_light or decays < AS_A_LINE:
+        like_a_mode = one.statistic > quantile(0.5, decays)
+    else:
+        like_a_mode = not as_nothing or one.statistic > quantile(0.2 if lines else 0.05, decays)
+    beats = lines and as_nothing and one.statistic > quantile(0.99, decays)
+    if like_a_mode and not beats:
         return ""
     return (
         f"{mode.undamped:.4g} Hz is a line or a mode of light damping, and the record does not tell which: left out; "
