@@ -15,7 +15,7 @@ from scipy.signal import lfilter
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import turned_real
-from pkmodes.identification.ssi_identification import identify_responses
+from pkmodes.identification.ssi_identification import apart, identify_responses
 from pkmodes_rig.structures.driven import (
     Array,
     Structure,
@@ -183,6 +183,13 @@ def test_a_coarse_noisy_sensor_gives_modes_that_exceed_its_noise() -> None:
     signals = adxl345(700.0 * signals / signals.std(), rng)
     estimate, _ = identify_responses(1e-3, signals, band=BAND)
     np.testing.assert_allclose([mode.frequency for mode in estimate.modes], PLAIN.modes()[0], rtol=0.01)
+
+
+def test_orders_differ_by_the_part_of_a_neighbour_in_their_shapes_at_any_scale() -> None:
+    shape, neighbour = np.array([2.0, 1.0, -1.0]) + 0j, np.array([0.0, 0.4, 0.2]) + 0j
+    assert apart(shape, [1j * shape, -3.0 * shape]) == pytest.approx(0.0, abs=1e-15)
+    # (0.2, 0.1) of the largest component in one of two orders
+    assert apart(shape, [shape, 5j * (shape + neighbour)]) == pytest.approx(np.sqrt((0.04 + 0.01) / 4))
 
 
 def test_pieces_of_a_record_are_used_together() -> None:

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, Asked, replaced
+from pkmodes.identification.asked import NOTHING, Asked, nearest, replaced
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
 from pkmodes.identification.ssi_lines import lines_among
@@ -112,7 +112,8 @@ def identify_responses(
     added = tuple(one if isinstance(one, str) else _mode(record, one) for one in listed)
     every = (*modes, *(one for one in added if isinstance(one, Mode)))
     stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
-    found_tones = sorted((*found_tones, *narrow.values()), key=lambda tone: tone.frequency)
+    unasked = [line for line in narrow.values() if nearest(asked.add, line.frequency) is None]
+    found_tones = sorted((*found_tones, *unasked), key=lambda tone: tone.frequency)
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
     estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), added, lines)
     said = _sentences(found_tones, every, record.seconds)
@@ -133,7 +134,7 @@ def _mode(record: PreparedRecord, one: PartMode) -> Mode:
         tried.append((sigma(record.plain, one.part, one.references, FIRST, of, i, record.scales).shape, k, i))
     of_shape, k, i = min(tried)
     as_sure = [one.orders[n].shapes[:, j] * record.scales for s, n, j in tried if s < AS_SURE * of_shape]
-    of_shape = math.hypot(of_shape, _apart(one.orders[k].shapes[:, i] * record.scales, as_sure))
+    of_shape = math.hypot(of_shape, apart(one.orders[k].shapes[:, i] * record.scales, as_sure))
     # |pole| by the damped frequency and the logarithm of the rate, and the damping ratio by these
     omega = abs(pole)
     by = np.array([2 * math.pi * pole.imag, pole.real**2]) / omega
@@ -146,8 +147,8 @@ def _mode(record: PreparedRecord, one: PartMode) -> Mode:
     return Mode(pole, shape, frequency, damping, ALLOWANCE * of_shape, (one.found, len(ORDERS)))
 
 
-def _apart(shape: Complex, others: Sequence[Complex]) -> float:
-    """Return how far other shapes are from one, rms of the real parts relative to its largest component."""
+def apart(shape: Complex, others: Sequence[Complex]) -> float:
+    """Return how far other shapes (S,) are from one, rms of the real parts relative to its largest component."""
     largest = int(np.argmax(np.abs(shape)))
     unit = np.delete(shape / shape[largest], largest)
     apart = [(np.delete(other / other[largest], largest) - unit).real for other in others]
