@@ -151,8 +151,8 @@ def apart(shape: Complex, others: Sequence[Complex]) -> float:
     """Return how far other shapes (S,) are from one, rms of the real parts relative to its largest component."""
     largest = int(np.argmax(np.abs(shape)))
     unit = np.delete(shape / shape[largest], largest)
-    apart = [(np.delete(other / other[largest], largest) - unit).real for other in others]
-    return math.sqrt(float(np.mean(np.square(apart)))) if unit.size else 0.0
+    differences = [(np.delete(other / other[largest], largest) - unit).real for other in others]
+    return math.sqrt(float(np.mean(np.square(differences)))) if unit.size else 0.0
 
 
 def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> tuple[str, ...]:
