@@ -15,7 +15,7 @@ from pkmodes.identification.estimates import Estimate
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.frf_model_errors import not_linear
 from pkmodes_rig.structures.forced import noise, structure
-from pkmodes_rig.structures.not_linear import BAND, DAMPING, FREQUENCIES, LINES, responses
+from pkmodes_rig.structures.not_linear import BAND, DAMPING, FREQUENCIES, LINES, SHAPES, responses
 
 
 def identified(seed: int, band: tuple[float, float] = BAND, **kind: Any) -> Estimate:
@@ -105,6 +105,22 @@ def test_the_standard_deviations_include_the_error(common: bool, covered: float)
         for f in FREQUENCIES:
             mode = min(modes, key=lambda mode: abs(mode.frequency - f))
             within.append(abs(mode.frequency - f) < 2.0 * mode.sigma_frequency)
+    assert np.mean(within) > covered
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("law", "size", "covered"), [("error", 0.01, 0.8), ("jenkins", 0.03, 0.95)])
+def test_the_shape_of_a_weak_mode_includes_the_error_of_strong_neighbours(
+    law: str, size: float, covered: float
+) -> None:
+    """Of a mode of 5 % beside two others; by the noise alone, two sigma cover 21 and 0 % of the components."""
+    shape = SHAPES[1] / SHAPES[1].max()
+    within = []
+    for seed in range(6):
+        modes = identified(seed, second=0.05, noise=0.0005, **{law: size}).modes
+        mode = min(modes, key=lambda mode: abs(mode.frequency - FREQUENCIES[1]))
+        left = (mode.shape / mode.shape[2]).real - shape
+        within += (np.abs(np.delete(left, 2)) < 2.0 * mode.sigma_shape).tolist()
     assert np.mean(within) > covered
 
 

@@ -97,9 +97,18 @@ def without_model_errors(
 
 
 def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncertainty:
-    """Return uncertainties of poles that an error, a part of each peak, displaces as well."""
-    displaced = error * np.abs(modes.poles.real)
-    return replace(bounds, poles=np.hypot(bounds.poles, displaced[:, None]))
+    """Return uncertainties with what an error, a part of the functions, does to each pole and shape.
+
+    The shape of a weak mode beside a strong one has an error in proportion to the strong one.
+    """
+    width = np.abs(modes.poles.real)
+    poles = np.hypot(bounds.poles, error * width[:, None])
+    size = np.abs(modes.response(modes.poles.imag / (2.0 * math.pi)))
+    power = np.abs(modes.participation) ** 2
+    whole = np.maximum(power.sum(axis=1), 1e-300)[:, None]
+    # By least squares over the references, of errors that are independent of each other.
+    spread = (error * width[:, None] / whole) ** 2 * (size**2 * power[:, None, :]).sum(axis=2)
+    return replace(bounds, poles=poles, shapes=bounds.shapes + spread[:, :, None] * np.eye(size.shape[1]))
 
 
 def not_linear(error: float, left_out: Sequence[float]) -> str:

@@ -34,6 +34,7 @@ def responses(
     cubic: float = 0.0,
     jenkins: float = 0.0,
     transducer: float = math.inf,
+    second: float = 1.0,
     error: float = 0.0,
     common: bool = False,
     noise: float = 0.002,
@@ -51,6 +52,8 @@ def responses(
         Part of the stiffness that a Jenkins element has, which slips above an amplitude.
     transducer : float
         Frequency of the transducer's own resonance [Hz].
+    second : float
+        Size of the second mode, as a part of what it is otherwise.
     error : float
         Root mean square of an error in proportion to the function, which varies over some `ALIKE` lines.
     common : bool
@@ -59,8 +62,8 @@ def responses(
         Standard deviation, as a part of the largest value.
     """
     H = sum(
-        _mode(f, zeta, softens, cubic, jenkins)[:, None] * shape
-        for f, zeta, shape in zip(FREQUENCIES, DAMPING, SHAPES, strict=True)
+        size * _mode(f, zeta, softens, cubic, jenkins)[:, None] * shape
+        for f, zeta, shape, size in zip(FREQUENCIES, DAMPING, SHAPES, (1.0, second, 1.0), strict=True)
     )
     H = -((LINES / FREQUENCIES[0]) ** 2)[:, None] * np.asarray(H)
     H = H * (1.0 / (1.0 - (LINES / transducer) ** 2 + 0.04j * LINES / transducer))[:, None]
