@@ -112,6 +112,9 @@ def test_functions_of_other_types_are_named_where_none_is_left(tmp_path: Path) -
         ("m/s^2", (12, "m/s^2"), ""),
         ("g0", (12, "g"), ""),
         ("g0", (12, "NONE"), ""),  # the type alone says acceleration, and no unit
+        ("rad/s^2", (12, "NONE"), ""),
+        ("rad/s", (12, "NONE"), 'the campaign says "rad/s" of this sensor, and the file "m/s^2"'),
+        ("rad/s^2", (12, "m/s^2"), 'the campaign says "rad/s^2" of this sensor, and the file "m/s^2"'),
         ('V"\nsensitivity = "100 mV/g', (12, "V"), ""),
         ('V"\nsensitivity = "100 mV/g', (12, "NONE"), ""),
         ('V"\nsensitivity = "100 mV/g', (12, "g"), 'the campaign says "100 mV/g" of this sensor'),

@@ -137,7 +137,8 @@ def _check_agrees(one: Function, said: Motion, where: str) -> None:
     elif of_file is None:
         agree = False
     else:
-        alike = (of_file.derivative, of_file.angular) == (said.derivative, said.angular)
+        # A type without a unit says "acceleration", of a rotation, too.
+        alike = of_file.derivative == said.derivative and (one.assumed or of_file.angular == said.angular)
         agree = alike and (one.assumed or math.isclose(of_file.factor, said.factor, rel_tol=SAME))
     if not agree:
         what = f"the campaign says {shown(said.unit)} of this sensor, and the file {shown(unit)}"

@@ -14,6 +14,8 @@ from pkmodes_rig.signals.analyser import Functions
 
 #: Node of the first force in universal files; those of sensors are 1, 2, ...
 FIRST_FORCE = 101
+#: Sensors of angles are beside others: the campaign says the unit of each.
+UNSTATED = "NONE"
 
 
 @dataclass(frozen=True)
@@ -40,7 +42,7 @@ class Format:
 
 def _universal_times(path: Path, step: float, force: np.ndarray | None, motion: np.ndarray) -> None:
     parts = [
-        universal.dataset(universal.TIME, (i + 1, 1), (0, 0), 0.0, step, column)
+        universal.dataset(universal.TIME, (i + 1, 1), (0, 0), 0.0, step, column, unit=UNSTATED)
         for i, column in enumerate(motion.T)
     ]
     if force is not None:
@@ -56,7 +58,7 @@ def _universal_functions(path: Path, functions: Functions) -> None:
             places = (i + 1, 1), (FIRST_FORCE + k, 1)
             at = (float(f[0]), float(f[1] - f[0]))
             values, coherence = functions.values[:, i, k], functions.coherence[:, i, k]
-            parts.append(universal.dataset(universal.FRF, *places, *at, values))
+            parts.append(universal.dataset(universal.FRF, *places, *at, values, unit=UNSTATED))
             parts.append(
                 universal.dataset(universal.COHERENCE, *places, *at, coherence, universal.NOTHING, "NONE")
             )
