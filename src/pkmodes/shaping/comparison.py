@@ -52,8 +52,8 @@ def shapers_over(
     tick : float
         Time between two commands of the controller [s]; shapers shorter than two ticks are left out.
     firmware : {"klipper", "marlin", "reprapfirmware"}, optional
-        Compare shapers as its current version makes them, and recommend one that it has; keys of
-        `pkmodes.shaping.firmware.VERSIONS` name versions before.
+        Compare shapers as its current version makes them, and recommend one that it has.  Older ones are
+        ``"klipper-2025-09"``, ``"klipper-2025-08"``, ``"marlin-2025-09"`` and ``"reprapfirmware-3.5"``.
     settings : mapping of str to array_like, optional
         Values of parameters in SI units by path, such as ``{"effects.payload.mass": [0.0, 0.5, 1.0]}``; every
         combination counts.

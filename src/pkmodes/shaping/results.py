@@ -200,7 +200,7 @@ class Schedule:
         Parameters
         ----------
         version : str
-            A key of `pkmodes.shaping.firmware.VERSIONS`.
+            Such as ``"klipper"`` or ``"klipper-2025-08"``.
         """
         pairs = [(one, change(version, *one.best.design)) for one in self.steps]
         if any(text is None for _, text in pairs):
