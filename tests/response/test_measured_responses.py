@@ -107,7 +107,10 @@ def test_the_command_writes_a_picture(tmp_path: Path, capsys: pytest.CaptureFixt
     [
         ("", "found an empty file"),
         (HEADER, "rows, found"),
-        ("g,re:a/b,im:a/b\n1,2,3\n2,2,3", 'expected a column of times or frequencies, found "g", "re:a/b", "im:a/b"'),
+        (
+            "g,re:a/b,im:a/b\n1,2,3\n2,2,3",
+            'expected a column of times or frequencies, found "g", "re:a/b", "im:a/b"',
+        ),
         ("frequency,re:a/b\n1,2\n2,2", 'expected one column "re:a/b" and one "im:a/b"'),
         ("frequency,x\n1,2\n2,2", "expected frequency response functions, found none"),
         (f"{HEADER}\n1,2,3\n2,2", "line 3"),
