@@ -183,6 +183,9 @@ def test_versions_that_differ_are_offered_with_what_each_leaves() -> None:
     asked = model.shapers([[0.05, 0.05]], "2hump_ei", modes=1, firmware="klipper")
     made = as_made("klipper", "2hump_ei", asked.candidates[0].frequencies[0], best.damping_ratio)
     np.testing.assert_allclose(asked.candidates[0].shaper.delays, made.delays, rtol=1e-12)
-    assert any("compared is as Klipper from 31 March 2026" in note for note in asked.notes)
+    assert any(
+        "2hump_ei is compared with the impulses that Klipper from 31 March 2026" in note
+        for note in asked.notes
+    )
     older = model.shapers([[0.05, 0.05]], "2hump_ei", modes=1, firmware="klipper-2025-08")
     assert older.candidates[0].frequencies == best.frequencies

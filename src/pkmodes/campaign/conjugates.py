@@ -16,6 +16,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.identification.estimates import alike
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.signals.functions import Array, Complex, Function, computed
 
@@ -94,19 +95,12 @@ def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
         estimate = identify_frf(f, (values[:, known] / size[known])[..., None], band=band, power=2)
     except MeasurementError:  # too few lines or functions: nothing can be said
         return False
-    everywhere = np.ones(estimate.measured.shape)
-    shares = [
-        _share(estimate.measured, estimate.synthesised, weights)
-        for weights in (everywhere, np.abs(estimate.synthesised) ** 2)
-    ]
-    return bool(estimate.modes) and shares[0] > EXPLAINED and shares[1] > AT_PEAKS
-
-
-def _share(measured: Complex, fit: Complex, weights: Array) -> float:
-    """Return the share of the weighted power of functions that a fit explains, at its best scale."""
-    along = abs((weights * fit.conj() * measured).sum()) ** 2
-    whole = (weights * np.abs(fit) ** 2).sum() * (weights * np.abs(measured) ** 2).sum()
-    return float(along / whole) if whole > 0.0 else 0.0
+    if not estimate.modes:
+        return False
+    # The share of the power that the fit explains at its best scale is the MAC of the two.
+    measured, fit = estimate.measured.ravel(), estimate.synthesised.ravel()
+    weights = np.abs(fit)
+    return alike(measured, fit) > EXPLAINED and alike(weights * measured, weights * fit) > AT_PEAKS
 
 
 def _limit(lines: int) -> float:

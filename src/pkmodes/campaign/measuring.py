@@ -142,11 +142,9 @@ def _setups(
         read = [path for path in paths if str(path) not in left_out]
         has = [places_in(file.seen, record, setup, kind, campaign) for file in one.found]
         setups[setup] = replace(one, places=[list(zip(read, has, strict=True))])
-    return (
-        setups
-        if kind.roving is None
-        else _together(setups, kind.roving, record, campaign, keep_going, inspect)
-    )
+    if kind.roving is None:
+        return setups
+    return _together(setups, kind.roving, record, campaign, keep_going, inspect)
 
 
 def _together(
@@ -262,7 +260,6 @@ def _read(
 def _find(path: Path, record: Record, setup: str, kind: Kind, campaign: Campaign) -> FileModes:
     """Return the modes of a file of a setup, by the keys of its sensors and forces."""
     found = kind.find(path, record, setup, campaign)
-
     return found if kind.by_channel else found.changed(lambda mode: _named(mode, setup, campaign))
 
 

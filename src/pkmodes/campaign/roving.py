@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.averaging import Mean, grouped_means
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.found import FileModes, Found
+from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -64,22 +65,20 @@ class Point:
         length : float, optional
             Of the record of each blow, which cuts off the decays [s]; complete ones by default.
         """
-        s = 2j * np.pi * frequencies[:, None, None]
-        added = np.zeros((len(frequencies), len(places), len(references)), complex)
-        for mode in self.modes if self.factor != 1.0 else ():
-            shape, parts = (
-                np.array([of.get(name, 0.0) for name in names])
-                for of, names in ((mode.shape, places), (mode.participation, references))
-            )
-            undamped = 2.0 * np.pi * mode.frequency
-            pole = undamped * (-mode.damping + 1j * np.sqrt(max(1.0 - mode.damping**2, 0.0)))
-            for factor, sign in ((self.factor, 1.0), (1.0, -1.0)):
-                moved = factor * pole - (1.0 / exponential if exponential else 0.0)
-                residue = sign * factor * np.outer(shape, parts)
-                if length is not None:
-                    residue = residue * (1.0 - np.exp(moved * length))
-                added += residue / (s - moved) + residue.conj() / (s - moved.conjugate())
-        return added
+        if self.factor == 1.0 or not self.modes:
+            return np.zeros((len(frequencies), len(places), len(references)), complex)
+        shapes = np.array([[mode.shape.get(name, 0.0) for name in places] for mode in self.modes])
+        parts = np.array([[mode.participation.get(name, 0.0) for name in references] for mode in self.modes])
+        ratios = np.array([mode.damping for mode in self.modes])
+        undamped = 2.0 * np.pi * np.array([mode.frequency for mode in self.modes])
+        poles = undamped * (-ratios + 1j * np.sqrt(np.maximum(1.0 - ratios**2, 0.0)))
+
+        def response(factor: float) -> Complex:
+            moved = factor * poles - (1.0 / exponential if exponential else 0.0)
+            kept = np.ones(len(moved)) if length is None else 1.0 - np.exp(moved * length)
+            return Modes(moved, factor * kept[:, None] * shapes, parts).response(frequencies)
+
+        return response(self.factor) - response(1.0)
 
 
 @dataclass(frozen=True)
@@ -121,9 +120,8 @@ def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign)
 def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozenset[str]:
     """Return the keys of the forces that act in all files of a setup."""
     forces = campaign.forces_in(setup)
-    return frozenset[str].intersection(
-        *(frozenset(forces[name].key for name in file.forces) for file in files)
-    )
+    hit = [{forces[name].key for name in file.forces} for file in files]
+    return frozenset(set.intersection(*hit))
 
 
 def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:

@@ -165,14 +165,9 @@ def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
                 )
     doubtful = [f"{mode.frequency:.4g}" for mode in modes if mode.damping < 2.0 * mode.sigma_damping]
     if doubtful:
-        which = (
-            f"the modes at {joined(doubtful)} Hz are"
-            if len(doubtful) > 1
-            else f"the mode at {doubtful[0]} Hz is"
-        )
-        said.append(
-            f"{which} doubtful: damping is within two standard deviations of 0; a longer record tells"
-        )
+        modes_are = "the modes at {} Hz are" if len(doubtful) > 1 else "the mode at {} Hz is"
+        why = "damping is within two standard deviations of 0; a longer record tells"
+        said.append(f"{modes_are.format(joined(doubtful))} doubtful: {why}")
     return tuple(said)
 
 

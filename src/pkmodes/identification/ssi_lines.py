@@ -40,9 +40,9 @@ QUANTILES = {
 #: Above this no amplitude is constant, however long the record: half way from a tone to a response.
 CONSTANT = 1.5
 #: Below this rate of decay times length of record a peak is narrower than a line under Hann's window, 1.44 / length.
-AS_A_LINE = 4.5
+NARROWEST = 4.5
 #: Standard deviation of the logarithm of a rate above which two standard deviations of the damping reach 0.
-AS_NOTHING = 0.36
+UNCERTAIN = 0.36
 #: Damping ratio below which a peak is rather a tone's than a machine's.
 LIGHTEST = 5e-4
 #: A narrow peak at a multiple or half-multiple of a line, up to so many halves, is an order of it: damping ratios
@@ -128,7 +128,7 @@ def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: floa
     """Return what to say of a narrow peak at an order of a line, unless it is clearly a mode."""
     decays = mode.rate * seconds
     like_a_mode = quantile(0.5, decays) < one.statistic < quantile(0.99, decays)
-    damped = mode.covariance[1, 1] < AS_NOTHING**2
+    damped = mode.covariance[1, 1] < UNCERTAIN**2
     if mode.rate > NARROW * 2.0 * math.pi * mode.frequency or (like_a_mode and damped):
         return ""
     for tone in tones:
@@ -147,13 +147,13 @@ def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: floa
 def _not_told(mode: Refined, one: Followed, seconds: float, lines: bool) -> str:
     """Return what to say of a peak that may be a tone's as well as a mode's; more may be if the record has lines."""
     decays = mode.rate * seconds
-    as_nothing = mode.covariance[1, 1] > AS_NOTHING**2
-    as_light = mode.rate < LIGHTEST * 2.0 * math.pi * mode.frequency
-    if as_light or decays < AS_A_LINE:
+    uncertain = mode.covariance[1, 1] > UNCERTAIN**2
+    light = mode.rate < LIGHTEST * 2.0 * math.pi * mode.frequency
+    if light or decays < NARROWEST:
         like_a_mode = one.statistic > quantile(0.5, decays)
     else:
-        like_a_mode = not as_nothing or one.statistic > quantile(0.2 if lines else 0.05, decays)
-    beats = lines and as_nothing and one.statistic > quantile(0.99, decays)
+        like_a_mode = not uncertain or one.statistic > quantile(0.2 if lines else 0.05, decays)
+    beats = lines and uncertain and one.statistic > quantile(0.99, decays)
     if like_a_mode and not beats:
         return ""
     return (

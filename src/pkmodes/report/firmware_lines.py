@@ -58,8 +58,8 @@ def _blocks(
     others = {name for name, share in leaves.items() if share != _per_cent(said)}
     if others:
         intro += (
-            " Some versions make other impulses of these lines than those compared above: what theirs leave at most, "
-            f"instead of {_per_cent(said)}, stands beside the name."
+            " Some versions turn these lines into other impulses than those compared above: what these leave at "
+            f"most, instead of {_per_cent(said)}, is beside their names."
         )
     blocks: list[Paragraph | Lines] = [Paragraph(intro)]
     for i, one in enumerate(versions):

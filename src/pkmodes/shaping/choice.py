@@ -119,8 +119,10 @@ def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
     ]
     if not own:
         return []
-    are, name = "is" if len(own) == 1 else "are", name_of(version, version)
-    return [f"the fixed {joined(own)} compared {are} as {name} makes {'it' if len(own) == 1 else 'them'}"]
+    are = "is" if len(own) == 1 else "are"
+    return [
+        f"the fixed {joined(own)} {are} compared with the impulses that {name_of(version, version)} makes"
+    ]
 
 
 def recommended_of(

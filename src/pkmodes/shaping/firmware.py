@@ -52,7 +52,8 @@ VERSIONS = {
 }
 #: How a machine tells its version.
 ASK = {
-    "klipper": "Klipper writes its version at the start of klippy.log, and web interfaces show it; forks count anew.",
+    "klipper": "Klipper writes its version at the start of klippy.log, and web interfaces show it; forks have their "
+    "own numbers.",
     "marlin": 'Send M493 V: Marlin from October 2025 answers "FTM V2", an older one only "ok". Afterwards M493 by '
     "itself reports the shaper: S1 with letters of another version turns fixed-time motion on without one. Still "
     "older ones choose the shaper by S10 and above; there are no lines for these.",
@@ -66,8 +67,8 @@ TOLERANT = ("ei", "2hump_ei", "3hump_ei")
 #: The least and the largest damping ratio, and the least frequency [Hz], that fixed-time motion accepts.
 LEAST, MOST, LOWEST = 0.01, 0.25, 20.0
 REPRAPFIRMWARE = {"zvd": "zvd", "zvdd": "zvdd", "mzv": "mzv", "2hump_ei": "ei2", "3hump_ei": "ei3"}
-#: Damping ratio up to which RepRapFirmware makes much the impulses of the design of its names.  Those of its mzv are
-#: in reverse order (tags 3.5.3 and 3.6.0-beta.1): the smallest one first.
+#: Damping ratio up to which RepRapFirmware makes nearly the impulses of the design of these names.  Those of its mzv
+#: are in reverse order (tags 3.5.3 and 3.6.0-beta.1): the smallest one first.
 SAME = {"zvd": 0.99, "zvdd": 0.99, "mzv": 0.001, "2hump_ei": 0.03, "3hump_ei": 0.03}
 #: Impulses of a shaper of its own at most, and delays that it can tell apart [s].
 IMPULSES, APART = 5, 1e-5

@@ -30,7 +30,7 @@ from pkmodes.signals.functions import (
     StoredFunction,
 )
 from pkmodes.signals.sampling import counts_samples, even_times
-from pkmodes.signals.variables import EXPANDED, REMEDY, ROOM, Values, Variable, loaded
+from pkmodes.signals.variables import EXPANDED, MOST_VALUES, REMEDY, ROOM, Values, Variable, loaded
 from pkmodes.support.ordering import listed
 
 REFERENCE = "__"
@@ -40,8 +40,6 @@ FREQUENCIES = ("frequency", "frequencies", "freq", "frequencyband", "f")
 RATES = ("fs", "rate", "sampling_rate", "sample_rate")
 #: What a record may call otherwise: these two are variables, all others signals.
 ABSCISSAS = ("time", "frequency")
-#: Values that are read of a file, in all.
-MOST_VALUES = 100_000_000
 #: Rates are the same that differ by less, relative.
 SAME = 1e-6
 NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'

@@ -16,7 +16,16 @@ from typing import Any
 import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.variables import EXPANDED, LONGEST_NAME, ROOM, Values, Variable, at_most, loaded
+from pkmodes.signals.variables import (
+    EXPANDED,
+    LONGEST_NAME,
+    ROOM,
+    Values,
+    Variable,
+    at_most,
+    loaded,
+    no_numbers,
+)
 
 #: Structs in one another at most, and links that are followed to an object.
 DEEPEST, MOST_LINKS = 8, 64
@@ -83,7 +92,7 @@ def _variables(group: Any, prefix: str, most: int, seen: set[int]) -> Iterator[V
             yield _variable(item, full, most)
         else:
             what = "a link that leads to nothing in the file" if item is None else "a type of numbers"
-            yield Variable(full, what, None, partial(_none, full))
+            yield Variable(full, what, None, partial(no_numbers, full))
 
 
 def _followed(group: Any, name: str, left: list[int]) -> Any:
@@ -122,9 +131,9 @@ def _variable(item: Any, name: str, most: int) -> Variable:
         of, dtype = "variable of another type", np.dtype("V")
     if item.is_virtual or item.external:
         what = "an array whose values are in another file"
-        return Variable(name, what, None, partial(_none, name))
+        return Variable(name, what, None, partial(no_numbers, name))
     if of in NO_NUMBERS or item.shape is None or not _is_of_numbers(dtype):
-        return Variable(name, f"a {of}", None, partial(_none, name))
+        return Variable(name, f"a {of}", None, partial(no_numbers, name))
     shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
     what = f"an array of {' x '.join(map(str, shape))} values"
     size = 16 if dtype.names else dtype.itemsize
@@ -147,10 +156,6 @@ def _is_of_numbers(dtype: Any) -> bool:
     if dtype.names == PARTS:
         return all(dtype[part].kind in "iuf" for part in PARTS)
     return bool(dtype.kind in "iuf")
-
-
-def _none(name: str) -> Values:
-    raise ValueError(f"{name} is not an array of numbers")
 
 
 def _values(item: Any, most: int) -> Values:

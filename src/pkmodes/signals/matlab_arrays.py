@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.variables import LONGEST_NAME, MOST_VARIABLES, Variable
+from pkmodes.signals.variables import LONGEST_NAME, MOST_VARIABLES, Variable, no_numbers
 
 HEADER = 128
 MATRIX, COMPRESSED = 14, 15
@@ -232,7 +232,7 @@ def _variables(
         return
     if kind not in NUMERIC:
         what = CLASSES.get(kind, "another kind of variable")
-        yield Variable(text, what, None, partial(_none, text))
+        yield Variable(text, what, None, partial(no_numbers, text))
         return
     what = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
@@ -311,10 +311,6 @@ def _again(path: str, dtype: str, count: int, offset: int) -> NDArray[Any]:
     if values.size < count:
         raise MeasurementError("expected the file as it was, found it changed", path, "read it again")
     return values
-
-
-def _none(name: str) -> NDArray[Any]:
-    raise DamagedError(f"{name} is not a vector of numbers")
 
 
 def _numbers(element: _Element, tag: _Tag, order: str, count: int, name: str) -> NDArray[Any]:

@@ -75,11 +75,13 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
     frame = framed(content, source)
     del content
     text = split_table(frame.content, source, asked.columns)
-    rate, losses = frame.rate, frame.losses
+    frame_rate, losses = frame.rate, frame.losses
     del frame  # other copies of the table
-    said = [] if rate is None or asked.rate in (None, rate) else [_other_rate(rate, asked.rate)]
+    said = []
     if asked.rate is None:
-        asked = replace(asked, rate=rate)
+        asked = replace(asked, rate=frame_rate)
+    elif frame_rate not in (None, asked.rate):
+        said = [_other_rate(frame_rate, asked.rate)]
     rated = bool(rates_in(text.comments))
     layout = layout_of(text.names, f"{source}: line {text.header_line}", asked, rated=rated)
     wanted = [place for column in layout.columns for place in column.places]
@@ -99,11 +101,14 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
     if rows < FEWEST:
         what = f"expected at least {FEWEST} rows, found {rows}"
         raise MeasurementError(what, source, "export the whole measurement")
-    if layout.abscissa is None or (not clock and _counts_samples(layout, numbers)):
-        abscissa, more = _by_rate(layout, numbers, rows, text, asked)
-        said += more
-    else:
+    counts = not clock and _counts_samples(layout, numbers)
+    rate, more = _rate(text, asked, frame_rate) if layout.abscissa is None or counts else (None, [])
+    said += more
+    if rate is None:  # as far as anything says, times that count samples are seconds
         abscissa = _abscissa(layout, numbers, text)
+    else:
+        abscissa, more = _by_rate(rate, layout, rows, text)
+        said += more
     for column in layout.columns:
         if column.kind is Kind.COHERENCE:
             _check_coherence(column, numbers, text)
@@ -116,31 +121,32 @@ def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
 
 def _counts_samples(layout: Layout, numbers: dict[int, Numbers]) -> bool:
     """Return whether what is called times may be numbers of samples."""
-    return layout.kind is Kind.TIME and not layout.label and counts_samples(numbers[layout.abscissa or 0])
+    if layout.abscissa is None or layout.kind is not Kind.TIME or layout.label:
+        return False
+    return counts_samples(numbers[layout.abscissa])
 
 
-def _by_rate(
-    layout: Layout, numbers: dict[int, Numbers], rows: int, text: TableText, asked: Asked
-) -> tuple[Array, list[str]]:
-    """Return the times of all rows by the rate of the record or else of the file, and what to say of them."""
-    rate, said = asked.rate, list[str]()
-    if rate is None:
-        rate, said = stated_rate(text.comments, text.source)
-    else:
-        others = [other for other, _ in rates_in(text.comments) if not same_rate(other, rate)]
-        said = [_other_rate(others[0], rate)] if others else []
+def _rate(text: TableText, asked: Asked, frame_rate: float | None) -> tuple[float | None, list[str]]:
+    """Return the rate [Hz] of the record, or else of the file, and what to say of it."""
+    if asked.rate is None:
+        return stated_rate(text.comments, text.source)
+    others = [other for other, _ in rates_in(text.comments) if not same_rate(other, asked.rate)]
+    if not others or asked.rate == frame_rate:
+        return asked.rate, []
+    return asked.rate, [_other_rate(others[0], asked.rate)]
+
+
+def _by_rate(rate: float, layout: Layout, rows: int, text: TableText) -> tuple[Array, list[str]]:
+    """Return the times of all rows by a rate [Hz], and what to say of samples that a column counts."""
     if layout.abscissa is not None:
-        name = text.names[layout.abscissa]
-        if rate is None:  # as far as anything says, they are seconds
-            return np.asarray(numbers[layout.abscissa], np.float64), []
-        return even_times(rows, rate), [*said, f"its column {shown(name)} counts samples, of {rate:g} Hz"]
-    assert rate is not None
+        name = shown(text.names[layout.abscissa])
+        return even_times(rows, rate), [f"its column {name} counts samples, of {rate:g} Hz"]
     place = counter_in(text.names, [place for column in layout.columns for place in column.places])
     after = None if place is None else _counted(place, text)
     if place is None or after is None or after[-1] == rows - 1:
-        return even_times(rows, rate), said
+        return even_times(rows, rate), []
     lost = f"its column {shown(text.names[place])} shows that {after[-1] - rows + 1:.0f} samples are missing"
-    return after / rate, [*said, lost]
+    return after / rate, [lost]
 
 
 def _counted(place: int, text: TableText) -> Array | None:
@@ -187,7 +193,7 @@ def _counts(frequency: float, band: tuple[float, float] | None) -> bool:
     return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
 
 
-def _other_rate(stated: float, asked: float | None) -> str:
+def _other_rate(stated: float | None, asked: float) -> str:
     return f"the file states a rate of {stated:g} Hz; that of the record, {asked:g} Hz, is used"
 
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import parted
+from pkmodes.measured.meanings import worded
 from pkmodes.signals.functions import FORCE, MOST_NAMES, Asked, Kind
 from pkmodes.signals.units import hertz_in, seconds_in, unit_text
 from pkmodes.support.ordering import listed
@@ -28,7 +29,6 @@ SPECTRAL = re.compile(r"(re:|im:|mag:|phase:|coh:|psd_)([^/]*)(.*)", re.IGNORECA
 BODE = re.compile(r"(?:(?P<mag>mag(?:nitude)?|ampl(?:itude)?)|phase)[ _]?(?P<name>.*)", re.IGNORECASE)
 POWERS = ("psd_x", "psd_y", "psd_z")
 IN_PARENTHESES = re.compile(r"(.*?)\s*\(([^()]*(?:\([^()]*\)[^()]*)*)\)")
-IN_WORDS = re.compile(r"(.*?)\s+in\s+(\S+)")
 AFTER_LOW_LINE = re.compile(r"(.*)_([A-Za-z]+)")
 DECIBELS = "db"
 
@@ -126,8 +126,8 @@ def _head(cell: str, asked: Asked) -> tuple[str, str]:
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
         known = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
         name, label = (match[1], match[2]) if known else (cell, None)
-    if label is None and (match := IN_WORDS.fullmatch(cell)) is not None and unit_text(match[2]) is not None:
-        name, label = match[1], match[2]
+    if label is None and unit_text(worded(cell)[1]) is not None:
+        name, label = worded(cell)
     whole = cell in (asked.sensors or ()) or cell in asked.names.values()
     return (cell if whole else name), label or ""
 

@@ -10,6 +10,7 @@ import bz2
 import gzip
 import tarfile
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -60,7 +61,7 @@ def tar_files(path: Path) -> Iterator[Entry]:
             length = info.size if size < 0 else size
             if info.isreg():
                 start = [length]  # what is left of it
-                yield Entry(name or info.name, length, lambda most: _some(file, start, most))  # noqa: B023
+                yield Entry(name or info.name, length, partial(_some, file, start))
                 _skip(file, start[0] + -length % BLOCK)
             elif info.type in OTHERS or info.type not in tarfile.SUPPORTED_TYPES:
                 others += length

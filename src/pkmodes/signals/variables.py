@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from itertools import islice
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple, NoReturn, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,8 @@ from pkmodes.core.base.errors import MeasurementError
 T = TypeVar("T")
 #: Numbers of any type, as files store them.
 Values = NDArray[Any]
+#: Values that are read of a file, in all.
+MOST_VALUES = 100_000_000
 #: Bytes that compressed arrays may become: some, and so many times the file.  Measured signals of double precision
 #: that are compressed have a tenth of their size at least, but for channels that are constant.
 ROOM, EXPANDED = 64_000_000, 20
@@ -57,6 +59,16 @@ class Variable(NamedTuple):
     def lengths(self) -> tuple[int, ...]:
         """Its sizes along the dimensions that have more than one value."""
         return tuple(one for one in self.shape or () if one != 1)
+
+
+def no_numbers(name: str) -> NoReturn:
+    """Raise what a variable raises that is no array of numbers.
+
+    Raises
+    ------
+    ValueError
+    """
+    raise ValueError(f"{name} is not an array of numbers")
 
 
 def at_most(found: Iterable[Variable]) -> list[Variable]:

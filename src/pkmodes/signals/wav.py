@@ -18,10 +18,9 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.formats import Format
-from pkmodes.signals.arrays import MOST_VALUES
 from pkmodes.signals.checks import FEWEST, check_finite
 from pkmodes.signals.functions import FORCE, Array, Asked, Function, Kind, SignalFile
-from pkmodes.signals.variables import loaded
+from pkmodes.signals.variables import MOST_VALUES, loaded
 
 RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
 #: Bytes of the head of the file, of that of a chunk, and of the form of the numbers.
@@ -116,11 +115,11 @@ def _checked(file: BinaryIO, length: int, source: str) -> _Form:
         elif name == b"data":
             data.append(size)
         at += CHUNK + size + size % 2
-    problem = (
-        "expected one chunk of samples and one on their form" if form is None or len(data) != 1 else None
-    )
-    if form is None or problem or (problem := _problem(form, data[0])):
-        raise MeasurementError(str(problem), source, INCOMPLETE)
+    if form is None or len(data) != 1:
+        what = "expected one chunk of samples and one on their form"
+        raise MeasurementError(what, source, INCOMPLETE)
+    if (problem := _problem(form, data[0])) is not None:
+        raise MeasurementError(problem, source, INCOMPLETE)
     return form
 
 

@@ -6,7 +6,7 @@ import re
 
 #: Parts of a key.  The memory for a key grows with the square of their number.
 MOST_PARTS = 100
-#: A part of a key, and more of them than a key has: text may look like it, with as many points.
+#: A part of a key, and a key of more parts than that.
 PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
 LONG_KEY = re.compile(rf"(?<![\w-]){PART}(?:[ \t]*+\.[ \t]*+{PART}){{{MOST_PARTS}}}")
 

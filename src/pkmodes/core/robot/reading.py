@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Mapping
 from os import PathLike, fspath
@@ -10,14 +9,11 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from pkmodes.core.base.errors import PkmodesError, RobotFileError, shown
+from pkmodes.core.base.toml import MOST_PARTS, long_key
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.validation import declaration
 
 LARGEST_FILE = 1_000_000
-#: Points in a line.  The memory for a key grows with the square of the number of its parts.
-MOST_POINTS = 100
-#: Between the parts of a key there is one; more are a row of them in a comment.
-SEPARATOR = re.compile(r"(?<!\.)\.(?!\.)")
 
 
 def read_robot(path: str | PathLike[str]) -> Robot:
@@ -66,11 +62,9 @@ def _document(path: Path, name: str) -> dict[str, Any]:
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
-    for number, line in enumerate(text.split("\n"), 1):
-        points = len(SEPARATOR.findall(line))
-        if points > MOST_POINTS:
-            what = f"expected a key of a few parts, found a line with {points} points"
-            _refuse(what, f"{name}: line {number}", "shorten the key, or break the line")
+    if (line := long_key(text)) is not None:
+        what = f"expected a key of a few parts, found a line with one of more than {MOST_PARTS}"
+        _refuse(what, f"{name}: line {line}", "shorten the key")
     try:
         return tomllib.loads(text)
     except (

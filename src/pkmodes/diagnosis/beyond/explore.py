@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pkmodes.diagnosis.beyond.evidence import TermEvidence, name_of
-from pkmodes.diagnosis.beyond.instead import instead, may_compete, of_one_place
+from pkmodes.diagnosis.beyond.instead import instead, may_compete, one_of_many
 from pkmodes.diagnosis.beyond.rules import BEYOND
 from pkmodes.diagnosis.beyond.tried import tried
 from pkmodes.diagnosis.fit.hypothesis import Fit
@@ -49,7 +49,7 @@ class TermSearch:
 
     def instead(self, catalogue: Evidence) -> Fit | None:
         """Return the fit with one term that explains the data in place of the causes of the catalogue."""
-        asked = of_one_place(catalogue) or in_one_joint(self.structure, catalogue)
+        asked = one_of_many(catalogue) or in_one_joint(self.structure, catalogue)
         if not asked and not may_compete(self.structure.with_terms(), catalogue, self.held):
             return None
         of_terms = self.evidence(catalogue)

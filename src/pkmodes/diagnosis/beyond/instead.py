@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pkmodes.diagnosis.beyond.evidence import EQUAL, TermEvidence, best_first
-from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.beyond.tried import fitter_of
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Structure
@@ -21,7 +21,7 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 COMPETES = 0.5
 
 
-def of_one_place(catalogue: Evidence) -> bool:
+def one_of_many(catalogue: Evidence) -> bool:
     """Return whether what would be claimed is several causes, or a wrong value of one axis."""
     local = any(fit.causes[-1].local for fits in catalogue.claim.own for fit in fits)
     return len(catalogue.final.causes) > 1 or local
@@ -37,11 +37,8 @@ def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) 
     held : sequence of int
         Held-out setups.
     """
-    data, declared = catalogue.setups.data, catalogue.outcome.nuisances
-    fitted = [i for i in range(len(data.labels)) if i not in held]
-    fitter = Fitter(
-        structure.subset(fitted), data.at(fitted), catalogue.criteria, catalogue.fitter.shape_scatter
-    )
+    declared = catalogue.outcome.nuisances
+    fitter = fitter_of(structure, catalogue, held, catalogue.fitter.shape_scatter)
     plain = FitStore(fitter).fit(Hypothesis(), fitter.padded(declared.values))
     if plain is None:
         return False
@@ -51,25 +48,26 @@ def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) 
 
 
 def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
-    """Return the best term that survives beside several causes or one of one axis, or is clearly better than others.
+    """Return the best term that competes with what would be claimed; None if none does.
 
-    A term that does exactly the same as a cause, such as a mass on a carriage and a heavier carriage, is none, nor is
-    one joint alone of a cause with a value for each.
+    Beside several causes or a value of one axis, each term that survives competes; beside one cause, a term that
+    lowers the criterion by more than chance.  A term that does exactly the same as a cause, such as a mass on a
+    carriage and a heavier carriage, does not compete, nor does one joint alone of a cause with a value for each.
     """
-    own, criterion = catalogue.final.causes, of_terms.store.criterion
-    again = [fit for fit in of_terms.tried.carried if fit.causes == own]
+    criterion = of_terms.store.criterion
+    again = [fit for fit in of_terms.tried.carried if fit.causes == catalogue.final.causes]
     if not again:  # what cannot be compared stays
         return None
     claimed = min(again, key=criterion)
-    limit, worth = criterion(claimed), catalogue.criteria.search.worth
     rivals = [
         fit
         for group in of_terms.groups
         for fit in group
         if all(cause.form for cause in fit.causes) and not nested(of_terms.fitter, fit, claimed)
     ]
-    if of_one_place(catalogue):
-        left = [fit for fit in rivals if abs(criterion(fit) - limit) > EQUAL]
+    if one_of_many(catalogue):
+        competing = [fit for fit in rivals if abs(criterion(fit) - criterion(claimed)) > EQUAL]
     else:
-        left = [fit for fit in rivals if criterion(fit) < limit - worth]
-    return next(iter(best_first(of_terms.store, left)), None)
+        limit = criterion(claimed) - catalogue.criteria.search.worth
+        competing = [fit for fit in rivals if criterion(fit) < limit]
+    return next(iter(best_first(of_terms.store, competing)), None)

@@ -93,10 +93,9 @@ def tried(
     """
     terms = tuple(one for one in structure.candidates if one.form)
     setups, scatter = catalogue.setups, catalogue.fitter.shape_scatter
-    fitted, c = [i for i in range(len(setups.data.labels)) if i not in held], catalogue.criteria
-    found = None
+    found, c = None, catalogue.criteria
     for _ in range(1 + SHARPENED if terms else 0):
-        fitter = Fitter(structure.subset(fitted), setups.data.at(fitted), c, scatter)
+        fitter = fitter_of(structure, catalogue, held, scatter)
         every = AllSetups(structure, setups.data, fitter, list(held))
         found = _Explorer(every, terms, catalogue, progress, found).explored()
         scatters = [] if found is None else [found.search.store.shape_scatter(fit) for fit in found.fits]
@@ -106,6 +105,13 @@ def tried(
             break
         scatter = sharper
     return found
+
+
+def fitter_of(structure: Structure, catalogue: Evidence, held: Sequence[int], scatter: float) -> Fitter:
+    """Return what fits a structure with its terms to the setups that are not held out."""
+    data = catalogue.setups.data
+    fitted = [i for i in range(len(data.labels)) if i not in held]
+    return Fitter(structure.subset(fitted), data.at(fitted), catalogue.criteria, scatter)
 
 
 @dataclass(frozen=True)
