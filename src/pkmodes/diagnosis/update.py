@@ -18,7 +18,7 @@ from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.solver import correlation

@@ -1,0 +1,108 @@
+"""The words of what changed: the reasons of a diagnosis speak of a declared model, those of a change of two states."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeVar
+
+from pkmodes.diagnosis.problem import Candidate
+from pkmodes.diagnosis.verdict.findings import Finding
+from pkmodes.diagnosis.verdict.naming import found
+
+if TYPE_CHECKING:
+    from pkmodes.diagnosis.states.result import Change
+
+#: What is said of a declared model, and of a trusted state and a later one in its place; the first come first.
+PHRASES = (
+    ("the residual of the declared model is not noise", "{later} differs from {trusted} by more than the errors of both"),
+    ("the residual of the declared model is noise", "{later} does not differ from {trusted} by more than the errors of both"),
+    ("the residual is noise once the uncertain values are refitted", "{later} differs from {trusted} only by what two days may differ by"),
+    (", not as declared (", ", not without (",),
+    ("the declared model explains the residual", "a machine as in {trusted} explains the difference"),
+    ("the declared model explains all other rows", "a machine as in {trusted} explains all other rows"),
+    ("the declared model with its uncertain values", "a machine as in {trusted}"),
+    ("the declared model and its uncertain values", "a machine as in {trusted}"),
+    ("the declared model", "a machine as in {trusted}"),
+    ("the cause is narrowed to", "the change is narrowed to"),
+    ("the residual", "the difference"),
+    ("a residual", "a difference"),
+    ("its declared value", "its value in {trusted}"),
+    ("the declared one", "that in {trusted}"),
+    ("agree with the model", "agree with {trusted}"),
+    ("the stated errors", "the errors of both"),
+)
+#: Sentences of candidates that are values.
+WRONG = re.compile(r"the declared ([^;,()]+?) is wrong")
+DIFFERS = re.compile(r"the value of (\S+) differs from that of the other axes")
+ANOTHER = re.compile(r"another value of (\S+)")
+
+
+def as_change(sentence: str) -> str:
+    """Return the sentence of a cause as one of a change."""
+    sentence = WRONG.sub(r"the \1 changed", sentence)
+    sentence = DIFFERS.sub(r"the value of \1 changed", sentence)
+    return ANOTHER.sub(r"the value of \1 changed", sentence)
+
+
+def candidate_as_change(candidate: Candidate) -> Candidate:
+    """Return a candidate whose sentence says what changed."""
+    return replace(candidate, sentence=as_change(candidate.sentence))
+
+
+def between(text: str, trusted: str, later: str) -> str:
+    """Return what is said of a declared model and its residual as said of a trusted state and a later one."""
+    for phrase, instead in PHRASES:
+        text = text.replace(phrase, instead.format(trusted=trusted, later=later))
+    return as_change(text)
+
+
+Result = TypeVar("Result", bound="Change")
+
+
+def of_change(result: Result, trusted: str, later: str) -> Result:
+    """Return a result in the words of a change."""
+
+    def said(text: str) -> str:
+        return between(text, trusted, later)
+
+    beyond = result.beyond
+    if beyond is not None:
+        classes = tuple(replace(one, finding=_finding(one.finding)) for one in beyond.classes)
+        beyond = replace(beyond, reason=said(beyond.reason), classes=classes)
+    return replace(
+        result,
+        reason=said(result.reason),
+        headline=said(result.headline),
+        notes=tuple(map(said, result.notes)),
+        not_separated=said(result.not_separated),
+        effects=tuple(map(_finding, result.effects)),
+        candidates=tuple(replace(one, sentence=as_change(one.sentence)) for one in result.candidates),
+        beyond=beyond,
+    )
+
+
+def _finding(effect: Finding) -> Finding:
+    about = {
+        name: replace(member, sentence=as_change(member.sentence)) for name, member in effect.about.items()
+    }
+    return replace(effect, sentence=as_change(effect.sentence), about=about)
+
+
+def of_changes(changes: Mapping[str, Change]) -> str:
+    """Return what changed in each of several later states, in one sentence."""
+    return "; ".join(f"{name}: {what(result)}" for name, result in changes.items())
+
+
+def what(result: Change) -> str:
+    """Return what changed, as a clause: "changed: belt 2 ...", or that nothing did, or that the data do not tell."""
+    if result.beyond is not None and result.beyond.found is not None and not result.effects:
+        return f"change {found([result.beyond.found.finding])}"
+    if result.effects:
+        return f"change {found(result.effects)}"
+    if result.changed is False:
+        return "nothing changed beyond the errors of both"
+    if result.changed is None:
+        return "the data do not tell whether anything changed"
+    return "something changed, and the data do not tell what"
