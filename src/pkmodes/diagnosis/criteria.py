@@ -13,7 +13,6 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError
 
-
 #: `ClaimCriteria.specific` of what changed between two states: one part of a machine that was right before is more
 #: likely than a cause that no candidate and no term is.
 SPECIFIC_OF_CHANGES = 0.2
@@ -301,4 +300,6 @@ class Criteria:
 
 def of_changes(criteria: Criteria) -> Criteria:
     """Return the thresholds of what changed between two states of one machine."""
-    return replace(criteria, claim=replace(criteria.claim, specific=SPECIFIC_OF_CHANGES, once=True, wrong_errors=3.0))
+    return replace(
+        criteria, claim=replace(criteria.claim, specific=SPECIFIC_OF_CHANGES, once=True, wrong_errors=3.0)
+    )

@@ -57,9 +57,7 @@ def diagnose(
         than 10,000 measured modes, or states have no mode in common.
     """
     if states is None:
-        return diagnosed(
-            structure, data, holdout=holdout, progress=progress, criteria=criteria, terms=terms
-        )
+        return diagnosed(structure, data, holdout=holdout, progress=progress, criteria=criteria, terms=terms)
     return changed_between(
         structure, data, states, holdout=holdout, progress=progress, criteria=criteria, terms=terms
     )

@@ -51,11 +51,10 @@ def read_measurements(
         A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
         It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
         ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``drives``, ``state``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
-        unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
-        identified, ``# drives: held`` says what the motors did in all rows, and ``# state: before`` when the machine
-        was measured; other lines that begin with ``#`` are
-        ignored, as are blank lines.
+        ``mode``, ``drives``, ``state``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name
+        may carry a unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which
+        modes were identified, ``# drives: held`` says what the motors did in all rows, and ``# state: before`` in
+        which state the machine was; other lines that begin with ``#`` are ignored, as are blank lines.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
         column may be a length or an angle.
@@ -83,7 +82,9 @@ def read_measurements(
     MeasurementError
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
-    return format_of(path).read(path, Machine(channels, positions, components, settings, drives, state, others))
+    return format_of(path).read(
+        path, Machine(channels, positions, components, settings, drives, state, others)
+    )
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.model import Model
+from pkmodes.core.robot.layout import Slot
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.problem import Parameter
 from pkmodes.diagnosis.search.additions import Progress
@@ -25,7 +25,7 @@ from pkmodes.updating.robot_structure import RobotStructure
 BEFORE, AFTER = "before", "after"
 #: What all transmissions of a kind may differ by from one day to another, as with temperature: the standard deviation
 #: of the relative change of their stiffness.
-DAY = 0.01
+DAY = 0.015
 #: The stiffness of the equal parts of a transmission.
 STIFFNESS = "stiffness"
 
@@ -145,9 +145,7 @@ def _with_day(structure: RobotStructure) -> RobotStructure:
             continue
         part = joints[0].words.rpartition(" ")[0]
         name = f"day.{part.replace(' ', '_')}_{STIFFNESS}"
-        slots = {(one.removeprefix(EFFECTS), ()): 1.0 for one in names}
+        slots: dict[Slot, float] = {(one.removeprefix(EFFECTS), ()): 1.0 for one in names}
         common[name] = ParameterPath(name, 0.0, "1", slots)
     parameters = [Parameter(name, 0.0, "1", DAY, lower=-0.5, upper=1.0) for name in common]
-    return structure.extended(
-        parameters, common, [candidate_as_change(one) for one in structure.candidates]
-    )
+    return structure.extended(parameters, common, [candidate_as_change(one) for one in structure.candidates])

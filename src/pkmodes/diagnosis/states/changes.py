@@ -1,8 +1,8 @@
 """What changed between states of one machine: differences compared with differences.
 
-The first state is trusted.  Uncertain values are fitted to it, and what it then leaves is the error of the model, which
-the other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine of its own: its
-candidates are what may have changed.  Poses and modes of a later state are held out, never a state as a whole.
+The first state is trusted.  Uncertain values are fitted to it, and what it then leaves is the error of the model,
+which the other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine of its
+own: its candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ class Trusted:
         Parameters
         ----------
         structure : Structure
-            At the setups of that state, with the values of the trusted state, and what may have changed as candidates.
+            At the setups of that state, with the values of the trusted one, and what may have changed as candidates.
 
         Raises
         ------
@@ -126,7 +126,7 @@ class Trusted:
         change = of_difference(
             result,
             (self.name, name),
-            shared.offset.tolist(),
+            shared,
             tuple(self._counterpart(int(row)) for row in shared.counterpart),
             self.model_error,
         )
@@ -154,13 +154,13 @@ class Trusted:
         """Return how the states were compared."""
         rows, compared = len(shared.offset), int(shared.compared.sum())
         notes = [
-            f"the model differs from {self.name} by {100 * self.model_error:.2g} % (rms), which is taken off {name} too: "
-            "standard deviations are those of the difference"
+            f"the model differs from {self.name} by {100 * self.model_error:.2g} % (rms), which is taken off {name} "
+            "too: standard deviations are those of the difference"
         ]
         if compared < rows:
             notes.append(
-                f"{rows - compared} of {rows} rows of {name} have no counterpart at the same pose in {self.name}: what "
-                "the model's error is there is less certain, and their standard deviations are larger"
+                f"{rows - compared} of {rows} rows of {name} have no counterpart at the same pose in {self.name}: "
+                "what the model's error is there is less certain, and their standard deviations are larger"
             )
         if not np.isnan(data.damping).all():
             notes.append("damping ratios of two states are not compared")
@@ -233,7 +233,9 @@ def _setups_of(
     for label in states:
         if label not in data.labels:
             nearest = difflib.get_close_matches(label, data.labels, n=1)
-            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"measured: {', '.join(data.labels[:10])}"
+            remedy = (
+                f'did you mean "{nearest[0]}"?' if nearest else f"measured: {', '.join(data.labels[:10])}"
+            )
             raise PkmodesError(f"no setup is called {shown(label)}", "states", remedy)
     missing = [label for label in data.labels if label not in states]
     if missing:

@@ -7,10 +7,14 @@ from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
+from msgspec import structs
 
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.states.shared_errors import SharedErrors
 from pkmodes.diagnosis.states.words import of_change, of_changes
-from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.diagnosis.verdict.rows import Error
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
+from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,
@@ -111,7 +115,7 @@ class Change(Diagnosis):
 def of_difference(
     result: Diagnosis,
     states: tuple[str, str],
-    offset: Sequence[float],
+    shared: SharedErrors,
     counterparts: tuple[Counterpart | None, ...],
     model_error: float,
 ) -> Change:
@@ -123,41 +127,53 @@ def of_difference(
         Of measurements without the errors that the model has in the trusted state.
     states : tuple of two str
         The trusted state, and the other one.
-    offset : sequence of float
-        These errors, of ln f, of each row.
+    shared : SharedErrors
+        These errors.
     """
     trusted, later = states
-    rows = tuple(
-        replace_row(row, float(np.exp(shared))) for row, shared in zip(result.rows, offset, strict=True)
+    content = {one.name: getattr(result, one.name) for one in fields(Diagnosis)}
+    content |= {
+        "rows": tuple(map(_with_errors, result.rows, np.exp(shared.offset).tolist())),
+        "effects": tuple(replace(effect, state=later) for effect in result.effects),
+        "stages": None if result.stages is None else _stages(result.stages, shared),
+    }
+    change = Change(
+        **content,
+        states=states,
+        changed=_changed(result),
+        counterparts=counterparts,
+        model_error=model_error,
     )
-    changed = replace(
-        result,
-        rows=rows,
-        effects=tuple(replace(effect, state=later) for effect in result.effects),
-    )
-    content = {one.name: getattr(changed, one.name) for one in fields(Diagnosis)}
-    return of_change(
-        Change(
-            **content,
-            states=states,
-            changed=_changed(result),
-            counterparts=counterparts,
-            model_error=model_error,
-        ),
-        trusted,
-        later,
-    )
+    return of_change(change, trusted, later)
 
 
-def replace_row(row: Any, factor: float) -> Any:
-    """Return a row with the errors that the model has in the trusted state: what was measured is as in its file."""
-    from msgspec import structs
-
+def _with_errors(row: Row, factor: float) -> Row:
+    """Return a row with the error that the model has in the trusted state: what was measured is as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
         for name in ("measured", "sigma", "before", "refit", "after")
     }
     return structs.replace(row, **scaled)
+
+
+def _stages(stages: Stages, shared: SharedErrors) -> Stages:
+    """Return the stages of a model with the errors that it has in the trusted state."""
+
+    def spectrum(frequencies: Array) -> Array:
+        own = np.zeros(frequencies.shape)
+        count = min(own.shape[1], shared.of_modes.shape[1])
+        own[:, :count] = shared.of_modes[:, :count]
+        return np.asarray(frequencies * np.exp(own))
+
+    def stage(one: Predicted | None) -> Predicted | None:
+        if one is None:
+            return None
+        return replace(one, frequency=one.frequency * np.exp(shared.offset), spectrum=spectrum(one.spectrum))
+
+    before = stage(stages.before)
+    assert before is not None
+    without = None if stages.without is None else spectrum(stages.without)
+    return Stages(before, stage(stages.refit), stage(stages.after), without)
 
 
 def _changed(result: Diagnosis) -> bool | None:
@@ -191,13 +207,9 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
         "after": _error([result.after or result.refit for result in results], results)
         if any(result.after for result in results)
         else None,
-        "held_out_poses": tuple(
-            dict.fromkeys(pose for result in results for pose in result.held_out_poses)
-        ),
+        "held_out_poses": tuple(dict.fromkeys(pose for result in results for pose in result.held_out_poses)),
         "undetectable": tuple(
-            name
-            for name in first.undetectable
-            if all(name in result.undetectable for result in results)
+            name for name in first.undetectable if all(name in result.undetectable for result in results)
         ),
         "limits": {},
         "next_measurement": None,
@@ -211,7 +223,7 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
     }
     return Change(
         **content,
-        states=(trusted, *changes),
+        states=(trusted, *list(changes)),
         changed=told,
         counterparts=tuple(one for result in results for one in result.counterparts),
         model_error=first.model_error,

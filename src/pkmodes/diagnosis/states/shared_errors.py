@@ -50,12 +50,15 @@ class SharedErrors:
         Rows whose mode was measured in the trusted state, at any setup.
     counterpart : ndarray of int, shape (R,)
         Row of the trusted state with the same mode at the same setup; -1 where there is none.
+    of_modes : ndarray, shape (S, m)
+        Of each elastic mode at each setup, the offset.
     """
 
     offset: Array
     variance: Array
     known: NDArray[np.bool_]
     counterpart: NDArray[np.intp]
+    of_modes: Array
 
     @property
     def compared(self) -> NDArray[np.bool_]:
@@ -110,7 +113,7 @@ def shared_errors(trusted: Fitter, values: Array, structure: Structure, later: M
         told[rows] = len(there) > 0
         for row, match in zip(rows, same[np.ix_(at, data.pose[there])], strict=True):
             counterpart[row] = there[int(match.argmax())] if match.any() else -1
-    return SharedErrors(offset, variance, told, counterpart)
+    return SharedErrors(offset, variance, told, counterpart, predicted[:, after.rigid :])
 
 
 def between_setups(
@@ -145,7 +148,7 @@ def same_setups(
 ) -> NDArray[np.bool_]:
     """Return which setups of the second measurements are those of the first, (S_2, S_1).
 
-    They are at one position with the same drives and set values; without positions the model has the same modes there.
+    They are at one position with the same drives and set values; without positions, the model has the same modes.
     """
     conditions = [(first.drives[i], first.load(i)) for i in range(len(first.labels))]
     others = [(second.drives[i], second.load(i)) for i in range(len(second.labels))]
@@ -160,9 +163,7 @@ def same_setups(
     return np.asarray(alike & (np.abs(a - b) <= EQUAL * largest).all(axis=-1))
 
 
-def _paired(
-    structure: Structure, data: Measurements, modes: Prediction, offsets: Array
-) -> NDArray[np.intp]:
+def _paired(structure: Structure, data: Measurements, modes: Prediction, offsets: Array) -> NDArray[np.intp]:
     """Return the mode of each row, paired with the modes of the model without its errors."""
     corrected = Prediction(modes.eigenvalues * np.exp(2.0 * offsets), modes.rates, modes.shapes, modes.rigid)
     every = np.ones(len(data.frequency), dtype=bool)

@@ -1,4 +1,4 @@
-"""The words of what changed: the reasons of a diagnosis speak of a declared model, those of a change of two states."""
+"""The words of what changed: a diagnosis speaks of a declared model, a change of two states."""
 
 from __future__ import annotations
 
@@ -14,17 +14,20 @@ from pkmodes.diagnosis.verdict.naming import found
 if TYPE_CHECKING:
     from pkmodes.diagnosis.states.result import Change
 
+BY_MORE, AS_BEFORE = "by more than the errors of both", "a machine as in {trusted}"
 #: What is said of a declared model, and of a trusted state and a later one in its place; the first come first.
 PHRASES = (
-    ("the residual of the declared model is not noise", "{later} differs from {trusted} by more than the errors of both"),
-    ("the residual of the declared model is noise", "{later} does not differ from {trusted} by more than the errors of both"),
-    ("the residual is noise once the uncertain values are refitted", "{later} differs from {trusted} only by what two days may differ by"),
-    (", not as declared (", ", not without (",),
-    ("the declared model explains the residual", "a machine as in {trusted} explains the difference"),
-    ("the declared model explains all other rows", "a machine as in {trusted} explains all other rows"),
-    ("the declared model with its uncertain values", "a machine as in {trusted}"),
-    ("the declared model and its uncertain values", "a machine as in {trusted}"),
-    ("the declared model", "a machine as in {trusted}"),
+    ("the residual of the declared model is not noise", f"{{later}} differs from {{trusted}} {BY_MORE}"),
+    ("the residual of the declared model is noise", f"{{later}} does not differ from {{trusted}} {BY_MORE}"),
+    (
+        "the residual is noise once the uncertain values are refitted",
+        "{later} differs from {trusted} only by what two days may differ by",
+    ),
+    (", not as declared (", ", not without ("),
+    ("the declared model explains the residual", f"{AS_BEFORE} explains the difference"),
+    ("the declared model with its uncertain values", AS_BEFORE),
+    ("the declared model and its uncertain values", AS_BEFORE),
+    ("the declared model", AS_BEFORE),
     ("the cause is narrowed to", "the change is narrowed to"),
     ("the residual", "the difference"),
     ("a residual", "a difference"),
@@ -32,6 +35,7 @@ PHRASES = (
     ("the declared one", "that in {trusted}"),
     ("agree with the model", "agree with {trusted}"),
     ("the stated errors", "the errors of both"),
+    ("the stated ones", "those of both"),
 )
 #: Sentences of candidates that are values.
 WRONG = re.compile(r"the declared ([^;,()]+?) is wrong")

@@ -203,7 +203,6 @@ class Evidence:
             return ""
         return f"errors {reasons.larger(ratio**0.5)} the stated ones"
 
-
     def _by_nature(self, errors: Hypothesis) -> bool:
         """Return whether the rows that are set aside are those in which a cause by nature shows alone."""
         rows = errors.excluded - self.final.hypothesis.excluded

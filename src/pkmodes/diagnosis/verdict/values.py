@@ -12,7 +12,6 @@ from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.support.numbers import plain, rounded
 
-
 #: A cause shows in one row if that has more than this part of the squares of what it changes.
 ONCE = 0.5
 
@@ -86,8 +85,8 @@ def once(search: Search, final: Fit) -> str:
     if not lines:
         return ""
     return (
-        f"that rests on line {min(lines)}, the one mode which it changes noticeably: measure that mode again to rule out a "
-        "mistaken row"
+        f"that rests on line {min(lines)}, the one mode which it changes noticeably: measure that mode again to rule "
+        "out a mistaken row"
     )
 
 
