@@ -41,6 +41,7 @@ def changed(
     priors: Mapping[str, float | str] | None = None,
     progress: Progress | None = None,
     terms: bool = True,
+    name: str = "",
 ) -> Change:
     """Find what changed on a robot since a trusted campaign.
 
@@ -66,6 +67,8 @@ def changed(
         Called with a sentence at each step.
     terms : bool, optional
         Whether one thing at one place is tried where the candidates do not explain the difference.
+    name : str, optional
+        Name of the trusted state, if its measurements name none.
 
     Returns
     -------
@@ -79,7 +82,7 @@ def changed(
         If a pose cannot be reached, a name is unknown, or the campaigns have no mode in common, the same rows, or
         motors in different states.
     """
-    names, campaigns = _named(trusted, later)
+    names, campaigns = _named(trusted, later, name)
     first = MeasuredRobot.of(model, trusted)
     common = Trusted.of(names[0], first.structure(candidates=()), trusted)
     known = _as_trusted(first.robot, common.values)
@@ -100,7 +103,9 @@ def changed(
 
 
 def _named(
-    trusted: Measurements, later: Measurements | Mapping[str, Measurements] | Sequence[Measurements]
+    trusted: Measurements,
+    later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
+    own: str,
 ) -> tuple[list[str], list[Measurements]]:
     """Return the names of the states, the trusted one first, and the later campaigns."""
     if isinstance(later, Measurements):
@@ -113,7 +118,7 @@ def _named(
         if not isinstance(one, Measurements):
             what = f"expected measurements, found {shown(one)}"
             raise PkmodesError(what, place, "read them with pkmodes.updating.read(path)")
-    first = trusted.state or BEFORE
+    first = own or trusted.state or BEFORE
     if isinstance(later, Mapping):
         names = list(map(str, later))
     else:

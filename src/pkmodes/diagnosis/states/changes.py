@@ -126,6 +126,7 @@ class Trusted:
         change = of_difference(
             result,
             (self.name, name),
+            data,
             shared,
             tuple(self._counterpart(int(row)) for row in shared.counterpart),
             self.model_error,

@@ -22,6 +22,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
     INSUFFICIENT_DATA,
     UNEXPLAINED,
 )
+from pkmodes.measured.measurements import Measurements
 
 #: Rules of verdicts by which the data do not tell whether anything changed: they may be errors of the measurement.
 NOT_TOLD = (
@@ -82,6 +83,17 @@ class Change(Diagnosis):
     model_error: float = 0.0
     by_state: Mapping[str, Change] = field(default_factory=dict)
 
+    @property
+    def errors(self) -> dict[str, tuple[str, Error]]:
+        """For each stage that was reached, by its key in the JSON: its title and its errors."""
+        trusted = self.states[0]
+        titles = {
+            "before": f"as in {trusted}",
+            "refit": f"as in {trusted}, on another day",
+            "after": "with what changed",
+        }
+        return {key: (titles[key], error) for key, (_, error) in super().errors.items()}
+
     def as_json(self) -> dict[str, object]:
         """Return the result in the form described in docs/json.md, without NaN.
 
@@ -115,6 +127,7 @@ class Change(Diagnosis):
 def of_difference(
     result: Diagnosis,
     states: tuple[str, str],
+    data: Measurements,
     shared: SharedErrors,
     counterparts: tuple[Counterpart | None, ...],
     model_error: float,
@@ -127,13 +140,17 @@ def of_difference(
         Of measurements without the errors that the model has in the trusted state.
     states : tuple of two str
         The trusted state, and the other one.
+    data : Measurements
+        Of the other one, as measured.
     shared : SharedErrors
         These errors.
     """
     trusted, later = states
     content = {one.name: getattr(result, one.name) for one in fields(Diagnosis)}
     content |= {
-        "rows": tuple(map(_with_errors, result.rows, np.exp(shared.offset).tolist())),
+        "rows": tuple(
+            map(_with_errors, result.rows, data.frequency.tolist(), np.exp(shared.offset).tolist())
+        ),
         "effects": tuple(replace(effect, state=later) for effect in result.effects),
         "stages": None if result.stages is None else _stages(result.stages, shared),
     }
@@ -147,20 +164,20 @@ def of_difference(
     return of_change(change, trusted, later)
 
 
-def _with_errors(row: Row, factor: float) -> Row:
+def _with_errors(row: Row, measured: float, factor: float) -> Row:
     """Return a row with the error that the model has in the trusted state: what was measured is as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
-        for name in ("measured", "sigma", "before", "refit", "after")
+        for name in ("sigma", "before", "refit", "after")
     }
-    return structs.replace(row, **scaled)
+    return structs.replace(row, measured=measured, **scaled)
 
 
 def _stages(stages: Stages, shared: SharedErrors) -> Stages:
     """Return the stages of a model with the errors that it has in the trusted state."""
 
     def spectrum(frequencies: Array) -> Array:
-        own = np.zeros(frequencies.shape)
+        own = np.zeros_like(frequencies)
         count = min(own.shape[1], shared.of_modes.shape[1])
         own[:, :count] = shared.of_modes[:, :count]
         return np.asarray(frequencies * np.exp(own))

@@ -56,6 +56,17 @@ class Start:
         """The refit of the uncertain values; None if the model cannot be evaluated."""
         return self.plain.fit(Hypothesis())
 
+    @property
+    def unknown(self) -> float:
+        r"""Number of uncertain values that the data determine, in parts: :math:`\operatorname{tr} J C J^T` of the data.
+
+        It is the effective number of parameters of a ridge regression: 1 for a value without a prior, 0 for one that
+        its prior holds.
+        """
+        if self.first is None:
+            return float(len(self.fitter.nuisances))
+        return float(self.first.leverage[: self.fitter.prior_rows.start].sum())
+
     @cached_property
     def contradicted(self) -> bool:
         """Whether the data contradict the model and its priors, however few they are."""

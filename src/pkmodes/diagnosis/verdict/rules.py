@@ -58,11 +58,14 @@ def decide(evidence: Evidence) -> Decision[Evidence, Says]:
 
 
 def too_few(start: Start) -> str:
-    """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it."""
+    """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it.
+
+    An uncertain parameter counts as far as the data determine it: what its prior holds is not unknown.
+    """
     fitter = start.fitter
     observations = fitter.observations
     rows, shapes = len(observations.log), int(observations.shapes.count.sum())
-    if observations.degrees(observations.every) >= len(fitter.nuisances) + start.criteria.claim.redundancy:
+    if observations.degrees(observations.every) >= start.unknown + start.criteria.claim.redundancy:
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
