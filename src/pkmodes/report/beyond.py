@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
@@ -65,9 +66,12 @@ def _member(
 
 def _errors(result: Diagnosis, terms: Beyond) -> Table:
     """Return the errors before, after the refit, with the best of the catalogue, and with each term."""
+    titles = {"before": "as declared", "refit": "uncertain values refitted"}
+    if isinstance(result, Change):
+        titles |= {key: title for key, (title, _) in result.errors.items()}
     stages: list[tuple[str, Error | None, str]] = [
-        ("as declared", result.before, pointer("error", "before")),
-        ("uncertain values refitted", result.refit, pointer("error", "refit")),
+        (titles["before"], result.before, pointer("error", "before")),
+        (titles["refit"], result.refit, pointer("error", "refit")),
     ]
     if terms.catalogue is not None:
         name, error = terms.catalogue

@@ -81,12 +81,15 @@ def summary(result: Change, setting: Setting) -> Summary:
         ("error of the model in both [%]", numbers.percent(result.model_error, pointer("model_error"))),
     ]
     last = result.after or result.refit or result.before
+    term = None if result.beyond is None or result.effects else result.beyond.found
+    if term is not None:
+        last = term.errors[term.finding.name]
     if last is not None:
         facts.append(("chi\u00b2 per degree of freedom in the end", three_digits(last.chi2_per_dof)))
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",
-        verdict="" if result.by_state else result.verdict,
+        verdict="" if result.by_state or term is not None else result.verdict,
         headline=headline(result),
         reason=prose(sentence(result.reason)),
         tone=TONES[result.changed],
@@ -138,11 +141,10 @@ def changes(result: Change, most: int | None = MOST) -> Table:
     Parameters
     ----------
     most : int, optional
-        Number of rows; None for all, in the order of the file.
+        Number of rows; None for all.
     """
     every = _changes(result)
-    order = sorted(range(len(every)), key=lambda i: -abs(every[i][1] or 0.0))
-    chosen = list(range(len(every))) if most is None or most >= len(every) else order[:most]
+    chosen = sorted(range(len(every)), key=lambda i: (every[i][1] is None, -abs(every[i][1] or 0.0)))[:most]
     trusted, *later = result.states
     rows = [
         [

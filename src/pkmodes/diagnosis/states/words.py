@@ -103,9 +103,12 @@ def of_change(result: Result, trusted: str, later: str) -> Result:
     if beyond is not None:
         classes = tuple(replace(one, finding=_finding(one.finding)) for one in beyond.classes)
         beyond = replace(beyond, reason=said(beyond.reason), classes=classes)
+    reason = result.reason
+    if beyond is not None and beyond.found is not None and not result.effects:
+        reason = beyond.reason  # the catalogue and the terms were asked the same
     return replace(
         result,
-        reason=said(result.reason),
+        reason=said(reason),
         headline=said(result.headline),
         notes=tuple(map(said, result.notes)),
         not_separated=said(result.not_separated),

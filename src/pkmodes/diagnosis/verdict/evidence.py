@@ -58,7 +58,7 @@ class Start:
 
     @property
     def unknown(self) -> float:
-        r"""Number of uncertain values that the data determine, in parts: :math:`\operatorname{tr} J C J^T` of the data.
+        r"""Number of uncertain values that the data determine, in parts: :math:`\operatorname{tr} J C J^T`.
 
         It is the effective number of parameters of a ridge regression: 1 for a value without a prior, 0 for one that
         its prior holds.
