@@ -17,6 +17,7 @@ from pkmodes.cli.sensitivities import SensitivitiesDocument
 from pkmodes.cli.shaper_documents import MeasuredShaperDocument, ShaperDocument
 from pkmodes.cli.show import ShowDocument
 from pkmodes.diagnosis.compare import CompareDocument
+from pkmodes.diagnosis.states.document import ChangedDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 from pkmodes.maps.robots_compared import RobotsCompared
 from pkmodes.maps.summary import MapSummary
@@ -43,6 +44,7 @@ DOCUMENTS: dict[str, type[Document]] = {
     "compare-robots": RobotsCompared,
     "compare-measurements": MeasurementsCompared,
     "diagnose": DiagnoseDocument,
+    "changed": ChangedDocument,
 }
 
 

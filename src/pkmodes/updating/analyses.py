@@ -13,10 +13,12 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.states.changes import setups_of
 from pkmodes.diagnosis.update import Update
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.threads import one_blas_thread
+from pkmodes.updating.changes import changed
 from pkmodes.updating.measured_robot import MeasuredRobot
 
 
@@ -54,6 +56,7 @@ def diagnose(
     priors: Mapping[str, float | str] | None = None,
     progress: Progress | None = None,
     terms: bool = True,
+    states: Mapping[str, str] | None = None,
 ) -> Diagnosis:
     """Find what the model of a robot lacks.
 
@@ -76,6 +79,9 @@ def diagnose(
     terms : bool, optional
         Whether one thing at one place, such as a mass on one body, is tried where the candidates do not explain the
         measurements.
+    states : mapping of str to str, optional
+        State of the machine at each pose, by label; the first one is trusted.  The result is then what changed, as
+        by `changed`.
 
     Returns
     -------
@@ -88,6 +94,20 @@ def diagnose(
     PkmodesError
         If a pose cannot be reached, or a name is unknown.
     """
+    if states is not None:
+        first = MeasuredRobot.of(robot, data)
+        (trusted, setups), later = setups_of(first.data, states)
+        return changed(
+            first.robot,
+            data.at(setups),
+            {name: data.at(places) for name, places in later.items()},
+            candidates=candidates,
+            holdout=holdout,
+            priors=priors,
+            progress=progress,
+            terms=terms,
+            name=trusted,
+        )
     measured = MeasuredRobot.of(robot, data).where_usable()
     suspected = measured.structure(candidates, priors)
     return diagnosis.diagnose(suspected, measured.data, holdout=holdout, progress=progress, terms=terms)

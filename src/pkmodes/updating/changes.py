@@ -95,7 +95,7 @@ def changed(
             name,
             _with_day(measured.structure(candidates, priors)),
             measured.data,
-            holdout=holdout,
+            holdout=None if holdout is None else [one for one in holdout if one in measured.data.labels],
             progress=progress,
             terms=terms,
         )

@@ -186,7 +186,7 @@ def changed_between(
         Also if a setup has no state, or there is one state only.
     """
     structure = checked(structure, data)
-    trusted, later = _setups_of(data, states)
+    trusted, later = setups_of(data, states)
     name, setups = trusted
     common = Trusted.of(name, structure.subset(setups), data.at(setups), criteria)
     changes = {}
@@ -215,7 +215,7 @@ def with_known(structure: Structure, values: Mapping[str, float]) -> Structure:
     return known
 
 
-def _setups_of(
+def setups_of(
     data: Measurements, states: Mapping[str, str]
 ) -> tuple[tuple[str, list[int]], dict[str, list[int]]]:
     """Return the trusted state and the others, each with its setups.

@@ -85,8 +85,8 @@ def once(search: Search, final: Fit) -> str:
     if not lines:
         return ""
     return (
-        f"that rests on line {min(lines)}, the one mode which it changes noticeably: measure that mode again to rule "
-        "out a mistaken row"
+        f"it shows mostly in line {min(lines)}, a mode that was measured only once: measure it again to rule out a "
+        "mistaken row"
     )
 
 
