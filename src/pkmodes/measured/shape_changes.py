@@ -46,7 +46,7 @@ class PlaceChange(Document, frozen=True):
         Meta(
             description="Whether it is one at the level of 1 % of all places of all shapes together (Holm)."
         ),
-    ] = False
+    ]
 
 
 class ShapeChange(Document, frozen=True):
@@ -185,6 +185,7 @@ def _places_changed(
             change=float(b - a),
             sigma=float(sigma) if np.isfinite(sigma) else None,
             sigmas=float((b - a) / sigma) if np.isfinite(sigma) else None,
+            differs=False,  # until all places are judged together
         )
         for channel, a, b, sigma in zip(channels, first, second, sigmas, strict=True)
     ]

@@ -52,7 +52,7 @@ class StrainEnergyChange(Document, frozen=True):
         Meta(
             description="Whether it is not 1, at the level of 1 % of all places of all shapes together (Holm)."
         ),
-    ] = False
+    ]
 
 
 def strain_energy_changes(
@@ -120,6 +120,7 @@ def _of_series(
             index=float(index[j]),
             sigma=float(sigma[j]) if np.isfinite(sigma[j]) else None,
             sigmas=float((index[j] - 1.0) / sigma[j]) if np.isfinite(sigma[j]) else None,
+            differs=False,  # until all places are judged together
         )
         for j in range(len(names) - 1)
     ]

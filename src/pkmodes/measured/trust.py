@@ -85,8 +85,8 @@ def notes_on_shapes(pairs: Sequence[ModePair], energies: Sequence[StrainEnergyCh
     if curved or any(energy.differs for energy in energies):
         notes.append(
             "Numbered channels are taken as a series along a line, in the order of their numbers and at equal "
-            "distances; if they are not, curvature and strain energy mean nothing. A mass that changed moves strain "
-            "energy too."
+            "distances; if they are not, curvature and strain energy mean nothing. If a mass changed, strain energy "
+            "moves too, and the place is not that of the mass."
         )
     if curved:
         notes.append(

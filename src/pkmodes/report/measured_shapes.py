@@ -37,7 +37,7 @@ def where(result: MeasurementsCompared) -> list[str]:
         sentences.append(
             f"Of the strain energy at {shortened(place.pose)}, {'more' if more else 'less'} is between {low} and "
             f"{high}: index {place.index:.3g} ({deviations(place.sigmas)}), as where stiffness is "
-            f"{'lost' if more else 'gained'}."
+            f"{'lost' if more else 'gained'} there, or a mass changed."
         )
     trusted = [
         pair for pair in result.pairs if pair.shape and pair.shape.chi2 is not None and _shows_places(pair)
