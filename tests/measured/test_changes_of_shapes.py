@@ -14,6 +14,7 @@ from pkmodes.measured.compared import compare_measurements
 from pkmodes.measured.comparison import MeasurementsCompared
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.series import series_of
+from pkmodes.measured.shape_changes import change_covariance
 from pkmodes.measured.strain_energy import energy_shares, most_changed
 
 FLOORS = 5
@@ -141,6 +142,17 @@ def test_curvatures_have_about_the_root_of_six_times_the_noise() -> None:
         for shape in (pair.shape for pair in result.pairs)
     ]
     assert np.mean(ratios) == pytest.approx(np.sqrt(6.0), rel=0.1)
+
+
+def test_a_channel_that_has_nearly_the_whole_shape_has_the_error_of_second_order() -> None:
+    """To first order least squares leave nothing of its change, which would make any noise one."""
+    rng = np.random.default_rng(20261203)
+    shape, error = np.array([1.0, 0.0, 0.0, 0.0]), 0.03
+    first, second = shape + error * rng.normal(size=(2, 10_000, 4))
+    factors = (first * second).sum(axis=1) / (second**2).sum(axis=1)
+    draws = factors * second[:, 0] - first[:, 0]
+    sigma = np.sqrt(change_covariance(shape, shape, error, error)[0, 0])
+    assert sigma == pytest.approx(np.sqrt(np.mean(draws**2)), rel=0.1)
 
 
 def test_neighbours_that_move_alike_have_the_error_of_second_order() -> None:

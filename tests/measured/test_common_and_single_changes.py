@@ -63,6 +63,20 @@ def test_a_mode_that_changed_by_itself_is_named_beside_the_factor_of_the_others(
     assert result.pairs[2].beyond_common_sigmas == pytest.approx(np.log(0.97) / errors)
 
 
+def test_what_single_modes_did_beyond_the_mean_of_all_has_unit_variance() -> None:
+    """The mean follows each of the modes that it is of: their residuals are smaller than their errors."""
+    rng = np.random.default_rng(20261204)
+    beyond = np.array(
+        [
+            [pair.beyond_common_sigmas for pair in compared(np.exp(errors), F[:3]).pairs]
+            for errors in SIGMA * np.sqrt(2.0) * rng.normal(size=(400, 3))
+        ],
+        dtype=float,
+    )
+    assert np.isnan(beyond).any(axis=1).sum() <= 4 + 3.0 * 2.0  # where no factor is that of most modes
+    assert np.nanmean(beyond**2) == pytest.approx(1.0, abs=4.0 * np.sqrt(1.0 / 400.0))
+
+
 def test_factors_that_all_differ_have_nothing_in_common() -> None:
     """A softer spring moves every mode by another factor; that some are alike is no change of all."""
     result = compared(1.0 - np.array([3.0, 3.02, 2.98, 3.01, 3.0, 2.0, 1.0, 0.0, 4.0]) / 100.0)
@@ -129,7 +143,7 @@ def test_a_softer_storey_of_a_real_structure(
     text = " ".join(capsys.readouterr().out.split())
     sigmas = (70.7 - 62.2) / np.hypot(0.006 * 70.7, 0.006 * 62.2)
     assert f"1 of 3 modes changed: mode 4 at P1 by -12 % ({sigmas:.0f} sigma)" in text
-    assert "No change is common to them: -0.272 % (0.3 sigma) of the 2 that agree." in text
+    assert "No change is common to all modes: -0.272 % (0.3 sigma) of the 2 that agree." in text
     assert "No mode has a shape at 3 or more channels of both files: shapes do not say where." in text
 
 

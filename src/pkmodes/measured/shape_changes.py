@@ -135,11 +135,10 @@ def change_covariance(first: Array, second: Array, sigma: float, second_sigma: f
     by_first = np.outer(second, second) / size - unit
     by_second = factor * unit + np.outer(second, first - 2.0 * factor * second) / size
     linear = sigma**2 * by_first @ by_first.T + second_sigma**2 * by_second @ by_second.T
-    # Errors across the shape turn it: to second order it becomes shorter along itself.
-    across, length = len(first) - 1, np.sqrt(first @ first)
-    shortening = (sigma**2 + (factor * second_sigma) ** 2) / length
-    along = first / length
-    return np.asarray(linear + (across**2 + 2.0 * across) * shortening**2 * np.outer(along, along))
+    # What is left is across the second shape, which its errors g turn: along itself it is -g (g - e), e of the first.
+    across, turned = len(first) - 1, (factor * second_sigma) ** 2
+    square = (across**2 + 2.0 * across) * turned**2 + across * sigma**2 * turned
+    return np.asarray(linear + square / (first @ first) ** 2 * np.outer(first, first))
 
 
 def shape_change(shapes: Aligned, chain: bool) -> ShapeChange:

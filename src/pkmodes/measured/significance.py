@@ -141,9 +141,8 @@ def _mean(factors: Array, errors: Array) -> tuple[float, float, float]:
 def _beyond(factors: Array, errors: Array, sharing: NDArray[np.bool_]) -> Array:
     """Return how far each pair is from the mean of those that share a change, in standard deviations."""
     mean, sigma, _ = _mean(factors[sharing], errors[sharing])
-    variance = errors**2 + np.where(
-        sharing, -(sigma**2), sigma**2
-    )  # the mean has the errors of those it is of
+    # The mean has the errors of the pairs that it is of.
+    variance = errors**2 + np.where(sharing, -(sigma**2), sigma**2)
     # A pair that outweighs all others is the mean itself: nothing is left of it but rounding.
     return np.asarray((factors - mean) / np.sqrt(np.maximum(variance, 1e-6 * errors**2)))
 

@@ -115,7 +115,7 @@ def _nothing_common(common: CommonChange | None) -> str:
         p = p_text(common.residual_p_value)
         return f"No change is common to most of them: their factors differ (p-value {p})."
     whose = f"the {common.pairs} that agree" if common.residual_p_value <= LEVEL else "all"
-    return f"No change is common to them: {_change(common.relative, common.sigmas)} of {whose}."
+    return f"No change is common to all modes: {_change(common.relative, common.sigmas)} of {whose}."
 
 
 def _left_of_single(common: CommonChange | None) -> str:
