@@ -10,8 +10,9 @@ from scipy.stats import norm
 
 from pkmodes.cli import run
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.measured.compared import LEVEL, compare_measurements
+from pkmodes.measured.compared import compare_measurements
 from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.significance import LEVEL
 
 SHAPES = np.array([[1.0, 0.4, 0.1], [-0.5, 1.0, 0.3], [0.2, -0.3, 1.0]])
 
@@ -74,6 +75,37 @@ def test_poses_without_a_partner_and_other_drives_are_refused() -> None:
         compare_measurements(measured([50.0]), measured([50.0], drives=["held"]))
 
 
+def test_measurements_of_two_machines_are_refused() -> None:
+    in_space = measured([50.0], points=[[0.6, 0.0, -0.2]])
+    turning = measured([50.1], points=[[0.6, 0.1]], components={"x": "m", "c": "rad"}, source="other.csv")
+    with pytest.raises(MeasurementError, match=r"poses given by x, y, z, .* found x, c \(other.csv: pose\)"):
+        compare_measurements(in_space, turning)
+
+
+def test_the_same_rows_are_refused_in_any_order_and_others_are_not() -> None:
+    first, shifted = measured([50.0, 60.0, 90.0], SHAPES), measured([50.0, 60.0, 90.1], SHAPES)
+    order = [2, 0, 1]
+    copy = measured([90.0, 50.0, 60.0], SHAPES[order], source="copy.csv")
+    for same in (first, copy):
+        with pytest.raises(MeasurementError, match=r"the same rows as in .*give the file of the second"):
+            compare_measurements(first, same)
+    for other in (shifted, measured([50.0, 60.0, 90.0], -SHAPES), measured([50.0, 60.0], SHAPES[:2])):
+        compare_measurements(first, other)
+
+
+def test_other_loads_and_positions_are_told() -> None:
+    def at(x: float, mass: float) -> Measurements:
+        more = {"points": [[x, 0.0, -0.2]], "settings": {"effects.payload.mass": [mass]}}
+        return measured([50.0 + mass + x], **more)
+
+    first = at(0.6, 0.1)
+    assert not any("Pose A" in note for note in compare_measurements(first, at(0.6 + 1e-8, 0.1)).notes)
+    for other, part in ((at(0.5, 0.1), "the positions differ"), (at(0.6, 0.3), "columns set: differ")):
+        assert [part in note for note in compare_measurements(first, other).notes if "Pose A" in note] == [
+            True
+        ]
+
+
 def test_options_of_robots_are_refused_and_a_structure_needs_none(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -83,11 +115,11 @@ def test_options_of_robots_are_refused_and_a_structure_needs_none(
             f"pose,frequency,sigma,shape:floor_1,shape:floor_2\nP,{f},0.1,1,0.5\n", encoding="utf-8"
         )
     assert run(["compare", "a.csv", "b.csv"]) == 0
-    assert "1 mode of 1 changed by more than the errors" in " ".join(capsys.readouterr().out.split())
+    assert "1 of 1 mode changed: 50 Hz at P by +6 % (21 sigma)" in " ".join(capsys.readouterr().out.split())
     table = "sep=;\nPose;Frequency (Hz);Sigma;Shape:floor_1;SHAPE:floor_2\nP;53,0;0,1;1;0,5\n"
     Path("b.csv").write_text(table, encoding="utf-16")  # as Excel writes it
     assert run(["compare", "a.csv", "b.csv"]) == 0
-    assert "1 mode of 1 changed by more than the errors" in " ".join(capsys.readouterr().out.split())
+    assert "1 of 1 mode changed: 50 Hz at P by +6 % (21 sigma)" in " ".join(capsys.readouterr().out.split())
     for option in (["--grid", "x=0"], ["--report", "r.html"]):
         assert run(["compare", "a.csv", "b.csv", *option]) == 2
         assert "does not apply to two measurement files" in capsys.readouterr().err

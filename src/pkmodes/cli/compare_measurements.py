@@ -6,7 +6,7 @@ from pathlib import Path
 
 from pkmodes.cli.delivery import deliver
 
-#: Pairs that are printed without ``--all``.
+#: Rows of a table that are printed without ``--all``.
 MOST = 10
 
 
@@ -20,6 +20,7 @@ def compare_measurement_files(
     """Compare two measurement files, and print or write what changed."""
     from pkmodes.cli.terminal import Terminal
     from pkmodes.measured.compared import compare_measurements
+    from pkmodes.report.measured_shapes import shape_tables
     from pkmodes.report.measurements import changes, summary
     from pkmodes.updating.reading import read_any
 
@@ -27,8 +28,9 @@ def compare_measurement_files(
     result = compare_measurements(first, second)
 
     def show() -> None:
-        terminal = Terminal()
-        terminal.summary(summary(result))
-        terminal.show(*changes(result, None if everything else MOST))
+        terminal, most, head = Terminal(), None if everything else MOST, summary(result)
+        terminal.summary(head)
+        terminal.show(*changes(result, most), *shape_tables(result, most))
+        terminal.notes(head)
 
     deliver(to, result.as_json(), show)

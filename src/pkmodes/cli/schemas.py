@@ -21,7 +21,7 @@ from pkmodes.diagnosis.states.document import ChangedDocument
 from pkmodes.diagnosis.verdict.document import DiagnoseDocument
 from pkmodes.maps.robots_compared import RobotsCompared
 from pkmodes.maps.summary import MapSummary
-from pkmodes.measured.compared import MeasurementsCompared
+from pkmodes.measured.comparison import MeasurementsCompared
 from pkmodes.support.documents import Document, schema_of
 from pkmodes.support.writing import write_files
 

@@ -2,66 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import Annotated
+from collections.abc import Iterator, Sequence
 
+import msgspec
 import numpy as np
-from msgspec import Meta
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
-from scipy.stats import chi2, norm
+from scipy.special import chdtrc
 
 from pkmodes.core.base.errors import MeasurementError
+from pkmodes.measured.comparison import Changed, MeasurementsCompared, ModePair
 from pkmodes.measured.measurements import Measurements
-from pkmodes.support.documents import Count, Document, Number, Probability, Size
+from pkmodes.measured.shape_changes import Aligned, PlaceChange, ShapeChange, aligned, shape_change
+from pkmodes.measured.significance import BESIDE, CommonChange, common_and_own, first_refused, holm, two_sided
+from pkmodes.measured.strain_energy import StrainEnergyChange, strain_energy_changes
+from pkmodes.measured.trust import LEAST_MAC, cautions_of, close_to_another, notes_on_poses, notes_on_shapes
 from pkmodes.support.mac import mac, normalised
 
 Array = NDArray[np.float64]
+#: Rows of a mode in both, and the MAC of its shapes.
+Rows = tuple[int, int, float | None]
 #: Largest relative difference of the frequencies of one mode, and how much of it counts as much as shapes without
 #: anything in common.
 FARTHEST, ALIKE = 0.25, 0.1
-#: Level at which a mode differs, all pairs together.
-LEVEL = 0.01
-
-
-class ModePair(Document, frozen=True):
-    """A mode in both measurements."""
-
-    pose: Annotated[str, Meta(description="Label of its pose in the first file.")]
-    second_pose: Annotated[str, Meta(description="Label in the second file.")]
-    first_line: Annotated[Number, Meta(description="Its line in the first file.")]
-    second_line: Annotated[Number, Meta(description="Its line in the second file.")]
-    first: Annotated[Size, Meta(description="Frequency [Hz].")]
-    second: Annotated[Size, Meta(description="Frequency [Hz].")]
-    first_sigma: Annotated[Size, Meta(description="Its standard deviation [Hz].")]
-    second_sigma: Annotated[Size, Meta(description="Its standard deviation [Hz].")]
-    relative: Annotated[float, Meta(description="second / first - 1.")]
-    sigmas: Annotated[float, Meta(description="second - first, in standard deviations of the difference.")]
-    mac: Annotated[float | None, Meta(description="Modal assurance criterion; null without shapes in both.")]
-    differs: Annotated[
-        bool,
-        Meta(description="Whether it differs at the level of 1 % of all pairs together (Holm's procedure)."),
-    ]
-
-
-class MeasurementsCompared(Document, frozen=True):
-    """Two measurement files, compared."""
-
-    first: Annotated[str, Meta(description="The first file.")]
-    second: Annotated[str, Meta(description="The second file.")]
-    pairs: Annotated[list[ModePair], Meta(description="In the order of the first file.")]
-    first_unpaired: Annotated[list[Number], Meta(description="Lines of the first file without a partner.")]
-    second_unpaired: Annotated[list[Number], Meta(description="Lines of the second file without a partner.")]
-    median_relative: Annotated[
-        float | None, Meta(description="Median of second / first - 1; null without pairs.")
-    ]
-    rms_relative: Annotated[Size | None, Meta(description="Root mean square of it.")]
-    chi2: Annotated[Size, Meta(description="Sum of the squares of sigmas.")]
-    p_value: Annotated[
-        Probability | None,
-        Meta(description="Of chi2 if nothing differs and the stated errors are independent."),
-    ]
-    poses: Annotated[Count, Meta(description="Poses of the first file with a partner.")]
 
 
 def compare_measurements(first: Measurements, second: Measurements) -> MeasurementsCompared:
@@ -77,51 +40,163 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
     Raises
     ------
     MeasurementError
-        If they have no pose in common, or the motors did another thing there.
+        If they have the same rows, no pose in common, other components of a pose, or the motors did another thing
+        there.
     """
     places = list(_common(first, second))
-    found: list[tuple[int, int, float | None]] = []
-    for one, other in places:
-        found += _paired(
-            first, second, np.flatnonzero(first.pose == one), np.flatnonzero(second.pose == other)
+    _check_different(first, second)
+    rows: list[Rows] = []
+    for pose, other in places:
+        rows += _paired(
+            first, second, np.flatnonzero(first.pose == pose), np.flatnonzero(second.pose == other)
         )
-    found.sort()
-    differences = [
-        (second.frequency[b] - first.frequency[a]) / np.hypot(first.sigma[a], second.sigma[b])
-        for a, b, _ in found
-    ]
-    significant = _holm(2.0 * norm.sf(np.abs(differences)))
-    pairs = [
-        ModePair(
-            pose=first.labels[first.pose[a]],
-            second_pose=second.labels[second.pose[b]],
-            first_line=int(first.lines[a]),
-            second_line=int(second.lines[b]),
-            first=float(first.frequency[a]),
-            second=float(second.frequency[b]),
-            first_sigma=float(first.sigma[a]),
-            second_sigma=float(second.sigma[b]),
-            relative=float(second.frequency[b] / first.frequency[a] - 1.0),
-            sigmas=float(z),
-            mac=alike,
-            differs=bool(differs),
-        )
-        for (a, b, alike), z, differs in zip(found, differences, significant, strict=True)
-    ]
+    rows.sort(key=lambda row: row[:2])
+    shapes, energies = _shapes_compared(first, second, rows)
+    pairs, common = _pairs(first, second, rows, shapes)
     relative = np.array([pair.relative for pair in pairs])
-    total = float(np.sum(np.square(differences)))
+    total = float(sum(pair.sigmas**2 for pair in pairs))
+    p_value = float(chdtrc(len(pairs), total)) if pairs else None
     return MeasurementsCompared(
         first=first.source,
         second=second.source,
         pairs=pairs,
-        first_unpaired=_others(first, [a for a, _, _ in found]),
-        second_unpaired=_others(second, [b for _, b, _ in found]),
+        first_unpaired=_others(first, [a for a, _, _ in rows]),
+        second_unpaired=_others(second, [b for _, b, _ in rows]),
         median_relative=float(np.median(relative)) if pairs else None,
         rms_relative=float(np.sqrt(np.mean(relative**2))) if pairs else None,
         chi2=total,
-        p_value=float(chi2.sf(total, len(pairs))) if pairs else None,
+        p_value=p_value,
         poses=len(places),
+        changed=_changed(pairs, common, p_value),
+        common=common,
+        strain_energy=energies,
+        notes=[*notes_on_poses(first, second, places), *notes_on_shapes(pairs, energies)],
     )
+
+
+def _check_different(first: Measurements, second: Measurements) -> None:
+    """Refuse two tables with the same rows, in any order."""
+    if _content(first) == _content(second):
+        raise MeasurementError(
+            f"expected two measurements, found the same rows as in {first.source}",
+            second.source,
+            "give the file of the second campaign",
+        )
+
+
+def _content(data: Measurements) -> list[str]:
+    """Return what each row says, in an order that is not that of the file."""
+    columns = {f"shape:{name}": data.shapes[:, k] for k, name in enumerate(data.channels)}
+    columns |= {**data.numbers, "sigma_shape": data.shape_sigma}
+    given = {name: column for name, column in sorted(columns.items()) if not np.isnan(column).all()}
+    return sorted(
+        repr((data.labels[pose], [(name, float(column[row])) for name, column in given.items()]))
+        for row, pose in enumerate(data.pose)
+    )
+
+
+def _pairs(
+    first: Measurements, second: Measurements, rows: Sequence[Rows], shapes: Sequence[ShapeChange | None]
+) -> tuple[list[ModePair], CommonChange | None]:
+    """Return the modes of both with their changes, and what these have in common."""
+    a, b = np.array([row[0] for row in rows], dtype=int), np.array([row[1] for row in rows], dtype=int)
+    before, after = first.frequency[a], second.frequency[b]
+    sigma, sigma_after = first.sigma[a], second.sigma[b]
+    spread = np.hypot(sigma, sigma_after)
+    sigmas = (after - before) / spread
+    differs, least = holm(two_sided(sigmas)), first_refused(len(rows))
+    common, own = common_and_own(np.log(after / before), np.hypot(sigma / before, sigma_after / after))
+    shared = common is not None and common.differs
+    return [
+        ModePair(
+            pose=first.labels[first.pose[i]],
+            second_pose=second.labels[second.pose[j]],
+            first_line=int(first.lines[i]),
+            second_line=int(second.lines[j]),
+            first=float(before[k]),
+            second=float(after[k]),
+            first_sigma=float(sigma[k]),
+            second_sigma=float(sigma_after[k]),
+            relative=float(after[k] / before[k] - 1.0),
+            sigmas=float(sigmas[k]),
+            mac=alike,
+            differs=bool(differs[k]),
+            mode=first.mode[i],
+            noticeable=float(least * spread[k] / before[k]),
+            beyond_common=_known(own.relative[k]),
+            beyond_common_sigmas=_known(own.sigmas[k]),
+            own_change=bool(own.clear[k] if shared else differs[k]),
+            shape=shape,
+            cautions=cautions_of(
+                close_to_another(first, i) or close_to_another(second, j), alike, bool(differs[k]), shape
+            ),
+        )
+        for k, ((i, j, alike), shape) in enumerate(zip(rows, shapes, strict=True))
+    ], common
+
+
+def _known(number: float) -> float | None:
+    """Return a number, or None for NaN."""
+    return float(number) if np.isfinite(number) else None
+
+
+def _changed(pairs: Sequence[ModePair], common: CommonChange | None, p_value: float | None) -> Changed:
+    """Return what the frequencies say."""
+    if p_value is None:
+        return "no_pairs"
+    single = any(pair.own_change for pair in pairs)
+    if common is not None and common.differs:
+        return "common_and_single" if single else "common"
+    if single:
+        return "single"
+    return "together" if p_value <= BESIDE else "nothing"
+
+
+def _shapes_compared(
+    first: Measurements, second: Measurements, rows: Sequence[Rows]
+) -> tuple[list[ShapeChange | None], list[StrainEnergyChange]]:
+    """Return the change of each pair's shape, and of the strain energy at each pose, with what of these is clear."""
+    # Where positions are given, it is a machine: its numbered joints stand beside each other.
+    chain = not (first.points.any() or second.points.any())
+    modes = [aligned(first, second, i, j) for i, j, _ in rows]
+    changes = [None if mode is None else shape_change(mode, chain) for mode in modes]
+    usable: dict[int, list[tuple[int, Aligned]]] = {}
+    for (i, j, alike), mode in zip(rows, modes, strict=True):
+        apart = not (close_to_another(first, i) or close_to_another(second, j))
+        if chain and mode is not None and apart and alike is not None and alike >= LEAST_MAC:
+            usable.setdefault(int(first.pose[i]), []).append((int(first.lines[i]), mode))
+    energies = []
+    for pose, of_pose in usable.items():
+        stated = [entry for entry in of_pose if np.isfinite(entry[1].errors).all()] or of_pose
+        energies += strain_energy_changes(first.labels[pose], *zip(*stated, strict=True))
+    return _clear(changes, energies)
+
+
+def _clear(
+    changes: Sequence[ShapeChange | None], energies: Sequence[StrainEnergyChange]
+) -> tuple[list[ShapeChange | None], list[StrainEnergyChange]]:
+    """Return the changes with what differs, all places of all shapes taken together."""
+    shapes = [change for change in changes if change is not None]
+    places = [place for shape in shapes for place in (*shape.components, *shape.curvatures)]
+    sigmas = [place.sigmas for place in places] + [energy.sigmas for energy in energies]
+    clear = iter(holm(two_sided(np.array([z for z in sigmas if z is not None]))).tolist())
+
+    def marked(places: list[PlaceChange]) -> list[PlaceChange]:
+        return [
+            place if place.sigmas is None else msgspec.structs.replace(place, differs=next(clear))
+            for place in places
+        ]
+
+    return [
+        change
+        and msgspec.structs.replace(
+            change, components=marked(change.components), curvatures=marked(change.curvatures)
+        )
+        for change in changes
+    ], [
+        energy if energy.sigmas is None else msgspec.structs.replace(energy, differs=next(clear))
+        for energy in energies
+    ]
 
 
 def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
@@ -135,6 +210,10 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
     if not places:
         what = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
         raise MeasurementError(what, f"{second.source}: pose", "give the poses of both files the same labels")
+    if first.points.any() and second.points.any() and first.components != second.components:
+        expected, found = (", ".join(data.components) for data in (first, second))
+        what = f"expected poses given by {expected}, as in {first.source}, found {found}"
+        raise MeasurementError(what, f"{second.source}: pose", "compare two measurements of one machine")
     for one, other in places:
         if first.drives[one] != second.drives[other]:
             what = f"expected motors {first.drives[one]}, as in {first.source}, found {second.drives[other]}"
@@ -145,7 +224,7 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
 
 def _paired(
     first: Measurements, second: Measurements, rows: NDArray[np.intp], others: NDArray[np.intp]
-) -> list[tuple[int, int, float | None]]:
+) -> list[Rows]:
     """Return pairs of rows at one pose with the MAC of each."""
     apart = np.abs(np.log(second.frequency[others][None, :] / first.frequency[rows][:, None]))
     alike = _alike(first, second, rows, others)
@@ -173,15 +252,6 @@ def _alike(
         known = np.isfinite(a) & np.isfinite(shape)
         one = normalised(np.where(known, a, np.nan))
         found[:, j] = mac(one, normalised(shape)[None, :], known)[:, 0]
-    return found
-
-
-def _holm(p: Array) -> NDArray[np.bool_]:
-    """Return which of several hypotheses are refused at `LEVEL` together (Holm, Scand. J. Statist. 6, 1979)."""
-    order = np.argsort(p)
-    passed = p[order] <= LEVEL / np.arange(len(p), 0, -1)
-    found = np.zeros(len(p), dtype=bool)
-    found[order] = np.logical_and.accumulate(passed)
     return found
 
 

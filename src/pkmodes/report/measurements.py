@@ -4,25 +4,35 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.measured.compared import MeasurementsCompared
+from pkmodes.measured.comparison import MeasurementsCompared, ModePair
+from pkmodes.measured.significance import LEAST_COMMON, LEVEL, CommonChange
 from pkmodes.report.blocks import Cell, Column, Summary, Table
 from pkmodes.report.formatting import NOTHING, number, p_value, plural, pointer, shortened, three_digits
+from pkmodes.report.measured_shapes import deviations, mode_name, where
 from pkmodes.report.numbers import percent
 from pkmodes.report.tables import table
+from pkmodes.support.numbers import p_text, plain
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
+
+#: Modes that a headline names.
+NAMED = 3
+FACTOR = (
+    "Modes change so where stiffness or mass changes everywhere in proportion, as with the temperature or the "
+    "tension of all belts, and where the clock of one test is wrong."
+)
 
 
 def summary(result: MeasurementsCompared) -> Summary:
     """Return whether the measurements differ, and by how much."""
     headline, reason, tone = _judged(result)
-    pairs = len(result.pairs)
+    pairs, common = len(result.pairs), result.common
     facts = [
         ("median change [%]", percent(result.median_relative, pointer("median_relative"))),
         ("rms change [%]", percent(result.rms_relative, pointer("rms_relative"))),
         ("chi\u00b2 per pair", three_digits(result.chi2 / pairs if pairs else None)),
+        ("common change [%]", percent(common.relative if common else None, pointer("common", "relative"))),
         ("p-value", p_value(result.p_value, pointer("p_value"))),
         ("pairs", Cell(str(pairs), pairs)),
         ("poses", Cell(str(result.poses), result.poses, pointer("poses"))),
@@ -35,42 +45,105 @@ def summary(result: MeasurementsCompared) -> Summary:
         headline=headline,
         reason=reason,
         tone=tone,
+        notes=result.notes,
         facts=[(name, cell) for name, cell in facts if cell.value is not None],
     )
 
 
 def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     """Return what the differences mean."""
-    p = result.p_value
-    if p is None:
+    if result.changed == "no_pairs":
         return "No mode has a partner", "No frequency of one is within 25 % of one of the other.", "bad"
+    count = len(result.pairs)
     alone = len(result.first_unpaired) + len(result.second_unpaired)
     others = f"; {plural(alone, 'mode')} without a partner" if alone else ""
-    differing = [pair for pair in result.pairs if pair.differs]
-    if differing:
-        most = max(differing, key=lambda pair: abs(pair.sigmas))
-        headline = (
-            f"{plural(len(differing), 'mode')} of {len(result.pairs)} changed by more than the errors{others}"
-        )
-        reason = (
-            f"Most clearly that at {most.first:.5g} Hz, {shortened(most.pose)}: {100.0 * most.relative:+.2f} %,"
-            f" {abs(most.sigmas):.1f} standard deviations. The stated errors are taken as independent."
-        )
-        return headline, reason, "open"
-    if p <= Criteria().gate.level:
-        headline = f"All modes together changed by more than the errors{others}"
-        return headline, "No single one did. The stated errors are taken as independent.", "open"
-    return (
-        f"The changes are within the measurement errors{others}",
-        "The stated errors are taken as independent.",
-        "good",
+    common = result.common
+    own = sorted(
+        (pair for pair in result.pairs if pair.own_change), key=lambda pair: -abs(_own(result, pair)[1])
     )
+    named = ", ".join(f"{mode_name(pair)} by {_change(*_own(result, pair))}" for pair in own[:NAMED])
+    named += f" and {len(own) - NAMED} more" if len(own) > NAMED else ""
+    shared = "" if common is None else _change(common.relative, common.sigmas)
+    reasons = []
+    tone: Colour = "open"
+    match result.changed:
+        case "single":
+            headline = f"{len(own)} of {plural(count, 'mode')} changed: {named}"
+            reasons.append(_nothing_common(common))
+        case "common":
+            headline = f"{_sharing(common, count)} changed by one factor: {shared}"
+            reasons += [_left_of_single(common), FACTOR]
+        case "common_and_single":
+            headline = f"{_sharing(common, count)} changed by one factor, {shared}; beyond it {named}"
+            reasons.append(FACTOR)
+        case "together":
+            headline = "All modes together changed by more than the errors"
+            reasons.append("No single one did.")
+        case _:
+            headline, tone = "No mode changed by more than the errors", "good"
+            reasons.append(_noticeable(result))
+    reasons += [*where(result), "The stated errors are taken as independent."]
+    return headline + others, " ".join(reason for reason in reasons if reason), tone
+
+
+def _own(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
+    """Return the change of a mode by itself: beyond the common one, where there is one; and in sigmas."""
+    if result.changed == "common_and_single":
+        return pair.beyond_common or 0.0, pair.beyond_common_sigmas or 0.0
+    return pair.relative, pair.sigmas
+
+
+def _change(relative: float | None, sigmas: float | None) -> str:
+    """Return a change in per cent and its standard deviations."""
+    change = 100.0 * (relative or 0.0)
+    return f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} % ({deviations(sigmas)})"
+
+
+def _sharing(common: CommonChange | None, count: int) -> str:
+    """Return how many modes share a change."""
+    shared = count if common is None else common.pairs
+    if shared == count:
+        return "Both modes" if count == 2 else f"All {count} modes"
+    return f"{shared} of {count} modes"
+
+
+def _nothing_common(common: CommonChange | None) -> str:
+    """Return that no change is shared, and what is known of it."""
+    if common is None:
+        return ""
+    if common.relative is None:
+        p = p_text(common.residual_p_value)
+        return f"No change is common to most of them: their factors differ (p-value {p})."
+    whose = f"the {common.pairs} that agree" if common.residual_p_value <= LEVEL else "all"
+    return f"No change is common to all modes: {_change(common.relative, common.sigmas)} of {whose}."
+
+
+def _left_of_single(common: CommonChange | None) -> str:
+    """Return whether single modes differ from the change that all share."""
+    if common is None:
+        return ""
+    p = p_text(common.residual_p_value)
+    if common.residual_p_value > LEVEL:
+        return f"What single modes did beyond it is within the errors (p-value {p})."
+    return f"What is left of all together is more than the errors (p-value {p}), but of no single mode."
+
+
+def _noticeable(result: MeasurementsCompared) -> str:
+    """Return which changes would have been found."""
+    least, most = (choose(result.pairs, key=lambda pair: pair.noticeable) for choose in (min, max))
+    text = f"Would have counted: a change of a single mode by {plain(100.0 * least.noticeable, 2)} %"
+    if most is not least:
+        text += f" ({mode_name(least)}) to {plain(100.0 * most.noticeable, 2)} % ({mode_name(most)})"
+    if result.common is not None and result.common.sigma is not None:
+        text += f", or of all modes by {plain(100.0 * LEAST_COMMON * result.common.sigma, 2)} %"
+    return f"{text}."
 
 
 def changes(result: MeasurementsCompared, most: int | None) -> list[Table]:
     """Return the pairs, those that changed most in standard deviations first, at most so many; all in their order."""
     order = sorted(range(len(result.pairs)), key=lambda i: -abs(result.pairs[i].sigmas))
     shown = list(range(len(result.pairs))) if most is None else order[:most]
+    shared = result.common is not None and result.common.differs
     rows = []
     for i in shown:
         pair = result.pairs[i]
@@ -88,6 +161,7 @@ def changes(result: MeasurementsCompared, most: int | None) -> list[Table]:
                 number(pair.relative, "+.2f", at + pointer("relative"), scale=100.0),
                 number(pair.sigmas, "+.1f", at + pointer("sigmas")),
                 Cell("yes" if pair.differs else NOTHING),
+                *(_beyond(pair, at) if shared else []),
                 number(pair.mac, ".3f", at + pointer("mac")),
             ]
         )
@@ -95,11 +169,23 @@ def changes(result: MeasurementsCompared, most: int | None) -> list[Table]:
         return []
     of_each = [Column("line"), Column("f [Hz]"), Column("sigma [Hz]")]
     of_change = [Column("[%]"), Column("[\u03c3]"), Column("clear", numbers=False)]
-    columns = [Column("pose", numbers=False), *of_each, *of_each, *of_change, Column("MAC")]
-    groups = [("", 1), ("first", 3), ("second", 3), ("change", 3), ("", 1)]
+    of_beyond = of_change if shared else []
+    columns = [Column("pose", numbers=False), *of_each, *of_each, *of_change, *of_beyond, Column("MAC")]
+    groups = [("", 1), ("first", 3), ("second", 3), ("change", 3)]
+    groups += [("beyond the common", 3)] if shared else []
+    groups += [("", 1)]
     caption = "Modes of both measurements; changes are second minus first."
     if all(pair.mac is None for pair in result.pairs):
         rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
     left = len(result.pairs) - len(shown)
     note = f"{plural(left, 'pair')} that changed less: --all prints every pair." if left else ""
     return [table(caption, columns, rows, groups, note)]
+
+
+def _beyond(pair: ModePair, at: str) -> list[Cell]:
+    """Return the cells of a change beyond the common one."""
+    return [
+        number(pair.beyond_common, "+.2f", at + pointer("beyond_common"), scale=100.0),
+        number(pair.beyond_common_sigmas, "+.1f", at + pointer("beyond_common_sigmas")),
+        Cell("yes" if pair.own_change else NOTHING),
+    ]
