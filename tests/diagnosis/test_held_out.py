@@ -26,10 +26,10 @@ from helpers.robots.small_structures import (
 )
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.held_out import p_held_out

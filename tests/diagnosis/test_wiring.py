@@ -16,10 +16,10 @@ import pytest
 
 from pkmodes import updating
 from pkmodes.diagnosis.diagnose import diagnose
-from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.readings.misfits import WiringMisfit
 from pkmodes.diagnosis.readings.wiring import certain_wiring, other_wiring, rewired
 from pkmodes.diagnosis.readings.wirings import Wiring

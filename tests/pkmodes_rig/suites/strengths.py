@@ -23,9 +23,9 @@ import numpy as np
 
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.one_state import split
 from pkmodes.measured.measurements import Measurements
 from pkmodes.sensitivity.paths import resolve
 from pkmodes.updating.measured_robot import MeasuredRobot

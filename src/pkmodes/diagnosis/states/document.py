@@ -1,6 +1,6 @@
 """The JSON of what changed: that of a diagnosis, with the states.
 
-Members of lists have further keys, so that these lists are no lists of the documents of a diagnosis for a type checker.
+Members of lists have further keys: for a type checker these are other lists than those of a diagnosis.
 """
 
 from __future__ import annotations
@@ -86,7 +86,10 @@ class ChangedDocument(DiagnoseDocument, frozen=True, kw_only=True):
             "where it was not tried."
         ),
     ]
-    rows: Annotated[list[ChangedRow], Meta(description="One for each measured mode of the later states.")]
+    rows: Annotated[  # type: ignore[assignment]
+        list[ChangedRow],
+        Meta(description="One for each measured mode of the later states, in the order of their files."),
+    ]
     by_state: Annotated[
         dict[str, ChangedDocument],
         Meta(description="What changed in each of several later states; empty for a single one."),

@@ -37,6 +37,8 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.support.numbers import p_in_words, p_text, plain
 
+#: Number of uncertain values, in parts, that the data may determine and yet count as held by their priors.
+HELD = 0.1
 #: Largest number of other causes that a reason mentions.
 MENTIONED = 4
 
@@ -65,7 +67,7 @@ def too_few(start: Start) -> str:
     fitter = start.fitter
     observations = fitter.observations
     rows, shapes = len(observations.log), int(observations.shapes.count.sum())
-    if observations.degrees(observations.every) >= start.unknown + start.criteria.claim.redundancy:
+    if observations.degrees(observations.every) >= start.unknown - HELD + start.criteria.claim.redundancy:
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
