@@ -31,34 +31,25 @@ class TrueMachine:
         With the true values.
     points : array, shape (N, d)
         Poses.
+    drives : float
+        Factor of the stiffness of the belts, reducers or legs.
     """
 
-    def __init__(self, robot: Robot, points: np.ndarray) -> None:
-        self.robot, self.points = robot, points
+    def __init__(self, robot: Robot, points: np.ndarray, drives: float = 1.0) -> None:
+        self.robot, self.points, self.drives = robot, points, drives
         self.frame = float(robot.constants.get("frame_compliance.mass", 50.0))
         self.base = self.modes(())
 
-    def modes(
-        self, faults: Sequence[Fault], robot: Robot | None = None, *, drives: float = 1.0
-    ) -> list[TrueModes]:
-        """Return the modes at all poses.
-
-        Parameters
-        ----------
-        faults : sequence of Fault
-            A value of one axis is changed in the robot.
-        robot : Robot, optional
-            With other values.
-        drives : float
-            Factor of the stiffness of the belts, reducers or legs.
-        """
+    def modes(self, faults: Sequence[Fault], robot: Robot | None = None) -> list[TrueModes]:
+        """Return the modes at all poses; a value of one axis is changed in the robot."""
         robot = robot or self.robot
         for fault in faults:
             if fault.form == "parameter":
                 (path,) = fault.places
                 robot = with_values(robot, {path: resolve(robot, path).value * (1 + fault.values["change"])})
         mechanism, q = robot.mechanism_name, robot.parameters
-        return [assembled(mechanism, q, p, faults, frame=self.frame).modes(drives) for p in self.points]
+        machines = (assembled(mechanism, q, p, faults, frame=self.frame) for p in self.points)
+        return [machine.modes(self.drives) for machine in machines]
 
     @cached_property
     def span(self) -> tuple[float, float]:
