@@ -26,7 +26,7 @@ from helpers.robots.small_structures import (
 )
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
-from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore

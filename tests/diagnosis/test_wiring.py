@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 
 from pkmodes import updating
-from pkmodes.diagnosis.diagnose import diagnose, split
+from pkmodes.diagnosis.diagnose import diagnose
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore

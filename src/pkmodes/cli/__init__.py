@@ -16,6 +16,7 @@ from typing import Any
 
 import click
 
+from pkmodes.cli.changed import changed
 from pkmodes.cli.check import check
 from pkmodes.cli.compare import compare
 from pkmodes.cli.delivery import silence
@@ -58,6 +59,7 @@ WORKFLOW: dict[str, dict[click.Command, str]] = {
     },
     "Diagnose it": {
         diagnose: "Find the physical effect that the model lacks, and add it.",
+        changed: "Find what changed on a machine since a trusted measurement.",
     },
     "Use the model": {
         response: "Compute responses to motors and forces on the platform.",

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from pkmodes.cli.delivery import ResultFile, deliver
+from pkmodes.cli.diagnosing import failing, names_of, progress_lines
 from pkmodes.cli.options import (
     FILE,
     band_of,
@@ -24,15 +21,12 @@ from pkmodes.cli.options import (
     report_option,
     robot_argument,
 )
-from pkmodes.cli.progress import on_terminal
 from pkmodes.cli.reporting import page_of, report_file, sources_of
 from pkmodes.cli.targets import Target, check_targets, report_target
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 from pkmodes.support.pasting import pasted
-from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
@@ -40,14 +34,8 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.terms import TermClass
 
 
-#: Stands for every verdict that is a failure by itself: all except adequate.
-ANY = "any"
-
-
 #: Largest number of values listed whose standard deviations are larger in a saved file than in the fit.
 MOST_WIDENED = 3
-#: Seconds between progress lines if stderr is not a terminal.
-SECONDS = 5.0
 
 
 @click.command(
@@ -146,9 +134,9 @@ def diagnose(
     save_target = Target("--save-robot", save_to, "the corrected robot")
     effect_target = Target("--save-effect", effect_to, "the effect")
     check_targets(json_file, [robot, modes], save_target, effect_target, report_target(report_to))
-    names = None if candidates is None else _names(candidates, "--candidates")
-    held = None if holdout is None else [] if holdout.strip() == "none" else _names(holdout, "--holdout")
-    failures = frozenset() if fail_on is None else _failing(_names(fail_on, "--fail-on"))
+    names = None if candidates is None else names_of(candidates, "--candidates")
+    held = None if holdout is None else [] if holdout.strip() == "none" else names_of(holdout, "--holdout")
+    failures = frozenset() if fail_on is None else failing(names_of(fail_on, "--fail-on"))
     from pkmodes import updating  # SciPy is loaded only where it is used
     from pkmodes.cli.diagnosis_tables import show
     from pkmodes.measured.statements import parse_prior, parse_usable
@@ -160,7 +148,8 @@ def diagnose(
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared, drives=drives, priors=plausible, usable=limits)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
-    with _progress() as progress, named_as_options("candidates", "holdout", "usable", priors="--prior"):
+    options = named_as_options("candidates", "holdout", "usable", priors="--prior")
+    with progress_lines("diagnose") as progress, options:
         result = updating.diagnose(
             declared,
             data,
@@ -267,57 +256,3 @@ def _set_only(robot: Robot, result: Diagnosis) -> list[str]:
         f"effects.{effect.name}.{p.name}" for effect in causes for p in effect.parameters if not p.fitted
     ]
     return [path for path in paths if path in in_loads and path.removeprefix("effects.") not in robot.effects]
-
-
-def _names(text: str, option: str) -> list[str]:
-    """Split names at commas; as in the measurements, a name with a comma is written in double quotes."""
-    try:
-        (cells,) = csv.reader([text], strict=True, skipinitialspace=True)
-    except (csv.Error, ValueError):
-        cells = []
-    names = [cell.strip() for cell in cells if cell.strip()]
-    if not names:
-        what = f"expected names separated by commas, found {shown(text)}"
-        raise PkmodesError(what, option, "give at least one name, or omit the option")
-    return names
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[str], None]]:
-    """Show progress on stderr: in place on a terminal, otherwise as occasional lines."""
-    if on_terminal():
-        yield say
-        return
-    last = time.monotonic()
-
-    def line(text: str) -> None:
-        nonlocal last
-        if time.monotonic() - last >= SECONDS:
-            last = time.monotonic()
-            click.echo(f"pkmodes diagnose: {text}", err=True)
-
-    yield line
-
-
-def _failing(names: Sequence[str]) -> frozenset[str]:
-    """Return the verdicts that the names stand for.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Verdicts, or the word any.
-
-    Raises
-    ------
-    PkmodesError
-        If there is no such verdict.
-    """
-    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
-
-    known, failures = (*VERDICTS, ANY), set[str]()
-    for name in names:
-        if name not in known:
-            remedy = nearest(name, known, f"choose from {', '.join(known)}")
-            raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
-        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
-    return frozenset(failures)

@@ -50,6 +50,12 @@ def show(robot: Robot, result: Diagnosis) -> None:
     _remarks(terminal, setting, result)
 
 
+def show_causes(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
+    """Print the causes found, and what one thing at one place would explain."""
+    _explained(terminal, result)
+    _beyond(terminal, result, setting)
+
+
 def _beyond(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
     """Print what one thing at one place would explain that the catalogue does not."""
     if result.beyond is None:

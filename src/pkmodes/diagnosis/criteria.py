@@ -7,9 +7,15 @@ Differences of frequencies are differences of their logarithms.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError
+
+#: `ClaimCriteria.specific` of what changed between two states: one part of a machine that was right before is more
+#: likely than a cause that no candidate and no term is.
+SPECIFIC_OF_CHANGES = 0.2
 
 
 @dataclass(frozen=True)
@@ -162,6 +168,11 @@ class ClaimCriteria:
     #: Two causes are not claimed from fewer measured frequencies than this: something outside the candidates looks
     #: like some pair of causes at the same place.
     rows_for_two: int = 10
+    #: Whether a cause may rest on one row where each mode was measured once, at one setup, and the cause by nature
+    #: hardly changes the others.  Of one state it may not: a mistaken row is as likely.
+    once: bool = False
+    #: Stated errors may be too small by this factor at most, where that competes with a cause.
+    wrong_errors: float = np.inf
     #: Measured values required beyond the uncertain parameters: one for a cause, and one to test it.
     redundancy: int = 2
     #: Explanations whose predictions differ by less than this sum of squares are one class: if one were true, the
@@ -285,3 +296,10 @@ class Criteria:
     damping: DampingCriteria = DampingCriteria()
     reasons: ReasonCriteria = ReasonCriteria()
     readings: ReadingCriteria = ReadingCriteria()
+
+
+def of_changes(criteria: Criteria) -> Criteria:
+    """Return the thresholds of what changed between two states of one machine."""
+    return replace(
+        criteria, claim=replace(criteria.claim, specific=SPECIFIC_OF_CHANGES, once=True, wrong_errors=3.0)
+    )

@@ -18,11 +18,11 @@ from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.arguments import checked
 from pkmodes.diagnosis.criteria import Criteria
-from pkmodes.diagnosis.diagnose import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.solver import correlation
 from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.diagnosis.readings.table import declared_otherwise, explained_otherwise, remarks
 from pkmodes.diagnosis.verdict.all_setups import AllSetups

@@ -116,6 +116,8 @@ class Columns:
         Paths of the parameters that were set to a known value at some poses: load cases.
     set_values : ndarray, shape (P, K)
         Those values in SI units, NaN where a pose has the declared value.
+    state : str
+        State of the machine, such as "before": of all rows; empty if the file names none.
     priors, usable : mapping of str to Stated
         Standard deviations of candidates, and limits of ``[usable]``: what the file states for a diagnosis.
     """
@@ -140,6 +142,7 @@ class Columns:
     set_values: Array = field(default_factory=lambda: np.empty((0, 0)))
     priors: Mapping[str, Stated] = field(default_factory=dict)
     usable: Mapping[str, Stated] = field(default_factory=dict)
+    state: str = ""
 
     @property
     def conditions(self) -> Integers:

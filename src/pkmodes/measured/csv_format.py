@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.cells import separator_of
-from pkmodes.measured.csv_rows import read_lines, read_table
+from pkmodes.measured.csv_rows import of_state, read_lines, read_table, states_of
 from pkmodes.measured.formats import Format, Machine
 from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
@@ -28,7 +28,25 @@ def read(path: str | PathLike[str], machine: Machine) -> Measurements:
     where, cells = lines.header(source, "start with the names of the columns")
     components = components_of(cells, machine.components, machine.channels)
     columns = read_header(cells, where, machine, components)
+    lines = of_state(lines, cells, source, machine.state)
     return read_table(columns, lines, source, components, machine.drives)
+
+
+def states_in(path: str | PathLike[str]) -> tuple[str, ...]:
+    """Return the states of the machine of which a file has rows, in their order; an empty text where it names none.
+
+    Raises
+    ------
+    MeasurementError
+        If it cannot be read, has no header, or some rows name no state.
+    """
+    source = fspath(path)
+    lines = read_lines(read_text(Path(path), source), source)
+    _, cells = lines.header(source, "start with the names of the columns")
+    states = states_of(lines, cells, source)
+    if "" in states and any(states):
+        of_state(lines, cells, source, None)  # the error names the row
+    return tuple(dict.fromkeys(states))
 
 
 def begins_with_a_header(head: bytes) -> bool:

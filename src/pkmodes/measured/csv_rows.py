@@ -28,6 +28,8 @@ from pkmodes.measured.rules import (
 )
 from pkmodes.measured.statements import ALSO, STATEMENT, STATEMENTS
 
+#: The column of the state of the machine.
+STATE = "state"
 #: A line that tells spreadsheet programs the separator of the cells.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
 #: A comment with a comma in it, as spreadsheet programs write it.
@@ -41,6 +43,7 @@ class Lines(NamedTuple):
     notation: Notation
     band: tuple[float, float] | None
     drives: str | None
+    state: str
     priors: dict[str, Stated]
     usable: dict[str, Stated]
 
@@ -113,8 +116,68 @@ def read_lines(text: str, source: str) -> Lines:
             records.append((number, line))
     notation = Notation(separator_of(records[0][1])) if records else Notation()
     records = _without_ends(records, notation.separator)
-    band, drives = (next((one.value for one in stated[name].values()), None) for name in ("band", "drives"))
-    return Lines(records, notation, band, drives, stated["prior"], stated["usable"])
+    band, drives, state = (
+        next((one.value for one in stated[name].values()), None) for name in ("band", "drives", "state")
+    )
+    return Lines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
+
+
+def states_of(lines: Lines, cells: Sequence[str], source: str) -> list[str]:
+    """Return the state of each row: of its column, else that of a comment; empty where neither names one.
+
+    Parameters
+    ----------
+    cells : sequence of str
+        Of the header.
+
+    Raises
+    ------
+    MeasurementError
+        If a row is not CSV, or names another state than a comment.
+    """
+    place = next((i for i, cell in enumerate(cells) if cell.strip().lower() == STATE), None)
+    states = []
+    for number, line in lines.records[1:]:
+        where = f"{source}: line {number}"
+        row = lines.notation.cells(line, where) if place is not None else []
+        state = row[place].strip() if place is not None and place < len(row) else ""
+        if state and lines.state and state != lines.state:
+            what = f"expected {shown(lines.state)}, as stated for all rows, found {shown(state)}"
+            raise MeasurementError(what, f"{where}, column {STATE}", "correct the row, or the statement")
+        states.append(state or lines.state)
+    return states
+
+
+def of_state(lines: Lines, cells: Sequence[str], source: str, state: str | None) -> Lines:
+    """Return the lines of one state of the machine, which they then state.
+
+    Parameters
+    ----------
+    cells : sequence of str
+        Of the header.
+    state : str, optional
+        By default, that of all rows.
+
+    Raises
+    ------
+    MeasurementError
+        If there are several states, some rows name none, or none is that.
+    """
+    states = states_of(lines, cells, source)
+    different = list(dict.fromkeys(states))
+    if state is None:
+        if len(different) < 2:
+            return lines._replace(state=next(iter(different), lines.state))
+        if "" in different:
+            number = lines.records[1 + states.index("")][0]
+            what = f"expected a state in every row or in none, found nothing beside {shown(max(different))}"
+            raise MeasurementError(what, f"{source}: line {number}, column {STATE}", "name the state")
+        what = f"expected rows of one state of the machine, found {', '.join(map(shown, different))}"
+        raise MeasurementError(what, f"{source}: column {STATE}", "compare states with pkmodes changed")
+    kept = [record for record, own in zip(lines.records[1:], states, strict=True) if own == state]
+    if not kept:
+        raise MeasurementError(f"no row is of the state {shown(state)}", source, "check the name")
+    return lines._replace(records=[lines.records[0], *kept], state=state)
 
 
 def _without_ends(records: list[tuple[int, str]], separator: str) -> list[tuple[int, str]]:
@@ -268,6 +331,7 @@ def _measurements(
         band=lines.band,
         priors=lines.priors,
         usable=lines.usable,
+        state=lines.state,
         drives=drives,
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),

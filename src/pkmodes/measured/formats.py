@@ -28,6 +28,8 @@ class Machine:
         Paths of values that may be set, with their SI units.
     drives : str, optional
         What the motors did, if the user says so: "free" or "held".
+    state : str, optional
+        The state of the machine whose rows are read, of a file with rows of several.
     others : callable
         Returns the columns that measurements of other machines may have, by what such a machine is called: a mapping
         of str to collection of str.  An error says whose columns a file has.
@@ -38,6 +40,7 @@ class Machine:
     components: Sequence[Mapping[str, str]] = (POSITION,)
     settings: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     drives: str | None = None
+    state: str | None = None
     others: Callable[[], Mapping[str, Collection[str]]] = dict
 
 

@@ -26,7 +26,7 @@ from pkmodes.measured.statements import ALSO
 from pkmodes.support.ordering import joined
 
 #: Columns of text.
-TEXT = ("pose", "mode", "drives")
+TEXT = ("pose", "mode", "drives", "state")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
 #: Separates the columns of tables that are no CSV.
@@ -85,7 +85,7 @@ def read_header(
     units |= {f"{SET}{name}": unit for name, unit in settings.items()}
     known = ["pose", *components, *needed, *spreads]
     known += [number.column for number in quantity_numbers() if not number.required]
-    known += ["mode", "drives"] if positions else ["mode"]
+    known += ["mode", "drives", "state"] if positions else ["mode", "state"]
     known += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
     known += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"

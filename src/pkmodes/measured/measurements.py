@@ -140,6 +140,7 @@ class Measurements(Columns):
         settings: Mapping[str, ArrayLike] | None = None,
         priors: Mapping[str, Any] = MappingProxyType({}),
         usable: Mapping[str, Any] = MappingProxyType({}),
+        state: str = "",
         **further: ArrayLike,
     ) -> Measurements:
         """Build measurements from columns with one entry for each of R rows.
@@ -185,6 +186,8 @@ class Measurements(Columns):
             Standard deviations of candidates of a diagnosis by name, numbers in SI units or text with a unit.
         usable : mapping of str to value, optional
             Where the next measurement may be, as in ``[usable]`` of a robot file: ``{"z": ["0 mm", "200 mm"]}``.
+        state : str, optional
+            State of the machine, such as "before".
         **further : array_like, shape (R,), optional
             Other measured quantities and their standard deviations.  Unknown names are refused; the error suggests
             the nearest argument.
@@ -272,6 +275,7 @@ class Measurements(Columns):
                 set_values=loads[introduced],
                 priors=joined_with({}, priors, "priors"),
                 usable=joined_with({}, usable, "usable"),
+                state=str(state),
             )
         except BrokenRuleError as error:
             name, renamed = error.problem.column, renamed_columns()

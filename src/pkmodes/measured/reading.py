@@ -40,6 +40,7 @@ def read_measurements(
     components: Sequence[Mapping[str, str]] = (POSITION,),
     settings: Mapping[str, str] = MappingProxyType({}),
     drives: str | None = None,
+    state: str | None = None,
     others: Callable[[], Mapping[str, Collection[str]]] = dict,
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
@@ -50,10 +51,10 @@ def read_measurements(
         A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
         It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
         ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``drives``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name may carry a
-        unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were
-        identified, and ``# drives: held`` says what the motors did in all rows; other lines that begin with ``#`` are
-        ignored, as are blank lines.
+        ``mode``, ``drives``, ``state``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name
+        may carry a unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which
+        modes were identified, ``# drives: held`` says what the motors did in all rows, and ``# state: before`` in
+        which state the machine was; other lines that begin with ``#`` are ignored, as are blank lines.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
         column may be a length or an angle.
@@ -65,6 +66,8 @@ def read_measurements(
         Paths that a column ``set:<path>`` may name, with their SI units.
     drives : {"free", "held"}, optional
         What the motors did, if the file does not say it; otherwise free.
+    state : str, optional
+        The state of the machine whose rows are read, of a file with rows of several.
     others : callable, optional
         Returns the columns of other machines, by what such a machine is called: an error says whose columns a file
         has.
@@ -79,7 +82,9 @@ def read_measurements(
     MeasurementError
         If the file cannot be read or is invalid, with line, column, what was expected and what was found.
     """
-    return format_of(path).read(path, Machine(channels, positions, components, settings, drives, others))
+    return format_of(path).read(
+        path, Machine(channels, positions, components, settings, drives, state, others)
+    )
 
 
 def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[str, str]) -> Measurements:

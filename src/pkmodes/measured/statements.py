@@ -20,6 +20,7 @@ from pkmodes.measured.rules import checked_band
 BAND_HELP = 'write "# band: 10 Hz, 400 Hz", or start the comment with another word'
 DRIVES_HELP = 'write "# drives: free" or "# drives: held", or start the comment with another word'
 PRIOR_HELP = 'write "# prior: measurement:offset.z = 2 mm", or start the comment with another word'
+STATE_HELP = 'write "# state: before", or start the comment with another word'
 USABLE_HELP = 'write "# usable: z = 40 mm, 300 mm", or start the comment with another word'
 #: What a statement gives under a name: text with a unit, or a number in SI units; or several of them.
 Value = str | float
@@ -75,6 +76,19 @@ def parse_drives(text: str, where: str) -> str:
     if word not in DRIVES:
         raise MeasurementError(f'expected "free" or "held", found {shown(text.strip())}', where, DRIVES_HELP)
     return word
+
+
+def parse_state(text: str, where: str) -> str:
+    """Read the state of the machine, such as "before".
+
+    Raises
+    ------
+    MeasurementError
+        If there is none.
+    """
+    if not (name := text.strip()):
+        raise MeasurementError("expected the name of a state, found nothing", where, STATE_HELP)
+    return name
 
 
 def parse_prior(text: str, where: str, remedy: str = PRIOR_HELP) -> tuple[str, Value]:
@@ -147,6 +161,7 @@ class Statement(NamedTuple):
 STATEMENTS = {
     "band": Statement(parse_band, BAND_HELP, "[0-9.]"),
     "drives": Statement(parse_drives, DRIVES_HELP, r"(?:free|held)\b"),
+    "state": Statement(parse_state, STATE_HELP, r"(?!)"),  # without a colon it is an ordinary comment
     "prior": Statement(parse_prior, PRIOR_HELP, r"[\w.:]+\s*=", several=True),
     "usable": Statement(parse_usable, USABLE_HELP, r"\w+\s*[:=]", several=True),
 }

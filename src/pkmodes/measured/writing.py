@@ -35,6 +35,8 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     motors = dict.fromkeys(data.drives)
     if len(motors) == 1:
         text.write(f"# drives: {next(iter(motors))}\n")
+    if data.state:
+        text.write(f"# state: {data.state}\n")
     for word, stated in (("prior", data.priors), ("usable", data.usable)):
         for name, one in stated.items():
             text.write(f"# {word}: {name} = {one.text}\n")

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.ordering import in_order
@@ -158,10 +159,14 @@ def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:
     predictions = result.stages
     if predictions is None:
         return ()
-    stages = [Stage("before", DECLARED, predictions.before)]
+    declared, refitted, corrected = (
+        (DECLARED, REFITTED, CORRECTED + ("s" if len(result.effects) > 1 else ""))
+        if not isinstance(result, Change)
+        else (f"as in {result.states[0]}", f"as in {result.states[0]}, on another day", "with what changed")
+    )
+    stages = [Stage("before", declared, predictions.before)]
     if predictions.after is not None:
-        title = CORRECTED + ("s" if len(result.effects) > 1 else "")
-        stages.append(Stage("after", title, predictions.after))
+        stages.append(Stage("after", corrected, predictions.after))
     elif predictions.refit is not None:
-        stages.append(Stage("refit", REFITTED, predictions.refit))
+        stages.append(Stage("refit", refitted, predictions.refit))
     return tuple(stages)

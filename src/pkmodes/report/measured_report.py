@@ -11,11 +11,13 @@ from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import figures
 from pkmodes.report.blocks import Section
+from pkmodes.report.changed import change_page
 from pkmodes.report.comparison import by_mode, summary
 from pkmodes.report.diagnosis import diagnosis_page
 from pkmodes.report.mode_table import mode_table
@@ -35,7 +37,7 @@ def report(
     sources: Sequence[Source] | None = None,
     view: str | None = None,
 ) -> str:
-    """Return the report of a diagnosis or a comparison.
+    """Return the report of a diagnosis, of what changed, or of a comparison.
 
     The same result always gives the same text.
 
@@ -82,6 +84,8 @@ def report(
     evidence = Evidence.of(result, data, "setup" if own is None else "pose", spread)
     if isinstance(result, Comparison):
         return _comparison_page(result, evidence, setting)
+    if isinstance(result, Change):
+        return change_page(result, evidence, setting)
     return diagnosis_page(result, evidence, setting)
 
 

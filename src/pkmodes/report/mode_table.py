@@ -93,7 +93,7 @@ def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list
     """Return the mode, the measured frequency, and the model at each stage of one row."""
     row = result.rows[i]
     mode = int(evidence.mode()[i]) if evidence.stages else 0
-    frequency, sigma = MEASURED[type(result)]
+    frequency, sigma = MEASURED[Diagnosis if isinstance(result, Diagnosis) else Comparison]
     cells = [
         Cell(str(mode) if mode else "none"),
         hertz(row.measured, pointer("rows", i, frequency)),

@@ -17,7 +17,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.columns import parted
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.columns import joined_with
-from pkmodes.measured.csv_format import read_text
+from pkmodes.measured.csv_format import read_text, states_in
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.reading import read_measurements
@@ -35,6 +35,7 @@ def read(
     drives: str | None = None,
     priors: Mapping[str, float | str] = MappingProxyType({}),
     usable: Mapping[str, Any] = MappingProxyType({}),
+    state: str | None = None,
 ) -> Measurements:
     """Read the modes measured on a robot.
 
@@ -55,6 +56,8 @@ def read(
     usable : mapping of str to value, optional
         Where the next measurement may be, as in ``[usable]`` of a robot file, ``{"z": ["0 mm", "200 mm"]}``, whose
         limits of the same name it replaces; beside what the file states.
+    state : str, optional
+        The state of the machine whose rows are read, of a file with rows of several.
 
     Returns
     -------
@@ -76,6 +79,7 @@ def read(
         components=[_components(one) for one in mechanisms],
         settings={name: unit for one in mechanisms for name, unit in settable(one, of).items()},
         drives=None if drives is None else checked_drives(drives),
+        state=state,
         others=dict if of is None else partial(columns_of_others, of.mechanism),
     )
     return replace(
@@ -83,6 +87,35 @@ def read(
         priors=joined_with(data.priors, priors, "priors"),
         usable=joined_with(data.usable, usable, "usable"),
     )
+
+
+def read_states(
+    path: str | Path,
+    band: tuple[float, float] | None = None,
+    robot: Robot | Model | None = None,
+    **stated: Any,
+) -> dict[str, Measurements]:
+    """Read the modes measured on a robot in one or several states, by their names in the order of the file.
+
+    Parameters
+    ----------
+    path, band, robot, **stated
+        As for `read`.
+
+    Returns
+    -------
+    dict of str to Measurements
+        A file that names no state has one with an empty name.
+
+    Raises
+    ------
+    MeasurementError
+        As for `read`, or if some rows name no state.
+    """
+    states = states_in(path)
+    if len(states) < 2:
+        return dict.fromkeys(states, read(path, band, robot, **stated))
+    return {state: read(path, band, robot, state=state, **stated) for state in states}
 
 
 def read_any(

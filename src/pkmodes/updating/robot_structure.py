@@ -119,6 +119,23 @@ class RobotStructure:
         given = self.parameters, self.candidates, self._moves
         return type(self)(self.robot, points, *given, loads, self.losses)
 
+    def extended(
+        self,
+        parameters: Sequence[Parameter],
+        moves: Mapping[str, ParameterPath],
+        candidates: Sequence[Candidate],
+    ) -> RobotStructure:
+        """Return the same robot with further parameters, the path of each, and other candidates."""
+        return type(self)(
+            self.robot,
+            self.points,
+            (*self.parameters, *parameters),
+            candidates,
+            {**self._moves, **moves},
+            self.loads,
+            self.losses,
+        )
+
     def subset(self, setups: Sequence[int]) -> RobotStructure:
         """Return the same robot at some of its poses."""
         return self.at(self.points[list(setups)], self.loads.subset(setups))

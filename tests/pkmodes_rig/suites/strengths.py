@@ -23,7 +23,7 @@ import numpy as np
 
 from pkmodes.core.mechanism.registry import mechanism
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.diagnose import split
+from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.measured.measurements import Measurements

@@ -22,7 +22,9 @@ from pkmodes.diagnosis.verdict.findings import NOTICEABLE
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.joint_alone import joint_alone
 from pkmodes.diagnosis.verdict.joints import JointAlone
+from pkmodes.diagnosis.verdict.naming import count
 from pkmodes.diagnosis.verdict.stability import Trial, trials
+from pkmodes.diagnosis.verdict.values import shows_once
 from pkmodes.diagnosis.verdict.verdicts import Verdict
 
 #: Largest number of causes named that would remove a contradiction of too few data.
@@ -53,6 +55,17 @@ class Start:
     def first(self) -> Fit | None:
         """The refit of the uncertain values; None if the model cannot be evaluated."""
         return self.plain.fit(Hypothesis())
+
+    @property
+    def unknown(self) -> float:
+        r"""Number of uncertain values that the data determine, in parts: :math:`\operatorname{tr} J C J^T` of the data.
+
+        It is the effective number of parameters of a ridge regression: 1 for a value without a prior, 0 for one that
+        its prior holds.
+        """
+        if self.first is None:
+            return float(len(self.fitter.nuisances))
+        return float(self.first.leverage[: self.fitter.prior_rows.start].sum())
 
     @cached_property
     def contradicted(self) -> bool:
@@ -105,7 +118,31 @@ class Evidence:
     @property
     def explains(self) -> str:
         """The beginning of a clause: the causes would explain, or the declared model explains."""
-        return reasons.explains(self.final.causes)
+        if not self.final.causes:
+            return reasons.explains(())
+        return f"{self.who} would explain"
+
+    @property
+    def who(self) -> str:
+        """The names of the causes; of a single one, those of all that the data cannot tell from it."""
+        members = self.members
+        if len(members) < 2:
+            return reasons.names(self.final.causes)
+        most = self.criteria.claim.most_members
+        listed = members[:most] if len(members) <= most else members[: most - 1]
+        left = len(members) - len(listed)
+        if left:
+            return f"{', '.join(listed)} or {count(left)} others, which these data cannot tell apart,"
+        return f"{', '.join(listed[:-1])} or {listed[-1]}, which these data cannot tell apart,"
+
+    @property
+    def members(self) -> list[str]:
+        """The names of a single cause and of all that the data cannot tell from it; empty for several causes."""
+        own = self.claim.own
+        if len(self.final.causes) != 1 or not own:
+            return []
+        first = name_of(self.final)
+        return [first, *(name for fit in own[0] if (name := name_of(fit)) != first)]
 
     @cached_property
     def trials(self) -> list[Trial]:
@@ -152,7 +189,11 @@ class Evidence:
         """
         store, c, final = self.store, self.criteria, self.final
         worst = store.criterion(final) + c.search.survives
-        noise = [fit for fit in self.search.additions.errors(worst) if store.p_value(fit) > c.gate.surely]
+        noise = [
+            fit
+            for fit in self.search.additions.errors(worst)
+            if store.p_value(fit) > c.gate.surely and not self._by_nature(fit.hypothesis)
+        ]
         best = min(noise, key=store.criterion, default=None)
         if best is not None and store.criterion(best) <= worst:
             what = reasons.noise(best, store.fitter.data.lines)
@@ -169,9 +210,17 @@ class Evidence:
         squares, count = store.frequency_misfit(base)[0], rows - len(h.excluded)
         ratio = max(squares / count, 1.0)
         inflated = store.criterion(base) - squares + count * (1.0 + np.log(ratio))
-        if inflated + np.log(rows) > worst:
+        if inflated + np.log(rows) > worst or ratio > c.claim.wrong_errors**2:
             return ""
         return f"errors {reasons.larger(ratio**0.5)} the stated ones"
+
+    def _by_nature(self, errors: Hypothesis) -> bool:
+        """Return whether the rows that are set aside are those in which a cause by nature shows alone."""
+        rows = errors.excluded - self.final.hypothesis.excluded
+        return bool(rows) and all(
+            any(shows_once(self.search, self.final, cause, row) for cause in self.final.causes)
+            for row in rows
+        )
 
 
 @dataclass(frozen=True)

@@ -253,6 +253,7 @@ class Finding:
     covariances: Mapping[str, tuple[tuple[float, ...], ...]] = field(default_factory=dict)
     about: Mapping[str, Member] = field(default_factory=dict)
     alone: JointAlone | None = None
+    state: str = ""
 
     def member(self, name: str) -> Member:
         """Return how a member of the class is named, and whether its value is plausible."""

@@ -27,7 +27,7 @@ from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.term_instead import one_term
 from pkmodes.diagnosis.verdict.unexplained import OPEN, left_by
-from pkmodes.diagnosis.verdict.values import no_value, rests_on_one_row
+from pkmodes.diagnosis.verdict.values import no_value, once, rests_on_one_row
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
     AMBIGUOUS,
@@ -58,11 +58,14 @@ def decide(evidence: Evidence) -> Decision[Evidence, Says]:
 
 
 def too_few(start: Start) -> str:
-    """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it."""
+    """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it.
+
+    An uncertain parameter counts as far as the data determine it: what its prior holds is not unknown.
+    """
     fitter = start.fitter
     observations = fitter.observations
     rows, shapes = len(observations.log), int(observations.shapes.count.sum())
-    if observations.degrees(observations.every) >= len(fitter.nuisances) + start.criteria.claim.redundancy:
+    if observations.degrees(observations.every) >= start.unknown + start.criteria.claim.redundancy:
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
@@ -207,7 +210,7 @@ def not_significant(e: Evidence) -> str:
         return ""
     perhaps = f"; measurement errors would explain it too: {e.errors}" if e.errors else ""
     return (
-        f"the residual points to {names(e.final.causes)}, but not clearly enough for a claim "
+        f"the residual points to {e.who.removesuffix(',')}, but not clearly enough for a claim "
         f"({p_in_words(max(e.claim.p_values))} among all candidates): measure more{perhaps}"
     )
 
@@ -252,6 +255,7 @@ def _also(e: Evidence) -> list[str]:
         if len(fit.causes) == 1
         and not (fit.hypothesis.remote or fit.at_bound)
         and fit.causes != e.final.causes
+        and fit.causes[0].name not in e.members
     ]
     passing = [fit for fit in fits if store.p_value(fit) > e.criteria.gate.surely]
     return [fit.causes[0].name for fit in sorted(passing, key=store.criterion)[:MENTIONED]]
@@ -327,8 +331,11 @@ def causes_found(e: Evidence) -> Says:
     gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
-    found = explained(e.claim.findings(e.fitter, e.alone))
-    return Says(f"the residual of the declared model is not noise ({p_in_words(smallest)}); {found}{aside}")
+    found, resting = explained(e.claim.findings(e.fitter, e.alone)), once(e.search, e.final)
+    rests = f"; {resting}" if resting else ""
+    return Says(
+        f"the residual of the declared model is not noise ({p_in_words(smallest)}); {found}{rests}{aside}"
+    )
 
 
 # The tables ----------------------------------------------------------------------------------------------------

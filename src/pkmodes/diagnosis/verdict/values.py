@@ -12,6 +12,9 @@ from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.support.numbers import plain, rounded
 
+#: A cause shows in one row if that has more than this part of the squares of what it changes.
+ONCE = 0.5
+
 
 def no_value(search: Search, final: Fit) -> str:
     """Return which cause has a value at a bound, or one that may be the declared one; empty if none has."""
@@ -51,6 +54,42 @@ def rests_on_one_row(search: Search, final: Fit) -> str:
     return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
 
 
+def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
+    """Return whether a cause by nature shows in one row: it hardly changes other modes, each measured at one setup.
+
+    No other row could then tell a mistaken row from the cause.  Where the mode was measured at several setups, or
+    the cause changes other modes as much, they could.
+    """
+    store, fitter = search.store, search.store.fitter
+    if not search.criteria.claim.once or len(fitter.data.labels) > 1:
+        return False
+    less = replace(final.hypothesis, causes=tuple(other for other in final.causes if other != cause))
+    without = fitter.evaluated(less, store.undone(final, less), final.scatter)
+    if without is None:
+        return False
+    rows, used = fitter.observations.frequency_rows, fitter.used(final.hypothesis)
+    change = (without.residual - final.residual)[rows] / fitter.observations.sigma
+    squares = np.where(used, change**2, 0.0)
+    return bool(squares[row] > ONCE * squares.sum())
+
+
+def once(search: Search, final: Fit) -> str:
+    """Return which row alone shows a cause by nature, as a clause; empty if none does."""
+    data = search.store.fitter.data
+    lines = {
+        int(data.lines[row])
+        for cause in final.causes
+        for row in range(len(data.lines))
+        if shows_once(search, final, cause, row)
+    }
+    if not lines:
+        return ""
+    return (
+        f"that rests on line {min(lines)}, the one mode which it changes noticeably: measure that mode again to rule "
+        "out a mistaken row"
+    )
+
+
 def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
     store, c = search.store, search.criteria
     fitter, h = store.fitter, final.hypothesis
@@ -60,6 +99,8 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
     for row in np.argsort(leverage)[::-1]:
         if leverage[row] <= c.search.redundant:
             break
+        if shows_once(search, final, cause, int(row)):
+            continue
         with_cause = replace(h, excluded=h.excluded | {int(row)})
         without = replace(with_cause, causes=tuple(other for other in h.causes if other != cause))
         here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))

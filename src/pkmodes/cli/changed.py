@@ -1,0 +1,166 @@
+"""``pkmodes changed``: find what changed on a robot since a trusted campaign of measured modes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from pkmodes.cli.delivery import deliver
+from pkmodes.cli.diagnosing import failing, names_of, progress_lines
+from pkmodes.cli.options import (
+    FILE,
+    band_of,
+    band_option,
+    check_order,
+    json_option,
+    measured_drives_option,
+    named_as_options,
+    repeated_mechanism_option,
+    report_option,
+    robot_argument,
+)
+from pkmodes.cli.reporting import page_of, report_file, sources_of
+from pkmodes.cli.targets import check_targets, report_target
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.core.robot.reading import read_robot
+
+if TYPE_CHECKING:
+    from pkmodes.core.robot.robot import Robot
+    from pkmodes.measured.measurements import Measurements
+
+#: Modes that are printed without ``--all``.
+MOST = 10
+
+
+@click.command(
+    epilog="\b\nExample:\n"
+    "  pkmodes changed examples/changed_printer/robot.toml \\\n    examples/changed_printer/before.csv "
+    "examples/changed_printer/after.csv"
+)
+@robot_argument
+@click.argument("states", metavar="TRUSTED.csv LATER.csv...", type=FILE, nargs=-1, required=True)
+@click.option(
+    "--candidates",
+    metavar="NAMES",
+    help="What may have changed, separated by commas, as for diagnose; by default everything.",
+)
+@click.option(
+    "--holdout",
+    metavar="POSES",
+    help="Labels of poses of the later files to exclude from all fits, separated by commas, or none; by default one "
+    "in six.",
+)
+@report_option
+@click.option(
+    "--no-beyond",
+    "no_beyond",
+    is_flag=True,
+    help="Try the candidates only, not one thing at one place, such as a mass on one body.",
+)
+@click.option(
+    "--fail-on",
+    "fail_on",
+    metavar="VERDICTS",
+    help="Verdicts that give exit code 1, separated by commas, or any for all except adequate; by default none.",
+)
+@click.option(
+    "--all",
+    "everything",
+    is_flag=True,
+    help="Print every measured mode, not only those that changed most.",
+)
+@band_option
+@measured_drives_option
+@repeated_mechanism_option
+@json_option
+def changed(
+    robot: Path,
+    states: tuple[Path, ...],
+    mechanism: Path | None,
+    candidates: str | None,
+    holdout: str | None,
+    report_to: Path | None,
+    no_beyond: bool,
+    fail_on: str | None,
+    everything: bool,
+    band: str | None,
+    drives: str | None,
+    json_file: str | None,
+) -> int:
+    """Find what changed on a machine since a trusted measurement, such as before and after a repair.
+
+    Each file has the modes of one state of the machine, the first of the one that is trusted; one file may have
+    several, named in a column "state".  What the model is wrong by in the trusted state is taken off the others, so
+    that differences are compared with differences.  The result says whether anything changed, and what, with a value
+    and how sure that is, or that the data do not tell.
+
+    Uncertain values are those of the trusted state.  The stiffness that all belts, legs or reducers share may differ
+    by some 1.5 % from one day to another: that is no change.  The exit code is 0 for any verdict except those in
+    --fail-on, which give 1, and 2 for bad input.
+    """
+    for file in states:
+        check_order(robot, file, "pkmodes changed")
+    check_targets(json_file, [robot, *states], report_target(report_to))
+    names = None if candidates is None else names_of(candidates, "--candidates")
+    held = None if holdout is None else [] if holdout.strip() == "none" else names_of(holdout, "--holdout")
+    failures = frozenset() if fail_on is None else failing(names_of(fail_on, "--fail-on"))
+    from pkmodes import updating  # SciPy is loaded only where it is used
+
+    declared = read_robot(robot)
+    campaigns = _campaigns(states, declared, band_of(band), drives)
+    sources = sources_of(
+        report_to,
+        {"robot file": robot, **{f"measurement file {i}": file for i, file in enumerate(states, start=1)}},
+    )
+    trusted, *later = campaigns
+    with progress_lines("changed") as progress, named_as_options("candidates", "holdout"):
+        result = updating.changed(
+            declared,
+            campaigns[trusted],
+            {name: campaigns[name] for name in later},
+            candidates=names,
+            holdout=held,
+            progress=progress,
+            terms=not no_beyond,
+            name=trusted,
+        )
+    data = campaigns[later[0]]
+    report = report_file(report_to, lambda: page_of(result, declared, data, sources))
+    most = None if everything else MOST
+
+    def show() -> None:
+        from pkmodes.cli.changed_tables import show_changes
+
+        show_changes(declared, result, most)
+
+    deliver(json_file, result.as_json(), show, report)
+    return 1 if result.verdict in failures else 0
+
+
+def _campaigns(
+    files: tuple[Path, ...], robot: Robot, band: tuple[float, float] | None, drives: str | None
+) -> dict[str, Measurements]:
+    """Return the campaigns of all files by the names of their states: by default those of the files.
+
+    Raises
+    ------
+    PkmodesError
+        If two have the same name, or there is only one.
+    """
+    from pkmodes.updating.reading import read_states
+
+    campaigns: dict[str, Measurements] = {}
+    for file in files:
+        for state, data in read_states(file, band, robot, drives=drives).items():
+            name = state or file.stem
+            if name in campaigns:
+                what = f"two states are called {shown(name)}: in {campaigns[name].source} and in {file}"
+                raise PkmodesError(what, "pkmodes changed", 'name them in the files: "# state: before"')
+            campaigns[name] = data
+    if len(campaigns) < 2:
+        what = f"expected two states or more, found {shown(next(iter(campaigns)))} only"
+        remedy = "give the measurement of another state after it: TRUSTED.csv LATER.csv"
+        raise PkmodesError(what, str(files[0]), remedy)
+    return campaigns

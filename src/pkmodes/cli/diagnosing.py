@@ -1,0 +1,73 @@
+"""What the commands that diagnose have in common: lists of names, verdicts that fail, and their progress."""
+
+from __future__ import annotations
+
+import csv
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+
+import click
+
+from pkmodes.cli.progress import on_terminal
+from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.support.progress import say
+
+#: Stands for every verdict that is a failure by itself: all except adequate.
+ANY = "any"
+#: Seconds between progress lines if stderr is not a terminal.
+SECONDS = 5.0
+
+
+def names_of(text: str, option: str) -> list[str]:
+    """Split names at commas; as in the measurements, a name with a comma is written in double quotes."""
+    try:
+        (cells,) = csv.reader([text], strict=True, skipinitialspace=True)
+    except (csv.Error, ValueError):
+        cells = []
+    names = [cell.strip() for cell in cells if cell.strip()]
+    if not names:
+        what = f"expected names separated by commas, found {shown(text)}"
+        raise PkmodesError(what, option, "give at least one name, or omit the option")
+    return names
+
+
+@contextmanager
+def progress_lines(command: str) -> Iterator[Callable[[str], None]]:
+    """Show progress of a command on stderr: in place on a terminal, otherwise as occasional lines."""
+    if on_terminal():
+        yield say
+        return
+    last = time.monotonic()
+
+    def line(text: str) -> None:
+        nonlocal last
+        if time.monotonic() - last >= SECONDS:
+            last = time.monotonic()
+            click.echo(f"pkmodes {command}: {text}", err=True)
+
+    yield line
+
+
+def failing(names: Sequence[str]) -> frozenset[str]:
+    """Return the verdicts that the names stand for.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Verdicts, or the word any.
+
+    Raises
+    ------
+    PkmodesError
+        If there is no such verdict.
+    """
+    from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
+
+    known, failures = (*VERDICTS, ANY), set[str]()
+    for name in names:
+        if name not in known:
+            remedy = nearest(name, known, f"choose from {', '.join(known)}")
+            raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
+        failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
+    return frozenset(failures)

@@ -1,0 +1,1 @@
+"""What changed between states of one machine, of which one is trusted."""

@@ -1,0 +1,252 @@
+"""What changed between states of one machine: differences compared with differences.
+
+The first state is trusted.  Uncertain values are fitted to it, and what it then leaves is the error of the model,
+which the other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine of its
+own: its candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
+"""
+
+from __future__ import annotations
+
+import copy
+import difflib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pkmodes.core.base.errors import PkmodesError, shown
+from pkmodes.diagnosis.arguments import checked
+from pkmodes.diagnosis.criteria import Criteria, of_changes
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.observations import SHAPE
+from pkmodes.diagnosis.fit.store import FitStore
+from pkmodes.diagnosis.one_state import diagnosed
+from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.states.result import Change, Counterpart, merged, of_difference
+from pkmodes.diagnosis.states.shared_errors import SharedErrors, shared_errors, without_shared_errors
+from pkmodes.measured.measurements import Measurements
+
+
+@dataclass(frozen=True, eq=False)
+class Trusted:
+    """The trusted state, with the model fitted to it.
+
+    Attributes
+    ----------
+    name : str
+    fitter : Fitter
+        Of its measurements.
+    fit : Fit
+        Of the uncertain values.
+    """
+
+    name: str
+    fitter: Fitter
+    fit: Fit
+
+    @classmethod
+    def of(
+        cls, name: str, structure: Structure, data: Measurements, criteria: Criteria | None = None
+    ) -> Trusted:
+        """Fit the uncertain values of a structure to the trusted state.
+
+        Raises
+        ------
+        PkmodesError
+            If the structure cannot be evaluated.
+        """
+        fitter = Fitter(structure, data, criteria)
+        fit = FitStore(fitter).fit(Hypothesis())
+        if fit is None:
+            what = "the model cannot be evaluated with its declared values"
+            raise PkmodesError(what, data.source, "check the poses and the model")
+        return cls(name, fitter, fit)
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Fitted uncertain values, by name."""
+        return {self.fitter.parameters[i].name: float(self.fit.values[i]) for i in self.fitter.nuisances}
+
+    @property
+    def shape_error(self) -> float:
+        """Standard deviation of the components of shapes by which the model differs from the trusted state."""
+        misfit = FitStore(self.fitter).fitter.misfit(self.fit, SHAPE, stated=True)
+        sigma = self.fitter.data.shape_sigma
+        if misfit.degrees <= 0.0 or np.isnan(sigma).all():
+            return 0.0
+        return float(np.sqrt(np.nanmean(sigma**2) * misfit.ratio))
+
+    @property
+    def model_error(self) -> float:
+        """Root mean square of the relative error of the model."""
+        left = self.fit.residual[self.fitter.observations.frequency_rows]
+        paired = self.fit.pairing.partner >= 0
+        return float(np.sqrt(np.mean(left[paired] ** 2))) if paired.any() else float("nan")
+
+    def changed_to(
+        self,
+        name: str,
+        structure: Structure,
+        data: Measurements,
+        *,
+        holdout: Sequence[str] | None = None,
+        progress: Progress | None = None,
+        criteria: Criteria | None = None,
+        terms: bool = False,
+    ) -> Change:
+        """Return what changed from the trusted state to another one.
+
+        Parameters
+        ----------
+        structure : Structure
+            At the setups of that state, with the values of the trusted one, and what may have changed as candidates.
+
+        Raises
+        ------
+        PkmodesError
+            If both states have no mode in common, were measured under other conditions, or have the same rows.
+        """
+        self._check(name, data)
+        shared = shared_errors(self.fitter, self.fit.values, structure, data)
+        if not shared.known.any():
+            what = f"no mode of {shown(name)} was measured in {shown(self.name)}"
+            remedy = "measure modes at poses that both states have"
+            raise PkmodesError(what, data.source, remedy)
+        corrected = without_shared_errors(data, shared, self.shape_error)
+        result = diagnosed(
+            structure,
+            corrected,
+            holdout=holdout,
+            progress=progress,
+            criteria=of_changes(criteria or Criteria()),
+            terms=terms,
+        )
+        change = of_difference(
+            result,
+            (self.name, name),
+            data,
+            shared,
+            tuple(self._counterpart(int(row)) for row in shared.counterpart),
+            self.model_error,
+        )
+        return replace(change, notes=(*change.notes, *self._notes(name, data, shared)))
+
+    def _counterpart(self, row: int) -> Counterpart | None:
+        data = self.fitter.data
+        if row < 0:
+            return None
+        return Counterpart(int(data.lines[row]), float(data.frequency[row]), float(data.sigma[row]))
+
+    def _check(self, name: str, data: Measurements) -> None:
+        """Refuse a state that is the trusted one, or was measured with the motors in another state."""
+        trusted = self.fitter.data
+        if data.frequency.shape == trusted.frequency.shape and np.array_equal(
+            data.frequency, trusted.frequency
+        ):
+            what = f"{shown(self.name)} and {shown(name)} have the same frequencies: they are one measurement"
+            raise PkmodesError(what, data.source, "give the measurement of the other state")
+        if not {*data.drives} & {*trusted.drives}:
+            what = f"the motors were {trusted.drives[0]} in {shown(self.name)}, and {data.drives[0]} in {shown(name)}"
+            raise PkmodesError(what, data.source, "compare measurements with the motors in the same state")
+
+    def _notes(self, name: str, data: Measurements, shared: SharedErrors) -> list[str]:
+        """Return how the states were compared."""
+        rows, compared = len(shared.offset), int(shared.compared.sum())
+        notes = [
+            f"the model differs from {self.name} by {100 * self.model_error:.2g} % (rms), which is taken off {name} "
+            "too: standard deviations are those of the difference"
+        ]
+        if compared < rows:
+            notes.append(
+                f"{rows - compared} of {rows} rows of {name} have no counterpart at the same pose in {self.name}: "
+                "what the model's error is there is less certain, and their standard deviations are larger"
+            )
+        if not np.isnan(data.damping).all():
+            notes.append("damping ratios of two states are not compared")
+        return notes
+
+
+def changed_between(
+    structure: Structure,
+    data: Measurements,
+    states: Mapping[str, str],
+    *,
+    holdout: Sequence[str] | None = None,
+    progress: Progress | None = None,
+    criteria: Criteria | None = None,
+    terms: bool = False,
+) -> Change:
+    """Return what changed between states of any structure, as `pkmodes.diagnosis.diagnose` does.
+
+    Raises
+    ------
+    PkmodesError
+        Also if a setup has no state, or there is one state only.
+    """
+    structure = checked(structure, data)
+    trusted, later = _setups_of(data, states)
+    name, setups = trusted
+    common = Trusted.of(name, structure.subset(setups), data.at(setups), criteria)
+    changes = {}
+    for other, places in later.items():
+        own = with_known(structure.subset(places), common.values)
+        held = None if holdout is None else [one for one in holdout if states.get(one) == other]
+        changes[other] = common.changed_to(
+            other,
+            own,
+            data.at(places),
+            holdout=held,
+            progress=progress,
+            criteria=criteria,
+            terms=terms,
+        )
+    return merged(name, changes)
+
+
+def with_known(structure: Structure, values: Mapping[str, float]) -> Structure:
+    """Return a structure in which some uncertain values are known."""
+    known = copy.copy(structure)
+    known.parameters = tuple(  # type: ignore[misc]
+        replace(p, value=values[p.name], sigma=None, correlated=()) if p.name in values else p
+        for p in structure.parameters
+    )
+    return known
+
+
+def _setups_of(
+    data: Measurements, states: Mapping[str, str]
+) -> tuple[tuple[str, list[int]], dict[str, list[int]]]:
+    """Return the trusted state and the others, each with its setups.
+
+    Raises
+    ------
+    PkmodesError
+        If the mapping is none, a measured setup is missing in it, or it has one state only.
+    """
+    example = '{"P1": "before", "P1 again": "after"}'
+    if not isinstance(states, Mapping) or not all(
+        isinstance(text, str) and text for pair in states.items() for text in pair
+    ):
+        what = f"expected a mapping of setups to states, found {shown(states)}"
+        raise PkmodesError(what, "states", f"write for example {example}")
+    for label in states:
+        if label not in data.labels:
+            nearest = difflib.get_close_matches(label, data.labels, n=1)
+            remedy = (
+                f'did you mean "{nearest[0]}"?' if nearest else f"measured: {', '.join(data.labels[:10])}"
+            )
+            raise PkmodesError(f"no setup is called {shown(label)}", "states", remedy)
+    missing = [label for label in data.labels if label not in states]
+    if missing:
+        what = f"the setup {shown(missing[0])} has no state"
+        raise PkmodesError(what, "states", "give the state of every measured setup")
+    places: dict[str, list[int]] = {state: [] for state in states.values()}
+    for i, label in enumerate(data.labels):
+        places[states[label]].append(i)
+    (name, setups), *later = places.items()
+    if not later:
+        what = f"expected two states or more, found {shown(name)} only"
+        raise PkmodesError(what, "states", "leave states out, or give the setups of the other state")
+    return (name, setups), dict(later)

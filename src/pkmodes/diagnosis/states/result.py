@@ -1,0 +1,270 @@
+"""What changed between states: a diagnosis of the difference, with the states and whether anything changed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from typing import Any
+
+import numpy as np
+from msgspec import structs
+
+from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.states.shared_errors import SharedErrors
+from pkmodes.diagnosis.states.words import of_change, of_changes
+from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
+from pkmodes.diagnosis.verdict.rows import Error, Row
+from pkmodes.diagnosis.verdict.verdicts import (
+    ADEQUATE,
+    AMBIGUOUS,
+    EFFECT_FOUND,
+    INSUFFICIENT_DATA,
+    UNEXPLAINED,
+)
+from pkmodes.measured.measurements import Measurements
+
+#: Rules of verdicts by which the data do not tell whether anything changed: they may be errors of the measurement.
+NOT_TOLD = (
+    "before.",
+    "after.",
+    "adequacy.",
+    "claims.errors",
+    "claims.not_significant",
+    "claims.one_row",
+    "open.small",
+    "open.no_direction",
+)
+#: Verdicts of several states: that of all is the first of these that one of them has.
+ORDER = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, ADEQUATE)
+
+
+@dataclass(frozen=True)
+class Counterpart:
+    """The same mode at the same setup in the trusted state.
+
+    Attributes
+    ----------
+    line : int
+        Of the row in its file.
+    measured, sigma : float
+        Its frequency and the standard deviation [Hz].
+    """
+
+    line: int
+    measured: float
+    sigma: float
+
+
+@dataclass(frozen=True)
+class Change(Diagnosis):
+    """What changed from a trusted state of a machine to another one, or to several.
+
+    The attributes are those of a `Diagnosis` of the difference.  In its rows the standard deviations are those of
+    the difference, and what the model predicts has the errors that the trusted state shows.
+
+    Attributes
+    ----------
+    states : tuple of str
+        The trusted state first.
+    changed : bool or None
+        Whether anything changed; None where the data do not tell.
+    counterparts : tuple of Counterpart or None
+        Of each row.
+    model_error : float
+        Root mean square of the relative error of the model in the trusted state, which both states share.
+    by_state : mapping of str to Change
+        Of several later states, each by itself; empty for a single one.
+    """
+
+    states: tuple[str, ...] = ()
+    changed: bool | None = None
+    counterparts: tuple[Counterpart | None, ...] = ()
+    model_error: float = 0.0
+    by_state: Mapping[str, Change] = field(default_factory=dict)
+
+    @property
+    def errors(self) -> dict[str, tuple[str, Error]]:
+        """For each stage that was reached, by its key in the JSON: its title and its errors."""
+        trusted = self.states[0]
+        titles = {
+            "before": f"as in {trusted}",
+            "refit": f"as in {trusted}, on another day",
+            "after": "with what changed",
+        }
+        return {key: (titles[key], error) for key, (_, error) in super().errors.items()}
+
+    def as_json(self) -> dict[str, object]:
+        """Return the result in the form described in docs/json.md, without NaN.
+
+        Returns
+        -------
+        dict of str to object
+            What ``pkmodes changed --json`` writes.
+        """
+        content: dict[str, Any] = super().as_json()
+        for cause, effect in zip(content["effects"], self.effects, strict=True):
+            cause["state"] = effect.state
+        later = self.states[-1] if len(self.states) == 2 else None
+        for terms in (content["beyond"] or {}).get("classes", []):
+            for member in terms["members"]:
+                member["state"] = later
+        for row, counterpart in zip(content["rows"], self.counterparts, strict=True):
+            row["trusted_hz"] = None if counterpart is None else counterpart.measured
+            row["trusted_line"] = None if counterpart is None else counterpart.line
+        first = {"verdict": content.pop("verdict"), "reason": content.pop("reason")}
+        of_states = {name: result.as_json() for name, result in self.by_state.items()}
+        return {
+            **first,
+            "states": list(self.states),
+            "changed": self.changed,
+            "model_error": self.model_error,
+            **content,
+            "by_state": of_states,
+        }
+
+
+def of_difference(
+    result: Diagnosis,
+    states: tuple[str, str],
+    data: Measurements,
+    shared: SharedErrors,
+    counterparts: tuple[Counterpart | None, ...],
+    model_error: float,
+) -> Change:
+    """Return the diagnosis of a difference as what changed.
+
+    Parameters
+    ----------
+    result : Diagnosis
+        Of measurements without the errors that the model has in the trusted state.
+    states : tuple of two str
+        The trusted state, and the other one.
+    data : Measurements
+        Of the other one, as measured.
+    shared : SharedErrors
+        These errors.
+    """
+    trusted, later = states
+    content = {one.name: getattr(result, one.name) for one in fields(Diagnosis)}
+    content |= {
+        "rows": tuple(
+            map(_with_errors, result.rows, data.frequency.tolist(), np.exp(shared.offset).tolist())
+        ),
+        "effects": tuple(replace(effect, state=later) for effect in result.effects),
+        "stages": None if result.stages is None else _stages(result.stages, shared),
+    }
+    change = Change(
+        **content,
+        states=states,
+        changed=_changed(result),
+        counterparts=counterparts,
+        model_error=model_error,
+    )
+    return of_change(change, trusted, later)
+
+
+def _with_errors(row: Row, measured: float, factor: float) -> Row:
+    """Return a row with the error that the model has in the trusted state: what was measured is as in its file."""
+    scaled = {
+        name: None if (value := getattr(row, name)) is None else value * factor
+        for name in ("sigma", "before", "refit", "after")
+    }
+    return structs.replace(row, measured=measured, **scaled)
+
+
+def _stages(stages: Stages, shared: SharedErrors) -> Stages:
+    """Return the stages of a model with the errors that it has in the trusted state."""
+
+    def spectrum(frequencies: Array) -> Array:
+        own = np.zeros_like(frequencies)
+        count = min(own.shape[1], shared.of_modes.shape[1])
+        own[:, :count] = shared.of_modes[:, :count]
+        return np.asarray(frequencies * np.exp(own))
+
+    def stage(one: Predicted | None) -> Predicted | None:
+        if one is None:
+            return None
+        return replace(one, frequency=one.frequency * np.exp(shared.offset), spectrum=spectrum(one.spectrum))
+
+    before = stage(stages.before)
+    assert before is not None
+    without = None if stages.without is None else spectrum(stages.without)
+    return Stages(before, stage(stages.refit), stage(stages.after), without)
+
+
+def _changed(result: Diagnosis) -> bool | None:
+    """Return whether anything changed, as far as a verdict tells."""
+    if result.verdict == ADEQUATE.word:
+        return False
+    if result.beyond is not None and result.beyond.found is not None:
+        return True
+    return None if result.rule.startswith(NOT_TOLD) else True
+
+
+def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
+    """Return what changed in several later states, each compared with the trusted one."""
+    if len(changes) == 1:
+        return next(iter(changes.values()))
+    results = list(changes.values())
+    verdict = next(one.word for one in ORDER if any(result.verdict == one.word for result in results))
+    answers = {result.changed for result in results}
+    told = next((word for word in (True, None, False) if word in answers), None)
+    first = results[0]
+    content = {one.name: getattr(first, one.name) for one in fields(Diagnosis)}
+    content |= {
+        "verdict": verdict,
+        "reason": of_changes(changes),
+        "effects": tuple(effect for result in results for effect in result.effects),
+        "survivors": tuple(group for result in results for group in result.survivors),
+        "rows": tuple(row for result in results for row in result.rows),
+        "notes": tuple(f"{name}: {note}" for name, one in changes.items() for note in one.notes),
+        "before": _error([result.before for result in results], results),
+        "refit": _error([result.refit for result in results], results),
+        "after": _error([result.after or result.refit for result in results], results)
+        if any(result.after for result in results)
+        else None,
+        "held_out_poses": tuple(dict.fromkeys(pose for result in results for pose in result.held_out_poses)),
+        "undetectable": tuple(
+            name for name in first.undetectable if all(name in result.undetectable for result in results)
+        ),
+        "limits": {},
+        "next_measurement": None,
+        "not_separated": "each later state has its own, under by_state",
+        "beyond": None,
+        "probabilities": None,
+        "stages": None,
+        "headline": "",
+        "rule": "",
+        "alone": {},
+    }
+    return Change(
+        **content,
+        states=(trusted, *list(changes)),
+        changed=told,
+        counterparts=tuple(one for result in results for one in result.counterparts),
+        model_error=first.model_error,
+        by_state=dict(changes),
+    )
+
+
+def _error(errors: Sequence[Error | None], results: Sequence[Change]) -> Error | None:
+    """Return the errors of a stage over the rows of all states."""
+    known = [(error, len(one.rows)) for error, one in zip(errors, results, strict=True) if error is not None]
+    if not known:
+        return None
+    counts = np.array([count for _, count in known], dtype=float)
+
+    def mean(values: Sequence[float | None]) -> float | None:
+        there = np.array([value is not None for value in values])
+        if not there.any():
+            return None
+        squares = np.array([0.0 if value is None else value**2 for value in values])
+        return float(np.sqrt((counts[there] * squares[there]).sum() / counts[there].sum()))
+
+    chi2 = float(counts @ np.array([error.chi2_per_dof for error, _ in known]) / counts.sum())
+    return Error(
+        mean([error.rms_relative for error, _ in known]),
+        mean([error.held_out_rms_relative for error, _ in known]),
+        chi2,
+    )

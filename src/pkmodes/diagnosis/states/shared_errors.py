@@ -1,0 +1,189 @@
+r"""What a later state shares with the trusted one: the error of the model in each mode at each setup.
+
+A model that is 3 % wrong is as wrong after a change as before it.  Its error :math:`\delta` in the logarithm of a
+frequency is a part of the mode, :math:`a_m`, and one of the mode at a setup, :math:`b_{sm}`:
+
+.. math:: \ln f_{measured} - \ln f_{model} = a_m + b_{sm} + e .
+
+The trusted rows tell it: :math:`\delta` of each later row is predicted from them with its variance (best linear
+unbiased prediction; Robinson, That BLUP is a good thing, Statist. Sci. 6, 1991, 15).  At a setup of the trusted state
+this is, for errors of the model far above those of the measurement, the difference of two measurements.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import stats
+
+from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.match.pairing import Pairer
+from pkmodes.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
+
+#: Standard deviation of the error of a model in a mode: anything.
+ANY = 0.3
+#: That of a mode which the trusted state does not tell, at least, and of the part that differs between setups where
+#: fewer than `FEW` differences tell it.
+UNKNOWN = 0.02
+FEW = 3
+#: The scatter between setups is taken at this upper confidence limit.
+CONFIDENCE = 0.9
+#: Setups are the same one where no component of the pose differs by more than this part of the range of the trusted
+#: ones, or this much [m or rad]; without positions, where the model has the same modes to this accuracy.
+NEAR, SMALL, EQUAL = 0.02, 5e-4, 1e-9
+
+
+@dataclass(frozen=True)
+class SharedErrors:
+    """The error of the model in each row of a later state, as the trusted state tells it.
+
+    Attributes
+    ----------
+    offset, variance : ndarray, shape (R,)
+        Of ln f, and the variance of what the trusted state leaves unknown of it, so large that errors of different
+        rows may be treated as independent.
+    known : ndarray of bool, shape (R,)
+        Rows whose mode was measured in the trusted state, at any setup.
+    counterpart : ndarray of int, shape (R,)
+        Row of the trusted state with the same mode at the same setup; -1 where there is none.
+    of_modes : ndarray, shape (S, m)
+        Of each elastic mode at each setup, the offset.
+    """
+
+    offset: Array
+    variance: Array
+    known: NDArray[np.bool_]
+    counterpart: NDArray[np.intp]
+    of_modes: Array
+
+    @property
+    def compared(self) -> NDArray[np.bool_]:
+        """Rows with a counterpart, (R,)."""
+        return np.asarray(self.counterpart >= 0)
+
+
+def shared_errors(trusted: Fitter, values: Array, structure: Structure, later: Measurements) -> SharedErrors:
+    """Return what the rows of a later state share with the trusted one.
+
+    Parameters
+    ----------
+    trusted : Fitter
+        Of the trusted state.
+    values : ndarray
+        Of its parameters, fitted to it.
+    structure : Structure
+        At the setups of the later state, with these values as declared.
+    """
+    pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
+    before, data = trusted.structure.predict(values, ()), trusted.data
+    after = structure.predict(np.array([p.value for p in structure.parameters]), ())
+    same = same_setups(data, before, later, after)
+    among, later_among = same_setups(data, before, data, before), same_setups(later, after, later, after)
+    known = pairing.partner >= 0
+    scatter = between_setups(residual[known], sigma[known], pairing.partner[known], among, data.pose[known])
+    unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[known] ** 2))) if known.any() else 0.0)
+    modes = after.eigenvalues.shape[1]
+    predicted = np.zeros((len(later.labels), modes))
+    covariances = []
+    for mode in range(modes):
+        rows = np.flatnonzero(known & (pairing.partner == mode))
+        at = data.pose[rows]
+        if not len(rows):
+            covariances.append(np.full(later_among.shape, unknown**2) + scatter**2 * later_among)
+            continue
+        own = ANY**2 + scatter**2 * among[np.ix_(at, at)] + np.diag(sigma[rows] ** 2)
+        cross = ANY**2 + scatter**2 * same[:, at]
+        gain = np.linalg.solve(own, cross.T).T
+        predicted[:, mode] = gain @ residual[rows]
+        covariances.append(ANY**2 + scatter**2 * later_among - gain @ cross.T)
+    partner = _paired(structure, later, after, predicted)
+    offset, variance = np.zeros(len(partner)), np.full(len(partner), unknown**2)
+    told, counterpart = np.zeros(len(partner), dtype=bool), np.full(len(partner), -1, dtype=np.intp)
+    for mode in range(modes):
+        rows = np.flatnonzero(partner == mode)
+        at = later.pose[rows]
+        offset[rows] = predicted[at, mode]
+        # A sum of the moduli in each row bounds the covariance by a diagonal one.
+        variance[rows] = np.abs(covariances[mode][np.ix_(at, at)]).sum(axis=1)
+        there = np.flatnonzero(known & (pairing.partner == mode))
+        told[rows] = len(there) > 0
+        for row, match in zip(rows, same[np.ix_(at, data.pose[there])], strict=True):
+            counterpart[row] = there[int(match.argmax())] if match.any() else -1
+    return SharedErrors(offset, variance, told, counterpart, predicted[:, after.rigid :])
+
+
+def between_setups(
+    residual: Array, sigma: Array, partner: NDArray[np.intp], among: NDArray[np.bool_], pose: NDArray[np.int_]
+) -> float:
+    """Return how far errors of the model in one mode differ between setups, a standard deviation, at most.
+
+    Parameters
+    ----------
+    residual, sigma : ndarray, shape (R,)
+        Of ln f.
+    partner, pose : ndarray of int, shape (R,)
+        Mode and setup of each row.
+    among : ndarray of bool, shape (S, S)
+        Setups that are the same one.
+    """
+    squares, degrees = 0.0, 0
+    for mode in np.unique(partner):
+        rows = np.flatnonzero(partner == mode)
+        weights = sigma[rows] ** -2
+        mean = float(weights @ residual[rows] / weights.sum())
+        squares += float(weights @ (residual[rows] - mean) ** 2)
+        degrees += int(np.linalg.matrix_rank(among[np.ix_(pose[rows], pose[rows])].astype(float))) - 1
+    if degrees < FEW:
+        return UNKNOWN
+    larger = squares / float(stats.chi2.ppf(1.0 - CONFIDENCE, degrees))
+    return float(np.sqrt(max(larger - 1.0, 0.0)) * np.median(sigma))
+
+
+def same_setups(
+    first: Measurements, modes: Prediction, second: Measurements, other_modes: Prediction
+) -> NDArray[np.bool_]:
+    """Return which setups of the second measurements are those of the first, (S_2, S_1).
+
+    They are at one position with the same drives and set values; without positions, the model has the same modes.
+    """
+    conditions = [(first.drives[i], first.load(i)) for i in range(len(first.labels))]
+    others = [(second.drives[i], second.load(i)) for i in range(len(second.labels))]
+    alike = np.array([[one == other for one in conditions] for other in others])
+    if first.points.any() and second.points.any():
+        reach = np.maximum(NEAR * np.ptp(first.points, axis=0), SMALL)
+        apart = np.abs(second.points[:, None] - first.points[None])
+        return np.asarray(alike & (apart <= reach).all(axis=-1))
+    count = min(modes.eigenvalues.shape[1], other_modes.eigenvalues.shape[1])
+    a, b = modes.eigenvalues[None, :, :count], other_modes.eigenvalues[:, None, :count]
+    largest = np.abs(a).max(axis=-1, keepdims=True)
+    return np.asarray(alike & (np.abs(a - b) <= EQUAL * largest).all(axis=-1))
+
+
+def _paired(structure: Structure, data: Measurements, modes: Prediction, offsets: Array) -> NDArray[np.intp]:
+    """Return the mode of each row, paired with the modes of the model without its errors."""
+    corrected = Prediction(modes.eigenvalues * np.exp(2.0 * offsets), modes.rates, modes.shapes, modes.rigid)
+    every = np.ones(len(data.frequency), dtype=bool)
+    return Pairer(data, structure.channels, modes).pair(corrected, every).partner
+
+
+def without_shared_errors(data: Measurements, shared: SharedErrors, shape_error: float) -> Measurements:
+    """Return measurements of a later state as if the model had no error that the trusted state shows.
+
+    Parameters
+    ----------
+    shape_error : float
+        Standard deviation of the components of shapes by which the model differs from the trusted state.
+    """
+    factor = np.exp(-shared.offset)
+    sigma = np.sqrt(FREQUENCY.transformed_sigma(data) ** 2 + shared.variance)
+    frequency = data.frequency * factor
+    numbers = {name: np.array(column) for name, column in data.numbers.items()}
+    numbers |= {"frequency": frequency, "sigma": sigma * frequency}
+    numbers |= {name: np.full(len(frequency), np.nan) for name in ("damping", "damping_sigma")}
+    band = None if data.band is None else (data.band[0] * factor.min(), data.band[1] * factor.max())
+    shapes = np.hypot(data.shape_sigma, shape_error)
+    return replace(data, numbers=numbers, band=band, shape_sigma=np.minimum(shapes, 0.99))

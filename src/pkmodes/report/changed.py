@@ -1,0 +1,218 @@
+"""What changed between states: the words of its head, its table mode by mode, and its page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from pkmodes.diagnosis.states.result import Change
+from pkmodes.diagnosis.states.words import between, what
+from pkmodes.diagnosis.verdict.rows import Row
+from pkmodes.plots.evidence import Evidence
+from pkmodes.report import explanations, figures, numbers
+from pkmodes.report.action import action
+from pkmodes.report.beyond import beyond
+from pkmodes.report.blocks import Cell, Column, Facts, Section, Summary, Table
+from pkmodes.report.formatting import (
+    clean,
+    hertz,
+    label,
+    number,
+    plural,
+    pointer,
+    prose,
+    sentence,
+    three_digits,
+)
+from pkmodes.report.mode_table import mode_table
+from pkmodes.report.page import page
+from pkmodes.report.places import picture
+from pkmodes.report.sections import glossary, view_section
+from pkmodes.report.setting import Setting
+from pkmodes.report.tables import table
+
+if TYPE_CHECKING:
+    from pkmodes.diagnosis.verdict.verdicts import Colour
+
+#: Sections that a reader sees without unfolding them.
+OPEN = ("changes", "causes", "beyond", "place", "errors")
+#: Prefix of values that differ from one day to another, and from how many standard deviations on that is said.
+DAY, CLEARLY = "day.", 3.0
+#: Most rows in the table of changes on a page.
+MOST = 300
+#: Colours by whether anything changed.
+TONES: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
+
+
+def headline(result: Change) -> str:
+    """Return what changed since the trusted state, as a title."""
+    trusted = result.states[0]
+    if result.by_state:
+        return clean("; ".join(f"{name}: {what(one)}" for name, one in result.by_state.items()))
+    if result.changed is None:
+        return clean(f"The data do not tell whether anything changed since {trusted}")
+    if result.changed is False:
+        day = "; ".join(_of_day(result))
+        return clean(
+            f"Nothing changed since {trusted} beyond the errors of both{f', but {day}' if day else ''}"
+        )
+    if not result.effects and (result.beyond is None or result.beyond.found is None):
+        return clean(f"Something changed since {trusted}, and the data do not tell what")
+    return clean(f"Changed since {trusted}: {what(result).removeprefix('change ').removeprefix('found: ')}")
+
+
+def _of_day(result: Change) -> list[str]:
+    """Return what differs clearly as from one day to another: "all belts are 1.2 % stiffer"."""
+    return [
+        between(f"{one.name} from {one.before:g} to {one.after:g}", *result.states[:2])
+        for one in result.refitted
+        if one.name.startswith(DAY) and abs(one.after) > CLEARLY * one.sigma
+    ]
+
+
+def summary(result: Change, setting: Setting) -> Summary:
+    """Return the head of what changed."""
+    facts = [
+        ("states", Cell(clean(" \u2192 ".join(result.states)), len(result.states))),
+        ("modes compared", _count(sum(one is not None for one in result.counterparts))),
+        ("without a counterpart", _count(sum(one is None for one in result.counterparts))),
+        ("rms change [%]", numbers.percent(_rms(result))),
+        ("error of the model in both [%]", numbers.percent(result.model_error, pointer("model_error"))),
+    ]
+    last = result.after or result.refit or result.before
+    if last is not None:
+        facts.append(("chi\u00b2 per degree of freedom in the end", three_digits(last.chi2_per_dof)))
+    return Summary(
+        subject=setting.title(row.drives for row in result.rows),
+        kind="What changed",
+        verdict="" if result.by_state else result.verdict,
+        headline=headline(result),
+        reason=prose(sentence(result.reason)),
+        tone=TONES[result.changed],
+        notes=[prose(sentence(note)) for note in result.notes],
+        action=None if result.by_state else what_to_do(result, setting),
+        facts=[(name, cell) for name, cell in facts if cell.value is not None],
+        head=setting.head,
+    )
+
+
+def what_to_do(result: Change, setting: Setting) -> Facts:
+    """Return what to inspect, what it does, how sure that is, and what to measure next, in the words of a change."""
+    trusted, later = result.states
+
+    def said(cell: Cell) -> Cell:
+        return replace(
+            cell, text=between(cell.text, trusted, later), plain=between(cell.plain, trusted, later)
+        )
+
+    facts = action(result, setting)
+    return Facts([(name, [said(cell) for cell in cells]) for name, cells in facts.entries])
+
+
+def _count(number: int) -> Cell:
+    return Cell(str(number), number)
+
+
+def _rms(result: Change) -> float | None:
+    """Return the root mean square of the relative changes of the modes that both states have."""
+    changes = [change for change, _ in _changes(result) if change is not None]
+    return (sum(one**2 for one in changes) / len(changes)) ** 0.5 if changes else None
+
+
+def _changes(result: Change) -> list[tuple[float | None, float | None]]:
+    """Return the relative change of each mode, and in standard deviations of the difference."""
+    found: list[tuple[float | None, float | None]] = []
+    for row, before in zip(result.rows, result.counterparts, strict=True):
+        if before is None:
+            found.append((None, None))
+            continue
+        change = row.measured / before.measured - 1.0
+        found.append((change, change * row.measured / row.sigma))
+    return found
+
+
+def changes(result: Change, most: int | None = MOST) -> Table:
+    """Return the modes of both states side by side, those first that changed most in standard deviations.
+
+    Parameters
+    ----------
+    most : int, optional
+        Number of rows; None for all, in the order of the file.
+    """
+    every = _changes(result)
+    order = sorted(range(len(every)), key=lambda i: -abs(every[i][1] or 0.0))
+    chosen = list(range(len(every))) if most is None or most >= len(every) else order[:most]
+    trusted, *later = result.states
+    rows = [
+        [
+            label(result.rows[i].pose),
+            *_of_trusted(result, i),
+            number(result.rows[i].line, ".0f", pointer("rows", i, "line")),
+            hertz(result.rows[i].measured, pointer("rows", i, "frequency_hz")),
+            number(every[i][0], "+.2f", scale=100.0),
+            number(every[i][1], "+.1f"),
+            number(_explained(result.rows[i]), "+.2f", scale=100.0),
+        ]
+        for i in chosen
+    ]
+    columns = [
+        Column("pose", numbers=False),
+        *[Column("line"), Column("f [Hz]")] * 2,
+        Column("[%]"),
+        Column("[\u03c3]"),
+        Column("[%]"),
+    ]
+    other = later[0] if len(later) == 1 else "later"
+    groups = [("", 1), (clean(trusted), 2), (clean(other), 2), ("change", 2), ("explained", 1)]
+    if all(_explained(row) is None for row in result.rows):
+        rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
+    left = len(every) - len(chosen)
+    note = f"{plural(left, 'mode')} changed less: --all prints every mode." if left else ""
+    caption = "Modes of both states: standard deviations are those of the difference."
+    return table(caption, columns, rows, groups, note)
+
+
+def _of_trusted(result: Change, i: int) -> list[Cell]:
+    before = result.counterparts[i]
+    return [
+        number(None if before is None else before.line, ".0f", pointer("rows", i, "trusted_line")),
+        hertz(None if before is None else before.measured, pointer("rows", i, "trusted_hz")),
+    ]
+
+
+def _explained(row: Row) -> float | None:
+    """Return the relative change of a frequency by what was found; None without that."""
+    return None if row.after is None or not row.before else row.after / row.before - 1.0
+
+
+def change_page(result: Change, evidence: Evidence, setting: Setting) -> str:
+    """Return the page of what changed as HTML."""
+    title = "What remains" if result.survivors else "What changed"
+    sections = [
+        Section("changes", "Before and after, mode by mode", [changes(result)]),
+        *([Section("causes", title, found)] if (found := explanations.causes(result, setting)) else []),
+        *([Section("beyond", "One thing at one place", terms)] if (terms := beyond(result, setting)) else []),
+        *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
+        Section("errors", "Error before and after", numbers.errors(result)),
+        *(_of_states(result, setting) if result.by_state else figures.sections(evidence)),
+        Section("candidates", "What may have changed", explanations.candidates(result)),
+        Section("values", "Values before and after", numbers.values(result, setting)),
+        *view_section(setting.view),
+        *([] if result.by_state else [_rows(result, evidence, setting)]),
+        glossary(diagnosed=True),
+        setting.origin(evidence),
+    ]
+    return page(summary(result, setting), [replace(one, folded=one.name not in OPEN) for one in sections])
+
+
+def _rows(result: Change, evidence: Evidence, setting: Setting) -> Section:
+    return Section("rows", "All measured modes beside the model", [mode_table(result, evidence, setting)])
+
+
+def _of_states(result: Change, setting: Setting) -> Sequence[Section]:
+    """Return a section for each later state."""
+    return [
+        Section(f"state-{k}", clean(name), [changes(one), *explanations.causes(one, setting)])
+        for k, (name, one) in enumerate(result.by_state.items(), start=1)
+    ]

@@ -1,0 +1,156 @@
+"""What changed on a robot between campaigns of modal measurements, of which the first is trusted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
+from pkmodes.core.model import Model
+from pkmodes.core.robot.layout import Slot
+from pkmodes.core.robot.robot import Robot
+from pkmodes.diagnosis.problem import Parameter
+from pkmodes.diagnosis.search.additions import Progress
+from pkmodes.diagnosis.states.changes import Trusted
+from pkmodes.diagnosis.states.result import Change, merged
+from pkmodes.diagnosis.states.words import candidate_as_change
+from pkmodes.measured.measurements import Measurements
+from pkmodes.sensitivity.paths import ParameterPath
+from pkmodes.support.threads import one_blas_thread
+from pkmodes.updating.candidates import EFFECTS, PREFIX
+from pkmodes.updating.joints import joints_of
+from pkmodes.updating.measured_robot import MeasuredRobot
+from pkmodes.updating.robot_structure import RobotStructure
+
+#: Names of the states that have none: two, or more.
+BEFORE, AFTER = "before", "after"
+#: What all transmissions of a kind may differ by from one day to another, as with temperature: the standard deviation
+#: of the relative change of their stiffness.
+DAY = 0.015
+#: The stiffness of the equal parts of a transmission.
+STIFFNESS = "stiffness"
+
+
+@one_blas_thread()
+def changed(
+    model: Robot | Model,
+    trusted: Measurements,
+    later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
+    *,
+    candidates: Sequence[str] | None = None,
+    holdout: Sequence[str] | None = None,
+    priors: Mapping[str, float | str] | None = None,
+    progress: Progress | None = None,
+    terms: bool = True,
+    name: str = "",
+) -> Change:
+    """Find what changed on a robot since a trusted campaign.
+
+    Uncertain values of the robot are fitted to the trusted campaign, and what the model is then wrong by is taken off
+    the later one: differences are compared with differences.  The stiffness that all belts, legs or reducers share
+    may differ by 1 % from one day to another.
+
+    Parameters
+    ----------
+    model : Robot or Model
+        From `pkmodes.read_robot` or `pkmodes.load`.
+    trusted : Measurements
+        From `read`.
+    later : Measurements, sequence or mapping of these
+        One campaign, or several, each compared with the trusted one.  The keys of a mapping name the states.
+    candidates : sequence of str, optional
+        What may have changed, as in `diagnose`; by default everything.
+    holdout : sequence of str, optional
+        Labels of held-out poses of the later campaigns; by default one in six.
+    priors : mapping of str to float or str, optional
+        As in `diagnose`.
+    progress : callable, optional
+        Called with a sentence at each step.
+    terms : bool, optional
+        Whether one thing at one place is tried where the candidates do not explain the difference.
+    name : str, optional
+        Name of the trusted state, if its measurements name none.
+
+    Returns
+    -------
+    Change
+        A diagnosis of the difference, with ``states``, and ``changed``: True, False, or None where the data do not
+        tell.
+
+    Raises
+    ------
+    PkmodesError
+        If a pose cannot be reached, a name is unknown, or the campaigns have no mode in common, the same rows, or
+        motors in different states.
+    """
+    names, campaigns = _named(trusted, later, name)
+    first = MeasuredRobot.of(model, trusted)
+    common = Trusted.of(names[0], first.structure(candidates=()), trusted)
+    known = _as_trusted(first.robot, common.values)
+    changes = {}
+    for name, data in zip(names[1:], campaigns, strict=True):
+        measured = MeasuredRobot.of(known, data).where_usable()
+        if progress is not None and len(campaigns) > 1:
+            progress(f"comparing {name} with {names[0]}")
+        changes[name] = common.changed_to(
+            name,
+            _with_day(measured.structure(candidates, priors)),
+            measured.data,
+            holdout=holdout,
+            progress=progress,
+            terms=terms,
+        )
+    return merged(names[0], changes)
+
+
+def _named(
+    trusted: Measurements,
+    later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
+    own: str,
+) -> tuple[list[str], list[Measurements]]:
+    """Return the names of the states, the trusted one first, and the later campaigns."""
+    if isinstance(later, Measurements):
+        later = [later]
+    if not isinstance(later, Mapping | Sequence) or isinstance(later, str) or not later:
+        what = f"expected measurements, found {shown(later)}"
+        raise PkmodesError(what, "later", "give those of one state, or a list or mapping of several")
+    data = list(later.values()) if isinstance(later, Mapping) else list(later)
+    for place, one in {"trusted": trusted, **{f"later {i + 1}": x for i, x in enumerate(data)}}.items():
+        if not isinstance(one, Measurements):
+            what = f"expected measurements, found {shown(one)}"
+            raise PkmodesError(what, place, "read them with pkmodes.updating.read(path)")
+    first = own or trusted.state or BEFORE
+    if isinstance(later, Mapping):
+        names = list(map(str, later))
+    else:
+        alone = [one.state or AFTER for one in data]
+        several = [one.state or f"{AFTER} {i + 1}" for i, one in enumerate(data)]
+        names = alone if len(data) == 1 else several
+    for i, name in enumerate(names):
+        if name in (first, *names[:i]):
+            what = f"two states are called {shown(name)}"
+            raise MeasurementError(what, data[i].source, "give each state another name")
+    return [first, *names], data
+
+
+def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
+    """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
+    uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
+    known = {path: {"sigma": None} for path in uncertain - values.keys()}
+    fitted = {path: {"value": value, "sigma": None} for path, value in values.items()}
+    return robot.with_values({**known, **fitted})
+
+
+def _with_day(structure: RobotStructure) -> RobotStructure:
+    """Return a structure in which all transmissions of a kind may differ by what one day differs from another."""
+    mechanism, common = structure.robot.mechanism, dict[str, ParameterPath]()
+    for effect in mechanism.conservative_effects.values():
+        names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.parameters]
+        joints = joints_of(mechanism, names, effect.parameters, PREFIX)
+        if not joints or joints[0].quantity.split()[-1] != STIFFNESS:
+            continue
+        part = joints[0].words.rpartition(" ")[0]
+        name = f"day.{part.replace(' ', '_')}_{STIFFNESS}"
+        slots: dict[Slot, float] = {(one.removeprefix(EFFECTS), ()): 1.0 for one in names}
+        common[name] = ParameterPath(name, 0.0, "1", slots)
+    parameters = [Parameter(name, 0.0, "1", DAY, lower=-0.5, upper=1.0) for name in common]
+    return structure.extended(parameters, common, [candidate_as_change(one) for one in structure.candidates])
