@@ -16,7 +16,7 @@ from pkmodes_rig.one_place.changes import ALL_DRIVES, kinds_of_changes
 from pkmodes_rig.suites.changed import MACHINES, cases, page, pair, some_pairs
 from pkmodes_rig.suites.changed_cases import Campaign, Pair, PairCase, measured, written_to
 from pkmodes_rig.suites.changed_judging import PairOutcome, judged_change, run, truths_of
-from pkmodes_rig.suites.one_place_cases import CLEAR, FAINT, declared
+from pkmodes_rig.suites.one_place_cases import CLEAR, EVERY, FAINT, declared
 from pkmodes_rig.suites.running import Pool
 from pkmodes_rig.suites.specimens import MACHINES as SPECIMENS
 from pkmodes_rig.suites.specimens import measurements_of
@@ -270,6 +270,33 @@ def test_one_place_has_the_names_of_its_own_suite() -> None:
     assert truths_of(PairCase("unchanged", 0, "published"), robot, []) == []
 
 
+@pytest.mark.parametrize(
+    ("machine", "place", "path"),
+    [
+        ("asymmetric", "platform", "platform.mass"),
+        ("rotary_delta", "platform", "platform.mass"),
+        ("corexy", "platform", "toolhead.mass"),
+        ("corexy", "gantry", "gantry.mass"),
+        ("cartesian", "beam", "beam.mass"),
+        ("bed_slinger", "toolhead", "toolhead.mass"),
+        ("bed_slinger", "bed", "bed.mass"),
+    ],
+)
+def test_a_mass_on_a_body_is_a_larger_declared_one(machine: str, place: str, path: str) -> None:
+    """In a change, unlike in a diagnosis, values that were uncertain are suspected, too."""
+    robot, p = declared(machine), EVERY[machine].points[1]
+    fault = Fault("mass", (place,), values={"mass": 0.05})
+    (names,) = truths_of(PairCase("clear", 0, machine, "mass"), robot, [fault])
+    assert f"parameter:{path}" in names
+    q, field = robot.parameters, path.replace(".", "_")
+    larger = modes_of(robot.mechanism_name, q._replace(**{field: getattr(q, field) + 0.05}), p)
+    np.testing.assert_allclose(
+        modes_of(robot.mechanism_name, q, p, [fault]).frequencies[larger.rigid :],
+        larger.frequencies[larger.rigid :],
+        rtol=1e-9,
+    )
+
+
 # Judging -------------------------------------------------------------------------------------------------------
 
 MASS = {"value": 0.21, "sigma": 0.02, "unit": "kg"}
@@ -337,7 +364,7 @@ def test_a_case_is_measured_asked_about_and_judged(
         given.append((robot, len(trusted.frequency), len(later.frequency)))
         return SimpleNamespace(changed=True, rule="claims.found", beyond=None, as_json=lambda: document)
 
-    monkeypatch.setattr(updating, "changed", changed, raising=False)
+    monkeypatch.setattr(updating, "changed", changed)
     outcome = run(case)
     assert given == [(declared("tower"), len(hidden.trusted.rows), len(hidden.later.rows))]
     assert outcome.state == state

@@ -107,7 +107,7 @@ def run(case: PairCase) -> PairOutcome:
 
 def asked(robot: Robot, trusted: Measurements, later: Measurements) -> Any:
     """Ask what changed."""
-    return updating.changed(robot, trusted, later)  # type: ignore[attr-defined]
+    return updating.changed(robot, trusted, later)
 
 
 def measures(pair: Pair) -> dict[str, Any]:
