@@ -15,7 +15,7 @@ from itertools import chain, zip_longest
 
 import numpy as np
 
-from pkmodes_rig.one_place.changes import ALL_DRIVES, kinds_of_changes
+from pkmodes_rig.one_place.changes import kinds_of_changes
 from pkmodes_rig.one_place.faults import same_term
 from pkmodes_rig.suites.changed_cases import (
     OF_CLEAR,
@@ -217,9 +217,9 @@ _ABOUT = (
     f"softer, or the same joint of all axes yields. A *clear* change is one of {100 * CLEAR[0]:.2g} to",
     f"{100 * CLEAR[1]:.2g} % of the frequencies (root mean square over all modes and poses). In the suite *sigmas*,",
     f"the changes of all modes that both campaigns found at the same pose are {FAINT[0]:g} to {FAINT[1]:g} standard",
-    "deviations of the difference of the campaigns (root of the sum of squares). So are, in both suites, those",
-    f"where the change is *{ALL_DRIVES}*, beyond what another temperature can do within its standard deviation:",
-    "nothing else tells the two apart.",
+    "deviations of the difference of the campaigns (root of the sum of squares). What changed on all axes alike is",
+    "as large as that in both suites, beyond what another temperature can do within its standard deviation: nothing",
+    "else tells the two apart.",
     "",
     f"An *ideal* laboratory finds all modes, with {100 * SIGMA:.2g} % noise and shapes at all sensors with 2 %.",
     "Every second pair is *realistic*: each campaign by itself misses modes at random and at nodes, cuts the band,",

@@ -17,7 +17,7 @@ import numpy as np
 from pkmodes.core.robot.robot import Robot
 from pkmodes_rig import Identified, TrueModes, drawn_values
 from pkmodes_rig.one_place import Fault
-from pkmodes_rig.one_place.changes import ALL_DRIVES, Change, change_drawn, deviating
+from pkmodes_rig.one_place.changes import Change, change_drawn, deviating
 from pkmodes_rig.suites.clear_cases import LEVER
 from pkmodes_rig.suites.one_place_cases import (
     CLEAR,
@@ -231,29 +231,30 @@ class _Machine(TrueMachine):
         case, rng = self.case, self.case.rng(OF_CHANGE)
         if case.suite == UNCHANGED:
             return ()
-        low, high = CLEAR if self._by_mean else FAINT
-        target = float(np.exp(rng.uniform(np.log(low), np.log(high))))
         for _ in range(DRAWS):
             change = change_drawn(case.mechanism, self.robot.parameters, case.kind, self.span, rng)
-            size = self._size_of(change, target)
+            size = self._size_of(change, float(rng.uniform()))
             if size:
                 return change.of_size(size)
-        raise UnreachedError(f"{case.label}: no {case.kind} changes the frequencies by {target:.3g}")
+        raise UnreachedError(f"{case.label}: no {case.kind} changes the frequencies enough")
 
-    @property
-    def _by_mean(self) -> bool:
-        """Whether a size is a mean change; where all drives are softer it must exceed what a temperature does."""
-        return self.case.suite == OF_CLEAR and self.case.kind != ALL_DRIVES
+    def _size_of(self, change: Change, share: float) -> float:
+        """Return the size of a change, so far along the ranges of sizes; 0 if it cannot be as large.
 
-    def _size_of(self, change: Change, target: float) -> float:
-        def strength(size: float) -> float:
-            modes = self.modes(change.of_size(size))
-            if self._by_mean:
-                return self.mean(modes)
-            beyond = self.case.kind == ALL_DRIVES
-            return self.strength(modes, self.found_later(modes), beyond_temperature=beyond)
+        Where all axes changed alike, what counts is what another temperature cannot do, in a clear change, too.
+        """
+        clear, alike = self.case.suite == OF_CLEAR, len(change.parts) > 1
 
-        return sized(change.sized_by, target, strength, self.largest(change.parts[0]))
+        def part(size: float) -> float:
+            modes, parts = self.modes(change.of_size(size)), []
+            if clear:
+                parts.append(self.mean(modes) / _along(CLEAR, share))
+            if not clear or alike:
+                strength = self.strength(modes, self.found_later(modes), beyond_temperature=alike)
+                parts.append(strength / _along(FAINT, share))
+            return min(parts)
+
+        return sized(change.sized_by, 1.0, part, self.largest(change.parts[0]))
 
     def mean(self, modes: Sequence[TrueModes]) -> float:
         """Return the root mean square of the changes of ln f."""
@@ -306,6 +307,11 @@ class _Machine(TrueMachine):
         )
         rows, text = found(test, modes, self._scope, case.rng(OF_LABORATORIES[number]))
         return Campaign(text, visit, tuple(rows))
+
+
+def _along(sizes: tuple[float, float], share: float) -> float:
+    low, high = sizes
+    return float(low * (high / low) ** share)
 
 
 # The campaigns -----------------------------------------------------------------------------------------------
