@@ -224,7 +224,7 @@ _ABOUT = (
     f"An *ideal* laboratory finds all modes, with {100 * SIGMA:.2g} % noise and shapes at all sensors with 2 %.",
     "Every second pair is *realistic*: each campaign by itself misses modes at random and at nodes, cuts the band,",
     "has no or few shapes, and states errors that are wrong in one case of four; the second one has other sensors",
-    f"and another noise; {OTHER_POSES[0]} to {OTHER_POSES[1]} poses of the first are missing, and as many are new.",
+    f"and another noise; {OTHER_POSES[0]} to {OTHER_POSES[1]} poses of the first are missing, and others are new.",
     f"Poses are repeated in another order, and with errors of {1e3 * REPEATED:g} mm, which every second file knows.",
     "",
     f"An answer is *named* if the class that was found, of at most {MEMBERS} members, holds what changed, or what is",
