@@ -13,11 +13,10 @@ from functools import cache, cached_property, partial
 from typing import Any
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
 
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.paths import moved, resolve
+from pkmodes.sensitivity.paths import resolve
 from pkmodes_rig import Identified, Laboratory, TrueModes, drawn_values, identified, written
 from pkmodes_rig.one_place import Fault, modes_of
 from pkmodes_rig.one_place.draws import Drawn, drawn, kinds_of
@@ -32,6 +31,7 @@ from pkmodes_rig.suites.specimens import (
     robot_of,
     spread,
 )
+from pkmodes_rig.suites.true_machines import LARGEST, TrueMachine, sized, with_values
 
 #: Standard deviation of ln f, and of shapes relative to their largest component in an ideal laboratory.
 SIGMA, SHAPE_NOISE = 0.0015, 0.02
@@ -40,13 +40,8 @@ BAND = (2.0, 1.25)
 #: Sizes.  Of a clear fault, the root mean square of the relative changes of all frequencies; of a faint one, the root
 #: of their sum of squares in stated standard deviations.
 CLEAR, FAINT = (0.007, 0.013), (9.0, 14.0)
-#: Largest number of steps of the search for a size, how near it comes, and how many faults are drawn until one at its
-#: place can be as large as that.
-STEPS, WITHIN, DRAWS = 40, 1.05, 40
-#: Where the search for a size begins, by what is sized; largest sizes: beyond them it would be another machine.
-STARTS = {"mass": 1e-3, "inertia": 1e-7, "stiffness": 1e2, "compliance": 1e-9, "change": 1e-3, "law": 1e-4}
-MOST = {"change": 0.5}
-LARGEST = 1e9
+#: How many faults are drawn until one at its place can be as large as asked.
+DRAWS = 40
 #: What tells the draws of a case apart.
 OF_POSES, OF_TRUTH, OF_FAULT, OF_LABORATORY = range(4)
 
@@ -178,38 +173,20 @@ def measured(case: PlaceCase) -> Measured:
     """
     machine = _Machine(case)
     faults, size, modes = machine.hidden()
-    rows, text = found(case, modes, machine.span)
+    test = ModalTest(case.machine, case.points, case.sensors, case.realistic)
+    rows, text = found(test, modes, machine.span, case.rng(OF_LABORATORY))
     change = machine.changes(modes)
     each = [change[key] for row in rows if (key := (row.pose, row.mode)) in change]
     return Measured(faults, size, float(np.sqrt(np.mean(np.square(each)))) if each else 0.0, len(rows), text)
 
 
-class _Machine:
+class _Machine(TrueMachine):
     """The true machine of a case, with the values that its uncertain parameters happen to have."""
 
     def __init__(self, case: PlaceCase) -> None:
         self.case, self.declared = case, declared(case.machine)
         values = drawn_values(self.declared, case.rng(OF_TRUTH))
-        self.points = case.points
-        self.robot = _changed(self.declared, values)
-        self.frame = float(self.declared.constants.get("frame_compliance.mass", 50.0))
-        self.base = self.modes(())
-
-    def modes(self, faults: Sequence[Fault], robot: Robot | None = None) -> list[TrueModes]:
-        """Return the modes at all poses; a value of one axis is changed in the robot."""
-        robot = robot or self.robot
-        for fault in faults:
-            if fault.form == "parameter":
-                (path,) = fault.places
-                robot = _changed(robot, {path: resolve(robot, path).value * (1 + fault.values["change"])})
-        q = robot.parameters
-        return [modes_of(self.case.mechanism, q, p, faults, frame=self.frame) for p in self.points]
-
-    @cached_property
-    def span(self) -> tuple[float, float]:
-        """Lowest and highest frequency of its vibrations [Hz]."""
-        each = [modes.frequencies[modes.rigid :] for modes in self.base]
-        return float(min(one[0] for one in each)), float(max(one[-1] for one in each))
+        super().__init__(with_values(self.declared, values), case.points)
 
     # What is hidden -------------------------------------------------------------------------------------------
 
@@ -224,8 +201,9 @@ class _Machine:
             if case.suite == "outside the grammar" and case.kind != "two faults":
                 draw = int(rng.integers(2**31))
                 q, mechanism = self.robot.parameters, case.mechanism
-                setting = Setting(mechanism, q, self.points, self.frame, draw)
-                follows = partial(modes_by_law, case.kind, setting)
+                follows = partial(
+                    modes_by_law, case.kind, Setting(mechanism, q, self.points, self.frame, draw)
+                )
                 size = self._sized("law", target, follows)
                 if size:
                     return (), size, follows(size)
@@ -248,44 +226,16 @@ class _Machine:
         return [drawn(mechanism, q, kind, self.span, rng) for kind in kinds]
 
     def _size_of(self, one: Drawn, target: float) -> float:
-        heavy = one.sized_by == "mass" and not one.fault.places[0].startswith("motor")
-        most = self._heaviest if heavy else MOST.get(one.sized_by, LARGEST)
-        return self._sized(one.sized_by, target, lambda size: self.modes([one.of_size(size)]), most)
-
-    # Sizes ----------------------------------------------------------------------------------------------------
+        return self._sized(
+            one.sized_by, target, lambda size: self.modes([one.of_size(size)]), self.largest(one)
+        )
 
     def _sized(
-        self,
-        what: str,
-        target: float,
-        modes: Callable[[float], list[TrueModes]],
-        most: float = LARGEST,
+        self, what: str, target: float, modes: Callable[[float], list[TrueModes]], most: float = LARGEST
     ) -> float:
-        """Find the size with a change within `WITHIN` of the target; 0 if there is none."""
-        low, high, size = 0.0, 0.0, STARTS[what]
-        for _ in range(STEPS):
-            try:
-                value = self.strength(modes(size))
-            except (ValueError, np.linalg.LinAlgError):  # beyond what the links can reach
-                value = np.inf
-            if target / WITHIN <= value <= target * WITHIN:
-                return size
-            if value < target:
-                low = size
-                factor = min(max(target / max(value, 1e-12), 1.2), 30.0)
-                size = min(size * factor, most) if not high else (low * high) ** 0.5
-            else:
-                high = size
-                size = (low * high) ** 0.5 if low else size / 30.0
-            if low >= most or (high and low and high / low < 1.01):
-                break
-        return 0.0
+        return sized(what, target, lambda size: self.strength(modes(size)), most)
 
-    @property
-    def _heaviest(self) -> float:
-        """The largest extra mass: that of the platform or tool head."""
-        q = self.robot.parameters
-        return float(q.toolhead_mass if hasattr(q, "toolhead_mass") else q.platform_mass)
+    # Sizes ----------------------------------------------------------------------------------------------------
 
     def strength(self, modes: Sequence[TrueModes]) -> float:
         """Return how much modes differ from those of the machine without a fault: see `CLEAR` and `FAINT`.
@@ -313,56 +263,59 @@ class _Machine:
         every = []
         for path, sigma in sigmas.items():
             value = resolve(self.robot, path).value + sigma
-            every.append(self.partners(self.modes((), _changed(self.robot, {path: value}))))
+            every.append(self.partners(self.modes((), with_values(self.robot, {path: value}))))
         least = {i: modes.rigid for i, modes in enumerate(self.base)}
         keys = [(i, k) for i, modes in enumerate(self.base) for k in range(least[i], len(modes.frequencies))]
         return {key: np.array([one[key][1] for one in every]) for key in keys}
 
-    def partners(self, modes: Sequence[TrueModes]) -> dict[tuple[int, int], tuple[int, float]]:
-        """Pair modes by their shapes with those of the machine without a fault.
 
-        Returns
-        -------
-        dict
-            By pose and mode without fault: the mode, and the change of ln f.
-        """
-        found_pairs = {}
-        for pose, (plain, one) in enumerate(zip(self.base, modes, strict=True)):
-            before, after = (np.array([m.shapes[name] for name in plain.coordinates]) for m in (plain, one))
-            first = plain.rigid
-            moving = plain.mass_matrix @ after
-            # Without the fault a mode has size 1: an added one may look like another, but not be as large.
-            size = np.sqrt(np.maximum(np.sum(after * moving, axis=0), 1e-30))
-            likeness = np.abs(before[:, first:].T @ moving) / size * np.minimum(size, 1 / size)
-            for i, k in zip(*linear_sum_assignment(-likeness), strict=True):
-                if one.frequencies[k] > 0:
-                    change = np.log(one.frequencies[k] / plain.frequencies[first + i])
-                    found_pairs[pose, first + int(i)] = (int(k), float(change))
-        return found_pairs
+@dataclass(frozen=True)
+class ModalTest:
+    """How the modes of a machine are measured.
 
-    def changes(self, modes: Sequence[TrueModes]) -> dict[tuple[int, int], float]:
-        """Return the changes of ln f by pose and mode, for the modes that have a partner without the fault."""
-        return {(pose, k): change for (pose, _), (k, change) in self.partners(modes).items()}
+    Attributes
+    ----------
+    machine : str
+        One of `EVERY`.
+    points : array, shape (N, d)
+        Poses that the file states.
+    sensors : tuple of str
+    realistic : bool
+        See `PlaceCase`.
+    sigma : float
+        Standard deviation of ln f.
+    """
 
-
-def _changed(robot: Robot, values: dict[str, float]) -> Robot:
-    paths = [(resolve(robot, path), value) for path, value in values.items()]
-    return moved(robot, [(path, value - path.value) for path, value in paths])
+    machine: str
+    points: np.ndarray
+    sensors: tuple[str, ...]
+    realistic: bool = False
+    sigma: float = SIGMA
 
 
 def found(
-    case: PlaceCase, modes: Sequence[TrueModes], span: tuple[float, float]
+    test: ModalTest, modes: Sequence[TrueModes], span: tuple[float, float], rng: np.random.Generator
 ) -> tuple[list[Identified], str]:
-    """Return the modes that a laboratory finds, and the text of their file."""
-    kind, rng = EVERY[case.machine], case.rng(OF_LABORATORY)
-    lever = LEVER if case.machine in SIX_LEGGED else 0.0
-    shapes, band, stated = case.sensors, (BAND[0], float(f"{BAND[1] * span[1]:.3g}")), False
-    options: dict[str, Any] = {"sigma": SIGMA, "modes": (99, 99), "shapes": shapes, "band": band}
-    options |= {"shape_noise": SHAPE_NOISE, "sensors": case.sensors}
+    """Return the modes that a laboratory finds, and the text of their file.
+
+    Parameters
+    ----------
+    test : ModalTest
+    modes : sequence of TrueModes
+        At each pose.
+    span : tuple of two floats
+        Lowest and highest frequency of the machine's vibrations [Hz].
+    rng : numpy.random.Generator
+    """
+    kind = EVERY[test.machine]
+    lever = LEVER if test.machine in SIX_LEGGED else 0.0
+    shapes, band, stated = test.sensors, (BAND[0], float(f"{BAND[1] * span[1]:.3g}")), False
+    options: dict[str, Any] = {"sigma": test.sigma, "modes": (99, 99), "shapes": shapes, "band": band}
+    options |= {"shape_noise": SHAPE_NOISE, "sensors": test.sensors}
     for _ in range(TRIALS):
-        if case.realistic:
-            drawn_one = Laboratory.drawn(rng, span, case.sensors, modes=NUMBERS[case.mechanism])
-            laboratory = replace(drawn_one, sigma=SIGMA)
+        if test.realistic:
+            numbers = NUMBERS[declared(test.machine).mechanism_name]
+            laboratory = replace(Laboratory.drawn(rng, span, test.sensors, modes=numbers), sigma=test.sigma)
             options = laboratory.options()
             stated, shapes, band = (
                 bool(options.pop("band_stated")),
@@ -376,7 +329,7 @@ def found(
             break
     text = written(
         rows,
-        list(case.points),
+        list(test.points),
         shapes,
         band=band if stated else None,
         sigma_shape=options.get("sigma_shape", "absent") != "absent",

@@ -197,6 +197,8 @@ def _same_terms(mechanism: str, robot: Robot, fault: Fault) -> Iterator[tuple[st
     if fault.form == "mass":
         if place in ("platform", "bed"):
             yield "payload", {"mass": amount}
+        if (mechanism, place) in _VALUE_OF:
+            yield f"parameter:{_VALUE_OF[mechanism, place]}", {}
         for path in _MORE_OF.get((mechanism, stem), ()):
             yield f"parameter:{axis}.{path}", {}
         if mechanism in ON_RAILS and stem == "pulley" and _driven(robot, place):
@@ -295,6 +297,17 @@ _OF_ONE_MODE = (
 _BODY_OF = {("cartesian", "beam"): "2", ("bed_slinger", "toolhead"): "1", ("bed_slinger", "bed"): "2"}
 
 
+#: The declared masses of bodies; the platform of a machine with six legs has its mass at another point.
+_VALUE_OF = {
+    **{(mechanism, "platform"): "platform.mass" for mechanism in ("linear_delta", "rotary_delta")},
+    **{(mechanism, "platform"): "toolhead.mass" for mechanism in ("corexy", "cartesian")},
+    ("corexy", "gantry"): "gantry.mass",
+    ("cartesian", "beam"): "beam.mass",
+    ("bed_slinger", "toolhead"): "toolhead.mass",
+    ("bed_slinger", "bed"): "bed.mass",
+}
+
+
 def _of_one_mode(mechanism: str, axis: str) -> Iterator[str]:
     """Yield what multiplies the frequency of the only mode of one belt of a printer."""
     yield from (f"parameter:axis.{axis}.{value}" for value in _OF_ONE_MODE)
@@ -302,6 +315,7 @@ def _of_one_mode(mechanism: str, axis: str) -> Iterator[str]:
     yield "axis_belt_stiffness"
     bodies = [place for (printer, place), own in _BODY_OF.items() if (printer, own) == (mechanism, axis)]
     yield from (f"mass:{place}" for place in bodies)
+    yield from (f"parameter:{_VALUE_OF[mechanism, place]}" for place in bodies)
     if "bed" in bodies:
         yield "payload"
 

@@ -27,9 +27,9 @@ def grouped(outcomes: Iterable[J], key: Callable[[J], str]) -> dict[str, list[J]
     return groups
 
 
-def confusion(groups: Mapping[str, Sequence[J]], title: str) -> list[str]:
+def confusion(groups: Mapping[str, Sequence[J]], title: str, states: Sequence[str] = STATES) -> list[str]:
     """Return how often each state occurred, a line a group; the title is that of the first column."""
-    states = [s for s in STATES if s != "failed" or any(count(group, s) for group in groups.values())]
+    states = [s for s in states if s != "failed" or any(count(group, s) for group in groups.values())]
     rows = [
         [name, str(len(group)), *(str(count(group, state) or "") for state in states)]
         for name, group in groups.items()
