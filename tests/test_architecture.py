@@ -127,6 +127,8 @@ DIAGNOSIS_PARTS = (
     "verdict",
     "damping",
     "beyond",
+    "one_state",
+    "states",
     "diagnose",
     "compare",
     "update",

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pkmodes.diagnosis.states.result import Change
-from pkmodes.diagnosis.states.words import between, what
+from pkmodes.diagnosis.states.words import between
 from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
@@ -49,7 +49,7 @@ def headline(result: Change) -> str:
     """Return what changed since the trusted state, as a title."""
     trusted = result.states[0]
     if result.by_state:
-        return clean("; ".join(f"{name}: {what(one)}" for name, one in result.by_state.items()))
+        return clean("; ".join(f"{name}: {one.what}" for name, one in result.by_state.items()))
     if result.changed is None:
         return clean(f"The data do not tell whether anything changed since {trusted}")
     if result.changed is False:
@@ -59,7 +59,7 @@ def headline(result: Change) -> str:
         )
     if not result.effects and (result.beyond is None or result.beyond.found is None):
         return clean(f"Something changed since {trusted}, and the data do not tell what")
-    return clean(f"Changed since {trusted}: {what(result).removeprefix('change ').removeprefix('found: ')}")
+    return clean(f"Changed since {trusted}: {result.what.removeprefix('change ').removeprefix('found: ')}")
 
 
 def _of_day(result: Change) -> list[str]:

@@ -47,7 +47,7 @@ def changed(
 
     Uncertain values of the robot are fitted to the trusted campaign, and what the model is then wrong by is taken off
     the later one: differences are compared with differences.  The stiffness that all belts, legs or reducers share
-    may differ by 1 % from one day to another.
+    may differ by 1.5 % from one day to another.
 
     Parameters
     ----------

@@ -12,7 +12,8 @@ from msgspec import structs
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.states.shared_errors import SharedErrors
-from pkmodes.diagnosis.states.words import of_change, of_changes
+from pkmodes.diagnosis.states.words import of_change
+from pkmodes.diagnosis.verdict.naming import found
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -82,6 +83,19 @@ class Change(Diagnosis):
     counterparts: tuple[Counterpart | None, ...] = ()
     model_error: float = 0.0
     by_state: Mapping[str, Change] = field(default_factory=dict)
+
+    @property
+    def what(self) -> str:
+        """What changed, as a clause: "change found: ...", or that nothing did, or that the data do not tell."""
+        if self.effects:
+            return f"change {found(self.effects)}"
+        if self.beyond is not None and self.beyond.found is not None:
+            return f"change {found([self.beyond.found.finding])}"
+        if self.changed is None:
+            return "the data do not tell whether anything changed"
+        if self.changed is False:
+            return "nothing changed beyond the errors of both"
+        return "something changed, and the data do not tell what"
 
     @property
     def errors(self) -> dict[str, tuple[str, Error]]:
@@ -214,7 +228,7 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
     content = {one.name: getattr(first, one.name) for one in fields(Diagnosis)}
     content |= {
         "verdict": verdict,
-        "reason": of_changes(changes),
+        "reason": "; ".join(f"{name}: {one.what}" for name, one in changes.items()),
         "effects": tuple(effect for result in results for effect in result.effects),
         "survivors": tuple(group for result in results for group in result.survivors),
         "rows": tuple(row for result in results for row in result.rows),

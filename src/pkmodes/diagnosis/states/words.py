@@ -3,16 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.verdict.findings import Finding
-from pkmodes.diagnosis.verdict.naming import found
-
-if TYPE_CHECKING:
-    from pkmodes.diagnosis.states.result import Change
+from pkmodes.diagnosis.verdict.result import Diagnosis
 
 BY_MORE, AS_BEFORE = "by more than the errors of both", "a machine as in {trusted}"
 #: What is said of a declared model, and of a trusted state and a later one in its place; the first come first.
@@ -90,7 +86,7 @@ def _another_day(found: re.Match[str]) -> str:
     return f"all {part}s are {abs(size):.2g} % {'stiffer' if size > 0.0 else 'softer'}"
 
 
-Result = TypeVar("Result", bound="Change")
+Result = TypeVar("Result", bound=Diagnosis)
 
 
 def of_change(result: Result, trusted: str, later: str) -> Result:
@@ -123,21 +119,3 @@ def _finding(effect: Finding) -> Finding:
         name: replace(member, sentence=as_change(member.sentence)) for name, member in effect.about.items()
     }
     return replace(effect, sentence=as_change(effect.sentence), about=about)
-
-
-def of_changes(changes: Mapping[str, Change]) -> str:
-    """Return what changed in each of several later states, in one sentence."""
-    return "; ".join(f"{name}: {what(result)}" for name, result in changes.items())
-
-
-def what(result: Change) -> str:
-    """Return what changed, as a clause: "changed: belt 2 ...", or that nothing did, or that the data do not tell."""
-    if result.beyond is not None and result.beyond.found is not None and not result.effects:
-        return f"change {found([result.beyond.found.finding])}"
-    if result.effects:
-        return f"change {found(result.effects)}"
-    if result.changed is False:
-        return "nothing changed beyond the errors of both"
-    if result.changed is None:
-        return "the data do not tell whether anything changed"
-    return "something changed, and the data do not tell what"

@@ -26,6 +26,7 @@ from pkmodes.diagnosis.verdict.reasons import names, noise
 from pkmodes.diagnosis.verdict.shapes import better_by_shape, shapes_disagree
 from pkmodes.diagnosis.verdict.specificity import p_coincidence
 from pkmodes.diagnosis.verdict.term_instead import one_term
+from pkmodes.diagnosis.verdict.too_few import too_few
 from pkmodes.diagnosis.verdict.unexplained import OPEN, left_by
 from pkmodes.diagnosis.verdict.values import no_value, once, rests_on_one_row
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -37,8 +38,6 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.support.numbers import p_in_words, p_text, plain
 
-#: Number of uncertain values, in parts, that the data may determine and yet count as held by their priors.
-HELD = 0.1
 #: Largest number of other causes that a reason mentions.
 MENTIONED = 4
 
@@ -54,36 +53,6 @@ def decide(evidence: Evidence) -> Decision[Evidence, Says]:
     decision = first((*after(), *(of_noise if evidence.outcome.last.passed else OPEN)), evidence)
     assert decision is not None  # the last rule of each table always applies
     return decision
-
-
-# Before a search -----------------------------------------------------------------------------------------------
-
-
-def too_few(start: Start) -> str:
-    """Fewer values are measured than the uncertain parameters and a cause need, with one more to test it.
-
-    An uncertain parameter counts as far as the data determine it: what its prior holds is not unknown.
-    """
-    fitter = start.fitter
-    observations = fitter.observations
-    rows, shapes = len(observations.log), int(observations.shapes.count.sum())
-    if observations.degrees(observations.every) >= start.unknown - HELD + start.criteria.claim.redundancy:
-        return ""
-    uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
-    modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
-    modes += f" with {shapes} shape values" if shapes else ""
-    modes += " is" if rows == 1 else " are"
-    values = f"the uncertain {', '.join(uncertain)} and " if uncertain else ""
-    text = f"{modes} too few to fit {values}a cause, with one value left to test it"
-    if start.first is None:
-        return text
-    one, p = rows == 1, p_in_words(start.plain.p_value(start.first))
-    if not start.contradicted:
-        them = "it" if one else "them"
-        return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
-    they, verb = ("it", "contradicts") if one else ("they", "contradict")
-    would = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
-    return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){would}"
 
 
 # The declared model leaves noise -------------------------------------------------------------------------------
