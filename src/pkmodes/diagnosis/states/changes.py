@@ -109,12 +109,12 @@ class Trusted:
             If both states have no mode in common, were measured under other conditions, or have the same rows.
         """
         self._check(name, data)
-        shared = shared_errors(self.fitter, self.fit.values, structure, data)
+        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error)
         if not shared.known.any():
             what = f"no mode of {shown(name)} was measured in {shown(self.name)}"
             remedy = "measure modes at poses that both states have"
             raise PkmodesError(what, data.source, remedy)
-        corrected = without_shared_errors(data, shared, self.shape_error)
+        corrected = without_shared_errors(data, shared)
         result = diagnosed(
             structure,
             corrected,

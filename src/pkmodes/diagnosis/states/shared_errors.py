@@ -19,10 +19,12 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.match.pairing import Pairer
 from pkmodes.diagnosis.problem import Array, Prediction, Structure
+from pkmodes.diagnosis.states.counterparts import expected_modes, paired_with
+from pkmodes.diagnosis.states.shared_shapes import shapes_without_errors
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
+from pkmodes.support.mac import channel_motion
 
 #: Standard deviation of the error of a model in a mode: anything.
 ANY = 0.3
@@ -52,6 +54,8 @@ class SharedErrors:
         Row of the trusted state with the same mode at the same setup; -1 where there is none.
     of_modes : ndarray, shape (S, m)
         Of each elastic mode at each setup, the offset.
+    shapes, shape_sigma : ndarray, shape (R, C) and (R,)
+        Shapes without the errors of those of the model, see `shared_shapes`.
     """
 
     offset: Array
@@ -59,6 +63,8 @@ class SharedErrors:
     known: NDArray[np.bool_]
     counterpart: NDArray[np.intp]
     of_modes: Array
+    shapes: Array
+    shape_sigma: Array
 
     @property
     def compared(self) -> NDArray[np.bool_]:
@@ -66,7 +72,9 @@ class SharedErrors:
         return np.asarray(self.counterpart >= 0)
 
 
-def shared_errors(trusted: Fitter, values: Array, structure: Structure, later: Measurements) -> SharedErrors:
+def shared_errors(
+    trusted: Fitter, values: Array, structure: Structure, later: Measurements, shape_error: float = 0.0
+) -> SharedErrors:
     """Return what the rows of a later state share with the trusted one.
 
     Parameters
@@ -77,20 +85,24 @@ def shared_errors(trusted: Fitter, values: Array, structure: Structure, later: M
         Of its parameters, fitted to it.
     structure : Structure
         At the setups of the later state, with these values as declared.
+    shape_error : float, optional
+        Standard deviation of the components of shapes by which the model differs from the trusted state.
     """
     pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
     before, data = trusted.structure.predict(values, ()), trusted.data
     after = structure.predict(np.array([p.value for p in structure.parameters]), ())
     same = same_setups(data, before, later, after)
     among, later_among = same_setups(data, before, data, before), same_setups(later, after, later, after)
-    known = pairing.partner >= 0
-    scatter = between_setups(residual[known], sigma[known], pairing.partner[known], among, data.pose[known])
-    unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[known] ** 2))) if known.any() else 0.0)
+    paired = pairing.partner >= 0
+    scatter = between_setups(
+        residual[paired], sigma[paired], pairing.partner[paired], among, data.pose[paired]
+    )
+    unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
     modes = after.eigenvalues.shape[1]
     predicted = np.zeros((len(later.labels), modes))
     covariances = []
     for mode in range(modes):
-        rows = np.flatnonzero(known & (pairing.partner == mode))
+        rows = np.flatnonzero(paired & (pairing.partner == mode))
         at = data.pose[rows]
         if not len(rows):
             covariances.append(np.full(later_among.shape, unknown**2) + scatter**2 * later_among)
@@ -100,20 +112,59 @@ def shared_errors(trusted: Fitter, values: Array, structure: Structure, later: M
         gain = np.linalg.solve(own, cross.T).T
         predicted[:, mode] = gain @ residual[rows]
         covariances.append(ANY**2 + scatter**2 * later_among - gain @ cross.T)
-    partner = _paired(structure, later, after, predicted)
+    columns = [structure.channels.index(name) for name in later.channels]
+    weights = _weights(before, structure.channels)[columns]
+    partner, counterpart = np.full((2, len(later.frequency)), -1, dtype=np.intp)
+    for setup, own in enumerate(_nearest(data, later, same)):
+        expected = expected_modes(
+            after.log_frequencies[setup, after.rigid :] + predicted[setup, after.rigid :],
+            scatter,
+            after.shapes[setup, after.rigid :][:, columns],
+            data,
+            later.channels,
+            np.where(paired, pairing.partner - after.rigid, -1),
+            int(own),
+        )
+        rows = np.flatnonzero(later.pose == setup)
+        for row, place in paired_with(expected, later, rows, weights, trusted.criteria.pairing):
+            if expected.mode[place] >= 0:
+                partner[row] = expected.mode[place] + after.rigid
+            counterpart[row] = expected.row[place]
     offset, variance = np.zeros(len(partner)), np.full(len(partner), unknown**2)
-    told, counterpart = np.zeros(len(partner), dtype=bool), np.full(len(partner), -1, dtype=np.intp)
     for mode in range(modes):
         rows = np.flatnonzero(partner == mode)
         at = later.pose[rows]
         offset[rows] = predicted[at, mode]
         # A sum of the moduli in each row bounds the covariance by a diagonal one.
         variance[rows] = np.abs(covariances[mode][np.ix_(at, at)]).sum(axis=1)
-        there = np.flatnonzero(known & (pairing.partner == mode))
-        told[rows] = len(there) > 0
-        for row, match in zip(rows, same[np.ix_(at, data.pose[there])], strict=True):
-            counterpart[row] = there[int(match.argmax())] if match.any() else -1
-    return SharedErrors(offset, variance, told, counterpart, predicted[:, after.rigid :])
+    there = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
+    shapes, shape_sigma = shapes_without_errors(
+        data, later, counterpart, np.where((partner >= 0)[:, None], there, np.nan), weights
+    )
+    alone = counterpart < 0
+    shape_sigma[alone] = np.minimum(np.hypot(shape_sigma[alone], shape_error), 0.99)
+    return SharedErrors(
+        offset,
+        variance,
+        np.isin(partner, np.unique(pairing.partner[paired])),
+        counterpart,
+        predicted[:, after.rigid :],
+        shapes,
+        shape_sigma,
+    )
+
+
+def _weights(modes: Prediction, channels: tuple[str, ...]) -> Array:
+    """Return factors by which channels are comparable: those of their motion over all modes and setups, (C,)."""
+    motion = channel_motion(modes.shapes).max(axis=0) if channels else np.zeros(0)
+    return np.asarray(np.where(motion > 0.0, 1.0 / np.where(motion > 0.0, motion, 1.0), 0.0))
+
+
+def _nearest(trusted: Measurements, later: Measurements, same: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Return the setup of the trusted state that is each one of a later state, the nearest of several; else -1."""
+    apart = np.linalg.norm(later.points[:, None] - trusted.points[None], axis=-1)
+    nearest = np.where(same, apart, np.inf).argmin(axis=1)
+    return np.where(same.any(axis=1), nearest, -1)
 
 
 def between_setups(
@@ -163,27 +214,13 @@ def same_setups(
     return np.asarray(alike & (np.abs(a - b) <= EQUAL * largest).all(axis=-1))
 
 
-def _paired(structure: Structure, data: Measurements, modes: Prediction, offsets: Array) -> NDArray[np.intp]:
-    """Return the mode of each row, paired with the modes of the model without its errors."""
-    corrected = Prediction(modes.eigenvalues * np.exp(2.0 * offsets), modes.rates, modes.shapes, modes.rigid)
-    every = np.ones(len(data.frequency), dtype=bool)
-    return Pairer(data, structure.channels, modes).pair(corrected, every).partner
-
-
-def without_shared_errors(data: Measurements, shared: SharedErrors, shape_error: float) -> Measurements:
-    """Return measurements of a later state as if the model had no error that the trusted state shows.
-
-    Parameters
-    ----------
-    shape_error : float
-        Standard deviation of the components of shapes by which the model differs from the trusted state.
-    """
+def without_shared_errors(data: Measurements, shared: SharedErrors) -> Measurements:
+    """Return measurements of a later state as if the model had no error that the trusted state shows."""
     factor = np.exp(-shared.offset)
     sigma = np.sqrt(FREQUENCY.transformed_sigma(data) ** 2 + shared.variance)
     frequency = data.frequency * factor
     numbers = {name: np.array(column) for name, column in data.numbers.items()}
-    numbers |= {"frequency": frequency, "sigma": sigma * frequency}
+    numbers |= {"frequency": frequency, "sigma": np.minimum(sigma, 0.9) * frequency}
     numbers |= {name: np.full(len(frequency), np.nan) for name in ("damping", "damping_sigma")}
     band = None if data.band is None else (data.band[0] * factor.min(), data.band[1] * factor.max())
-    shapes = np.hypot(data.shape_sigma, shape_error)
-    return replace(data, numbers=numbers, band=band, shape_sigma=np.minimum(shapes, 0.99))
+    return replace(data, numbers=numbers, band=band, shapes=shared.shapes, shape_sigma=shared.shape_sigma)

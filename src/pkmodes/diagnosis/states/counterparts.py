@@ -1,0 +1,141 @@
+"""The same modes in two states: rows of a later one, with their mode of the model and their row of the trusted one.
+
+Two states of a machine are more alike than a machine and its model.  A mode that was measured in the trusted state at
+the same setup is there what was measured, any other what the model predicts with the error that the trusted state
+shows.  Which of two close modes is which no shape tells, because any change rotates them into each other: these are
+paired by the order of their frequencies.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import linear_sum_assignment
+
+from pkmodes.diagnosis.criteria import PairingCriteria
+from pkmodes.diagnosis.problem import Array
+from pkmodes.measured.measurements import Measurements
+from pkmodes.measured.quantities import FREQUENCY
+from pkmodes.support.mac import mac, normalised
+
+Index = NDArray[np.intp]
+#: Farthest logarithms of the frequencies of one mode in two states, and how far apart counts as much as shapes that
+#: have nothing in common.
+FARTHEST, ALIKE = 0.3, 0.1
+
+
+class Expected(NamedTuple):
+    """The modes of one setup as they were before, of the model or measured.
+
+    Attributes
+    ----------
+    log, sigma : ndarray, shape (m,)
+        Logarithms of the frequencies, and their standard deviations.
+    shapes : ndarray, shape (m, C)
+        At the channels of the later state, NaN where not known.
+    mode, row : ndarray of int, shape (m,)
+        Mode of the model, and row of the trusted state; -1 where there is none.
+    """
+
+    log: Array
+    sigma: Array
+    shapes: Array
+    mode: Index
+    row: Index
+
+
+def expected_modes(
+    log: Array,
+    sigma: float,
+    shapes: Array,
+    trusted: Measurements,
+    channels: tuple[str, ...],
+    partner: Index,
+    setup: int,
+) -> Expected:
+    """Return the modes of a setup: as measured in the trusted state, those of the model where they were not.
+
+    Parameters
+    ----------
+    log, shapes : ndarray, shape (m,) and (m, C)
+        Logarithms of the frequencies of the modes of the model, with its error; shapes at some channels.
+    sigma : float
+        Standard deviation of the logarithms.
+    channels : tuple of str
+        Names of these channels.
+    partner : ndarray of int, shape (R,)
+        Mode of the model of each row of the trusted state; -1 for none.
+    setup : int
+        Of the trusted state; -1 if it has none like this.
+    """
+    count = len(log)
+    rows = np.flatnonzero(trusted.pose == setup)
+    alone = rows[partner[rows] < 0]
+    every = np.concatenate([log, FREQUENCY.transformed(trusted)[alone]])
+    sigmas, row = np.full(len(every), sigma), np.concatenate([np.full(count, -1), alone]).astype(np.intp)
+    forms = np.vstack([shapes, np.full((len(alone), len(channels)), np.nan)])
+    mode = np.concatenate([np.arange(count), np.full(len(alone), -1)]).astype(np.intp)
+    for own in rows:
+        place = int(partner[own]) if partner[own] >= 0 else count + int(np.flatnonzero(alone == own)[0])
+        every[place], row[place] = FREQUENCY.transformed(trusted)[own], own
+        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[own]
+        measured = dict(zip(trusted.channels, trusted.shapes[own], strict=True))
+        form = np.array([measured.get(name, np.nan) for name in channels])
+        if np.isfinite(form).sum() >= 2 or partner[own] < 0:
+            forms[place] = form
+    return Expected(every, sigmas, forms, mode, row)
+
+
+def paired_with(
+    expected: Expected, later: Measurements, rows: Index, weights: Array, criteria: PairingCriteria
+) -> list[tuple[int, int]]:
+    """Return rows of one setup of a later state, each with its place among the modes that are expected there.
+
+    Parameters
+    ----------
+    weights : ndarray, shape (C,)
+        Factors by which the channels are comparable.
+    """
+    apart = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log[:, None])
+    unlike = 1.0 - _alike(expected.shapes * weights, later.shapes[rows] * weights)
+    groups = close_groups(expected.log, expected.sigma, criteria)
+    for group in np.unique(groups):
+        members = groups == group
+        least = np.where(np.isnan(unlike[members]), np.inf, unlike[members]).min(axis=0)
+        unlike[members] = np.where(np.isfinite(least), least, np.nan)
+    cost = (apart / ALIKE) ** 2 + np.nan_to_num(unlike)
+    pairs = zip(*linear_sum_assignment(np.where(apart > FARTHEST, 1e6, cost)), strict=True)
+    return [(int(rows[k]), int(i)) for i, k in pairs if apart[i, k] <= FARTHEST]
+
+
+def close_groups(log: Array, sigma: Array, criteria: PairingCriteria) -> Index:
+    """Return the group of each mode of a setup: one for all modes that are close to the next.
+
+    Parameters
+    ----------
+    log, sigma : ndarray, shape (m,)
+        Logarithms of the frequencies, and their standard deviations.
+    """
+    order = np.argsort(log)
+    gap, both = np.diff(log[order]), np.hypot(sigma[order][1:], sigma[order][:-1])
+    near = (gap < criteria.close) | (gap < np.minimum(criteria.mixed_sigmas * both, criteria.most_mixed))
+    groups = np.empty(len(log), dtype=np.intp)
+    groups[order] = np.concatenate([[0], np.cumsum(~near)])
+    return groups
+
+
+def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[int], list[int]]:
+    """Return the channels that both have, as places in each."""
+    names = [name for name in trusted.channels if name in later.channels]
+    return [trusted.channels.index(name) for name in names], [later.channels.index(name) for name in names]
+
+
+def _alike(first: Array, second: Array) -> Array:
+    """Return the MAC of each shape (m, C) with each of others (r, C); NaN with fewer than two common components."""
+    found = np.full((len(first), len(second)), np.nan)
+    for k, shape in enumerate(second):
+        known = np.isfinite(first) & np.isfinite(shape)
+        found[:, k] = mac(normalised(np.where(known, first, np.nan)), normalised(shape)[None, :], known)[:, 0]
+    return found

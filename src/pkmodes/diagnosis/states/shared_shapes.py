@@ -1,0 +1,74 @@
+r"""Shapes of a later state without the errors that those of the model have in the trusted one.
+
+A shape of the later state, :math:`\psi_b`, differs from that of the trusted one, :math:`\psi_a`, by what changed.
+Both in the scale of the mode of the model, :math:`\phi`, the shape that is compared with the model is
+
+.. math:: \phi + s_b \psi_b - s_a \psi_a
+
+with the modal scale factors s of least squares (Allemang, Sound and Vibration 37(8), 2003), each channel in units of
+its motion.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pkmodes.diagnosis.problem import Array
+from pkmodes.diagnosis.states.counterparts import Index, common_channels
+from pkmodes.measured.measurements import Measurements
+
+#: Below this MAC with the mode of the model a shape has no scale.
+LEAST_MAC = 0.3
+
+
+def shapes_without_errors(
+    trusted: Measurements, later: Measurements, counterpart: Index, modes: Array, weights: Array
+) -> tuple[Array, Array]:
+    """Return the shapes of a later state without the errors of those of the model, and their standard deviations.
+
+    They have the components that both states have; none where the scale of one is not known.  Rows without a
+    counterpart stay as they are.
+
+    Parameters
+    ----------
+    counterpart : ndarray of int, shape (R,)
+        Row of the trusted state with the same mode at the same setup; -1 where there is none.
+    modes : ndarray, shape (R, C)
+        Shape of the mode of the model, at the channels of the later state; NaN where a row has none.
+    weights : ndarray, shape (C,)
+        Factors by which the channels of the later state are comparable.
+
+    Returns
+    -------
+    shapes, sigma : ndarray, shape (R, C) and (R,)
+    """
+    shapes, sigma = later.shapes.copy(), later.shape_sigma.copy()
+    mine, own = common_channels(trusted, later)
+    for row in np.flatnonzero(counterpart >= 0):
+        before, after = trusted.shapes[counterpart[row]][mine], later.shapes[row][own]
+        shape, w = modes[row][own], weights[own]
+        shapes[row] = np.nan
+        known = np.isfinite(before) & np.isfinite(after) & np.isfinite(shape)
+        if known.sum() < 2:
+            continue
+        scales = [_scale(w[known] * shape[known], w[known] * one[known]) for one in (after, before)]
+        if None in scales:
+            continue
+        a, b = (float(scale or 0.0) for scale in scales)
+        compared = np.where(known, shape + a * after - b * before, np.nan)
+        shapes[row, own] = compared
+        largest = np.nanmax(np.abs(w * compared))
+        spread = np.hypot(
+            a * later.shape_sigma[row] * np.nanmax(np.abs(w * after)[known]),
+            b * trusted.shape_sigma[counterpart[row]] * np.nanmax(np.abs(w * before)[known]),
+        )
+        sigma[row] = min(spread / largest, 0.99) if largest > 0.0 else np.nan
+    return shapes, sigma
+
+
+def _scale(model: Array, measured: Array) -> float | None:
+    """Return the factor that brings a measured shape closest to that of a mode; None if they are not alike."""
+    length, along = float(measured @ measured), float(measured @ model)
+    if length <= 0.0 or along**2 < LEAST_MAC * length * float(model @ model):
+        return None
+    return along / length
