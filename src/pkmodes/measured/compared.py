@@ -82,7 +82,7 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
     places = list(_common(first, second))
     found: list[tuple[int, int, float | None]] = []
     for one, other in places:
-        found += _paired(
+        found += paired_rows(
             first, second, np.flatnonzero(first.pose == one), np.flatnonzero(second.pose == other)
         )
     found.sort()
@@ -143,10 +143,16 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
         yield one, other
 
 
-def _paired(
+def paired_rows(
     first: Measurements, second: Measurements, rows: NDArray[np.intp], others: NDArray[np.intp]
 ) -> list[tuple[int, int, float | None]]:
-    """Return pairs of rows at one pose with the MAC of each."""
+    """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best in all.
+
+    Parameters
+    ----------
+    rows, others : ndarray of int
+        Of the pose, in the first and in the second measurement.
+    """
     apart = np.abs(np.log(second.frequency[others][None, :] / first.frequency[rows][:, None]))
     alike = _alike(first, second, rows, others)
     cost = apart / ALIKE + np.where(np.isfinite(alike), 1.0 - alike, 0.0)
