@@ -126,7 +126,8 @@ def found_in(data: Measurements) -> AmplitudeDependence:
     return found
 
 
-SMALL = 4e-4
+#: Too little to matter beside a brace that is 30 % stiffer.
+SMALL = 2.4e-4
 HARDENS, SLIPS = cubic(0.08), jenkins(2e-5, 0.3)
 
 
@@ -155,8 +156,8 @@ def test_the_change_of_the_frequencies_is_that_of_the_describing_function(
 
 @pytest.mark.parametrize(("law", "words"), [(HARDENS, "it stiffens"), (SLIPS, "it softens")])
 def test_a_diagnosis_says_depends_on_amplitude(law: Law, words: str) -> None:
-    data = measured(law)
-    found = diagnose(structure(data), data, terms=True)
+    data = measured(law, loads=LOADS[:4])
+    found = diagnose(structure(data), data, holdout=(), terms=True)
     assert (found.verdict, found.rule) == ("unexplained", "after.amplitude")
     assert found.effects == ()
     assert found.beyond is None
@@ -183,17 +184,20 @@ def test_a_comparison_and_an_update_note_it() -> None:
     assert "level" not in compare(structure(plain), plain).as_json("chain")["rows"][0]
 
 
-def test_a_large_cause_is_claimed_beside_a_small_dependence_with_a_note() -> None:
-    data = measured(cubic(SMALL), brace=0.3, levels=(1.0, 10.0, 1.0, 10.0))
-    found = diagnose(structure(data), data, holdout=())
+@pytest.mark.parametrize(
+    ("seed", "verdict", "rule"), [(46, "effect_found", "claims.found"), (6, "unexplained", "open.nearly_all")]
+)
+def test_beside_a_large_cause_a_small_dependence_is_a_note(seed: int, verdict: str, rule: str) -> None:
+    data = measured(cubic(SMALL), seed, (1.0, 10.0, 1.0, 10.0), LOADS[:4], brace=0.3)
     assert found_in(data).significant
-    assert (found.verdict, found.rule) == ("effect_found", "claims.found")
-    assert [effect.name for effect in found.effects] == ["brace"]
-    assert any(note.startswith("the frequencies depend on amplitude") for note in found.notes)
+    found = diagnose(structure(data), data, holdout=())
+    assert (found.verdict, found.rule) == (verdict, rule)
+    assert "brace" in found.reason
+    assert found.notes[0].startswith("the frequencies depend on amplitude")
 
 
 def test_no_cause_is_claimed_where_the_dependence_is_a_tenth_of_what_it_explains() -> None:
-    data = measured(HARDENS, brace=0.06)
+    data = measured(HARDENS, loads=LOADS[:4], brace=0.06)
     found = diagnose(structure(data), data, holdout=())
     assert (found.verdict, found.rule) == ("unexplained", "after.amplitude")
 
