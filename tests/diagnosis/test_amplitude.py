@@ -7,6 +7,7 @@ element, a spring that slips, k (theta - sin(2 theta) / 2) / pi with cos(theta) 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 import jsonschema
 import numpy as np
@@ -212,8 +213,14 @@ def test_linear_chains_are_diagnosed_as_without_levels() -> None:
     assert not any("amplitude" in note for note in found.notes)
 
 
-@pytest.mark.parametrize("unstated", [0.0, 2.0])
-@pytest.mark.parametrize("levels", [(1.0, 10.0), (1.0, 10.0, 1.0), (1.0, 10.0, 1.0, 10.0)])
+@pytest.mark.parametrize(
+    ("levels", "unstated"),
+    [
+        *(((1.0, 10.0), unstated) for unstated in (0.0, 2.0)),
+        *(((1.0, 10.0, 1.0), unstated) for unstated in (0.0, 2.0)),
+        *(((1.0, 10.0) * 3, unstated) for unstated in (0.0, 2.0, 6.0)),
+    ],
+)
 def test_noise_and_setups_that_repeat_worse_than_stated_are_no_dependence(
     levels: Sequence[float], unstated: float
 ) -> None:
@@ -230,6 +237,25 @@ def test_noise_and_setups_that_repeat_worse_than_stated_are_no_dependence(
         assert found is not None
         alarms += found.significant
     assert alarms <= 3
+
+
+def test_only_setups_that_differ_in_nothing_but_their_level_are_compared() -> None:
+    data = measured(HARDENS, loads=LOADS[:3])
+    places = np.repeat([0.1, 0.2, 0.3], 2)[:, None] * [1.0, 0.0, 0.0]
+    stiffened = data.frequency * np.where(data.level[data.pose] > 1.0, 1.03, 1.0)
+    placed = replace(data, points=places, frequency=stiffened)
+    updated = update(structure(placed), placed, holdout=()).notes
+    assert any(note.startswith("the frequencies depend on amplitude") for note in updated)
+    assert not any("somewhere else" in note for note in updated)
+    unknown = replace(placed, level=np.full(6, np.nan))
+    assert any("somewhere else" in note for note in update(structure(placed), unknown, holdout=()).notes)
+    near = replace(placed, points=places + np.arange(6)[:, None] * [1e-3, 0.0, 0.0])
+    reachable = replace(near, point_sigma=np.tile([1e-3, 0.0, 0.0], (6, 1)))
+    others = replace(data, drives=("free", "held") * 3)
+    fitter = Fitter(structure(data), data)
+    assert found_in(reachable).significant
+    for other in (near, others, replace(data, level=np.full(6, np.nan))):
+        assert dependence(Fitter(fitter.structure, other), fitter.declared) is None
 
 
 def test_modes_that_were_missed_at_one_level_are_not_taken_for_another() -> None:
