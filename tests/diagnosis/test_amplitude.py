@@ -155,7 +155,13 @@ def test_the_change_of_the_frequencies_is_that_of_the_describing_function(
         )
 
 
-@pytest.mark.parametrize(("law", "words"), [(HARDENS, "it stiffens"), (SLIPS, "it softens")])
+@pytest.mark.parametrize(
+    ("law", "words"),
+    [
+        (HARDENS, "they rise with the level, as where a gap closes"),
+        (SLIPS, "they fall with the level, as where friction slips"),
+    ],
+)
 def test_a_diagnosis_says_depends_on_amplitude(law: Law, words: str) -> None:
     data = measured(law, loads=LOADS[:4])
     found = diagnose(structure(data), data, holdout=(), terms=True)

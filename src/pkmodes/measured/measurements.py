@@ -323,7 +323,18 @@ class Measurements(Columns):
         return {name: value for name, value in values if not np.isnan(value)}
 
     def level_at(self, pose: int) -> float | None:
-        """Return the level of excitation at a pose, given by its index; None where it is not known."""
+        """Return the level of excitation at a pose.
+
+        Parameters
+        ----------
+        pose : int
+            Index into `labels`.
+
+        Returns
+        -------
+        float or None
+            In the unit of the source; None where it is not known.
+        """
         level = float(self.level[pose])
         return None if np.isnan(level) else level
 

@@ -16,9 +16,9 @@ from pkmodes.support.numbers import p_in_words, plain, signed, times
 
 #: What happens to the frequencies, and what does that, by the sign of the change.
 WORDS = {
-    -1: ("it softens", "as friction that slips or a contact that opens does"),
-    0: ("some modes soften, others stiffen", "as a contact does"),
-    1: ("it stiffens", "as a gap that closes or a spring that hardens does"),
+    -1: ("they fall with the level", "as where friction slips or a contact opens"),
+    0: ("some fall and others rise with the level", "as where contacts open and close"),
+    1: ("they rise with the level", "as where a gap closes or a spring hardens"),
 }
 
 
@@ -38,6 +38,8 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     moved = fitter.structure.position_rates(values) if data.point_sigma.any() else None
     if moved is not None:
         motion = np.where((partner >= 0)[:, None], moved.log_rates[data.pose, np.maximum(partner, 0)], 0.0)
+        # How a position moves a mode that the model lacks is not known: it is like no other.
+        partner = np.where(partner >= 0, partner, -1 - np.arange(len(partner)))
     return amplitude_dependence(data, list(_same_setups(stage)), partner, motion)
 
 
