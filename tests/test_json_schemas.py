@@ -25,11 +25,11 @@ ROOT = Path(__file__).parents[1]
 SCHEMAS = {
     path.name.split(".")[0]: path for path in sorted((ROOT / "docs" / "schemas").glob("*.schema.json"))
 }
-#: Keys of some mechanisms only, or of rows with settings: all others are always present.
+#: Keys of some mechanisms only, or of rows with settings or levels: all others are always present.
 OF_SOME = (
     *("carriage_positions", "set", "damping", "sigma_damping", "predicted_damping"),
     *("damping_before", "damping_after", "damping_used", "sigma_damping_used", "damping_remark"),
-    "hidden_by",
+    *("hidden_by", "level"),
 )
 #: Writes a robot file, and no JSON.
 NONE = {"new"}

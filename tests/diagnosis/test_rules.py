@@ -40,6 +40,7 @@ TERMS_SHOWN_BY = dict.fromkeys(
 )
 #: Tests of the rules that decide no case of the suites.
 SHOWN_BY = {
+    "after.amplitude": "tests/diagnosis/test_amplitude.py",
     "after.dead_channel": "tests/diagnosis/test_notes.py",
     "claims.default": "tests/diagnosis/test_what_a_value_includes.py",
     "claims.dispersion": "tests/diagnosis/test_dispersion.py",

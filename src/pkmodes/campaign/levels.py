@@ -17,12 +17,11 @@ from scipy.stats import t as student
 
 from pkmodes.campaign.found import Found
 from pkmodes.identification.level import FALSE_ALARM, LEAST, LevelShift
+from pkmodes.measured.amplitude import DIFFER
 from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
 
-#: Levels of files differ if the highest is this many times the lowest.
-DIFFER = 1.25
 #: Files that a regression needs.
 FEWEST = 3
 #: What the pooled scatter is worth beside that of a mode, in repeats, as for the scatter itself.

@@ -16,8 +16,9 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.readings.amplitude import notes_on_amplitude
 from pkmodes.diagnosis.readings.table import declared_otherwise
-from pkmodes.diagnosis.verdict.rows import ModeName, MotorsDid, Place, drives_of
+from pkmodes.diagnosis.verdict.rows import Level, ModeName, MotorsDid, Place, drives_of
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.documents import Count, Document, Number, Probability, Settings, Size
 
@@ -51,6 +52,7 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
         Size | None, Meta(description="Modal assurance criterion; null where no shape was measured.")
     ]
     load: Settings = msgspec.field(name="set", default_factory=dict)
+    level: Level = None
     damping: Annotated[
         float | None,
         Meta(description="Measured damping ratio; present only where it was measured, like the next two."),
@@ -183,10 +185,11 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
             sigmas=float(sigmas[i]) if paired[i] else None,
             mac=None if np.isnan(pairing.mac[i]) else float(pairing.mac[i]),
             load=data.load(int(data.pose[i])),
+            level=data.level_at(int(data.pose[i])),
         )
         for i in range(len(paired))
     )
-    notes = declared_otherwise(fitter)
+    notes = (*declared_otherwise(fitter), *notes_on_amplitude(fitter, fitter.declared))
     prediction = structure.predict(fitter.declared, ())
     stage, rigid = (
         Predicted.of(fitter.observations.pairer, data, prediction, pairing, sigma),

@@ -22,7 +22,7 @@ def nearest_argument(name: str) -> str:
     optional = [q for q in QUANTITIES.values() if not q.value.required]
     values, sigmas = ([getattr(q, part).argument for q in optional] for part in ("value", "sigma"))
     shapes = ["mode", "shapes", "shape_sigma"]
-    known = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings"]
+    known = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings", "level"]
     others = {**renamed_columns(), "x": "points", "shape": "shapes"}
     return nearest(others.get(name, name), known)
 

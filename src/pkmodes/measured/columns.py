@@ -116,6 +116,10 @@ class Columns:
         Paths of the parameters that were set to a known value at some poses: load cases.
     set_values : ndarray, shape (P, K)
         Those values in SI units, NaN where a pose has the declared value.
+    level : ndarray, shape (P,)
+        Level at which each pose was excited, of a kind and unit that all poses share; NaN where not given.
+    level_unit : str
+        Its unit in the source, for messages; empty if it gives none.
     state : str
         State of the machine, such as "before": of all rows; empty if the file names none.
     priors, usable : mapping of str to Stated
@@ -140,13 +144,15 @@ class Columns:
     drives: tuple[str, ...] = ()
     settings: tuple[str, ...] = ()
     set_values: Array = field(default_factory=lambda: np.empty((0, 0)))
+    level: Array = field(default_factory=lambda: np.empty(0))
+    level_unit: str = ""
     priors: Mapping[str, Stated] = field(default_factory=dict)
     usable: Mapping[str, Stated] = field(default_factory=dict)
     state: str = ""
 
     @property
     def conditions(self) -> Integers:
-        """Index of what was done at each pose, (P,): equal where drives and set values are."""
+        """Index of what was done at each pose, (P,): equal where drives and set values are, at any level."""
         done = list(zip(self.drives, map(tuple, self.set_values.tolist()), strict=True))
         seen: dict[str, int] = {}  # a blank setting, NaN, equals nothing, but its text does
         return np.array([seen.setdefault(repr(one), len(seen)) for one in done], dtype=int)

@@ -47,7 +47,7 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
     _check_different(first, second)
     rows: list[Rows] = []
     for pose, other in places:
-        rows += _paired(
+        rows += paired_rows(
             first, second, np.flatnonzero(first.pose == pose), np.flatnonzero(second.pose == other)
         )
     rows.sort(key=lambda row: row[:2])
@@ -222,10 +222,16 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
         yield one, other
 
 
-def _paired(
+def paired_rows(
     first: Measurements, second: Measurements, rows: NDArray[np.intp], others: NDArray[np.intp]
 ) -> list[Rows]:
-    """Return pairs of rows at one pose with the MAC of each."""
+    """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best in all.
+
+    Parameters
+    ----------
+    rows, others : ndarray of int
+        Of the pose, in the first and in the second measurement.
+    """
     apart = np.abs(np.log(second.frequency[others][None, :] / first.frequency[rows][:, None]))
     alike = _alike(first, second, rows, others)
     cost = apart / ALIKE + np.where(np.isfinite(alike), 1.0 - alike, 0.0)

@@ -16,7 +16,7 @@ from pkmodes.measured.cells import QUOTED, SEPARATORS, Notation, separator_of
 from pkmodes.measured.columns import Stated
 from pkmodes.measured.header import SPREAD, TEXT, Column
 from pkmodes.measured.measurements import Measurements
-from pkmodes.measured.quantities import required_columns, row_numbers
+from pkmodes.measured.quantities import LEVEL, required_columns, row_numbers
 from pkmodes.measured.rules import (
     SET,
     SHAPE,
@@ -271,7 +271,7 @@ def read_table(
     units = {column.name: column.unit for column in columns}
     try:
         motors: str | list[str] = texts["drives"] or said or FREE
-        return _measurements(texts, numbers, lines, source, units["frequency"], components, motors)
+        return _measurements(texts, numbers, lines, source, units, components, motors)
     except BrokenRuleError as error:
         what = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
         raise MeasurementError(what, error.where, error.remedy) from None
@@ -310,11 +310,11 @@ def _measurements(
     numbers: dict[str, list[float]],
     lines: Lines,
     source: str,
-    unit: str,
+    units: Mapping[str, str],
     components: Mapping[str, str],
     drives: str | list[str],
 ) -> Measurements:
-    """Build measurements from a file's columns by name; `unit` is the header's unit of the frequencies."""
+    """Build measurements from a file's columns by name; `units` are those of the header."""
     rows = len(lines.records) - 1
     blank = [0.0] * rows
     columns: dict[str, Any] = {number.argument: numbers.get(number.column) for number in row_numbers()}
@@ -335,6 +335,8 @@ def _measurements(
         drives=drives,
         source=source,
         lines=np.array([line for line, _ in lines.records[1:]]),
-        unit=unit,
+        unit=units["frequency"],
         settings={name.removeprefix(SET): column for name, column in numbers.items() if name.startswith(SET)},
+        level=numbers.get(LEVEL.column),
+        level_unit=units.get(LEVEL.column, ""),
     )

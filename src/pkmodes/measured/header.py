@@ -15,13 +15,14 @@ from pkmodes.core.robot.columns import factor_of, parted, unit_remedy
 from pkmodes.measured.formats import Machine
 from pkmodes.measured.meanings import likely_meaning, worded
 from pkmodes.measured.quantities import (
+    LEVEL,
     QUANTITIES,
     SHAPE_SIGMA,
     quantity_numbers,
     required_columns,
     row_numbers,
 )
-from pkmodes.measured.rules import SET, SHAPE
+from pkmodes.measured.rules import SET, SHAPE, checked_level_unit
 from pkmodes.measured.statements import ALSO
 from pkmodes.support.ordering import joined
 
@@ -82,10 +83,10 @@ def read_header(
     required = ("pose", *(components if positions else ()), *needed)
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
     units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
-    units |= {f"{SET}{name}": unit for name, unit in settings.items()}
+    units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
     known = ["pose", *components, *needed, *spreads]
     known += [number.column for number in quantity_numbers() if not number.required]
-    known += ["mode", "drives", "state"] if positions else ["mode", "state"]
+    known += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
     known += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
     known += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
@@ -192,10 +193,13 @@ def _factor(
     channels: Collection[str] | Mapping[str, str],
     units: Mapping[str, str],
 ) -> Decimal | None:
-    """Return the factor that converts the numbers of a column to SI units."""
+    """Return the factor that converts the numbers of a column to SI units; None for a level, of any unit."""
     if name in TEXT:
         what = f"the column {shown(name)} has the unit {shown(unit)} but is not a quantity"
         _refuse(what, place, f'write only "{name}"')
+    if name == LEVEL.column:
+        checked_level_unit(unit, place)
+        return None
     if name in units:
         allowed: tuple[str, ...] = (units[name],)
     elif isinstance(channels, Mapping):

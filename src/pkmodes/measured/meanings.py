@@ -38,6 +38,7 @@ SYNONYMS = {
     "damping": ("damping ratio", "modal damping", "damp", "zeta", "xi"),
     "sigma_damping": ("sigma zeta", "std damping", "standard deviation of damping", "damping uncertainty"),
     "pose": ("position", "point", "label", "pose name", "pose label"),
+    "level": ("excitation", "excitation level", "drive level"),
     "mode": ("mode number", "mode no", "no", "nr", "number"),
 }
 OF_SHAPE = re.compile(r"(?:mode ?)?shape (.+)")

@@ -30,13 +30,15 @@ from pkmodes.measured.arguments import (
     renamed_columns,
 )
 from pkmodes.measured.columns import POSITION, Array, Columns, Numbers, joined_with
-from pkmodes.measured.quantities import quantity_numbers
+from pkmodes.measured.quantities import LEVEL, quantity_numbers
 from pkmodes.measured.rules import (
     SET,
     SHAPE,
     BrokenRuleError,
     checked_band,
+    checked_level_unit,
     drives_problems,
+    level_problems,
     position_problems,
     refuse,
     repetitions,
@@ -77,6 +79,8 @@ class Measurements(Columns):
         size = len(self.components)
         if not self.settings:
             object.__setattr__(self, "set_values", np.empty((poses, 0)))
+        if not np.size(self.level):
+            object.__setattr__(self, "level", np.full(poses, np.nan))
         if not self.drives:
             object.__setattr__(self, "drives", (FREE,) * poses)
         if len(self.drives) != poses:
@@ -96,6 +100,7 @@ class Measurements(Columns):
             "shapes": (rows, channels),
             "shape_sigma": (rows,),
             "set_values": (poses, len(self.settings)),
+            "level": (poses,),
         }.items():
             whole = name in ("pose", "lines")
             object.__setattr__(
@@ -138,6 +143,8 @@ class Measurements(Columns):
         components: Mapping[str, str] = POSITION,
         drives: str | Sequence[str] = FREE,
         settings: Mapping[str, ArrayLike] | None = None,
+        level: ArrayLike | None = None,
+        level_unit: str = "",
         priors: Mapping[str, Any] = MappingProxyType({}),
         usable: Mapping[str, Any] = MappingProxyType({}),
         state: str = "",
@@ -182,6 +189,11 @@ class Measurements(Columns):
         settings : mapping of str to array_like of shape (R,), optional
             Known values of parameters by path, in SI units, NaN where the declared value applies.  Rows with the
             same label must agree.
+        level : float or array_like, shape (R,), optional
+            Level of excitation, such as the rms of the force, NaN where unknown.  Rows with the same label must
+            agree: modes that were measured at two levels at one position are two poses.
+        level_unit : str, optional
+            Unit of the level, for messages: any one.
         priors : mapping of str to float or str, optional
             Standard deviations of candidates of a diagnosis by name, numbers in SI units or text with a unit.
         usable : mapping of str to value, optional
@@ -200,8 +212,8 @@ class Measurements(Columns):
         Raises
         ------
         MeasurementError
-            If the columns do not match, a number breaks a rule, a label has two positions, two values of a setting
-            or both free and held motors, or a row is repeated.
+            If the columns do not match, a number breaks a rule, a label has two positions, two values of a setting,
+            two levels or both free and held motors, or a row is repeated.
         """
         quantities = {number.argument for number in quantity_numbers()}
         for name in (name for name in further if name not in quantities):
@@ -236,6 +248,9 @@ class Measurements(Columns):
         loads = np.empty((rows, len(known)))
         for k, (name, values) in enumerate(known.items()):
             loads[:, k] = checked_array(values, f"{SET}{name}", (rows,), source)
+        levels = np.full(rows, np.nan)
+        if level is not None:
+            levels = checked_array(for_all(level, rows), LEVEL.argument, (rows,), source)
         first: dict[str, int] = {}  # first row of each label, in the order of the rows
         for i, label in enumerate(names):
             first.setdefault(label, i)
@@ -273,6 +288,8 @@ class Measurements(Columns):
                 drives=tuple(motors[i] for i in introduced),
                 settings=tuple(known),
                 set_values=loads[introduced],
+                level=levels[introduced],
+                level_unit=checked_level_unit(level_unit, f"{source}: level_unit"),
                 priors=joined_with({}, priors, "priors"),
                 usable=joined_with({}, usable, "usable"),
                 state=str(state),
@@ -286,6 +303,7 @@ class Measurements(Columns):
         problems = [
             *position_problems(measurements, places, spreads),
             *setting_problems(measurements, loads),
+            *level_problems(measurements, levels),
             *drives_problems(measurements, motors),
             *repetitions(measurements),
         ]
@@ -307,6 +325,22 @@ class Measurements(Columns):
         """
         values = zip(self.settings, self.set_values[pose].tolist(), strict=True)
         return {name: value for name, value in values if not np.isnan(value)}
+
+    def level_at(self, pose: int) -> float | None:
+        """Return the level of excitation at a pose.
+
+        Parameters
+        ----------
+        pose : int
+            Index into `labels`.
+
+        Returns
+        -------
+        float or None
+            In the unit of the source; None where it is not known.
+        """
+        level = float(self.level[pose])
+        return None if np.isnan(level) else level
 
     def at(self, poses: Sequence[int]) -> Measurements:
         """Return the measurements at some of the poses.
@@ -356,4 +390,5 @@ class Measurements(Columns):
             shape_sigma=self.shape_sigma[rows],
             drives=tuple(self.drives[i] for i in kept),
             set_values=self.set_values[kept],
+            level=self.level[kept],
         )

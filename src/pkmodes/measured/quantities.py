@@ -194,6 +194,18 @@ SHAPE_SIGMA = Number(
         "write 0.05 for 5 %, or leave it blank",
     ),
 )
+#: Level of excitation of a pose: of any kind, so that only its ratios count.
+LEVEL = Number(
+    "level",
+    "level",
+    "",
+    Range(
+        SMALLEST,
+        LARGEST,
+        "a level of excitation above 0",
+        "write the rms or the peak of the force or motion, in one unit for all rows, or leave it blank",
+    ),
+)
 
 
 def quantity_numbers() -> Iterator[Number]:

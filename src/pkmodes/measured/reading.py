@@ -51,10 +51,11 @@ def read_measurements(
         A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
         It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
         ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``drives``, ``state``, ``shape:<coordinate>``, ``sigma_shape`` and ``set:<path>``.  A column name
-        may carry a unit, ``frequency [rad/s]``.  A comment line ``# band: 10 Hz, 400 Hz`` gives the band in which
-        modes were identified, ``# drives: held`` says what the motors did in all rows, and ``# state: before`` in
-        which state the machine was; other lines that begin with ``#`` are ignored, as are blank lines.
+        ``mode``, ``drives``, ``state``, ``level`` (of excitation, in any unit), ``shape:<coordinate>``,
+        ``sigma_shape`` and ``set:<path>``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment line
+        ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified, ``# drives: held`` says what the
+        motors did in all rows, and ``# state: before`` in which state the machine was; other lines that begin with
+        ``#`` are ignored, as are blank lines.
     channels : collection of str, or mapping of str to str
         Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
         column may be a length or an angle.
@@ -95,7 +96,7 @@ def read_modes(path: str | PathLike[str], channels: Collection[str] | Mapping[st
     path : path-like
         A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
         It has one row for each identified mode: the columns ``pose`` (the label of a setup),
-        ``frequency``, ``sigma`` [Hz], and where known ``damping``, ``sigma_damping``, ``mode``,
+        ``frequency``, ``sigma`` [Hz], and where known ``damping``, ``sigma_damping``, ``mode``, ``level``,
         ``shape:<channel>`` and ``sigma_shape``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment
         line ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified.
     channels : collection of str, or mapping of str to str

@@ -14,6 +14,7 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.measured.columns import Array, Columns, Integers
 from pkmodes.measured.quantities import (
     FREQUENCY,
+    LEVEL,
     QUANTITIES,
     SHAPE_SIGMA,
     Quantity,
@@ -92,6 +93,22 @@ def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
     return low, high
 
 
+def checked_level_unit(unit: object, where: str) -> str:
+    """Check the unit of the levels of excitation: any one in which a ratio is a ratio.
+
+    Raises
+    ------
+    MeasurementError
+        If it is no printable text, or a logarithm.
+    """
+    if not isinstance(unit, str) or not unit.isprintable() or set(unit) & {*"[]"}:
+        raise MeasurementError(f"expected a unit, found {shown(unit)}", where, 'write for example "N"')
+    if unit.casefold().startswith("db"):
+        what = f"expected levels that are no logarithms, found the unit {shown(unit)}"
+        raise MeasurementError(what, where, "write the rms or the peak of the force or motion itself")
+    return unit.strip()
+
+
 def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     """Yield numbers that are out of range; `first` holds the first row of each pose."""
     rows = np.arange(len(given.mode))
@@ -116,6 +133,7 @@ def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
     for k, name in enumerate(given.settings):
         setting = Range(-LARGEST, LARGEST, "a finite value", "leave it blank if it is as declared")
         yield from _outside(f"{SET}{name}", given.set_values[:, k], setting, first)
+    yield from _outside(LEVEL.column, given.level, LEVEL.range, first)
     for i in np.flatnonzero((given.shapes == 0.0).any(axis=1) & ~(np.abs(given.shapes) > 0.0).any(axis=1)):
         column = f"{SHAPE}{given.channels[int(np.argmax(given.shapes[i] == 0.0))]}"
         remedy = "leave the components blank if the shape was not measured"
@@ -211,19 +229,29 @@ def position_problems(data: Columns, points: Array, spreads: Array) -> Iterator[
 
 def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
     """Yield rows, of all rows (R, K), with a setting that differs from the first row of their pose."""
+    for k, name in enumerate(data.settings):
+        remedy = "give each load case a unique label"
+        yield from _two_values(data, f"{SET}{name}", data.set_values[:, k], rows[:, k], remedy)
+
+
+def level_problems(data: Columns, rows: Array) -> Iterator[Problem]:
+    """Yield rows, of all rows (R,), with another level than the first row of their pose."""
+    remedy = 'give each level a label of its own, such as "P1 low" and "P1 high"'
+    yield from _two_values(data, LEVEL.column, data.level, rows, remedy)
+
+
+def _two_values(data: Columns, name: str, poses: Array, rows: Array, remedy: str) -> Iterator[Problem]:
+    """Yield rows (R,) whose value in a column differs from that of their pose (P,); blank is a value, too."""
     first = np.unique(data.pose, return_index=True)[1]
-    poses = data.set_values[data.pose]
-    for i, k in np.argwhere((rows != poses) & ~(np.isnan(rows) & np.isnan(poses))):
-        name, number = f"{SET}{data.settings[k]}", data.pose[i]
+    expected = poses[data.pose]
+    for i in np.flatnonzero((rows != expected) & ~(np.isnan(rows) & np.isnan(expected))):
+        number = data.pose[i]
         before = int(first[number])
-        pair = [(before, float(poses[i, k])), (int(i), float(rows[i, k]))]
+        pair = [(before, float(expected[i])), (int(i), float(rows[i]))]
         there, here = ("blank" if np.isnan(v) else Quoted(row, name, v, ".10g") for row, v in pair)
         what = f"pose {shown(data.labels[number])} has two values: {name} is "
         yield Problem(
-            int(i),
-            name,
-            (what, there, f" in line {data.lines[before]} and ", here, " here"),
-            "give each load case a unique label",
+            int(i), name, (what, there, f" in line {data.lines[before]} and ", here, " here"), remedy
         )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from pkmodes.measured.columns import Columns
 from pkmodes.measured.header import SPREAD
-from pkmodes.measured.quantities import QUANTITIES, SHAPE_SIGMA, row_numbers
+from pkmodes.measured.quantities import LEVEL, QUANTITIES, SHAPE_SIGMA, row_numbers
 from pkmodes.measured.rules import SET, SHAPE
 
 
@@ -57,6 +57,8 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
         columns["drives"] = [data.drives[i] for i in data.pose]
     for k, name in enumerate(data.settings):
         columns[f"{SET}{name}"] = _numbers(data.set_values[data.pose, k])
+    named = f"{LEVEL.column} [{data.level_unit}]" if data.level_unit else LEVEL.column
+    columns[named] = _numbers(data.level[data.pose])
     columns["mode"] = [str(mode) for mode in data.mode]
     for k, name in enumerate(data.channels):
         columns[f"{SHAPE}{name}"] = _numbers(data.shapes[:, k])

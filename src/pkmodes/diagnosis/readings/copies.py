@@ -9,6 +9,7 @@ import numpy as np
 from pkmodes.diagnosis.criteria import ReadingCriteria
 from pkmodes.diagnosis.match.stage import Stage
 from pkmodes.diagnosis.problem import Array
+from pkmodes.measured.amplitude import DIFFER
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.mac import mac
 from pkmodes.support.numbers import plain
@@ -43,6 +44,7 @@ def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
         rest = rest[conditions[rest] == conditions[i]]
+        rest = rest[~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))]  # seen on its own
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             one, other = sorted((int(i), int(k)))

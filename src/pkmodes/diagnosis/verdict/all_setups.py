@@ -76,6 +76,7 @@ class AllSetups:
                 held_out=bool(self.is_held[i]),
                 outlier=bool(outlying[i]),
                 load=self.data.load(int(self.data.pose[i])),
+                level=self.data.level_at(int(self.data.pose[i])),
             )
             for i in range(len(self.data.lines))
         )

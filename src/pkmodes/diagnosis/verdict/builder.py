@@ -16,6 +16,7 @@ from pkmodes.diagnosis.match.stage import Stage
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.posterior.probabilities import probabilities
 from pkmodes.diagnosis.problem import Array, reached_bounds
+from pkmodes.diagnosis.readings.amplitude import in_words, note, notes_on_amplitude
 from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
@@ -113,7 +114,7 @@ class DiagnosisBuilder:
         if not decision.says.of_reading:
             fit, remarks = start.first, declared_otherwise(self.fitter)
             if fit is not None:
-                remarks = (*remarks, *self._remarked(fit))
+                remarks = (*remarks, *self._remarked(fit), *notes_on_amplitude(self.fitter, fit.values))
                 bounded = limits.beside(store, [fit], start.suspected, noise=not start.contradicted)
             unseen = tuple(name for name in unseen if name not in {*bounded.limited, *start.hints})
         models = self._models(store, fit, None, bounded, verdict.settled)
@@ -185,6 +186,9 @@ class DiagnosisBuilder:
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
         """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
         reading = (decision.says.text,) if decision.says.of_reading else ()
+        found, data = evidence.amplitude, self.fitter.data
+        if found is not None and found.significant and in_words(found, data) not in decision.says.text:
+            reading = (*reading, note(found, data))
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
         return (*reading, *self._remarked(evidence.final), *held_out)
 

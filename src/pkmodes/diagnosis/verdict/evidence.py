@@ -13,6 +13,7 @@ import numpy as np
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Assumption, Candidate
+from pkmodes.diagnosis.readings.amplitude import dependence
 from pkmodes.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
@@ -26,6 +27,7 @@ from pkmodes.diagnosis.verdict.naming import count
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 from pkmodes.diagnosis.verdict.values import shows_once
 from pkmodes.diagnosis.verdict.verdicts import Verdict
+from pkmodes.measured.amplitude import AmplitudeDependence
 
 #: Largest number of causes named that would remove a contradiction of too few data.
 HINTS = 4
@@ -155,6 +157,11 @@ class Evidence:
         return predicted(self.setups, self.search, self.final)
 
     @cached_property
+    def amplitude(self) -> AmplitudeDependence | None:
+        """How the frequencies of the fitted setups depend on the level; None if none differ in their level alone."""
+        return dependence(self.fitter, self.final.values)
+
+    @cached_property
     def alone(self) -> dict[str, JointAlone]:
         """The one joint that explains the data as well, of each remaining cause with a value for each joint."""
         fits = {name_of(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits}
@@ -236,8 +243,8 @@ class Says:
     instead : Fit or None
         An explanation that is better with other errors or priors.
     of_reading : bool
-        Whether another reading of the data decided, because something in the file is wrong.  It is then the first
-        note, too, and explanations of the data as they stand have no probabilities.
+        Whether another reading of the data decided, because something in the file is wrong, or no linear model can
+        explain it.  It is then the first note, too, and explanations of the data as they stand have no probabilities.
     """
 
     text: str

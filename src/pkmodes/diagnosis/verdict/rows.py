@@ -16,6 +16,10 @@ ModeName = Annotated[str, Meta(description="The experimenter's mode number; may 
 MotorsDid = Annotated[
     Drives | None, Meta(description="What the motors did; null for a structure without motors.")
 ]
+Level = Annotated[
+    float | None,
+    Meta(description="Level of excitation in the unit of the file; present only where it gives one."),
+]
 
 
 class Error(Document, frozen=True):
@@ -67,6 +71,7 @@ class Row(Place, frozen=True, omit_defaults=True):
     held_out: Annotated[bool, Meta(description="Whether its pose took no part in any fit.")]
     outlier: Annotated[bool, Meta(description="Whether it was set aside.")]
     load: Settings = field(name="set", default_factory=dict)
+    level: Level = None
     damping: Annotated[
         float | None,
         Meta(

@@ -1,10 +1,9 @@
 """The rules of the verdict, in tables: of those that are asked, the first that applies decides.
 
-A rule has a name, which begins with that of its table, the verdict that it gives, and a question of the evidence.
-The docstring of the question says when the rule applies, and its answer is the reason of the verdict, for a person.
-`before` is asked first, and there is no search if one of its rules applies.  After a search come `after`, then
-`ADEQUACY` where the declared model leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing
-does.  docs/diagnosis.md has the tables.
+A rule has a name, which begins with that of its table, the verdict that it gives, and a question of the evidence,
+whose docstring says when the rule applies, and whose answer is the reason of the verdict.  `before` is asked first,
+without a search if one applies.  After a search come `after`, then `ADEQUACY` where the declared model leaves noise,
+`CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
 """
 
 from __future__ import annotations
@@ -16,6 +15,7 @@ import numpy as np
 
 from pkmodes.diagnosis.readings import table
 from pkmodes.diagnosis.verdict import misfit
+from pkmodes.diagnosis.verdict.amplitude import depends_on_amplitude
 from pkmodes.diagnosis.verdict.classes import distinct, more_general, parts_alone
 from pkmodes.diagnosis.verdict.defaults import by_a_default
 from pkmodes.diagnosis.verdict.dispersion import stiffness_of_frequency
@@ -83,10 +83,8 @@ def _extra_lines(e: Evidence) -> list[int]:
     fitter, final, lines = e.fitter, e.final, []
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
-        near = (
-            np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
-            < e.criteria.pairing.reach
-        )
+        apart = np.abs(final.prediction.log_frequencies[setup] - fitter.observations.log[row])
+        near = apart < e.criteria.pairing.reach
         near[: final.prediction.rigid] = False
         partner = final.pairing.partner[fitter.observations.noise.rows[setup]]
         near[partner[partner >= 0]] = False
@@ -323,7 +321,8 @@ def before() -> tuple[Rule[Start, Says], ...]:
 
 def after() -> tuple[Rule[Evidence, Says], ...]:
     """Return the rules that are asked whatever a search found."""
-    return tuple(_of_readings("after", lambda one: one.explained, lambda e: (e.fitter, e.final)))
+    amplitude = Rule[Evidence, Says]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
+    return (*_of_readings("after", lambda one: one.explained, lambda e: (e.fitter, e.final)), amplitude)
 
 
 def _of_readings(
