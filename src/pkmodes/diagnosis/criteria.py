@@ -171,6 +171,8 @@ class ClaimCriteria:
     #: Whether a cause may rest on one row where each mode was measured once, at one setup, and the cause by nature
     #: hardly changes the others.  Of one state it may not: a mistaken row is as likely.
     once: bool = False
+    #: Whether a term is as likely as a cause of the catalogue: a part at one place that changed.
+    any_place: bool = False
     #: Stated errors may be too small by this factor at most, where that competes with a cause.
     wrong_errors: float = np.inf
     #: Measured values required beyond the uncertain parameters: one for a cause, and one to test it.
@@ -301,5 +303,8 @@ class Criteria:
 def of_changes(criteria: Criteria) -> Criteria:
     """Return the thresholds of what changed between two states of one machine."""
     return replace(
-        criteria, claim=replace(criteria.claim, specific=SPECIFIC_OF_CHANGES, once=True, wrong_errors=3.0)
+        criteria,
+        claim=replace(
+            criteria.claim, specific=SPECIFIC_OF_CHANGES, once=True, any_place=True, wrong_errors=3.0
+        ),
     )

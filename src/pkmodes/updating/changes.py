@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.problem import Parameter
+from pkmodes.diagnosis.problem import Parameter, Structure
 from pkmodes.diagnosis.search.additions import Progress
-from pkmodes.diagnosis.states.changes import Trusted
+from pkmodes.diagnosis.states.changes import Trusted, with_known
 from pkmodes.diagnosis.states.result import Change, merged
 from pkmodes.diagnosis.states.words import candidate_as_change
+from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes.measured.measurements import Measurements
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.support.threads import one_blas_thread
@@ -20,6 +23,7 @@ from pkmodes.updating.candidates import EFFECTS, PREFIX
 from pkmodes.updating.joints import joints_of
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
+from pkmodes.updating.shared_values import deviations, in_use, of_one_machine
 
 #: Names of the states that have none: two, or more.
 BEFORE, AFTER = "before", "after"
@@ -84,22 +88,46 @@ def changed(
     """
     names, campaigns = _named(trusted, later, name)
     first = MeasuredRobot.of(model, trusted)
-    common = Trusted.of(names[0], first.structure(candidates=()), trusted)
+    wrong = deviations(first.robot)
+    common = Trusted.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
     known = _as_trusted(first.robot, common.values)
     changes = {}
     for name, data in zip(names[1:], campaigns, strict=True):
         measured = MeasuredRobot.of(known, data).where_usable()
         if progress is not None and len(campaigns) > 1:
             progress(f"comparing {name} with {names[0]}")
-        changes[name] = common.changed_to(
+        structure = with_known(_extended(measured.structure(candidates, priors), wrong), common.values)
+        ask = partial(
+            common.changed_to,
             name,
-            _with_day(measured.structure(candidates, priors)),
-            measured.data,
+            data=measured.data,
             holdout=None if holdout is None else [one for one in holdout if one in measured.data.labels],
             progress=progress,
             terms=terms,
         )
+        changes[name] = _asked(ask, _with_day(structure), everything=candidates is not None)
     return merged(names[0], changes)
+
+
+def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool) -> Change:
+    """Return what changed: of what changes in use, and where none of that explains it, of parts and places too."""
+    robot = structure.robot
+    some = [of_one_machine(one) for one in structure.candidates if everything or in_use(robot, one)]
+    first = ask(structure.extended([], {}, some))
+    if everything or first.changed is False or first.verdict == AMBIGUOUS.word or first.explained:
+        return first
+    second = ask(structure.extended([], {}, [of_one_machine(one) for one in structure.candidates]))
+    if not second.explained:
+        return first
+    note = "nothing that changes in use explains this: only a part that was exchanged or moved does"
+    return replace(second, notes=(note, *second.notes))
+
+
+def _extended(
+    structure: RobotStructure, further: tuple[Sequence[Parameter], Mapping[str, ParameterPath]]
+) -> RobotStructure:
+    """Return a structure with further parameters and their paths, and the same candidates."""
+    return structure.extended(*further, structure.candidates)
 
 
 def _named(
@@ -136,7 +164,7 @@ def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
     """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
     uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
     known = {path: {"sigma": None} for path in uncertain - values.keys()}
-    fitted = {path: {"value": value, "sigma": None} for path, value in values.items()}
+    fitted = {path: {"value": values[path], "sigma": None} for path in uncertain & values.keys()}
     return robot.with_values({**known, **fitted})
 
 

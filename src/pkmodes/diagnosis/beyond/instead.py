@@ -2,6 +2,7 @@
 
 A cause that acts on the whole machine is one of few: it is preferred to the best of many terms unless that is better
 by more than chance.  Several causes, or a wrong value of one axis, are not: of these there are as many as of terms.
+Neither is a change between two states: one part at one place is as likely as all of a kind.
 """
 
 from __future__ import annotations
@@ -22,9 +23,9 @@ COMPETES = 0.5
 
 
 def one_of_many(catalogue: Evidence) -> bool:
-    """Return whether what would be claimed is several causes, or a wrong value of one axis."""
+    """Return whether what would be claimed is several causes, or a wrong value of one axis, or any change."""
     local = any(fit.causes[-1].local for fits in catalogue.claim.own for fit in fits)
-    return len(catalogue.final.causes) > 1 or local
+    return len(catalogue.final.causes) > 1 or local or catalogue.criteria.claim.any_place
 
 
 def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) -> bool:

@@ -11,6 +11,7 @@ import copy
 import difflib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 
@@ -22,11 +23,13 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.one_state import diagnosed
-from pkmodes.diagnosis.problem import Structure
+from pkmodes.diagnosis.problem import Array, Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.states.result import Change, Counterpart, merged, of_difference
 from pkmodes.diagnosis.states.shared_errors import SharedErrors, shared_errors, without_shared_errors
 from pkmodes.measured.measurements import Measurements
+
+S = TypeVar("S", bound=Structure)
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,10 +83,14 @@ class Trusted:
 
     @property
     def model_error(self) -> float:
-        """Root mean square of the relative error of the model."""
-        left = self.fit.residual[self.fitter.observations.frequency_rows]
-        paired = self.fit.pairing.partner >= 0
-        return float(np.sqrt(np.mean(left[paired] ** 2))) if paired.any() else float("nan")
+        """Root mean square of the relative error of the model as declared."""
+        pairing, left, *_ = self.fitter.unfitted(self.fitter.declared, self.fitter.observations.every)
+        return _rms(left[pairing.partner >= 0])
+
+    @property
+    def left(self) -> float:
+        """Root mean square of the relative error of the model with its values fitted."""
+        return _rms(self.fit.residual[self.fitter.observations.frequency_rows][self.fit.pairing.partner >= 0])
 
     def changed_to(
         self,
@@ -155,8 +162,9 @@ class Trusted:
         """Return how the states were compared."""
         rows, compared = len(shared.offset), int(shared.compared.sum())
         notes = [
-            f"the model differs from {self.name} by {100 * self.model_error:.2g} % (rms), which is taken off {name} "
-            "too: standard deviations are those of the difference"
+            f"the declared model differs from {self.name} by {100 * self.model_error:.2g} % (rms); its values are "
+            f"fitted to {self.name}, and the {100 * self.left:.2g} % that this leaves are taken off {name} too: "
+            "standard deviations are those of the difference"
         ]
         if compared < rows:
             notes.append(
@@ -166,6 +174,10 @@ class Trusted:
         if not np.isnan(data.damping).all():
             notes.append("damping ratios of two states are not compared")
         return notes
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2))) if len(values) else float("nan")
 
 
 def changed_between(
@@ -205,7 +217,7 @@ def changed_between(
     return merged(name, changes)
 
 
-def with_known(structure: Structure, values: Mapping[str, float]) -> Structure:
+def with_known(structure: S, values: Mapping[str, float]) -> S:
     """Return a structure in which some uncertain values are known."""
     known = copy.copy(structure)
     known.parameters = tuple(  # type: ignore[misc]

@@ -85,6 +85,11 @@ class Change(Diagnosis):
     by_state: Mapping[str, Change] = field(default_factory=dict)
 
     @property
+    def explained(self) -> bool:
+        """Whether something is claimed to have changed, of the catalogue or at one place."""
+        return bool(self.effects) or (self.beyond is not None and self.beyond.found is not None)
+
+    @property
     def what(self) -> str:
         """What changed, as a clause: "change found: ...", or that nothing did, or that the data do not tell."""
         if self.effects:
