@@ -120,6 +120,15 @@ def test_cases_run_in_turns_of_one_of_each_suite_and_more_of_them_in_the_same_or
     assert len({(suite, one.number) for suite, one, _ in more}) == 7
 
 
+def test_clear_causes_are_drawn_from_all_machines_together() -> None:
+    machines = ("tower, clear, one effect", "corexy, clear, one effect")
+    every = [
+        (suite, case(number=k), judging.run) for suite in (*machines, "corexy, one effect") for k in range(9)
+    ]
+    assert [suite == "corexy, one effect" for suite, _, _ in refused.in_turn(every, 4)] == [False, True] * 4
+    assert {suite for suite, _, _ in refused.in_turn(every, 18)} > {*machines}
+
+
 def test_every_case_has_a_name_of_its_own() -> None:
     every = [(suite, one.label) for suite, one, _ in refused.cases()]
     assert len(every) == len({*every})
@@ -146,7 +155,7 @@ def test_the_page_counts_claimed_and_refused_cases_by_rule() -> None:
         line("claims.found", 0.9, "wrong", claimed=True),
         line("claims.several", 0.96, "right", again="right"),
         line("claims.one_row", 0.74, "right", again="right"),
-        line("claims.one_row", 0.74, "wrong", again="refused"),
+        line("claims.one_row", 0.741, "wrong", again="refused"),
         line("claims.one_row", 0.5, "right", again="wrong"),
         line("open.real", 0.445, "one of two"),
         {
@@ -157,11 +166,12 @@ def test_the_page_counts_claimed_and_refused_cases_by_rule() -> None:
         },
         {"case": "suite: failed, seed 1", "suite": "suite", "rule": "", "verdict": "failed"},
     ]
-    page = refused.page(found, 1)
+    page = refused.page(found, found[4:6], 1)
+    text = " ".join(page)
     assert (
-        "10 cases of 1 suites, of which 8 have a class or pair with a probability, and 1 failed."
-        in " ".join(page)
+        "10 cases drawn from 1 suites, of which 8 have a class or pair with a probability; and all 2 " in text
     )
+    assert " 1 failed" in text
     stated, accepted = (page.index(f"## {how}") for how in ("As stated", "As if accepted"))
     assert [row for row in page[stated:accepted] if row.startswith("| ")][1:] == [
         "| claimed | 2 | 1 |  | 1 | 0.50 |",
@@ -171,13 +181,14 @@ def test_the_page_counts_claimed_and_refused_cases_by_rule() -> None:
     rows = page[accepted:]
     assert "| refused | 4 | 2 | 1 | 1 | 0.50 |" in rows
     assert "| claims.one_row | 3 | 2 | 1 |  | 1 | 0.50 |  |" in rows
+    assert "| claims.one_row | 2 | 2 | 1 |  | 1 | 0.50 |  |" in rows
     assert "| claims.several | 1 | 1 | 1 |  |  | 1.00 | 1 |" in rows
     assert "| open.real | 1 | 1 |  | 1 |  | 0.00 |  |" in rows
     assert "| claims.one_row | 3 | 1 |  | 1 | 1: claims.errors |" in rows
     assert sum("| payload | payload or belt_mass |" in row for row in rows) == 4
 
 
-def test_a_run_that_was_stopped_goes_on(
+def test_a_run_that_was_stopped_goes_on_and_only_what_was_asked_for_is_counted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     tried = []
@@ -189,11 +200,12 @@ def test_a_run_that_was_stopped_goes_on(
         return Outcome(one, "adequate", "adequate", rule="adequacy.adequate")
 
     monkeypatch.setattr(refused, "cases", lambda: iter([("suite", case(number=k), run) for k in range(6)]))
-    for limit in ("4", "6"):
+    for limit in ("4", "6", "2"):
         monkeypatch.setattr("sys.argv", ["refused", "--kept", str(tmp_path / "kept.jsonl"), "--limit", limit])
         refused.main()
     assert sorted(tried) == list(range(6))
     printed = capsys.readouterr()
-    assert "6 cases of 1 suites" in printed.out
-    assert "and 1\nfailed" in printed.out
+    counted = [f"{count} cases drawn from 1 suites" in printed.out for count in range(8)]
+    assert counted == [count in (2, 4, 6) for count in range(8)]
+    assert " 1 failed" in printed.out
     assert "no such mode" in printed.err

@@ -1,9 +1,10 @@
 """Where a probability and the verdict disagree: explanations that are probable but refused, by the rule that refuses.
 
-    python -m pkmodes_rig.suites.refused --seed 20290202 --limit 14 --out docs/refused-measured.md  # `make suites`
+    python -m pkmodes_rig.suites.refused --seed 20290202 --limit 5 --out docs/refused-measured.md   # `make suites`
 
-Cases of all suites run in turn, up to `--limit` of each; those of one fault at one place, which are decided by rules
-of their own, have no part.  What is found is kept in a file, a line of JSON for each case, so that a run which was
+Cases of all suites run in turn, up to `--limit` of each, then all cases of the suites with the fewest measured modes,
+where refusals are most frequent.  Those of one fault at one place, which are decided by rules of their own, have no
+part.  What is found is kept in a file, a line of JSON for each case, so that a run which was
 stopped goes on where it was.  A case whose verdict is given by a rule that is asked where causes leave noise runs
 again without that rule.
 """
@@ -35,12 +36,18 @@ from pkmodes_rig.suites.tables import listed, table
 
 #: The probability above which an explanation should not be refused without a reason.
 PROBABLE = 0.95
-SEED, LIMIT = 20290202, 14
+SEED, LIMIT = 20290202, 5
+#: Suites of which all cases run.
+WHOLE = ("linear delta, few rows", "linear delta, outliers among few")
+#: Machines whose cases take a minute each.
+SLOW = ("hexaglide",)
 #: What a claim of an explanation would be: with every cause, with one of two, or with something that is none.
 RIGHT, PART, WRONG = "right", "one of two", "wrong"
 STATES = (RIGHT, PART, WRONG)
 #: What becomes of a case without the rule that decided it, by the state of its outcome.
 WITHOUT = {"named": RIGHT, "partly": PART, "wrong": WRONG}
+#: Members of a class that are listed.
+MENTIONED = 4
 OPEN_RULES = frozenset(rule.name for rule in OPEN)
 #: Rules that a diagnosis can do without: the last one always applies.
 CLAIM_RULES = frozenset(rule.name for rule in rules.CLAIMS[:-1])
@@ -55,14 +62,16 @@ BEGINNING = """\
 # Probable and refused, measured
 
 Written by `make suites`; do not edit. `tests/pkmodes_rig/suites/refused.py` draws as many cases from each suite of
-the diagnosis, those with mistaken files too, but not those of one fault at one place. The most probable class or
-pair of each case, a [second opinion](diagnosis.md#a-second-opinion), is held against its verdict and the truth.
+the diagnosis, those with mistaken files too, but none of hexaglides, which take a minute each, or of one fault at one
+place, which other rules decide. The most probable class or pair of each case, a
+[second opinion](diagnosis.md#a-second-opinion), is held against its verdict and the truth.
 *Claimed*: `effect_found`, with this class or pair and nothing else; *refused*: any other verdict or claim. *Right*:
 it contains the cause, or both causes; *one of two*: a class that contains one of two causes; *wrong* otherwise, also
 where nothing is missing or the cause is outside the catalogue. Terms are not tried.
 
-Seed {seed}; {cases} cases of {suites} suites, of which {some} have a class or pair with a probability, and {failed}
-failed. Verdicts and probabilities were developed with other seeds, on cases of the same suites."""
+Seed {seed}; {cases} cases drawn from {suites} suites, of which {some} have a class or pair with a probability; and
+all {whole} cases with few rows, and with outliers among few. {failed} failed. Verdicts and probabilities were
+developed with other seeds, on cases of the same suites."""
 STATED = f"""\
 ## As stated
 
@@ -87,7 +96,7 @@ decide, no causes leave noise."""
 EACH = f"""\
 ## Each of them
 
-All refused cases with a probability above {PROBABLE} as if accepted."""
+All refused cases with a probability above {PROBABLE} as if accepted; of a class, its most probable members."""
 
 
 # Cases -------------------------------------------------------------------------------------------------------
@@ -97,19 +106,29 @@ def cases() -> Iterator[tuple[str, Any, Run]]:
     """Yield the cases of the suites: suite, case, and how it is run."""
     yield from calibration.cases(without=())
     for case in six_legged_suites.cases():
-        yield f"{case.machine}, clear, {case.suite}", case, clear_cases.run
+        if case.machine not in SLOW:
+            yield f"{case.machine}, clear, {case.suite}", case, clear_cases.run
 
 
 def in_turn(some: Sequence[tuple[str, Any, Run]], limit: int) -> list[tuple[str, Any, Run]]:
-    """Return cases in the order in which they run: one of each suite, drawn at random, then the next of each."""
+    """Return cases in the order in which they run: one of each suite, drawn at random, then the next of each.
+
+    Clear causes are suites on all machines alike.
+    """
     suites: dict[str, list[tuple[str, Any, Run]]] = {}
     for one in some:
-        suites.setdefault(one[0], []).append(one)
+        suites.setdefault(pooled(one[0]), []).append(one)
     drawn = [
         [suite[k] for k in np.random.default_rng(0).permutation(len(suite))[:limit].tolist()]
         for suite in suites.values()
     ]
     return [one for turn in itertools.zip_longest(*drawn) for one in turn if one is not None]
+
+
+def pooled(suite: str) -> str:
+    """Return the name of a suite, without the machine where it is one of clear causes."""
+    machine, clear, rest = suite.partition(", clear, ")
+    return clear + rest or machine
 
 
 # What is found -----------------------------------------------------------------------------------------------
@@ -214,36 +233,44 @@ def main() -> None:
     parser = command_line("Measure what becomes of probable explanations that are refused.", SEED)
     parser.add_argument("--kept", type=Path, default=Path("build/refused.jsonl"), help="what was found")
     parser.add_argument("--limit", type=int, default=LIMIT, help="largest number of cases per suite")
+    parser.add_argument("--no-whole", action="store_true", help="leave out those of which all cases run")
     arguments = parser.parse_args()
     kept = arguments.kept
     kept.parent.mkdir(parents=True, exist_ok=True)
-    known = {one["case"] for one in calibration.read(kept)}
-    for suite, case, run in in_turn(list(cases()), arguments.limit):
+    known = {one["case"]: one for one in calibration.read(kept)}
+
+    def of(suite: str, case: Any, run: Run) -> Line:
         case = replace(case, seed=arguments.seed)
         name = f"{suite}: {case.label}, seed {case.seed}"
-        if name in known:
-            continue
-        with kept.open("a", encoding="utf-8") as file:
-            file.write(json.dumps({"case": name, "suite": suite, **line_of(case, run)}) + "\n")
-    publish(page(calibration.read(kept), arguments.seed), arguments.out)
+        if name not in known:
+            known[name] = {"case": name, "suite": suite, **line_of(case, run)}
+            with kept.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(known[name]) + "\n")
+        return known[name]
+
+    every = list(cases())
+    drawn = [of(*one) for one in in_turn(every, arguments.limit)]
+    whole = [] if arguments.no_whole else [of(*one) for one in every if one[0] in WHOLE]
+    publish(page(drawn, whole, arguments.seed), arguments.out)
 
 
 # Tables ------------------------------------------------------------------------------------------------------
 
 
-def page(found: Sequence[Line], seed: int) -> list[str]:
-    """Return the page."""
-    some = [one for one in found if "members" in one]
-    refused = [one for one in some if not one["claimed"]]
-    doubted = [one for one in refused if one["accepted"] > PROBABLE]
+def page(drawn: Sequence[Line], whole: Sequence[Line], seed: int) -> list[str]:
+    """Return the page on cases drawn from all suites, and on all those of a few suites."""
+    some = [one for one in drawn if "members" in one]
+    every = list({one["case"]: one for one in (*drawn, *whole)}.values())
+    beginning = BEGINNING.format(
+        seed=seed,
+        cases=len(drawn),
+        suites=len({pooled(one["suite"]) for one in drawn}),
+        some=len(some),
+        whole=len(whole),
+        failed=sum(one["verdict"] == "failed" for one in every),
+    )
     return [
-        *BEGINNING.format(
-            seed=seed,
-            cases=len(found),
-            suites=len({one["suite"] for one in found}),
-            some=len(some),
-            failed=sum(one["verdict"] == "failed" for one in found),
-        ).splitlines(),
+        *beginning.splitlines(),
         "",
         *STATED.splitlines(),
         "",
@@ -255,16 +282,25 @@ def page(found: Sequence[Line], seed: int) -> list[str]:
         "",
         *BY_RULE.splitlines(),
         "",
-        *_by_rule(refused, doubted),
+        *_by_rule(drawn),
+        "",
+        "The same for all cases with few rows, and with outliers among them.",
+        "",
+        *_by_rule(whole),
         "",
         *LEFT_OUT.splitlines(),
         "",
-        *_without([one for one in found if "without" in one]),
+        *_without(every),
         "",
         *EACH.splitlines(),
         "",
-        *_listed(doubted),
+        *_listed([one for one in every if _refused(one) and one["accepted"] > PROBABLE]),
     ]
+
+
+def _refused(one: Line) -> bool:
+    """Return whether a case has a class or pair with a probability that is not claimed."""
+    return "members" in one and not one["claimed"]
 
 
 def _shares(some: Sequence[Line], key: str) -> list[str]:
@@ -279,19 +315,21 @@ def _shares(some: Sequence[Line], key: str) -> list[str]:
     return table([f"above {PROBABLE}", "cases", *STATES, "fraction right"], rows)
 
 
-def _by_rule(refused: Sequence[Line], doubted: Sequence[Line]) -> list[str]:
-    names = [rule for rule in _ordered(refused) if any(one["rule"] == rule for one in doubted)]
+def _by_rule(some: Sequence[Line]) -> list[str]:
     rows = []
-    for rule in names:
-        all_of, high = ([one for one in group if one["rule"] == rule] for group in (refused, doubted))
-        stated = sum(one["probability"] > PROBABLE for one in high)
-        name = f"{rule}, with another claim" if rule == FOUND else rule
-        rows.append([name, str(len(all_of)), *_counts(high, "held"), _part(high), str(stated or "")])
+    for rule in _ordered(some):
+        decided = [one for one in some if one["rule"] == rule and _refused(one)]
+        probable = [one for one in decided if one["accepted"] > PROBABLE]
+        if probable:
+            stated = sum(one["probability"] > PROBABLE for one in probable)
+            name = f"{rule}, with another claim" if rule == FOUND else rule
+            counted = [*_counts(probable, "held"), _part(probable), str(stated or "")]
+            rows.append([name, str(len(decided)), *counted])
     return listed(["rule", "decided", "probable", *STATES, "fraction right", "above as stated"], rows)
 
 
-def _without(again: Sequence[Line]) -> list[str]:
-    rows = []
+def _without(some: Sequence[Line]) -> list[str]:
+    again, rows = [one for one in some if "without" in one], []
     for rule in _ordered(again):
         group = [one for one in again if one["rule"] == rule]
         states = [one["without"][0] for one in group]
@@ -315,7 +353,7 @@ def _listed(doubted: Sequence[Line]) -> list[str]:
             one["rule"],
             one["case"].partition(": ")[2].rpartition(", seed")[0],
             " + ".join(one["names"]) or ("outside" if one["outside"] else "nothing missing"),
-            " or ".join(one["members"]),
+            _some(one["members"]),
             f"{one['accepted']:.3f}",
             one["held"],
             _then(one),
@@ -324,6 +362,12 @@ def _listed(doubted: Sequence[Line]) -> list[str]:
     ]
     head = ["rule", "case", "truth", "class or pair", "as if accepted", "it is", "without the rule"]
     return listed(head, rows)
+
+
+def _some(members: Sequence[str]) -> str:
+    """Return the first members of a class, and how many more it has."""
+    more = len(members) - MENTIONED
+    return " or ".join(members[:MENTIONED]) + (f", {more} more" if more > 0 else "")
 
 
 def _then(one: Line) -> str:
