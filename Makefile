@@ -121,6 +121,7 @@ suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virt
 	$(BIN)/python -m pkmodes_rig.suites.mechanism_suites $(CLUSTER) --seed 20261215 --out docs/mechanisms-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.limits $(CLUSTER) --seed 20261213 --out docs/limits-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.calibration --seed 20271127 --out docs/probabilities-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.refused --seed 20290202 --limit 5 --out docs/refused-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.clear_suites $(CLUSTER) --seed 20261207 --out docs/clear-causes-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.six_legged_suites $(CLUSTER) --seed 20271217 --out docs/six-legs-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.one_place $(CLUSTER) --seed 20280301 --out docs/one-place-measured.md

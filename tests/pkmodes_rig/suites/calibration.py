@@ -40,13 +40,13 @@ BOUNDS = tuple(itertools.pairwise((0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1.0
 MISTAKEN = ("units and wiring", "wrong drives")
 
 
-def cases() -> Iterator[tuple[str, Any, Callable[[Any], Any]]]:
-    """Yield the cases of all suites but the mistaken ones: suite, case, and how it is run."""
+def cases(without: Sequence[str] = MISTAKEN) -> Iterator[tuple[str, Any, Callable[[Any], Any]]]:
+    """Yield the cases of all suites but some, by default the mistaken ones: suite, case, and how it is run."""
     for name, suite in SUITES.items():
-        if name not in MISTAKEN:
+        if name not in without:
             yield from ((f"linear delta, {name}", case, judging.run) for case in suite())
     for other in mechanism_suites.cases():
-        if other.suite not in MISTAKEN:
+        if other.suite not in without:
             yield f"{other.specimen.machine}, {other.suite}", other, mechanism_cases.run
     for clear in clear_suites.cases():
         yield f"{clear.machine}, clear, {clear.suite}", clear, clear_cases.run
@@ -54,30 +54,47 @@ def cases() -> Iterator[tuple[str, Any, Callable[[Any], Any]]]:
 
 def right(case: Any, said: Probabilities, candidates: Sequence[str]) -> bool:
     """Return whether the most probable statement is the truth of a case."""
-    names, is_outside = _truth(case)
-    top, same = said.top[0], _same(case)
-    truths = [{name, *same.get(name, ())} for name in names]
+    top, (names, is_outside) = said.top[0], truth_of(case)
     if top == "nothing_missing":
         return not names and not is_outside
     if top == "outside":
         # A value of a single axis, for which the file gives one for all, is no candidate.
-        return is_outside or any(not truth & set(candidates) for truth in truths)
-    for members in top:
-        each = [members] if isinstance(members, str) else list(members)
-        if len(each) == len(truths) and any(
+        return is_outside or any(not truth & set(candidates) for truth in _truths(case))
+    return explains(case, top)
+
+
+def explains(case: Any, members: Sequence[str | tuple[str, str]]) -> bool:
+    """Return whether one of the members of a class, or one of some pairs, is the cause or both causes of a case."""
+    truths = _truths(case)
+    each = [(one,) if isinstance(one, str) else one for one in members]
+    return any(
+        len(causes) == len(truths)
+        and any(
             all(one in truth for one, truth in zip(order, truths, strict=True))
-            for order in (each, each[::-1])
-        ):
-            return True
-    return False
+            for order in (causes, causes[::-1])
+        )
+        for causes in each
+    )
 
 
-def _truth(case: Any) -> tuple[tuple[str, ...], bool]:
+def explains_a_part(case: Any, members: Sequence[str | tuple[str, str]]) -> bool:
+    """Return whether one of the members of a class is one of several causes of a case."""
+    truths = _truths(case)
+    return len(truths) > 1 and any(one in truth for one in members for truth in truths)
+
+
+def truth_of(case: Any) -> tuple[tuple[str, ...], bool]:
     """Return the causes that should be named, and whether something outside the candidates is right."""
     if isinstance(case, ClearCase):
         return case.names, case.outside
     truth = case.truth if isinstance(case, Case) else case.specimen
     return case.names, bool(truth.outside)
+
+
+def _truths(case: Any) -> list[set[str]]:
+    """Return the names that are right for each cause."""
+    same = _same(case)
+    return [{name, *same.get(name, ())} for name in truth_of(case)[0]]
 
 
 def _same(case: Any) -> Mapping[str, tuple[str, ...]]:
@@ -99,7 +116,7 @@ def main() -> None:
     arguments = parser.parse_args()
     kept = arguments.kept
     kept.parent.mkdir(parents=True, exist_ok=True)
-    known = {one["case"] for one in _read(kept)}
+    known = {one["case"] for one in read(kept)}
     every = list(cases())
     # Shuffled: a part of them is a sample of all.
     for place in np.random.default_rng(0).permutation(len(every))[: arguments.count].tolist():
@@ -110,7 +127,7 @@ def main() -> None:
             continue
         with kept.open("a", encoding="utf-8") as file:
             file.write(json.dumps({"case": name, "suite": suite, **_found(case, run)}) + "\n")
-    publish(page(_read(kept)), arguments.out)
+    publish(page(read(kept)), arguments.out)
 
 
 def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
@@ -125,15 +142,16 @@ def _found(case: Any, run: Callable[[Any], Outcome[Any]]) -> dict[str, Any]:
         return found
     top, probability = said.top
     return found | {
-        "names": list(_truth(case)[0]),
-        "outside": _truth(case)[1],
+        "names": list(truth_of(case)[0]),
+        "outside": truth_of(case)[1],
         "top": top,
         "probability": probability,
         "right": right(case, said, outcome.candidates),
     }
 
 
-def _read(kept: Path) -> list[dict[str, Any]]:
+def read(kept: Path) -> list[dict[str, Any]]:
+    """Return the lines of a file; none if it does not exist."""
     return (
         [json.loads(line) for line in kept.read_text(encoding="utf-8").splitlines()] if kept.exists() else []
     )
