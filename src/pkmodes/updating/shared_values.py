@@ -30,7 +30,7 @@ STIFFNESS = "stiffness"
 #: Prefix of the deviations.
 SHARED = "shared."
 #: How much nearer the frames of two campaigns on one machine are than that of one campaign and the robot file.
-NEARER = 0.1
+NEARER = 0.025
 
 
 def deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterPath]]:
