@@ -2,8 +2,8 @@
 
     python examples/three_storeys/three_storeys.py
 
-An aluminium structure of Los Alamos National Laboratory: four plates, a base and three floors, joined by four columns a
-storey, which slides on rails.  Three modes were measured in each of seventeen states (measured.csv names the report).
+An aluminium structure of Los Alamos National Laboratory: four plates, a base and three floors, joined by four columns
+a storey, which slides on rails.  Three modes were measured in each of seventeen states; measured.csv names the report.
 In states 2 to 9 something is known to have been changed; in states 10 to 14 a bumper between the two upper floors
 closes, which no linear model has.
 """
@@ -99,7 +99,7 @@ def measured(setups):
 
 
 def what_the_chain_lacks():
-    """Diagnose the chain with all changes known: what is missing in every state?"""
+    """Diagnose the chain with all changes known: what is missing in every state."""
     return diagnose(structure_of(LINEAR, CHANGED), measured(LINEAR))
 
 
@@ -108,7 +108,7 @@ def what_changed_in(state):
     trusted = [one for one in LINEAR if one != state]
     setups = [*trusted, state]
     structure = structure_of(setups, set(trusted) & CHANGED.keys())
-    states = {one: "trusted" for one in trusted} | {state: state}
+    states = dict.fromkeys(trusted, "trusted") | {state: state}
     return diagnose(structure, measured(setups), states=states)
 
 

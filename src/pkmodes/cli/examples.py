@@ -98,6 +98,19 @@ CATALOGUE = (
         "pkmodes identify examples/hexapod/campaign.toml --out modes.csv",
     ),
     _example(
+        "changed_printer",
+        "The modes of a delta printer before and after a winter, in which something changed.",
+        "what-changed",
+        "pkmodes changed examples/changed_printer/robot.toml examples/changed_printer/before.csv "
+        "examples/changed_printer/after.csv",
+    ),
+    _example(
+        "three_storeys",
+        "A real structure in seventeen states, of Los Alamos: what its model lacks, and what changed.",
+        "what-changed",
+        "python examples/three_storeys/three_storeys.py",
+    ),
+    _example(
         "voron",
         "Published resonances of a real printer at several belt tensions.",
         "voron",

@@ -16,7 +16,7 @@ from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import NextMeasurement, saved_as
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability_words import same, stable
-from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
+from pkmodes.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Cell, Facts
 from pkmodes.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
@@ -100,7 +100,7 @@ def _where(name: str, result: Diagnosis, setting: Setting) -> str:
         return f"{alone.joint.words}, which is {alone.compared}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
-    if (found := _beyond(result)) and found.forms.get(name):
+    if (found := _beyond(result)) and found.forms.get(name, DECLARED) not in ("", DECLARED):
         return f"look for {clean(found.finding.member(name).words)}"
     for beginning, where in WHERE_ELSE.items():
         if name.startswith(beginning):

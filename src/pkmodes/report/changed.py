@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.states.words import between
+from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Value
 from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
@@ -31,6 +32,7 @@ from pkmodes.report.places import picture
 from pkmodes.report.sections import glossary, view_section
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
+from pkmodes.support.numbers import rounded
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
@@ -45,7 +47,7 @@ MOST = 300
 TONES: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
 
 
-def headline(result: Change) -> str:
+def headline(result: Change, setting: Setting) -> str:
     """Return what changed since the trusted state, as a title."""
     trusted = result.states[0]
     if result.by_state:
@@ -57,9 +59,46 @@ def headline(result: Change) -> str:
         return clean(
             f"Nothing changed since {trusted} beyond the errors of both{f', but {day}' if day else ''}"
         )
-    if not result.effects and (result.beyond is None or result.beyond.found is None):
+    if not result.explained:
         return clean(f"Something changed since {trusted}, and the data do not tell what")
-    return clean(f"Changed since {trusted}: {result.what.removeprefix('change ').removeprefix('found: ')}")
+    return clean(f"Changed since {trusted}: {_best(result, setting)}")
+
+
+def _best(result: Change, setting: Setting) -> str:
+    """Return the best explanation with its size, and how many others act alike."""
+    if len(result.effects) > 1:
+        return result.what.removeprefix("change ").removeprefix("found: ")
+    finding, values = _claimed(result)
+    member = finding.member(finding.name)
+    sizes = [_size(value, values, setting) for value in finding.alternatives[finding.name]]
+    words = sizes[0] if sizes and sizes[0].startswith("the ") else ", ".join([member.words, *sizes])
+    if len(sizes) > 1 and finding.alone is not None:
+        words = member.words  # it has the size of the one joint that changed
+    others = len(finding.members) - 1
+    return (
+        f"{words}, or {plural(others, 'other')} that {'acts' if others == 1 else 'act'} alike"
+        if others
+        else words
+    )
+
+
+def _claimed(result: Change) -> tuple[Finding, Sequence[Corrected]]:
+    """Return what is claimed, with the values before and after."""
+    if result.effects:
+        return result.effects[0], result.corrected
+    assert result.beyond is not None
+    found = result.beyond.found
+    assert found is not None
+    return found.finding, found.corrected
+
+
+def _size(value: Value, values: Sequence[Corrected], setting: Setting) -> str:
+    """Return the change of a declared value in per cent, or the size of what was not there before."""
+    before = next((one.declared for one in values if one.name == value.name), 0.0)
+    if before and (words := setting.words(value.name)):
+        change = rounded(100.0 * (value.value / before - 1.0), 100.0 * abs(value.sigma / before))
+        return f"the {words}, by {change} %"
+    return f"{value.rounded} {value.unit}".removesuffix(" 1")
 
 
 def _of_day(result: Change) -> list[str]:
@@ -90,7 +129,7 @@ def summary(result: Change, setting: Setting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or term is not None else result.verdict,
-        headline=headline(result),
+        headline=headline(result, setting).replace(" +- ", " \u00b1 "),
         reason=prose(sentence(result.reason)),
         tone=TONES[result.changed],
         notes=[prose(sentence(note)) for note in result.notes],

@@ -41,6 +41,7 @@ PHRASES = (
         "before the machine, check what the files say of units, directions, motors and errors",
         "before the machine, check whether both were measured in the same way",
     ),
+    ("measure or look it up again", "look for what changed it"),
     ("this is the cause", "this changed"),
     ("one of these is the cause", "one of these changed"),
     ("these are the causes", "these changed"),
@@ -58,7 +59,7 @@ ANOTHER_DAY = re.compile(
 #: Sentences of candidates that are values.
 WRONG = re.compile(r"the declared ([^;,()]+?) is wrong")
 DIFFERS = re.compile(r"the value of (\S+) differs from that of the other axes")
-ANOTHER = re.compile(r"another value of (\S+)")
+ANOTHER = re.compile(r"another value of ([\w.]*\w)")
 
 
 def as_change(sentence: str) -> str:
