@@ -126,15 +126,8 @@ class RobotStructure:
         candidates: Sequence[Candidate],
     ) -> RobotStructure:
         """Return the same robot with further parameters, the path of each, and other candidates."""
-        return type(self)(
-            self.robot,
-            self.points,
-            (*self.parameters, *parameters),
-            candidates,
-            {**self._moves, **moves},
-            self.loads,
-            self.losses,
-        )
+        given = (*self.parameters, *parameters), candidates, {**self._moves, **moves}
+        return type(self)(self.robot, self.points, *given, self.loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
         """Return the same robot at some of its poses."""

@@ -62,8 +62,8 @@ class ChangedRow(Row, frozen=True, kw_only=True, omit_defaults=True):
     trusted_line: Annotated[Number | None, Meta(description="The line of that; null where there is none.")]
 
 
-class ChangedDocument(DiagnoseDocument, frozen=True, kw_only=True):
-    """What changed since a trusted state."""
+class ChangedState(DiagnoseDocument, frozen=True, kw_only=True):
+    """What changed from a trusted state to another one."""
 
     states: Annotated[list[str], Meta(description="The states, the trusted one first.", min_length=2)]
     changed: Annotated[
@@ -90,7 +90,12 @@ class ChangedDocument(DiagnoseDocument, frozen=True, kw_only=True):
         list[ChangedRow],
         Meta(description="One for each measured mode of the later states, in the order of their files."),
     ]
+
+
+class ChangedDocument(ChangedState, frozen=True, kw_only=True):
+    """What changed since a trusted state."""
+
     by_state: Annotated[
-        dict[str, ChangedDocument],
+        dict[str, ChangedState],
         Meta(description="What changed in each of several later states; empty for a single one."),
     ]

@@ -121,26 +121,22 @@ class Change(Diagnosis):
         dict of str to object
             What ``pkmodes changed --json`` writes.
         """
+        of_states = {name: result._of_one_state() for name, result in self.by_state.items()}
+        return {**self._of_one_state(), "by_state": of_states}
+
+    def _of_one_state(self) -> dict[str, object]:
         content: dict[str, Any] = super().as_json()
         for cause, effect in zip(content["effects"], self.effects, strict=True):
             cause["state"] = effect.state
-        later = self.states[-1] if len(self.states) == 2 else None
         for terms in (content["beyond"] or {}).get("classes", []):
             for member in terms["members"]:
-                member["state"] = later
+                member["state"] = self.states[-1]
         for row, counterpart in zip(content["rows"], self.counterparts, strict=True):
             row["trusted_hz"] = None if counterpart is None else counterpart.measured
             row["trusted_line"] = None if counterpart is None else counterpart.line
-        first = {"verdict": content.pop("verdict"), "reason": content.pop("reason")}
-        of_states = {name: result.as_json() for name, result in self.by_state.items()}
-        return {
-            **first,
-            "states": list(self.states),
-            "changed": self.changed,
-            "model_error": self.model_error,
-            **content,
-            "by_state": of_states,
-        }
+        first = {name: content.pop(name) for name in ("verdict", "reason")}
+        own = {"states": list(self.states), "changed": self.changed, "model_error": self.model_error}
+        return {**first, **own, **content}
 
 
 def of_difference(
