@@ -3,7 +3,7 @@
     python examples/three_storeys/three_storeys.py
 
 An aluminium structure of Los Alamos National Laboratory: four plates, a base and three floors, joined by four columns
-a storey, which slides on rails.  Three modes were measured in each of seventeen states; the report is in measured.csv.
+a storey, which slides on rails.  Three modes were measured in each of 17 states; measured.csv names the report.
 In states 2 to 9 something is known to have been changed; in states 10 to 14 a bumper between the two upper floors
 closes, which no linear model has.
 """
