@@ -44,7 +44,7 @@ SYNONYMS = {
 OF_SHAPE = re.compile(r"(?:mode ?)?shape (.+)")
 OF_POSE = re.compile(r"(?:pos|position|pose) (.+)|(.+) (?:pos|position)")
 #: How alike a name must be to a known one that it may be meant.
-ALIKE = 0.5
+ALIKE = 0.51
 
 
 def worded(cell: str) -> tuple[str, str]:

@@ -16,6 +16,7 @@ from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import ComparedRow, Comparison
 from pkmodes.diagnosis.match.predicted import Predicted
+from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.measured.measurements import Measurements
@@ -48,7 +49,7 @@ def robot_shown(result: Diagnosis | Comparison, robot: Robot) -> Shown:
         return Shown(robot, "as declared", result.stage, {})
     stages = result.stages
     declared = Shown(robot, "as declared", None if stages is None else stages.before, {})
-    if not result.settled:
+    if not result.settled or isinstance(result, Change):  # what changed is no correction of the file
         return declared
     try:
         corrected = robot_from_document(tomllib.loads(corrected_robot(robot, result)), robot.source)

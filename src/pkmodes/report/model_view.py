@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +17,7 @@ from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.report.measured_view import MOST, measured_scene, robot_shown
+from pkmodes.report.places import marked_elements
 from pkmodes.view import assets, fragment, poses_around, scene, typical_pose
 
 
@@ -89,4 +91,7 @@ def view_of_result(
         seen = measured_scene(result, shown, data, drives)
     except PkmodesError:
         return None
-    return None if seen is None else fragment(seen) + assets()
+    if seen is None:
+        return None
+    marks = marked_elements(result, robot) if isinstance(result, Diagnosis) else frozenset[int]()
+    return fragment(replace(seen, marked=marks)) + assets()

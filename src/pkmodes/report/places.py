@@ -8,6 +8,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.core.model import Model
+from pkmodes.core.robot.robot import Robot
+from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.plots.evidence import Evidence
 from pkmodes.plots.places import Marked, places
@@ -19,6 +21,8 @@ from pkmodes_description import Element
 
 #: Terms that are marked at most.
 MOST = 5
+#: How a declared value begins as a candidate.
+VALUE = "parameter:"
 #: Directions that an arrow shows.
 AXES = ("x", "y", "z")
 
@@ -26,9 +30,22 @@ AXES = ("x", "y", "z")
 def named_terms(result: Diagnosis) -> list[tuple[str, str]]:
     """Return the terms that remain, and the joint that a claimed cause singles out, with their words."""
     joints = [effect.alone.joint for effect in result.effects if effect.alone is not None]
+    values = [
+        (name, effect.member(name).words)
+        for effect in result.effects
+        for name in effect.members
+        if isinstance(result, Change) and name.startswith(VALUE)
+    ]
     groups = () if result.beyond is None else result.beyond.classes
     members = [(name, group.finding.member(name).words) for group in groups for name in group.forms]
-    return [*((joint.term, joint.words) for joint in joints), *members]
+    return [*((joint.term, joint.words) for joint in joints), *values, *members]
+
+
+def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
+    """Return the elements of a machine's drawing that show these places."""
+    elements = robot.mechanism.drawing.elements
+    marks = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
+    return frozenset(i for mark in marks if mark is not None for i in mark.elements)
 
 
 def picture(result: Diagnosis, evidence: Evidence, setting: Setting) -> list[Block]:

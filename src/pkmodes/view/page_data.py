@@ -38,8 +38,9 @@ def as_data(scene: Scene) -> dict[str, Any]:
                 "points": list(element.points),
                 "spring": element.spring,
                 "turns": turned.index(element.turns) if element.turns else -1,
+                **({"marked": True} if i in scene.marked else {}),
             }
-            for element in scene.elements
+            for i, element in enumerate(scene.elements)
         ],
         "springs": [spring.name for spring in scene.springs],
         "motionsOf": scene.motions_of.tolist(),

@@ -96,6 +96,8 @@ class Scene:
         Lines of the head of a page, such as the customer.
     doing : str
         What the motors do, in words.
+    marked : frozenset of int
+        Elements that are marked: of the part that a result names.
     """
 
     robot: str
@@ -135,6 +137,7 @@ class Scene:
     channels: tuple[Channel, ...] = ()
     head: tuple[tuple[str, str], ...] = ()
     doing: str = f"motors {FREE}"
+    marked: frozenset[int] = frozenset()
 
     @property
     def size(self) -> float:

@@ -5,13 +5,13 @@ const PALETTES = {
   light: {
     background: "#f3f6f9", grid: "#cfd8e1", text: "#1d2833", ghost: "#8794a1", workspace: "#3b78b8",
     rail: "#8d98a4", carriage: "#4d6075", link: "#6b7a8a", arm: "#566a80", platform: "#1f5fa8", base: "#b3bdc8",
-    wheel: "#a4b0bd", mark: "#3c4a59", gantry: "#7a8897", body: "#4d6075", trace: "#0b6e99", measured: "#a3127c",
+    wheel: "#a4b0bd", mark: "#3c4a59", gantry: "#7a8897", body: "#4d6075", trace: "#0b6e99", measured: "#a3127c", marked: "#0a8f3c",
     scale: ["#c5cdd6", "#f0b340", "#d9570d", "#7d0d0d"],
   },
   dark: {
     background: "#12181f", grid: "#2c3743", text: "#e3eaf1", ghost: "#64727f", workspace: "#6ea8e0",
     rail: "#74828f", carriage: "#9db2c8", link: "#93a3b3", arm: "#a9bacb", platform: "#5b9fe6", base: "#45515e",
-    wheel: "#5d6b79", mark: "#d4dde6", gantry: "#8a99a8", body: "#9db2c8", trace: "#56c4ee", measured: "#ff8fd8",
+    wheel: "#5d6b79", mark: "#d4dde6", gantry: "#8a99a8", body: "#9db2c8", trace: "#56c4ee", measured: "#ff8fd8", marked: "#4be07f",
     scale: ["#4a5663", "#a34d12", "#f2902c", "#ffe89a"],
   },
 };

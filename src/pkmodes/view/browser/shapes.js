@@ -54,8 +54,9 @@ class Line {
 }
 
 function paintShare(shape, palette, share, lit) {
-  const own = palette[OF_KIND[shape.element.kind] || "body"];
-  shape.material.color.set(share === null ? own : onScale(palette.scale, share));
+  const { kind, marked } = shape.element;
+  const own = marked ? palette.marked : palette[OF_KIND[kind] || "body"];
+  shape.material.color.set(share === null || marked ? own : onScale(palette.scale, share));
   shape.material.emissive.set(share === null && !lit ? "#000000" : shape.material.color);
   shape.material.emissiveIntensity = lit ? 0.7 : 0.25;
 }
