@@ -13,6 +13,7 @@ this is, for errors of the model far above those of the measurement, the differe
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +38,8 @@ CONFIDENCE = 0.9
 #: Setups are the same one where no component of the pose differs by more than this part of the range of the trusted
 #: ones, or this much [m or rad]; without positions, where the model has the same modes to this accuracy.
 NEAR, SMALL, EQUAL = 0.02, 5e-4, 1e-9
+#: Largest relative standard deviation of a frequency or of the components of a shape.
+LARGEST = 0.9
 
 
 @dataclass(frozen=True)
@@ -91,67 +94,122 @@ def shared_errors(
     pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
     before, data = trusted.structure.predict(values, ()), trusted.data
     after = structure.predict(np.array([p.value for p in structure.parameters]), ())
-    same = same_setups(data, before, later, after)
-    among, later_among = same_setups(data, before, data, before), same_setups(later, after, later, after)
-    paired = pairing.partner >= 0
-    scatter = between_setups(
-        residual[paired], sigma[paired], pairing.partner[paired], among, data.pose[paired]
+    same = Setups(
+        same_setups(data, before, data, before),
+        same_setups(data, before, later, after),
+        same_setups(later, after, later, after),
     )
-    unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
-    modes = after.eigenvalues.shape[1]
-    predicted = np.zeros((len(later.labels), modes))
-    covariances = []
-    for mode in range(modes):
-        rows = np.flatnonzero(paired & (pairing.partner == mode))
-        at = data.pose[rows]
-        if not len(rows):
-            covariances.append(np.full(later_among.shape, unknown**2) + scatter**2 * later_among)
-            continue
-        own = ANY**2 + scatter**2 * among[np.ix_(at, at)] + np.diag(sigma[rows] ** 2)
-        cross = ANY**2 + scatter**2 * same[:, at]
-        gain = np.linalg.solve(own, cross.T).T
-        predicted[:, mode] = gain @ residual[rows]
-        covariances.append(ANY**2 + scatter**2 * later_among - gain @ cross.T)
+    rows = TrustedRows(residual, sigma, pairing.partner, data.pose)
+    errors = errors_of_modes(rows, same, after.eigenvalues.shape[1])
     columns = [structure.channels.index(name) for name in later.channels]
     weights = _weights(before, structure.channels)[columns]
     partner, counterpart = np.full((2, len(later.frequency)), -1, dtype=np.intp)
-    for setup, own in enumerate(_nearest(data, later, same)):
+    for setup, nearest in enumerate(_nearest(data, later, same.across)):
         expected = expected_modes(
-            after.log_frequencies[setup, after.rigid :] + predicted[setup, after.rigid :],
-            scatter,
+            (after.log_frequencies + errors.mean)[setup, after.rigid :],
+            errors.scatter,
             after.shapes[setup, after.rigid :][:, columns],
             data,
             later.channels,
-            np.where(paired, pairing.partner - after.rigid, -1),
-            int(own),
+            np.where(rows.paired, pairing.partner - after.rigid, -1),
+            int(nearest),
         )
-        rows = np.flatnonzero(later.pose == setup)
-        for row, place in paired_with(expected, later, rows, weights, trusted.criteria.pairing):
+        own = np.flatnonzero(later.pose == setup)
+        for row, place in paired_with(expected, later, own, weights, trusted.criteria.pairing):
             if expected.mode[place] >= 0:
                 partner[row] = expected.mode[place] + after.rigid
             counterpart[row] = expected.row[place]
-    offset, variance = np.zeros(len(partner)), np.full(len(partner), unknown**2)
-    for mode in range(modes):
-        rows = np.flatnonzero(partner == mode)
-        at = later.pose[rows]
-        offset[rows] = predicted[at, mode]
-        # A sum of the moduli in each row bounds the covariance by a diagonal one.
-        variance[rows] = np.abs(covariances[mode][np.ix_(at, at)]).sum(axis=1)
+    offset, variance = errors.of_rows(partner, later.pose)
     there = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
-    shapes, shape_sigma = shapes_without_errors(
-        data, later, counterpart, np.where((partner >= 0)[:, None], there, np.nan), weights
-    )
+    modes = np.where((partner >= 0)[:, None], there, np.nan)
+    shapes, shape_sigma = shapes_without_errors(data, later, counterpart, modes, weights)
     alone = counterpart < 0
-    shape_sigma[alone] = np.minimum(np.hypot(shape_sigma[alone], shape_error), 0.99)
+    shape_sigma[alone] = np.minimum(np.hypot(shape_sigma[alone], shape_error), LARGEST)
     return SharedErrors(
         offset,
         variance,
-        np.isin(partner, np.unique(pairing.partner[paired])),
+        np.isin(partner, np.unique(pairing.partner[rows.paired])),
         counterpart,
-        predicted[:, after.rigid :],
+        errors.mean[:, after.rigid :],
         shapes,
         shape_sigma,
     )
+
+
+class Setups(NamedTuple):
+    """Which setups are the same one: of the trusted state, of the later one (rows) with it, and of the later one."""
+
+    trusted: NDArray[np.bool_]
+    across: NDArray[np.bool_]
+    later: NDArray[np.bool_]
+
+
+class TrustedRows(NamedTuple):
+    """What the model leaves of the trusted rows, (R,): of ln f, with its standard deviation, mode and setup."""
+
+    residual: Array
+    sigma: Array
+    partner: NDArray[np.intp]
+    pose: NDArray[np.int_]
+
+    @property
+    def paired(self) -> NDArray[np.bool_]:
+        """Rows with a mode of the model, (R,)."""
+        return np.asarray(self.partner >= 0)
+
+
+class ErrorsOfModes(NamedTuple):
+    """The errors of the model in the modes at S setups of a later state.
+
+    Attributes
+    ----------
+    mean : ndarray, shape (S, m)
+        Of ln f.
+    covariances : ndarray, shape (m, S, S)
+        Of each mode at all setups.
+    scatter : float
+        Standard deviation of what differs between setups.
+    unknown : float
+        Of a mode that the trusted state does not tell.
+    """
+
+    mean: Array
+    covariances: Array
+    scatter: float
+    unknown: float
+
+    def of_rows(self, partner: NDArray[np.intp], pose: NDArray[np.int_]) -> tuple[Array, Array]:
+        """Return the errors of rows with these modes at these setups, and their variances as if independent.
+
+        The sum of the moduli in a row of a covariance bounds it by a diagonal one.
+        """
+        mean, variance = np.zeros(len(partner)), np.full(len(partner), self.unknown**2)
+        for mode in np.unique(partner[partner >= 0]):
+            rows = np.flatnonzero(partner == mode)
+            mean[rows] = self.mean[pose[rows], mode]
+            variance[rows] = np.abs(self.covariances[mode][np.ix_(pose[rows], pose[rows])]).sum(axis=1)
+        return mean, variance
+
+
+def errors_of_modes(rows: TrustedRows, same: Setups, count: int) -> ErrorsOfModes:
+    """Return the best linear unbiased prediction of the errors of some modes at the setups of a later state."""
+    residual, sigma, partner, pose = rows
+    paired = rows.paired
+    scatter = between_setups(residual[paired], sigma[paired], partner[paired], same.trusted, pose[paired])
+    unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
+    mean, covariances = np.zeros((len(same.later), count)), []
+    for mode in range(count):
+        own = np.flatnonzero(partner == mode)
+        at = pose[own]
+        if not len(own):
+            covariances.append(np.full(same.later.shape, unknown**2) + scatter**2 * same.later)
+            continue
+        among = ANY**2 + scatter**2 * same.trusted[np.ix_(at, at)] + np.diag(sigma[own] ** 2)
+        across = ANY**2 + scatter**2 * same.across[:, at]
+        gain = np.linalg.solve(among, across.T).T
+        mean[:, mode] = gain @ residual[own]
+        covariances.append(ANY**2 + scatter**2 * same.later - gain @ across.T)
+    return ErrorsOfModes(mean, np.array(covariances), scatter, unknown)
 
 
 def _weights(modes: Prediction, channels: tuple[str, ...]) -> Array:
@@ -220,7 +278,7 @@ def without_shared_errors(data: Measurements, shared: SharedErrors) -> Measureme
     sigma = np.sqrt(FREQUENCY.transformed_sigma(data) ** 2 + shared.variance)
     frequency = data.frequency * factor
     numbers = {name: np.array(column) for name, column in data.numbers.items()}
-    numbers |= {"frequency": frequency, "sigma": np.minimum(sigma, 0.9) * frequency}
+    numbers |= {"frequency": frequency, "sigma": np.minimum(sigma, LARGEST) * frequency}
     numbers |= {name: np.full(len(frequency), np.nan) for name in ("damping", "damping_sigma")}
     band = None if data.band is None else (data.band[0] * factor.min(), data.band[1] * factor.max())
     return replace(data, numbers=numbers, band=band, shapes=shared.shapes, shape_sigma=shared.shape_sigma)
