@@ -73,7 +73,7 @@ def like_a_law(e: TermEvidence) -> str:
 
 def not_specific(e: TermEvidence) -> str:
     """More than 1 % of the residuals of this size that no term has would look like some term."""
-    if e.p_outside <= e.criteria.claim.specific:
+    if e.p_outside <= e.criteria.claim.specific_term:
         return ""
     return (
         f"{e.words} would explain the residual, but the data are too few to rule out something that no term has: "
