@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
+import jsonschema
 import numpy as np
 import pytest
 
@@ -245,6 +247,28 @@ def test_the_change_of_a_shape_is_that_of_two_measurements() -> None:
     alone, own = shapes_without_errors(trusted, later, np.array([-1]), mode[None], np.ones(3))
     np.testing.assert_array_equal(alone, later.shapes)
     np.testing.assert_array_equal(own, later.shape_sigma)
+
+
+def test_several_later_states_have_one_page_and_each_its_result(tmp_path: Path) -> None:
+    """The third campaign is the first one, each frequency 0.1 % higher or lower in turn."""
+    again = tmp_path / "again.csv"
+    data = updating.read(BEFORE, robot=read_robot(ROBOT))
+    factors = 1.0 + 1e-3 * np.where(np.arange(len(data.frequency)) % 2, 1.0, -1.0)
+    numbers = {**data.numbers, "frequency": data.frequency * factors}
+    again.write_text(as_csv(replace(data, numbers=numbers, state="again")), encoding="utf-8")
+    page, out = tmp_path / "page.html", tmp_path / "out.json"
+    asked = ["--candidates", "axis_belt_stiffness", "--no-beyond", "--json", str(out), "--report", str(page)]
+    assert answer("changed", ROBOT, BEFORE, AFTER, str(again), *asked).code == 0
+    content = json.loads(out.read_text(encoding="utf-8"))
+    schema = EXAMPLE.parents[1] / "docs" / "schemas" / "changed.schema.json"
+    jsonschema.validate(content, json.loads(schema.read_text(encoding="utf-8")))
+    assert content["states"] == ["before", "after", "again"]
+    assert content["by_state"].keys() == {"after", "again"}
+    assert content["by_state"]["again"]["changed"] is False
+    assert content["changed"] is True
+    assert len(content["rows"]) == 48 + len(data.frequency)
+    text = page.read_text(encoding="utf-8")
+    assert "again: nothing changed beyond the errors of both" in text
 
 
 def test_the_command_answers_in_words_and_json(tmp_path: Path) -> None:

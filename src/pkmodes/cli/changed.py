@@ -91,10 +91,10 @@ def changed(
 ) -> int:
     """Find what changed on a machine since a trusted measurement, such as before and after a repair.
 
-    Each file has the modes of one state of the machine, the first of the one that is trusted; one file may have
-    several, named in a column "state".  What the model is wrong by in the trusted state is taken off the others, so
-    that differences are compared with differences.  The result says whether anything changed, and what, with a value
-    and how sure that is, or that the data do not tell.
+    Each file has the modes of one state of the machine, the first one those of the trusted state; one file may have
+    several states, named in a column "state".  What the model is wrong by in the trusted state is taken off the
+    others, so that differences are compared with differences.  The result says whether anything changed, and what,
+    with a value and how sure that is, or that the data do not tell.
 
     Uncertain values are those of the trusted state.  The stiffness that all belts, legs or reducers share may differ
     by some 1.5 % from one day to another: that is no change.  The exit code is 0 for any verdict except those in

@@ -14,7 +14,7 @@ from pkmodes.plots.evidence import Evidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.action import action
 from pkmodes.report.beyond import beyond
-from pkmodes.report.blocks import Cell, Column, Facts, Section, Summary, Table
+from pkmodes.report.blocks import Cell, Column, Facts, Paragraph, Section, Summary, Table
 from pkmodes.report.formatting import (
     clean,
     hertz,
@@ -123,7 +123,7 @@ def summary(result: Change, setting: Setting) -> Summary:
     term = None if result.beyond is None or result.effects else result.beyond.found
     if term is not None:
         last = term.errors[term.finding.name]
-    if last is not None:
+    if last is not None and not result.by_state:
         facts.append(("chi\u00b2 per degree of freedom in the end", three_digits(last.chi2_per_dof)))
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
@@ -254,6 +254,15 @@ def _rows(result: Change, evidence: Evidence, setting: Setting) -> Section:
 def _of_states(result: Change, setting: Setting) -> Sequence[Section]:
     """Return a section for each later state."""
     return [
-        Section(f"state-{k}", clean(name), [changes(one), *explanations.causes(one, setting)])
+        Section(
+            f"state-{k}",
+            clean(f"{name}: {one.what}"),
+            [
+                Paragraph(prose(sentence(one.reason))),
+                *explanations.causes(one, setting),
+                *beyond(one, setting),
+                changes(one),
+            ],
+        )
         for k, (name, one) in enumerate(result.by_state.items(), start=1)
     ]

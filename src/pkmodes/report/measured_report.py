@@ -79,6 +79,8 @@ def report(
         places = [] if own is None else [("robot file", own.source)]
         sources = known_sources([*places, *([] if data is None else [("measurement file", data.source)])])
     subject = title if title is not None else "Structure" if own is None else own.name
+    if isinstance(result, Change) and result.by_state:
+        data = None  # the rows are of several measurements
     setting = Setting(subject, own, data, tuple(sources), view)
     spread = None if own is None or data is None else declared_spread(own, data)
     evidence = Evidence.of(result, data, "setup" if own is None else "pose", spread)

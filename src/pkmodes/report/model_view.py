@@ -14,6 +14,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.pose_table import poses_by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.compare import Comparison
+from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.report.measured_view import MOST, measured_scene, robot_shown
@@ -83,6 +84,8 @@ def view_of_result(
     str or None
         As for `view_of`.
     """
+    if isinstance(result, Change) and result.by_state:
+        return None  # poses of several states, of each of which the view is that of its own result
     shown = robot_shown(result, robot)
     drives = Counter(row.drives or FREE for row in result.rows).most_common(1)[0][0]
     if not isinstance(data, Measurements):
