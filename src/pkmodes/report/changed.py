@@ -230,11 +230,12 @@ def _explained(row: Row) -> float | None:
 def change_page(result: Change, evidence: Evidence, setting: Setting) -> str:
     """Return the page of what changed as HTML."""
     title = "What remains" if result.survivors else "What changed"
+    where = [] if result.by_state else picture(result, evidence, setting)
     sections = [
         Section("changes", "Before and after, mode by mode", [changes(result)]),
         *([Section("causes", title, found)] if (found := explanations.causes(result, setting)) else []),
         *([Section("beyond", "One thing at one place", terms)] if (terms := beyond(result, setting)) else []),
-        *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
+        *([Section("place", "Where it is", where)] if where else []),
         Section("errors", "Error before and after", numbers.errors(result)),
         *(_of_states(result, setting) if result.by_state else figures.sections(evidence)),
         Section("candidates", "What may have changed", explanations.candidates(result)),
