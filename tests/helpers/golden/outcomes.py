@@ -14,6 +14,7 @@ import pytest
 
 from helpers.pages.page_reading import Element, read
 from helpers.pages.without_drawing import without_drawing
+from helpers.runs.processes import without_progress
 from pkmodes.cli import run
 
 ROOT = Path(__file__).parents[3]
@@ -57,7 +58,8 @@ def outcome(line: str, folder: Path) -> dict[str, str]:
         patch.setenv("COLUMNS", "110")
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors):
             code = run(shlex.split(line))
-    said = f"--- errors\n{errors.getvalue()}" if errors.getvalue() else ""
+    printed = without_progress(errors.getvalue())
+    said = f"--- errors\n{printed}" if printed else ""
     found = {TERMINAL: f"{out.getvalue()}{said}--- exit code {code}\n"}
     for path in sorted(folder.iterdir()):
         if path in linked or path.is_dir():

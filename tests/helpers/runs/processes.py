@@ -41,4 +41,4 @@ def interruptible() -> None:
 
 def without_progress(printed: str) -> str:
     """Leave out the lines of progress of a diagnosis, which appear where it takes long, on a busy machine."""
-    return re.sub(r"(?m)^pkmodes diagnose: .*\n", "", printed)
+    return re.sub(r"(?m)^pkmodes (?:diagnose|changed): .*\n", "", printed)
