@@ -164,8 +164,8 @@ class ClaimCriteria:
     claimed: float = 1e-3
     #: A cause is not claimed if some candidate would fit an arbitrary residual of that size as well with more than
     #: this probability: the data are too few to tell it from something outside the candidates.  Of 63 refusals by a
-    #: limit of 0.01, 39 become right claims with this one, and one a wrong one: few causes are outside candidates.
-    specific: float = 0.2
+    #: limit of 0.01, 19 become right claims with this one, and one a wrong one.
+    specific: float = 0.05
     #: Such a residual is as large as what the claim explains and leaves, plus this many standard deviations of noise.
     #: Combinations of candidates are drawn too if at least this many, for each cause, are different.
     spread: float = 2.0
@@ -310,9 +310,12 @@ class ClaimOfChanges(ClaimCriteria):
     any_place: ClassVar[bool] = True
     wrong_errors: ClassVar[float] = 3.0
     specific_term: ClassVar[float] = 0.2
+    #: Least `specific`: what changed is more often one part than what a model lacks is one candidate.
+    least_specific: ClassVar[float] = 0.2
 
 
 def of_changes(criteria: Criteria) -> Criteria:
     """Return the thresholds of what changed between two states of one machine."""
     same = {one.name: getattr(criteria.claim, one.name) for one in fields(ClaimCriteria)}
+    same["specific"] = max(same["specific"], ClaimOfChanges.least_specific)
     return replace(criteria, claim=ClaimOfChanges(**same))

@@ -28,6 +28,7 @@ from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.states.result import Change, Counterpart, merged, of_difference
 from pkmodes.diagnosis.states.shared_errors import SharedErrors, shared_errors, without_shared_errors
 from pkmodes.measured.measurements import Measurements
+from pkmodes.support.numbers import plain
 
 S = TypeVar("S", bound=Structure)
 
@@ -161,9 +162,10 @@ class Trusted:
     def _notes(self, name: str, data: Measurements, shared: SharedErrors) -> list[str]:
         """Return how the states were compared."""
         rows, compared = len(shared.offset), int(shared.compared.sum())
+        differs, left = (f"{plain(100 * error, 2)} %" for error in (self.model_error, self.left))
         notes = [
-            f"the declared model differs from {self.name} by {100 * self.model_error:.2g} % (rms); its values are "
-            f"fitted to {self.name}, and the {100 * self.left:.2g} % that this leaves are taken off {name} too: "
+            f"the declared model differs from {self.name} by {differs} (rms); its values are "
+            f"fitted to {self.name}, and the {left} that this leaves are taken off {name} too: "
             "standard deviations are those of the difference"
         ]
         if compared < rows:

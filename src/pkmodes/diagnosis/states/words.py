@@ -9,6 +9,7 @@ from typing import TypeVar
 from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.result import Diagnosis
+from pkmodes.support.numbers import plain
 
 BY_MORE, AS_BEFORE = "by more than the errors of both", "a machine as in {trusted}"
 #: What is said of a declared model, and of a trusted state and a later one in its place; the first come first.
@@ -84,7 +85,7 @@ def between(text: str, trusted: str, later: str) -> str:
 def _another_day(found: re.Match[str]) -> str:
     """Return by how much all equal parts are stiffer or softer, as after a change of temperature."""
     part, size = found[1].replace("_", " "), 100.0 * float(found[2])
-    return f"all {part}s are {abs(size):.2g} % {'stiffer' if size > 0.0 else 'softer'}"
+    return f"all {part}s are {plain(abs(size), 2)} % {'stiffer' if size > 0.0 else 'softer'}"
 
 
 Result = TypeVar("Result", bound=Diagnosis)

@@ -203,7 +203,7 @@ def measurement_errors(e: Evidence) -> str:
 
 
 def not_specific(e: Evidence) -> str:
-    """The data are too few: a residual that no candidate caused would look like one in more than 20 % of draws."""
+    """The data are too few: a residual that no candidate caused would look like one in more than 5 % of draws."""
     p_value = p_coincidence(e.search, e.final)
     if p_value <= e.criteria.claim.specific:
         return ""
