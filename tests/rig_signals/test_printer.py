@@ -71,8 +71,8 @@ def test_refitted_motors_absorb_the_clamps() -> None:
     [
         (2, 3, "50 %", "adequate"),
         (2, 7, "50 %", "adequate"),
-        (2, 7, "5 %", "unexplained"),
-        (4, 3, "50 %", "unexplained"),
+        (2, 7, "5 %", "ambiguous"),
+        (4, 3, "50 %", "effect_found"),
         (4, 7, "50 %", "effect_found"),
         (4, 3, "5 %", "effect_found"),
     ],
