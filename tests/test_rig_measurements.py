@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -11,7 +12,7 @@ import pytest
 from helpers.diagnoses.diagnose_command import SHAPES, rows_of
 from pkmodes_generated.linear_delta import belt_spans, jacobian_condition
 from pkmodes_rig.engine import TrueModes, true_modes
-from pkmodes_rig.measurements import measure, measure_modes
+from pkmodes_rig.measurements import Identified, measure, measure_modes, written
 from pkmodes_rig.robots import POSES, ROBOTS, read
 
 POSE = POSES["published"]["grid"][4]
@@ -95,6 +96,14 @@ def test_shapes_are_scaled_arbitrarily_and_noisy() -> None:
     assert min(scales) < -3
     assert max(scales) > 3
     assert 0.3 < np.mean(np.sign(scales) > 0) < 0.7
+
+
+def test_sensors_at_nodes_of_a_mode_tell_no_shape() -> None:
+    row = Identified(0, 3, 50.0, 0.1, 0.1, 1, np.array([1.0, -0.5]), 0.02)
+    rows = [replace(row, shape=shape) for shape in (row.shape, np.zeros(2), np.full(2, np.nan))]
+    cells = rows_of(written(rows, [POSE], ["x", "y"], sigma_shape=True))
+    assert [cell["shape:x"] for cell in cells] == ["1", "", ""]
+    assert [cell["sigma_shape"] for cell in cells] == ["0.02", "", ""]
 
 
 def test_modes_that_were_rigid_are_found_when_something_ties_the_robot_to_ground() -> None:

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 
 from helpers.diagnoses.chains import Frame, at, joined
 from helpers.diagnoses.resonators import Resonant, hanging
@@ -140,6 +141,25 @@ def test_nothing_is_claimed_for_what_no_term_has() -> None:
         assert (found.beyond.status, found.beyond.rule) == ("none", "beyond.nothing"), name
         assert found.beyond.classes == (), name
         assert not found.reason.startswith("Not in the catalogue"), name
+
+
+def test_where_only_the_shapes_are_unexplained_the_reason_says_so() -> None:
+    """A mass, and shapes whose errors are twice as large as stated."""
+    rng, setups, logs, shapes = np.random.default_rng(3), list[str](), list[float](), list[np.ndarray]()
+    for setup in FRAME.setups:
+        M, K = FRAME.matrices({"mass": 1.002, "storey": 1.02}, setup)
+        squares, modes = eigh(K, M + 1.5 * at(6, 4))
+        modes /= np.abs(modes).max(axis=0)
+        setups += [setup] * 6
+        logs += (0.5 * np.log(squares) + 0.0015 * rng.standard_normal(6)).tolist()
+        shapes += list((modes + 0.04 * rng.standard_normal(modes.shape)).T)
+    frequency = np.exp(logs) / (2.0 * np.pi)
+    components = dict(zip(FRAME.names, np.transpose(shapes), strict=True))
+    data = Measurements.from_rows(setups, frequency, 0.0015 * frequency, shapes=components, shape_sigma=0.02)
+    found = diagnose(FRAME.structure(), data, terms=True)
+    assert found.beyond is not None
+    assert found.beyond.rule == "beyond.nothing"
+    assert "(mass:floor 4), leaves frequencies as measured, but not shapes (p < 1e-6)" in found.beyond.reason
 
 
 def test_of_two_places_at_once_what_is_left_points_to_the_other() -> None:

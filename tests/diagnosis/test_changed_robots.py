@@ -247,6 +247,9 @@ def test_the_change_of_a_shape_is_that_of_two_measurements() -> None:
     alone, own = shapes_without_errors(trusted, later, np.array([-1]), mode[None], np.ones(3))
     np.testing.assert_array_equal(alone, later.shapes)
     np.testing.assert_array_equal(own, later.shape_sigma)
+    # Where the sensors stand, the mode of the model does not move.
+    still, _ = shapes_without_errors(trusted, later, np.array([0]), np.zeros((1, 3)), np.ones(3))
+    assert np.isnan(still).all()
 
 
 def test_several_later_states_have_one_page_and_each_its_result(tmp_path: Path) -> None:

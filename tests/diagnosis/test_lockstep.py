@@ -86,3 +86,22 @@ def test_a_parameter_that_the_data_hardly_see_stays_within_its_bounds() -> None:
     )
     assert values[0] == pytest.approx(1.0, abs=1e-2)
     assert 0.0 <= values[1] <= 1.0
+
+
+def test_a_small_value_that_the_data_do_not_see_is_not_rounded_to_nothing() -> None:
+    """Such as the mass of a resonator far above all modes: with none there is no model."""
+
+    def residual(v: np.ndarray) -> np.ndarray:
+        there = 0.0 < v[1] < 1e6
+        return np.array([v[0] - 1.0, 0.0 if there else np.nan])
+
+    values, converged = bounded_least_squares(
+        residual,
+        lambda v: np.diag([1.0, 1e-25]),
+        np.array([0.0, 1e-7]),
+        (0, 1),
+        (np.array([-np.inf, 0.0]), np.array([np.inf, np.inf])),
+        100,
+    )
+    assert converged
+    assert values[0] == pytest.approx(1.0, abs=1e-2)

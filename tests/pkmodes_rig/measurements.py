@@ -218,10 +218,12 @@ def written(
     for row in rows:
         label = labels[row.pose] if labels else f"P{row.pose + 1}"
         cells = [label, *map(_digits, poses[row.pose]), *(drives[row.pose] for _ in motors)]
-        cells += [*map(_digits, (row.frequency, row.stated)), row.number, *map(_digits, row.shape)]
-        writer.writerow(
-            [*cells, *("" if row.sigma_shape is None else _digits(row.sigma_shape) for _ in extra)]
-        )
+        # Sensors at nodes of a mode tell no shape.
+        moves = bool(np.isfinite(row.shape).all() and np.any(row.shape))
+        cells += [*map(_digits, (row.frequency, row.stated)), row.number]
+        cells += [_digits(value) if moves else "" for value in row.shape]
+        known = row.sigma_shape if moves else None
+        writer.writerow([*cells, *("" if known is None else _digits(known) for _ in extra)])
     return text.getvalue()
 
 

@@ -156,6 +156,9 @@ class ClaimCriteria:
     once: ClassVar[bool] = False
     #: Whether a term is as likely as a cause of the catalogue: a part at one place that changed.
     any_place: ClassVar[bool] = False
+    #: Whether a law is a rival of a term that survives beside it: that a part changed is more likely than that what
+    #: changed varies with the position, so of changes a law is a rival only where it is better.
+    laws_survive: ClassVar[bool] = True
     #: Stated errors may be too small by this factor at most, where that competes with a cause.
     wrong_errors: ClassVar[float] = np.inf
     #: The limit of `specific` for a term, since so many of these are tried.
@@ -308,6 +311,7 @@ class ClaimOfChanges(ClaimCriteria):
 
     once: ClassVar[bool] = True
     any_place: ClassVar[bool] = True
+    laws_survive: ClassVar[bool] = False
     wrong_errors: ClassVar[float] = 3.0
     specific_term: ClassVar[float] = 0.2
     #: Least `specific`: what changed is more often one part than what a model lacks is one candidate.

@@ -169,18 +169,17 @@ def _sentence(fit: Fit) -> str:
 def _ordered(search: Search, group: Sequence[Fit]) -> list[Fit]:
     """Return the members of a class, the best first, plausible ones before others.
 
-    A term with more parameters that explains no more than another member is left out: a resonator of a high frequency
+    A term with more parameters that explains no more than another term is left out: a resonator of a high frequency
     is a mass, and a heavy one of a low frequency a spring to ground.
     """
     store = search.store
-    best = min(group, key=store.criterion)
-    fewest = min(len(fit.free) for fit in group)
+    terms = [fit for fit in group if all(cause.form for cause in fit.causes)]
+    best = min(map(store.criterion, terms or group))
+    fewest = min(len(store.added(fit)) for fit in group)
     kept = [
         fit
         for fit in group
-        if len(fit.free) == fewest
-        or not all(cause.form for cause in fit.causes)
-        or store.criterion(fit) <= store.criterion(best)
+        if fit not in terms or len(store.added(fit)) == fewest or store.criterion(fit) <= best
     ]
     fitter = store.fitter
     return sorted(best_first(store, kept), key=lambda fit: bool(unusual(fitter, fit)))

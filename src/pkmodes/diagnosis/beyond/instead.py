@@ -9,8 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from pkmodes.diagnosis.beyond.evidence import EQUAL, TermEvidence, best_first
 from pkmodes.diagnosis.beyond.tried import fitter_of
+from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Structure
@@ -20,6 +23,8 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 
 #: Terms are tried before one cause is claimed if the linear model promises one of them this part of its gain.
 COMPETES = 0.5
+#: Cosine of the angle between the changes of all modes by two causes, from which on they are the same.
+ALIKE = 1.0 - 1e-6
 
 
 def one_of_many(catalogue: Evidence) -> bool:
@@ -53,22 +58,37 @@ def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
 
     Beside several causes or a value of one axis, each term that survives competes; beside one cause, a term that
     lowers the criterion by more than chance.  A term that does exactly the same as a cause, such as a mass on a
-    carriage and a heavier carriage, does not compete, nor does one joint alone of a cause with a value for each.
+    carriage and a heavier carriage, does not compete, nor does one joint alone of a cause with a value for each.  Of
+    changes, one that is the same only to what was measured does: a spring along x, where no mode along y was found.
     """
     criterion = of_terms.store.criterion
     again = [fit for fit in of_terms.tried.carried if fit.causes == catalogue.final.causes]
     if not again:  # what cannot be compared stays
         return None
     claimed = min(again, key=criterion)
-    rivals = [
-        fit
-        for group in of_terms.groups
-        for fit in group
-        if all(cause.form for cause in fit.causes) and not nested(of_terms.fitter, fit, claimed)
-    ]
+    fitter, any_place = of_terms.fitter, catalogue.criteria.claim.any_place
+    terms = [fit for group in of_terms.groups for fit in group if all(cause.form for cause in fit.causes)]
+    if any_place and _single(claimed):
+        equal = [fit for fit in terms if abs(criterion(fit) - criterion(claimed)) <= EQUAL]
+        same = [fit for fit in equal if _single(fit) and same_everywhere(fitter, fit, claimed)]
+        competing = [fit for fit in terms if fit not in same]
+        return next(iter(best_first(of_terms.store, competing)), None)
+    rivals = [fit for fit in terms if not nested(fitter, fit, claimed)]
     if one_of_many(catalogue):
         competing = [fit for fit in rivals if abs(criterion(fit) - criterion(claimed)) > EQUAL]
     else:
         limit = criterion(claimed) - catalogue.criteria.search.worth
         competing = [fit for fit in rivals if criterion(fit) < limit]
     return next(iter(best_first(of_terms.store, competing)), None)
+
+
+def _single(fit: Fit) -> bool:
+    return sum(len(cause.parameters) for cause in fit.causes) == 1
+
+
+def same_everywhere(fitter: Fitter, a: Fit, b: Fit) -> bool:
+    """Return whether two causes of one value change all modes at all setups alike to first order, measured or not."""
+    index = [fitter.indices(fit.causes[-1])[0] for fit in (a, b)]
+    rates = fitter.structure.predict(fitter.declared, index).rates
+    one, other = np.moveaxis(rates[np.isfinite(rates).all(axis=-1)], -1, 0)
+    return abs(float(one @ other)) >= ALIKE * float(np.linalg.norm(one) * np.linalg.norm(other))

@@ -29,6 +29,8 @@ def nothing(e: TermEvidence) -> str:
         return f"{count}: {best}, because {', '.join(e.final.at_bound)} is at its bound"
     squares, degrees = e.store.frequency_misfit(e.final)
     p_value = e.store.p_value(e.final)
+    if p_value <= e.criteria.gate.surely < e.store.frequency_p_value(e.final):
+        return f"{count}: the best, {e.words}, leaves frequencies as measured, but not shapes ({p_in_words(p_value)})"
     if p_value <= e.criteria.gate.surely:
         left = larger((squares / max(degrees, 1.0)) ** 0.5)
         return f"{count}: the best, {e.words}, leaves a residual {left} the stated errors ({p_in_words(p_value)})"

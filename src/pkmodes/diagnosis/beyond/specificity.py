@@ -75,11 +75,15 @@ def p_outside(tried: Tried, final: Fit) -> float:
 def like_a_law(tried: Tried, final: Fit) -> Law | None:
     """Return the law that explains the data best, if it does so as well as a term; else None.
 
-    The signatures of the law and of its constant part are fitted, linearised.
+    The signatures of the law and of its constant part are fitted, linearised.  Of changes a law must do so better by
+    three standard deviations.
     """
     store, plain, best = tried.search.store, tried.plain, None
+    criteria = store.fitter.criteria
     price = float(np.log(store.fitter.observations.degrees(store.fitter.used(final.hypothesis))))
-    limit = final.chi2 + price * len(final.causes[0].parameters) + store.fitter.criteria.search.survives
+    survives = criteria.search.survives
+    limit = final.chi2 + price * len(final.causes[0].parameters)
+    limit += survives if criteria.claim.laws_survive else -survives
     for law in laws(tried):
         both = np.stack([_beside(plain, law.constant), _beside(plain, law.varying)], axis=1)
         basis = orthonormal(both)

@@ -11,6 +11,8 @@ from pkmodes.diagnosis.problem import Array
 
 #: Largest unit of a variable, in widths of its range: beyond it both bounds would be one number in these units.
 MOST_RANGES = 1e6
+#: Largest unit of a variable, in multiples of its start value: beyond it rounding would lose that value.
+MOST_TIMES = 1e9
 #: Smallest length of the first step in standard deviations.
 FIRST_STEP = 10.0
 
@@ -56,6 +58,7 @@ def bounded_least_squares(
     size = np.linalg.norm(rates(start), axis=0)
     # A variable that the data hardly see has an enormous standard deviation.
     unit = np.minimum(1.0 / np.where(size > 0.0, size, 1.0), MOST_RANGES * (upper - lower))
+    unit = np.where(first != 0.0, np.minimum(unit, MOST_TIMES * np.abs(first)), unit)
     origin = first - np.maximum(np.abs(first), FIRST_STEP * unit)
 
     def at(u: Array) -> Array:

@@ -14,6 +14,9 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.problem import Array, Candidate
 
+#: A further parameter of a term within this many standard deviations of 0 is not counted as one.
+IDLE = 1e-3
+
 Key = tuple[frozenset[str], frozenset[int], bool]
 
 
@@ -141,7 +144,7 @@ class FitStore:
         """Return the degrees of freedom: data less parameters without prior, excluded rows and the shared error."""
         h, fitter = fit.hypothesis, self.fitter
         count = fitter.observations.degrees(fitter.used(h))
-        return count - sum(fitter.priors.of(i) is None for i in self._added(fit)) - int(h.scatter)
+        return count - sum(fitter.priors.of(i) is None for i in self.added(fit)) - int(h.scatter)
 
     def p_value(self, fit: Fit) -> float:
         """Return the smallest p-value: of the frequencies with priors, and of what has stated errors beside them."""
@@ -174,7 +177,7 @@ class FitStore:
         """
         h, fitter = fit.hypothesis, self.fitter
         price, each = 0.0, self.parameter_price
-        for i in self._added(fit):
+        for i in self.added(fit):
             row = fitter.priors.of(i)
             if row is None:
                 price += each
@@ -215,5 +218,16 @@ class FitStore:
             return None
         return float(np.sqrt(squares / degrees)) * self.fitter.shape_scatter
 
-    def _added(self, fit: Fit) -> list[int]:
-        return [i for cause in fit.causes for i in self.fitter.indices(cause)]
+    def added(self, fit: Fit) -> list[int]:
+        """Return the indices of the parameters that the causes of a fit add.
+
+        A further parameter of a term that is 0, such as the mass of a support, is none: it does nothing there.
+        """
+        index = [
+            (i, k and cause.form) for cause in fit.causes for k, i in enumerate(self.fitter.indices(cause))
+        ]
+        return [i for i, further in index if not (further and self._idle(fit, i))]
+
+    def _idle(self, fit: Fit, i: int) -> bool:
+        absent = self.fitter.parameters[i].value
+        return absent == 0.0 and abs(float(fit.values[i])) <= IDLE * fit.sigma_of(i)

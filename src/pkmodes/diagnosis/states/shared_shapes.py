@@ -69,6 +69,6 @@ def shapes_without_errors(
 def _scale(model: Array, measured: Array) -> float | None:
     """Return the factor that brings a measured shape closest to that of a mode; None if they are not alike."""
     length, along = float(measured @ measured), float(measured @ model)
-    if length <= 0.0 or along**2 < LEAST_MAC * length * float(model @ model):
+    if length <= 0.0 or along**2 <= LEAST_MAC * length * float(model @ model):
         return None
     return along / length

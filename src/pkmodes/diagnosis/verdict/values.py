@@ -42,11 +42,13 @@ def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     If the sum of squares has no smooth minimum, it may fall by far more than this change of values can explain.
     """
     fitter = search.store.fitter
-    # What a term adds is absent without its first parameter, whatever the others are.
-    index = fitter.indices(cause)[: 1 if cause.form else None]
-    away = final.values[list(index)] - fitter.declared[list(index)]
-    squares = float(away @ np.linalg.pinv(final.covariance_of(index), hermitian=True) @ away)
-    return float(stats.chi2.sf(squares, len(index)))
+    index = list(fitter.indices(cause))
+    sigma = np.array([final.sigma_of(i) or 1.0 for i in index])
+    away = (final.values[index] - fitter.declared[index]) / sigma
+    information = np.linalg.pinv(final.covariance_of(index) / np.outer(sigma, sigma), hermitian=True)
+    if cause.form:  # what a term adds is absent without its first parameter, whatever the others are
+        away, information = away[:1], information[:1, :1]
+    return float(stats.chi2.sf(float(away @ information @ away), len(away)))
 
 
 def rests_on_one_row(search: Search, final: Fit) -> str:
