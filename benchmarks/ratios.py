@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ CALLS = 20
 BATCH = 10_000
 REPETITIONS = 9
 FREE, HELD = "free", "held"
+EIGH = "one eigh [us]"
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,7 @@ class Ratio:
     name, of : str
         Of the times.
     head : str
-        Column in the table.
+        First cell of its row in the table.
     most : float, optional
         What is asked.
     """
@@ -45,15 +47,38 @@ class Ratio:
 
 RATIOS = (
     Ratio("frequencies of a pose", "eigh", "frequencies", 1.5),
+    Ratio("frequencies of a pose, held", "eigh", "frequencies, held", 1.5),
     Ratio("modes of a pose", "eigh", "modes", 3.0),
-    Ratio("frequencies of a pose, held", "eigh", "held: frequencies", 1.5),
-    Ratio("modes of a pose, held", "eigh", "held: modes", 3.0),
-    Ratio("modes of a pose, every field read", "eigh", "all read"),
-    Ratio("modes of a pose, held, every field read", "eigh", "held: all read"),
-    Ratio("shaper of a pose", "eigh", "shaper"),
+    Ratio("modes of a pose, held", "eigh", "modes, held", 3.0),
+    Ratio("modes of a pose, every field read", "eigh", "modes, every field read", 3.0),
+    Ratio("modes of a pose, held, every field read", "eigh", "modes, held, every field read", 6.0),
+    Ratio("matrices of a pose", "eigh", "matrices", 1.5),
+    Ratio("statics of a pose", "eigh", "statics", 2.0),
+    Ratio("platform_jacobian of a pose", "eigh", "platform_jacobian", 2.0),
+    Ratio("inverse_kinematics of a pose", "eigh", "inverse_kinematics", 2.0),
+    Ratio("condition of a pose", "eigh", "condition", 2.0),
+    Ratio("check of a pose", "eigh", "check"),
+    Ratio("compliance of a pose", "eigh", "compliance", 10.0),
+    Ratio("poles of a pose", "eigh", "poles", 10.0),
+    Ratio("shaper of a pose", "eigh", "shaper", 20.0),
+    Ratio("sensitivities of a pose", "eigh", "sensitivities", 60.0),
+    Ratio("with_values", "eigh", "with_values", 10.0),
     Ratio("modes of a batch", "frequencies of a batch", "batch: modes", 2.0),
-    Ratio("modes of a batch, held", "frequencies of a batch, held", "batch, held: modes", 2.0),
+    Ratio("modes of a batch, held", "frequencies of a batch, held", "batch: modes, held", 2.0),
+    Ratio("modes of a batch, every field read", "frequencies of a batch", "batch: every field read", 2.0),
+    Ratio(
+        "modes of a batch, held, every field read",
+        "frequencies of a batch, held",
+        "batch: every field read, held",
+        2.0,
+    ),
+    Ratio("matrices of a batch", "frequencies of a batch", "batch: matrices", 2.0),
+    Ratio("statics of a batch", "frequencies of a batch", "batch: statics", 2.0),
+    Ratio("condition of a batch", "frequencies of a batch", "batch: condition", 2.0),
 )
+#: What is evaluated at one pose, and at a batch, with free motors.
+OF_POSE = ("matrices", "statics", "platform_jacobian", "inverse_kinematics", "condition", "check")
+OF_BATCH = ("matrices", "statics", "condition")
 
 
 def times(repetitions: int = REPETITIONS) -> dict[str, float]:
@@ -63,9 +88,10 @@ def times(repetitions: int = REPETITIONS) -> dict[str, float]:
     inverse = np.linalg.inv(np.linalg.cholesky(M))
     standard = inverse @ K @ inverse.T
     fields = type(model.modes(pose)).fields_of(model.mechanism)
+    masses = itertools.cycle([0.9, 1.1])
 
-    def read(drives: str) -> None:
-        modes = model.modes(pose, drives=drives)
+    def read(at: np.ndarray, drives: str) -> None:
+        modes = model.modes(at, drives=drives, threads=1)
         for name in fields:
             getattr(modes, name)
 
@@ -74,10 +100,18 @@ def times(repetitions: int = REPETITIONS) -> dict[str, float]:
     for drives, word in ((FREE, ""), (HELD, ", held")):
         short[f"frequencies of a pose{word}"] = partial(model.frequencies, pose, drives=drives)
         short[f"modes of a pose{word}"] = partial(model.modes, pose, drives=drives)
-        short[f"modes of a pose{word}, every field read"] = partial(read, drives)
+        short[f"modes of a pose{word}, every field read"] = partial(read, pose, drives)
         long[f"frequencies of a batch{word}"] = partial(model.frequencies, poses, drives=drives, threads=1)
         long[f"modes of a batch{word}"] = partial(model.modes, poses, drives=drives, threads=1)
+        long[f"modes of a batch{word}, every field read"] = partial(read, poses, drives)
+    for name in OF_POSE:
+        short[f"{name} of a pose"] = partial(getattr(model, name), pose)
+    for name in OF_BATCH:
+        long[f"{name} of a batch"] = partial(getattr(model, name), poses)
     short["shaper of a pose"] = partial(model.shaper, "zv", pose)
+    for name in ("compliance", "poles", "sensitivities"):
+        short[f"{name} of a pose"] = partial(getattr(model, name), pose)
+    short["with_values"] = lambda: model.robot.with_values({"platform.mass": next(masses)})
 
     def many(call: Callable[[], object]) -> None:
         for _ in range(CALLS):
@@ -91,7 +125,7 @@ def times(repetitions: int = REPETITIONS) -> dict[str, float]:
 
 
 def ratios(found: dict[str, float]) -> dict[str, float]:
-    """Return the ratios by the heads of the table."""
+    """Return the ratios by the first cells of their rows."""
     return {one.head: found[one.name] / found[one.of] for one in RATIOS}
 
 
@@ -108,15 +142,24 @@ def lines(found: dict[str, float]) -> list[str]:
 
 
 def keep(found: dict[str, float], document: Path) -> None:
-    """Add a row for the present commit to the table in a document, or replace the row."""
-    head = ["commit", "eigh [us]", *(one.head for one in RATIOS)]
-    asked = ["asked, at most", "", *("" if one.most is None else f"{one.most:g}" for one in RATIOS)]
-    row = [commit(), f"{1e6 * found['eigh']:.1f}", *map(backends_report.digits, ratios(found).values())]
+    """Add a column for the present commit to the table in a document, or replace the column."""
     begin = backends_report.BEGIN.replace(backends_report.WRITER, WRITER)
     text = document.read_text(encoding="utf-8").partition(begin)[2].partition(backends_report.END)[0]
-    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in text.split("\n") if line]
-    kept = [old for old in cells[3:] if old[0] != row[0]]
-    backends_report.put(document, backends_report.table(head, [asked, *kept, row]) + "\n", WRITER)
+    head, _, *rows = [
+        [cell.strip() for cell in line.strip("|").split("|")] for line in text.split("\n") if line
+    ]
+    known = {row[0]: dict(zip(head[2:], row[2:], strict=True)) for row in rows}
+    now = commit()
+    commits = [*(one for one in head[2:] if one != now), now]
+    new = {EIGH: f"{1e6 * found['eigh']:.1f}"}
+    new |= {name: backends_report.digits(ratio) for name, ratio in ratios(found).items()}
+    asked = {one.head: "" if one.most is None else f"{one.most:g}" for one in RATIOS}
+    table = [
+        [name, asked.get(name, ""), *({**known.get(name, {}), now: value}.get(one, "") for one in commits)]
+        for name, value in new.items()
+    ]
+    whole = backends_report.table(["call", "asked, at most", *commits], table)
+    backends_report.put(document, whole + "\n", WRITER)
 
 
 def commit() -> str:

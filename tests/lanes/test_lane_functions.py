@@ -16,6 +16,23 @@ pytestmark = pytest.mark.compiler
 
 SOURCE = """
 #include "lane.h"
+#define LANES_BASE 2
+#define LANES_INDEPENDENT 1
+#define LANES_DEPENDENT 1
+#define LANES_LINEAR 1
+static const int LANES_GIVEN[] = {0}, LANES_FOLLOWING[] = {1};
+#include "strain_free.h"
+void eliminated(const double *a, const double *b, double *x)
+{
+    lane A[9], B[6];
+    for (int i = 0; i < 9; i++)
+        A[i] = *(const lane_in_memory *)(a + i * LANES_WIDTH);
+    for (int i = 0; i < 6; i++)
+        B[i] = *(const lane_in_memory *)(b + i * LANES_WIDTH);
+    lanes_eliminate(3, 2, A, B);
+    for (int i = 0; i < 6; i++)
+        *(lane_in_memory *)(x + i * LANES_WIDTH) = B[i];
+}
 void signs(const double *x, double *of_lanes, double *of_one)
 {
     *(lane_in_memory *)of_lanes = lanes_sign((lane)*(const lane_in_memory *)x);
@@ -67,3 +84,17 @@ def test_rows_become_columns(lanes: tuple[ctypes.CDLL, int]) -> None:
     y = np.zeros_like(x)
     library.transposed(pointer(x), pointer(y))
     np.testing.assert_array_equal(y, x.T)
+
+
+def test_equations_are_solved_whatever_the_order_of_their_rows(lanes: tuple[ctypes.CDLL, int]) -> None:
+    """In each lane the rows have another order, so that pivots are 0 in some of them."""
+    library, width = lanes
+    rng = np.random.default_rng(4)
+    A = np.diag([3.0, -2.0, 0.5]) + np.triu(rng.standard_normal((width, 3, 3)), 1)
+    orders = np.array([rng.permutation(3) for _ in range(width)])
+    orders[0] = [2, 0, 1]
+    A, B = np.take_along_axis(A, orders[:, :, None], 1), rng.standard_normal((width, 3, 2))
+    x = np.empty((3, 2, width))
+    a, b = (np.ascontiguousarray(np.moveaxis(array, 0, -1)) for array in (A, B))
+    library.eliminated(pointer(a), pointer(b), pointer(x))
+    np.testing.assert_allclose(np.moveaxis(x, -1, 0), np.linalg.solve(A, B), rtol=1e-13, atol=1e-14)

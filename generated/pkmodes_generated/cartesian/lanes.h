@@ -9,10 +9,13 @@
  *
  * Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
  * values.
+ *   tau_st_j [N m]: static torque on motor pulley j
  *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
  *   b [m]: distance of what slides along the beam from the beam's middle
+ *   G_j [N]: gradient of the gravitational potential energy with respect to independent coordinate j
+ *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
@@ -21,6 +24,9 @@
 #define LANES_POSE 2
 #define LANES_INDEPENDENT 2
 #define LANES_DIRECTIONS 2
+#define LANES_LINEAR 2
+#define LANES_DRIVES 2
+#define LANES_DEPENDENT 2
 #define LANES_BASE 4
 #define LANES_ALL 11
 #define LANES_GRADIENT 50
@@ -30,6 +36,10 @@
 static const struct lanes_rule LANES_RULES[] = {
     {4, LANES_AT_LEAST_ZERO},
 };
+
+/* Which of the base coordinates the pose determines, and which follow these. */
+static const int LANES_GIVEN[] = {0, 1};
+static const int LANES_FOLLOWING[] = {2, 3};
 
 /* Positions at a pose, and the margins of a pose.
  *
@@ -263,6 +273,137 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[12] = LANES(1.0);
     J_p[20] = LANES(1.0);
     J_p[21] = LANES(b);
+}
+
+/* Platform Jacobian, static equilibrium and elastic stiffness without effects.
+ *
+ * Source: platform_jacobian, static_equilibrium, elastic_hessian.
+ * 41 operations; 179 with every named value expanded.
+ */
+static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_b = parameters[1];
+    const double g_x = parameters[2];
+    const double g_y = parameters[3];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double t1 = k_sp_1*w_b_1;
+    const lane k_1_1 = t1/l_f_1_1;
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane k_1_2 = t1/l_f_1_2;
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double t2 = k_sp_2*w_b_2;
+    const lane k_2_1 = t2/l_f_2_1;
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane k_2_2 = t2/l_f_2_2;
+    const double G_1 = -g_x*m_h;
+    const double G_2 = -g_y*(m_b + m_h);
+    const lane t3 = R_p_1*k_1_1 + R_p_1*k_1_2;
+    const lane theta_1_st = -G_1/t3;
+    const lane t4 = R_p_2*k_2_1 + R_p_2*k_2_2;
+    const lane theta_2_st = -G_2/t4;
+    const double t5 = (R_p_1*R_p_1);
+    const lane t6 = k_1_1*t5;
+    const lane t7 = k_1_2*t5;
+    const lane tau_st_1 = t6*theta_1_st + t7*theta_1_st;
+    const double t8 = (R_p_2*R_p_2);
+    const lane t9 = k_2_1*t8;
+    const lane t10 = k_2_2*t8;
+    const lane tau_st_2 = t10*theta_2_st + t9*theta_2_st;
+    lanes_clear(D_p, 4);
+    D_p[0] = LANES(1.0);
+    D_p[3] = LANES(1.0);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    theta_st[0] = LANES(theta_1_st);
+    theta_st[1] = LANES(theta_2_st);
+    lanes_clear(H_el, 16);
+    H_el[0] = LANES(k_1_1 + k_1_2);
+    H_el[2] = H_el[8] = LANES(t3);
+    H_el[5] = LANES(k_2_1 + k_2_2);
+    H_el[7] = H_el[13] = LANES(t4);
+    H_el[10] = LANES(t6 + t7);
+    H_el[15] = LANES(t10 + t9);
+}
+
+/* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
+ *
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 51 operations; 321 with every named value expanded.
+ */
+static inline void lanes_extended_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict tau_st, lane *restrict theta_st)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_b = parameters[1];
+    const double g_x = parameters[2];
+    const double g_y = parameters[3];
+    const double l_0_1_1 = parameters[5];
+    const double l_0_1_2 = parameters[6];
+    const double l_0_2_1 = parameters[7];
+    const double l_0_2_2 = parameters[8];
+    const double k_sp_1 = parameters[9];
+    const double k_sp_2 = parameters[10];
+    const double w_b_1 = parameters[11];
+    const double w_b_2 = parameters[12];
+    const double R_p_1 = parameters[13];
+    const double R_p_2 = parameters[14];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const double m_L = effects[10];
+    const lane l_f_1_1 = l_0_1_1 + x;
+    const double t1 = F_T*c_T + 1.0;
+    const double t2 = c_E*t1;
+    const double t3 = k_sp_1*w_b_1*(a_B_1 + 1.0);
+    const double t4 = t2*t3;
+    const double t5 = t1*t3;
+    const lane k_1_1 = t5/(l_f_1_1 + t4);
+    const lane l_f_1_2 = l_0_1_2 - x;
+    const lane k_1_2 = t5/(l_f_1_2 + t4);
+    const lane l_f_2_1 = l_0_2_1 + y;
+    const double t6 = k_sp_2*w_b_2*(a_B_2 + 1.0);
+    const double t7 = t2*t6;
+    const double t8 = t1*t6;
+    const lane k_2_1 = t8/(l_f_2_1 + t7);
+    const lane l_f_2_2 = l_0_2_2 - y;
+    const lane k_2_2 = t8/(l_f_2_2 + t7);
+    const double t9 = m_L + m_h;
+    const double G_1 = -g_x*t9;
+    const double G_2 = -g_y*(m_b + t9);
+    const lane theta_1_st = -G_1/(R_p_1*k_1_1 + R_p_1*k_1_2);
+    const lane theta_2_st = -G_2/(R_p_2*k_2_1 + R_p_2*k_2_2);
+    const lane t10 = (R_p_1*R_p_1)*theta_1_st;
+    const lane tau_st_1 = k_1_1*t10 + k_1_2*t10;
+    const lane t11 = (R_p_2*R_p_2)*theta_2_st;
+    const lane tau_st_2 = k_2_1*t11 + k_2_2*t11;
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    theta_st[0] = LANES(theta_1_st);
+    theta_st[1] = LANES(theta_2_st);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.

@@ -9,10 +9,14 @@
  *
  * Names in the code.  Indices: belt j; run s of a belt.  t1, t2, ... are subexpressions shared by several
  * values.
+ *   tau_st_j [N m]: static torque on motor pulley j
  *   I_j [kg m^2]: moment of inertia of motor pulley j, including the motor
  *   l_f_j_s [m]: free length of run s of belt j
  *   k_j_s [N/m]: stiffness of run s of belt j
  *   b [m]: distance of what slides along the beam from the beam's middle
+ *   G_j [N]: gradient of the gravitational potential energy with respect to independent coordinate j
+ *   det_j [N^2]: determinant of the equilibrium equations of axis j
+ *   theta_j_st [rad]: static rotation of motor pulley j, relative to the unstrained transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
@@ -21,6 +25,9 @@
 #define LANES_POSE 2
 #define LANES_INDEPENDENT 2
 #define LANES_DIRECTIONS 2
+#define LANES_LINEAR 2
+#define LANES_DRIVES 2
+#define LANES_DEPENDENT 2
 #define LANES_BASE 4
 #define LANES_ALL 11
 #define LANES_GRADIENT 54
@@ -30,6 +37,10 @@
 static const struct lanes_rule LANES_RULES[] = {
     {4, LANES_AT_LEAST_ZERO},
 };
+
+/* Which of the base coordinates the pose determines, and which follow these. */
+static const int LANES_GIVEN[] = {0, 1};
+static const int LANES_FOLLOWING[] = {2, 3};
 
 /* Positions at a pose, and the margins of a pose.
  *
@@ -347,6 +358,176 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[12] = LANES(1.0);
     J_p[20] = LANES(1.0);
     J_p[21] = LANES(b);
+}
+
+/* Platform Jacobian, static equilibrium and elastic stiffness without effects.
+ *
+ * Source: platform_jacobian, static_equilibrium, elastic_hessian.
+ * 90 operations; 1032 with every named value expanded.
+ */
+static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_g = parameters[1];
+    const double g_x = parameters[2];
+    const double g_y = parameters[3];
+    const double g_1_1 = parameters[5];
+    const double g_1_2 = parameters[6];
+    const double g_2_1 = parameters[7];
+    const double g_2_2 = parameters[8];
+    const double l_0_1_1 = parameters[9];
+    const double l_0_1_2 = parameters[10];
+    const double l_0_2_1 = parameters[11];
+    const double l_0_2_2 = parameters[12];
+    const double k_sp_1 = parameters[13];
+    const double k_sp_2 = parameters[14];
+    const double w_b_1 = parameters[15];
+    const double w_b_2 = parameters[16];
+    const double R_p_1 = parameters[17];
+    const double R_p_2 = parameters[18];
+    const lane t1 = g_1_1*x + g_1_2*y;
+    const lane l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = k_sp_1*w_b_1;
+    const lane k_1_1 = t2/l_f_1_1;
+    const lane l_f_1_2 = l_0_1_2 - t1;
+    const lane k_1_2 = t2/l_f_1_2;
+    const lane t3 = g_2_1*x + g_2_2*y;
+    const lane l_f_2_1 = l_0_2_1 + t3;
+    const double t4 = k_sp_2*w_b_2;
+    const lane k_2_1 = t4/l_f_2_1;
+    const lane l_f_2_2 = l_0_2_2 - t3;
+    const lane k_2_2 = t4/l_f_2_2;
+    const double G_1 = -g_x*m_h;
+    const double G_2 = -g_y*(m_g + m_h);
+    const double t5 = R_p_2*g_2_1;
+    const lane t6 = k_2_1*t5 + k_2_2*t5;
+    const double t7 = R_p_1*g_1_1;
+    const lane t8 = k_1_1*t7 + k_1_2*t7;
+    const double t9 = R_p_2*g_2_2;
+    const lane t10 = k_2_1*t9 + k_2_2*t9;
+    const double t11 = R_p_1*g_1_2;
+    const lane t12 = k_1_1*t11 + k_1_2*t11;
+    const lane det_1 = t10*t8 - t12*t6;
+    const lane t13 = 1.0/det_1;
+    const lane theta_1_st = t13*(-G_1*t10 + G_2*t6);
+    const lane theta_2_st = t13*(G_1*t12 - G_2*t8);
+    const double t14 = (R_p_1*R_p_1);
+    const lane t15 = k_1_1*t14;
+    const lane t16 = k_1_2*t14;
+    const lane tau_st_1 = t15*theta_1_st + t16*theta_1_st;
+    const double t17 = (R_p_2*R_p_2);
+    const lane t18 = k_2_1*t17;
+    const lane t19 = k_2_2*t17;
+    const lane tau_st_2 = t18*theta_2_st + t19*theta_2_st;
+    const double t20 = (g_1_1*g_1_1);
+    const double t21 = (g_2_1*g_2_1);
+    const double t22 = g_1_1*g_1_2;
+    const double t23 = g_2_1*g_2_2;
+    const double t24 = (g_1_2*g_1_2);
+    const double t25 = (g_2_2*g_2_2);
+    lanes_clear(D_p, 4);
+    D_p[0] = LANES(1.0);
+    D_p[3] = LANES(1.0);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    theta_st[0] = LANES(theta_1_st);
+    theta_st[1] = LANES(theta_2_st);
+    lanes_clear(H_el, 16);
+    H_el[0] = LANES(k_1_1*t20 + k_1_2*t20 + k_2_1*t21 + k_2_2*t21);
+    H_el[1] = H_el[4] = LANES(k_1_1*t22 + k_1_2*t22 + k_2_1*t23 + k_2_2*t23);
+    H_el[2] = H_el[8] = LANES(t8);
+    H_el[3] = H_el[12] = LANES(t6);
+    H_el[5] = LANES(k_1_1*t24 + k_1_2*t24 + k_2_1*t25 + k_2_2*t25);
+    H_el[6] = H_el[9] = LANES(t12);
+    H_el[7] = H_el[13] = LANES(t10);
+    H_el[10] = LANES(t15 + t16);
+    H_el[15] = LANES(t18 + t19);
+}
+
+/* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
+ *
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 75 operations; 1722 with every named value expanded.
+ */
+static inline void lanes_extended_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict tau_st, lane *restrict theta_st)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane x = pose[0];
+    const lane y = pose[1];
+    const double m_h = parameters[0];
+    const double m_g = parameters[1];
+    const double g_x = parameters[2];
+    const double g_y = parameters[3];
+    const double g_1_1 = parameters[5];
+    const double g_1_2 = parameters[6];
+    const double g_2_1 = parameters[7];
+    const double g_2_2 = parameters[8];
+    const double l_0_1_1 = parameters[9];
+    const double l_0_1_2 = parameters[10];
+    const double l_0_2_1 = parameters[11];
+    const double l_0_2_2 = parameters[12];
+    const double k_sp_1 = parameters[13];
+    const double k_sp_2 = parameters[14];
+    const double w_b_1 = parameters[15];
+    const double w_b_2 = parameters[16];
+    const double R_p_1 = parameters[17];
+    const double R_p_2 = parameters[18];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double c_E = effects[2];
+    const double c_T = effects[5];
+    const double F_T = effects[6];
+    const double m_L = effects[10];
+    const lane t1 = g_1_1*x + g_1_2*y;
+    const lane l_f_1_1 = l_0_1_1 + t1;
+    const double t2 = F_T*c_T + 1.0;
+    const double t3 = c_E*t2;
+    const double t4 = k_sp_1*w_b_1*(a_B_1 + 1.0);
+    const double t5 = t3*t4;
+    const double t6 = t2*t4;
+    const lane k_1_1 = t6/(l_f_1_1 + t5);
+    const lane l_f_1_2 = l_0_1_2 - t1;
+    const lane k_1_2 = t6/(l_f_1_2 + t5);
+    const lane t7 = g_2_1*x + g_2_2*y;
+    const lane l_f_2_1 = l_0_2_1 + t7;
+    const double t8 = k_sp_2*w_b_2*(a_B_2 + 1.0);
+    const double t9 = t3*t8;
+    const double t10 = t2*t8;
+    const lane k_2_1 = t10/(l_f_2_1 + t9);
+    const lane l_f_2_2 = l_0_2_2 - t7;
+    const lane k_2_2 = t10/(l_f_2_2 + t9);
+    const double t11 = m_L + m_h;
+    const double G_1 = -g_x*t11;
+    const double G_2 = -g_y*(m_g + t11);
+    const double t12 = R_p_1*g_1_1;
+    const lane t13 = k_1_1*t12 + k_1_2*t12;
+    const double t14 = R_p_2*g_2_2;
+    const lane t15 = k_2_1*t14 + k_2_2*t14;
+    const double t16 = R_p_1*g_1_2;
+    const lane t17 = k_1_1*t16 + k_1_2*t16;
+    const double t18 = R_p_2*g_2_1;
+    const lane t19 = k_2_1*t18 + k_2_2*t18;
+    const lane det_1 = t13*t15 - t17*t19;
+    const lane t20 = 1.0/det_1;
+    const lane theta_1_st = t20*(-G_1*t15 + G_2*t19);
+    const lane theta_2_st = t20*(G_1*t17 - G_2*t13);
+    const lane t21 = (R_p_1*R_p_1)*theta_1_st;
+    const lane tau_st_1 = k_1_1*t21 + k_1_2*t21;
+    const lane t22 = (R_p_2*R_p_2)*theta_2_st;
+    const lane tau_st_2 = k_2_1*t22 + k_2_2*t22;
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    theta_st[0] = LANES(theta_1_st);
+    theta_st[1] = LANES(theta_2_st);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.

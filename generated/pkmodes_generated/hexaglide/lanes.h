@@ -23,6 +23,7 @@
  *   w2_j [m^2]: squared distance of platform joint j from rail j
  *   c_i [m]: centre of mass of the platform from its origin, component i
  *   J_i_a [kg m^2]: inertia tensor of the platform about its centre of mass, base frame, entry ia
+ *   tau_st_j [N m]: static torque on the driven pulley of axis j
  *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, including the motor if it is driven
  *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
@@ -52,6 +53,9 @@
  *   L_i_a [N m]: second derivative of gravity and closures with respect to the platform, entry i, a
  *   f_i_k [N/m]: force on the platform along i per unit of coordinate k
  *   f_i_k [N]: force on the platform along i per unit of coordinate k
+ *   G_j [N]: gradient of the gravitational potential energy with respect to x_j
+ *   det_j [N^2 m]: determinant of the equilibrium equations of axis j
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
  *   M_p_i_a [kg]: apparent mass of the platform, entry i, a
  *   M_p_i_a [kg m]: apparent mass of the platform, entry i, a
  *   M_p_i_a [kg m^2]: apparent mass of the platform, entry i, a
@@ -65,6 +69,9 @@
 #define LANES_POSE 6
 #define LANES_INDEPENDENT 6
 #define LANES_DIRECTIONS 6
+#define LANES_LINEAR 3
+#define LANES_DRIVES 6
+#define LANES_DEPENDENT 12
 #define LANES_BASE 18
 #define LANES_ALL 39
 #define LANES_GRADIENT 192
@@ -74,6 +81,10 @@
 static const struct lanes_rule LANES_RULES[] = {
     {1, LANES_ABOVE_ZERO}, {6, LANES_AT_LEAST_ZERO}, {1, LANES_AT_MOST_LIMIT}, {18, LANES_ABOVE_ZERO},
 };
+
+/* Which of the base coordinates the pose determines, and which follow these. */
+static const int LANES_GIVEN[] = {0, 1, 2, 3, 4, 5};
+static const int LANES_FOLLOWING[] = {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
 
 /* Carriage positions at a pose, and the margins of a pose.
  *
@@ -4769,6 +4780,1800 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[222] = LANES(D_delta_rz_4);
     J_p[223] = LANES(D_delta_rz_5);
     J_p[224] = LANES(D_delta_rz_6);
+}
+
+/* Platform Jacobian, static equilibrium and elastic stiffness without effects.
+ *
+ * Source: platform_jacobian, static_equilibrium, elastic_hessian.
+ * 2233 operations; 1641307692 with every named value expanded.
+ */
+static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const lane rot_x = pose[3];
+    const lane rot_y = pose[4];
+    const lane rot_z = pose[5];
+    const double m_p = parameters[0];
+    const double c_p_x = parameters[1];
+    const double c_p_y = parameters[2];
+    const double c_p_z = parameters[3];
+    const double g_x = parameters[10];
+    const double g_y = parameters[11];
+    const double g_z = parameters[12];
+    const double o_1_x = parameters[13];
+    const double o_1_y = parameters[14];
+    const double o_1_z = parameters[15];
+    const double o_2_x = parameters[16];
+    const double o_2_y = parameters[17];
+    const double o_2_z = parameters[18];
+    const double o_3_x = parameters[19];
+    const double o_3_y = parameters[20];
+    const double o_3_z = parameters[21];
+    const double o_4_x = parameters[22];
+    const double o_4_y = parameters[23];
+    const double o_4_z = parameters[24];
+    const double o_5_x = parameters[25];
+    const double o_5_y = parameters[26];
+    const double o_5_z = parameters[27];
+    const double o_6_x = parameters[28];
+    const double o_6_y = parameters[29];
+    const double o_6_z = parameters[30];
+    const double n_1_x = parameters[31];
+    const double n_1_y = parameters[32];
+    const double n_1_z = parameters[33];
+    const double n_2_x = parameters[34];
+    const double n_2_y = parameters[35];
+    const double n_2_z = parameters[36];
+    const double n_3_x = parameters[37];
+    const double n_3_y = parameters[38];
+    const double n_3_z = parameters[39];
+    const double n_4_x = parameters[40];
+    const double n_4_y = parameters[41];
+    const double n_4_z = parameters[42];
+    const double n_5_x = parameters[43];
+    const double n_5_y = parameters[44];
+    const double n_5_z = parameters[45];
+    const double n_6_x = parameters[46];
+    const double n_6_y = parameters[47];
+    const double n_6_z = parameters[48];
+    const double b_1_x = parameters[49];
+    const double b_1_y = parameters[50];
+    const double b_1_z = parameters[51];
+    const double b_2_x = parameters[52];
+    const double b_2_y = parameters[53];
+    const double b_2_z = parameters[54];
+    const double b_3_x = parameters[55];
+    const double b_3_y = parameters[56];
+    const double b_3_z = parameters[57];
+    const double b_4_x = parameters[58];
+    const double b_4_y = parameters[59];
+    const double b_4_z = parameters[60];
+    const double b_5_x = parameters[61];
+    const double b_5_y = parameters[62];
+    const double b_5_z = parameters[63];
+    const double b_6_x = parameters[64];
+    const double b_6_y = parameters[65];
+    const double b_6_z = parameters[66];
+    const double l_d_1 = parameters[67];
+    const double l_d_2 = parameters[68];
+    const double l_d_3 = parameters[69];
+    const double l_d_4 = parameters[70];
+    const double l_d_5 = parameters[71];
+    const double l_d_6 = parameters[72];
+    const double m_d_1 = parameters[73];
+    const double m_d_2 = parameters[74];
+    const double m_d_3 = parameters[75];
+    const double m_d_4 = parameters[76];
+    const double m_d_5 = parameters[77];
+    const double m_d_6 = parameters[78];
+    const double m_t_1 = parameters[79];
+    const double m_t_2 = parameters[80];
+    const double m_t_3 = parameters[81];
+    const double m_t_4 = parameters[82];
+    const double m_t_5 = parameters[83];
+    const double m_t_6 = parameters[84];
+    const double l_t_1 = parameters[85];
+    const double l_t_2 = parameters[86];
+    const double l_t_3 = parameters[87];
+    const double l_t_4 = parameters[88];
+    const double l_t_5 = parameters[89];
+    const double l_t_6 = parameters[90];
+    const double k_sp_1 = parameters[91];
+    const double k_sp_2 = parameters[92];
+    const double k_sp_3 = parameters[93];
+    const double k_sp_4 = parameters[94];
+    const double k_sp_5 = parameters[95];
+    const double k_sp_6 = parameters[96];
+    const double w_b_1 = parameters[97];
+    const double w_b_2 = parameters[98];
+    const double w_b_3 = parameters[99];
+    const double w_b_4 = parameters[100];
+    const double w_b_5 = parameters[101];
+    const double w_b_6 = parameters[102];
+    const double R_p_1 = parameters[103];
+    const double R_p_2 = parameters[104];
+    const double R_p_3 = parameters[105];
+    const double R_p_4 = parameters[106];
+    const double R_p_5 = parameters[107];
+    const double R_p_6 = parameters[108];
+    const double d_1_1 = parameters[127];
+    const double d_1_2 = parameters[128];
+    const double d_2_1 = parameters[129];
+    const double d_2_2 = parameters[130];
+    const double d_3_1 = parameters[131];
+    const double d_3_2 = parameters[132];
+    const double d_4_1 = parameters[133];
+    const double d_4_2 = parameters[134];
+    const double d_5_1 = parameters[135];
+    const double d_5_2 = parameters[136];
+    const double d_6_1 = parameters[137];
+    const double d_6_2 = parameters[138];
+    const double x_min_1 = parameters[139];
+    const double x_max_1 = parameters[140];
+    const double x_min_2 = parameters[141];
+    const double x_max_2 = parameters[142];
+    const double x_min_3 = parameters[143];
+    const double x_max_3 = parameters[144];
+    const double x_min_4 = parameters[145];
+    const double x_max_4 = parameters[146];
+    const double x_min_5 = parameters[147];
+    const double x_max_5 = parameters[148];
+    const double x_min_6 = parameters[149];
+    const double x_max_6 = parameters[150];
+    const double sigma_1 = parameters[151];
+    const double sigma_2 = parameters[152];
+    const double sigma_3 = parameters[153];
+    const double sigma_4 = parameters[154];
+    const double sigma_5 = parameters[155];
+    const double sigma_6 = parameters[156];
+    const lane t1 = (rot_x*rot_x);
+    const lane t2 = (rot_y*rot_y);
+    const lane t3 = (rot_z*rot_z);
+    const lane t4 = t2 + t3;
+    const lane half_angle = (1.0/2.0)*lanes_sqrt(t1 + t4 + 1e-30);
+    const lane s_half = lanes_sin(half_angle)/half_angle;
+    const lane t5 = (s_half*s_half);
+    const lane t6 = (1.0/2.0)*t5;
+    const lane R_x_x = -t4*t6 + 1.0;
+    const lane c_half = lanes_cos(half_angle);
+    const lane t7 = c_half*s_half;
+    const lane t8 = rot_z*t7;
+    const lane R_x_y = (1.0/2.0)*rot_x*rot_y*t5 - t8;
+    const lane t9 = rot_y*t7;
+    const lane t10 = rot_x*t6;
+    const lane R_x_z = rot_z*t10 + t9;
+    const lane B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z;
+    const lane r_1_x = B_1_x - o_1_x + p_x;
+    const lane R_y_x = rot_y*t10 + t8;
+    const lane R_y_y = t6*(-t1 - t3) + 1.0;
+    const lane t11 = rot_x*t7;
+    const lane R_y_z = (1.0/2.0)*rot_y*rot_z*t5 - t11;
+    const lane B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z;
+    const lane r_1_y = B_1_y - o_1_y + p_y;
+    const lane R_z_x = (1.0/2.0)*rot_x*rot_z*t5 - t9;
+    const lane R_z_y = rot_y*rot_z*t6 + t11;
+    const lane R_z_z = t6*(-t1 - t2) + 1.0;
+    const lane B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z;
+    const lane r_1_z = B_1_z - o_1_z + p_z;
+    const lane B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z;
+    const lane r_2_x = B_2_x - o_2_x + p_x;
+    const lane B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z;
+    const lane r_2_y = B_2_y - o_2_y + p_y;
+    const lane B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z;
+    const lane r_2_z = B_2_z - o_2_z + p_z;
+    const lane B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z;
+    const lane r_3_x = B_3_x - o_3_x + p_x;
+    const lane B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z;
+    const lane r_3_y = B_3_y - o_3_y + p_y;
+    const lane B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z;
+    const lane r_3_z = B_3_z - o_3_z + p_z;
+    const lane B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z;
+    const lane r_4_x = B_4_x - o_4_x + p_x;
+    const lane B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z;
+    const lane r_4_y = B_4_y - o_4_y + p_y;
+    const lane B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z;
+    const lane r_4_z = B_4_z - o_4_z + p_z;
+    const lane B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z;
+    const lane r_5_x = B_5_x - o_5_x + p_x;
+    const lane B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z;
+    const lane r_5_y = B_5_y - o_5_y + p_y;
+    const lane B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z;
+    const lane r_5_z = B_5_z - o_5_z + p_z;
+    const lane B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z;
+    const lane r_6_x = B_6_x - o_6_x + p_x;
+    const lane B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z;
+    const lane r_6_y = B_6_y - o_6_y + p_y;
+    const lane B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z;
+    const lane r_6_z = B_6_z - o_6_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane x_1 = a_1 + sigma_1*lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane x_2 = a_2 + sigma_2*lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane x_3 = a_3 + sigma_3*lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane a_4 = n_4_x*r_4_x + n_4_y*r_4_y + n_4_z*r_4_z;
+    const lane w_4_x = -a_4*n_4_x + r_4_x;
+    const lane w_4_y = -a_4*n_4_y + r_4_y;
+    const lane w_4_z = -a_4*n_4_z + r_4_z;
+    const lane w2_4 = (w_4_x*w_4_x) + (w_4_y*w_4_y) + (w_4_z*w_4_z);
+    const lane x_4 = a_4 + sigma_4*lanes_sqrt((l_d_4*l_d_4) - w2_4);
+    const lane a_5 = n_5_x*r_5_x + n_5_y*r_5_y + n_5_z*r_5_z;
+    const lane w_5_x = -a_5*n_5_x + r_5_x;
+    const lane w_5_y = -a_5*n_5_y + r_5_y;
+    const lane w_5_z = -a_5*n_5_z + r_5_z;
+    const lane w2_5 = (w_5_x*w_5_x) + (w_5_y*w_5_y) + (w_5_z*w_5_z);
+    const lane x_5 = a_5 + sigma_5*lanes_sqrt((l_d_5*l_d_5) - w2_5);
+    const lane a_6 = n_6_x*r_6_x + n_6_y*r_6_y + n_6_z*r_6_z;
+    const lane w_6_x = -a_6*n_6_x + r_6_x;
+    const lane w_6_y = -a_6*n_6_y + r_6_y;
+    const lane w_6_z = -a_6*n_6_z + r_6_z;
+    const lane w2_6 = (w_6_x*w_6_x) + (w_6_y*w_6_y) + (w_6_z*w_6_z);
+    const lane x_6 = a_6 + sigma_6*lanes_sqrt((l_d_6*l_d_6) - w2_6);
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane s_4_x = -n_4_x*x_4 + r_4_x;
+    const lane s_4_y = -n_4_y*x_4 + r_4_y;
+    const lane s_4_z = -n_4_z*x_4 + r_4_z;
+    const lane s_5_x = -n_5_x*x_5 + r_5_x;
+    const lane s_5_y = -n_5_y*x_5 + r_5_y;
+    const lane s_5_z = -n_5_z*x_5 + r_5_z;
+    const lane s_6_x = -n_6_x*x_6 + r_6_x;
+    const lane s_6_y = -n_6_y*x_6 + r_6_y;
+    const lane s_6_z = -n_6_z*x_6 + r_6_z;
+    const lane c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z;
+    const lane c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z;
+    const lane c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z;
+    const lane D_l_1_rx = B_1_y*s_1_z - B_1_z*s_1_y;
+    const lane D_l_1_ry = -B_1_x*s_1_z + B_1_z*s_1_x;
+    const lane D_l_1_rz = B_1_x*s_1_y - B_1_y*s_1_x;
+    const lane D_l_2_rx = B_2_y*s_2_z - B_2_z*s_2_y;
+    const lane D_l_2_ry = -B_2_x*s_2_z + B_2_z*s_2_x;
+    const lane D_l_2_rz = B_2_x*s_2_y - B_2_y*s_2_x;
+    const lane D_l_3_rx = B_3_y*s_3_z - B_3_z*s_3_y;
+    const lane D_l_3_ry = -B_3_x*s_3_z + B_3_z*s_3_x;
+    const lane D_l_3_rz = B_3_x*s_3_y - B_3_y*s_3_x;
+    const lane D_l_4_rx = B_4_y*s_4_z - B_4_z*s_4_y;
+    const lane D_l_4_ry = -B_4_x*s_4_z + B_4_z*s_4_x;
+    const lane D_l_4_rz = B_4_x*s_4_y - B_4_y*s_4_x;
+    const lane D_l_5_rx = B_5_y*s_5_z - B_5_z*s_5_y;
+    const lane D_l_5_ry = -B_5_x*s_5_z + B_5_z*s_5_x;
+    const lane D_l_5_rz = B_5_x*s_5_y - B_5_y*s_5_x;
+    const lane D_l_6_rx = B_6_y*s_6_z - B_6_z*s_6_y;
+    const lane D_l_6_ry = -B_6_x*s_6_z + B_6_z*s_6_x;
+    const lane D_l_6_rz = B_6_x*s_6_y - B_6_y*s_6_x;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane D_r_4 = n_4_x*s_4_x + n_4_y*s_4_y + n_4_z*s_4_z;
+    const lane D_r_5 = n_5_x*s_5_x + n_5_y*s_5_y + n_5_z*s_5_z;
+    const lane D_r_6 = n_6_x*s_6_x + n_6_y*s_6_y + n_6_z*s_6_z;
+    const lane minor_23_23 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry;
+    const lane minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx;
+    const lane minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx;
+    const lane minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45;
+    const lane minor_23_24 = -D_l_2_rx*s_3_y + D_l_3_rx*s_2_y;
+    const lane minor_56_36 = -D_l_5_rz*s_6_z + D_l_6_rz*s_5_z;
+    const lane minor_56_35 = -D_l_5_ry*s_6_z + D_l_6_ry*s_5_z;
+    const lane minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + minor_56_56*s_4_z;
+    const lane minor_23_25 = -D_l_2_ry*s_3_y + D_l_3_ry*s_2_y;
+    const lane minor_56_34 = -D_l_5_rx*s_6_z + D_l_6_rx*s_5_z;
+    const lane minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + minor_56_46*s_4_z;
+    const lane minor_23_26 = -D_l_2_rz*s_3_y + D_l_3_rz*s_2_y;
+    const lane minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + minor_56_45*s_4_z;
+    const lane minor_23_34 = -D_l_2_rx*s_3_z + D_l_3_rx*s_2_z;
+    const lane minor_56_26 = -D_l_5_rz*s_6_y + D_l_6_rz*s_5_y;
+    const lane minor_56_25 = -D_l_5_ry*s_6_y + D_l_6_ry*s_5_y;
+    const lane minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + minor_56_56*s_4_y;
+    const lane minor_23_35 = -D_l_2_ry*s_3_z + D_l_3_ry*s_2_z;
+    const lane minor_56_24 = -D_l_5_rx*s_6_y + D_l_6_rx*s_5_y;
+    const lane minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + minor_56_46*s_4_y;
+    const lane minor_23_36 = -D_l_2_rz*s_3_z + D_l_3_rz*s_2_z;
+    const lane minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + minor_56_45*s_4_y;
+    const lane minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx;
+    const lane minor_56_23 = s_5_y*s_6_z - s_5_z*s_6_y;
+    const lane minor_456_236 = D_l_4_rz*minor_56_23 - minor_56_26*s_4_z + minor_56_36*s_4_y;
+    const lane minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx;
+    const lane minor_456_235 = D_l_4_ry*minor_56_23 - minor_56_25*s_4_z + minor_56_35*s_4_y;
+    const lane minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry;
+    const lane minor_456_234 = D_l_4_rx*minor_56_23 - minor_56_24*s_4_z + minor_56_34*s_4_y;
+    const lane A_x_1 =
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234;
+    const lane minor_23_13 = s_2_x*s_3_z - s_2_z*s_3_x;
+    const lane minor_23_14 = -D_l_2_rx*s_3_x + D_l_3_rx*s_2_x;
+    const lane minor_23_15 = -D_l_2_ry*s_3_x + D_l_3_ry*s_2_x;
+    const lane minor_23_16 = -D_l_2_rz*s_3_x + D_l_3_rz*s_2_x;
+    const lane minor_56_16 = -D_l_5_rz*s_6_x + D_l_6_rz*s_5_x;
+    const lane minor_56_15 = -D_l_5_ry*s_6_x + D_l_6_ry*s_5_x;
+    const lane minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + minor_56_56*s_4_x;
+    const lane minor_56_14 = -D_l_5_rx*s_6_x + D_l_6_rx*s_5_x;
+    const lane minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + minor_56_46*s_4_x;
+    const lane minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + minor_56_45*s_4_x;
+    const lane minor_56_13 = s_5_x*s_6_z - s_5_z*s_6_x;
+    const lane minor_456_136 = D_l_4_rz*minor_56_13 - minor_56_16*s_4_z + minor_56_36*s_4_x;
+    const lane minor_456_135 = D_l_4_ry*minor_56_13 - minor_56_15*s_4_z + minor_56_35*s_4_x;
+    const lane minor_456_134 = D_l_4_rx*minor_56_13 - minor_56_14*s_4_z + minor_56_34*s_4_x;
+    const lane A_y_1 =
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134;
+    const lane minor_23_12 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane minor_56_12 = s_5_x*s_6_y - s_5_y*s_6_x;
+    const lane minor_456_126 = D_l_4_rz*minor_56_12 - minor_56_16*s_4_y + minor_56_26*s_4_x;
+    const lane minor_456_125 = D_l_4_ry*minor_56_12 - minor_56_15*s_4_y + minor_56_25*s_4_x;
+    const lane minor_456_124 = D_l_4_rx*minor_56_12 - minor_56_14*s_4_y + minor_56_24*s_4_x;
+    const lane A_z_1 =
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124;
+    const lane minor_456_123 = minor_56_12*s_4_z - minor_56_13*s_4_y + minor_56_23*s_4_x;
+    const lane A_rx_1 =
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123;
+    const lane A_ry_1 =
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123;
+    const lane A_rz_1 =
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123;
+    const lane minor_13_23 = s_1_y*s_3_z - s_1_z*s_3_y;
+    const lane minor_13_24 = -D_l_1_rx*s_3_y + D_l_3_rx*s_1_y;
+    const lane minor_13_25 = -D_l_1_ry*s_3_y + D_l_3_ry*s_1_y;
+    const lane minor_13_26 = -D_l_1_rz*s_3_y + D_l_3_rz*s_1_y;
+    const lane minor_13_34 = -D_l_1_rx*s_3_z + D_l_3_rx*s_1_z;
+    const lane minor_13_35 = -D_l_1_ry*s_3_z + D_l_3_ry*s_1_z;
+    const lane minor_13_36 = -D_l_1_rz*s_3_z + D_l_3_rz*s_1_z;
+    const lane minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx;
+    const lane minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx;
+    const lane minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry;
+    const lane A_x_2 =
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234;
+    const lane minor_13_13 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane minor_13_14 = -D_l_1_rx*s_3_x + D_l_3_rx*s_1_x;
+    const lane minor_13_15 = -D_l_1_ry*s_3_x + D_l_3_ry*s_1_x;
+    const lane minor_13_16 = -D_l_1_rz*s_3_x + D_l_3_rz*s_1_x;
+    const lane A_y_2 =
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134;
+    const lane minor_13_12 = s_1_x*s_3_y - s_1_y*s_3_x;
+    const lane A_z_2 =
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124;
+    const lane A_rx_2 =
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123;
+    const lane A_ry_2 =
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123;
+    const lane A_rz_2 =
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123;
+    const lane minor_12_23 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane minor_12_24 = -D_l_1_rx*s_2_y + D_l_2_rx*s_1_y;
+    const lane minor_12_25 = -D_l_1_ry*s_2_y + D_l_2_ry*s_1_y;
+    const lane minor_12_26 = -D_l_1_rz*s_2_y + D_l_2_rz*s_1_y;
+    const lane minor_12_34 = -D_l_1_rx*s_2_z + D_l_2_rx*s_1_z;
+    const lane minor_12_35 = -D_l_1_ry*s_2_z + D_l_2_ry*s_1_z;
+    const lane minor_12_36 = -D_l_1_rz*s_2_z + D_l_2_rz*s_1_z;
+    const lane minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx;
+    const lane minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx;
+    const lane minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry;
+    const lane A_x_3 =
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234;
+    const lane minor_12_13 = s_1_x*s_2_z - s_1_z*s_2_x;
+    const lane minor_12_14 = -D_l_1_rx*s_2_x + D_l_2_rx*s_1_x;
+    const lane minor_12_15 = -D_l_1_ry*s_2_x + D_l_2_ry*s_1_x;
+    const lane minor_12_16 = -D_l_1_rz*s_2_x + D_l_2_rz*s_1_x;
+    const lane A_y_3 =
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134;
+    const lane minor_12_12 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane A_z_3 =
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124;
+    const lane A_rx_3 =
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123;
+    const lane A_ry_3 =
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123;
+    const lane A_rz_3 =
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123;
+    const lane minor_123_234 = D_l_1_rx*minor_23_23 - minor_23_24*s_1_z + minor_23_34*s_1_y;
+    const lane minor_123_235 = D_l_1_ry*minor_23_23 - minor_23_25*s_1_z + minor_23_35*s_1_y;
+    const lane minor_123_236 = D_l_1_rz*minor_23_23 - minor_23_26*s_1_z + minor_23_36*s_1_y;
+    const lane minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + minor_23_45*s_1_y;
+    const lane minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + minor_23_46*s_1_y;
+    const lane minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + minor_23_56*s_1_y;
+    const lane minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + minor_23_45*s_1_z;
+    const lane minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + minor_23_46*s_1_z;
+    const lane minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + minor_23_56*s_1_z;
+    const lane minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45;
+    const lane A_x_4 =
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23;
+    const lane minor_123_134 = D_l_1_rx*minor_23_13 - minor_23_14*s_1_z + minor_23_34*s_1_x;
+    const lane minor_123_135 = D_l_1_ry*minor_23_13 - minor_23_15*s_1_z + minor_23_35*s_1_x;
+    const lane minor_123_136 = D_l_1_rz*minor_23_13 - minor_23_16*s_1_z + minor_23_36*s_1_x;
+    const lane minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + minor_23_45*s_1_x;
+    const lane minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + minor_23_46*s_1_x;
+    const lane minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + minor_23_56*s_1_x;
+    const lane A_y_4 =
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13;
+    const lane minor_123_124 = D_l_1_rx*minor_23_12 - minor_23_14*s_1_y + minor_23_24*s_1_x;
+    const lane minor_123_125 = D_l_1_ry*minor_23_12 - minor_23_15*s_1_y + minor_23_25*s_1_x;
+    const lane minor_123_126 = D_l_1_rz*minor_23_12 - minor_23_16*s_1_y + minor_23_26*s_1_x;
+    const lane A_z_4 =
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12;
+    const lane minor_123_123 = minor_23_12*s_1_z - minor_23_13*s_1_y + minor_23_23*s_1_x;
+    const lane A_rx_4 =
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12;
+    const lane A_ry_4 =
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12;
+    const lane A_rz_4 =
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12;
+    const lane minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry;
+    const lane minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx;
+    const lane minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx;
+    const lane minor_46_36 = -D_l_4_rz*s_6_z + D_l_6_rz*s_4_z;
+    const lane minor_46_35 = -D_l_4_ry*s_6_z + D_l_6_ry*s_4_z;
+    const lane minor_46_34 = -D_l_4_rx*s_6_z + D_l_6_rx*s_4_z;
+    const lane minor_46_26 = -D_l_4_rz*s_6_y + D_l_6_rz*s_4_y;
+    const lane minor_46_25 = -D_l_4_ry*s_6_y + D_l_6_ry*s_4_y;
+    const lane minor_46_24 = -D_l_4_rx*s_6_y + D_l_6_rx*s_4_y;
+    const lane minor_46_23 = s_4_y*s_6_z - s_4_z*s_6_y;
+    const lane A_x_5 =
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23;
+    const lane minor_46_16 = -D_l_4_rz*s_6_x + D_l_6_rz*s_4_x;
+    const lane minor_46_15 = -D_l_4_ry*s_6_x + D_l_6_ry*s_4_x;
+    const lane minor_46_14 = -D_l_4_rx*s_6_x + D_l_6_rx*s_4_x;
+    const lane minor_46_13 = s_4_x*s_6_z - s_4_z*s_6_x;
+    const lane A_y_5 =
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13;
+    const lane minor_46_12 = s_4_x*s_6_y - s_4_y*s_6_x;
+    const lane A_z_5 =
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12;
+    const lane A_rx_5 =
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12;
+    const lane A_ry_5 =
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12;
+    const lane A_rz_5 =
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12;
+    const lane minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry;
+    const lane minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx;
+    const lane minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx;
+    const lane minor_45_36 = -D_l_4_rz*s_5_z + D_l_5_rz*s_4_z;
+    const lane minor_45_35 = -D_l_4_ry*s_5_z + D_l_5_ry*s_4_z;
+    const lane minor_45_34 = -D_l_4_rx*s_5_z + D_l_5_rx*s_4_z;
+    const lane minor_45_26 = -D_l_4_rz*s_5_y + D_l_5_rz*s_4_y;
+    const lane minor_45_25 = -D_l_4_ry*s_5_y + D_l_5_ry*s_4_y;
+    const lane minor_45_24 = -D_l_4_rx*s_5_y + D_l_5_rx*s_4_y;
+    const lane minor_45_23 = s_4_y*s_5_z - s_4_z*s_5_y;
+    const lane A_x_6 =
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23;
+    const lane minor_45_16 = -D_l_4_rz*s_5_x + D_l_5_rz*s_4_x;
+    const lane minor_45_15 = -D_l_4_ry*s_5_x + D_l_5_ry*s_4_x;
+    const lane minor_45_14 = -D_l_4_rx*s_5_x + D_l_5_rx*s_4_x;
+    const lane minor_45_13 = s_4_x*s_5_z - s_4_z*s_5_x;
+    const lane A_y_6 =
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13;
+    const lane minor_45_12 = s_4_x*s_5_y - s_4_y*s_5_x;
+    const lane A_z_6 =
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12;
+    const lane A_rx_6 =
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12;
+    const lane A_ry_6 =
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12;
+    const lane A_rz_6 =
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12;
+    const lane det_D_l =
+        A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane t12 = 1.0/det_D_l;
+    const lane t13 = D_r_1*t12;
+    const lane D_p_x_1 = A_x_1*t13;
+    const lane t14 = D_r_2*t12;
+    const lane D_p_x_2 = A_x_2*t14;
+    const lane t15 = D_r_3*t12;
+    const lane D_p_x_3 = A_x_3*t15;
+    const lane t16 = D_r_4*t12;
+    const lane D_p_x_4 = A_x_4*t16;
+    const lane t17 = D_r_5*t12;
+    const lane D_p_x_5 = A_x_5*t17;
+    const lane t18 = D_r_6*t12;
+    const lane D_p_x_6 = A_x_6*t18;
+    const lane D_p_y_1 = A_y_1*t13;
+    const lane D_p_y_2 = A_y_2*t14;
+    const lane D_p_y_3 = A_y_3*t15;
+    const lane D_p_y_4 = A_y_4*t16;
+    const lane D_p_y_5 = A_y_5*t17;
+    const lane D_p_y_6 = A_y_6*t18;
+    const lane D_p_z_1 = A_z_1*t13;
+    const lane D_p_z_2 = A_z_2*t14;
+    const lane D_p_z_3 = A_z_3*t15;
+    const lane D_p_z_4 = A_z_4*t16;
+    const lane D_p_z_5 = A_z_5*t17;
+    const lane D_p_z_6 = A_z_6*t18;
+    const lane D_p_rx_1 = A_rx_1*t13;
+    const lane D_p_rx_2 = A_rx_2*t14;
+    const lane D_p_rx_3 = A_rx_3*t15;
+    const lane D_p_rx_4 = A_rx_4*t16;
+    const lane D_p_rx_5 = A_rx_5*t17;
+    const lane D_p_rx_6 = A_rx_6*t18;
+    const lane D_p_ry_1 = A_ry_1*t13;
+    const lane D_p_ry_2 = A_ry_2*t14;
+    const lane D_p_ry_3 = A_ry_3*t15;
+    const lane D_p_ry_4 = A_ry_4*t16;
+    const lane D_p_ry_5 = A_ry_5*t17;
+    const lane D_p_ry_6 = A_ry_6*t18;
+    const lane D_p_rz_1 = A_rz_1*t13;
+    const lane D_p_rz_2 = A_rz_2*t14;
+    const lane D_p_rz_3 = A_rz_3*t15;
+    const lane D_p_rz_4 = A_rz_4*t16;
+    const lane D_p_rz_5 = A_rz_5*t17;
+    const lane D_p_rz_6 = A_rz_6*t18;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double t19 = k_sp_1*w_b_1;
+    const double k_1_1 = t19/l_f_1_1;
+    const double t20 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -t20 + x_1 - x_min_1;
+    const lane k_1_2 = t19/l_f_1_2;
+    const lane l_f_1_3 = -t20 - x_1 + x_max_1;
+    const lane k_1_3 = t19/l_f_1_3;
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double t21 = k_sp_2*w_b_2;
+    const double k_2_1 = t21/l_f_2_1;
+    const double t22 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -t22 + x_2 - x_min_2;
+    const lane k_2_2 = t21/l_f_2_2;
+    const lane l_f_2_3 = -t22 - x_2 + x_max_2;
+    const lane k_2_3 = t21/l_f_2_3;
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double t23 = k_sp_3*w_b_3;
+    const double k_3_1 = t23/l_f_3_1;
+    const double t24 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -t24 + x_3 - x_min_3;
+    const lane k_3_2 = t23/l_f_3_2;
+    const lane l_f_3_3 = -t24 - x_3 + x_max_3;
+    const lane k_3_3 = t23/l_f_3_3;
+    const double l_f_4_1 = x_max_4 - x_min_4;
+    const double t25 = k_sp_4*w_b_4;
+    const double k_4_1 = t25/l_f_4_1;
+    const double t26 = (1.0/2.0)*l_t_4;
+    const lane l_f_4_2 = -t26 + x_4 - x_min_4;
+    const lane k_4_2 = t25/l_f_4_2;
+    const lane l_f_4_3 = -t26 - x_4 + x_max_4;
+    const lane k_4_3 = t25/l_f_4_3;
+    const double l_f_5_1 = x_max_5 - x_min_5;
+    const double t27 = k_sp_5*w_b_5;
+    const double k_5_1 = t27/l_f_5_1;
+    const double t28 = (1.0/2.0)*l_t_5;
+    const lane l_f_5_2 = -t28 + x_5 - x_min_5;
+    const lane k_5_2 = t27/l_f_5_2;
+    const lane l_f_5_3 = -t28 - x_5 + x_max_5;
+    const lane k_5_3 = t27/l_f_5_3;
+    const double l_f_6_1 = x_max_6 - x_min_6;
+    const double t29 = k_sp_6*w_b_6;
+    const double k_6_1 = t29/l_f_6_1;
+    const double t30 = (1.0/2.0)*l_t_6;
+    const lane l_f_6_2 = -t30 + x_6 - x_min_6;
+    const lane k_6_2 = t29/l_f_6_2;
+    const lane l_f_6_3 = -t30 - x_6 + x_max_6;
+    const lane k_6_3 = t29/l_f_6_3;
+    const double t31 = (1.0/2.0)*m_d_1;
+    const double t32 = (1.0/2.0)*m_d_2;
+    const double t33 = (1.0/2.0)*m_d_3;
+    const double t34 = (1.0/2.0)*m_d_4;
+    const double t35 = (1.0/2.0)*m_d_5;
+    const double t36 = (1.0/2.0)*m_d_6;
+    const double t37 = m_p + t31 + t32 + t33 + t34 + t35 + t36;
+    const double G_p_x = -g_x*t37;
+    const double G_p_y = -g_y*t37;
+    const double G_p_z = -g_z*t37;
+    const double t38 = g_z*m_p;
+    const double t39 = g_z*t31;
+    const double t40 = g_z*t32;
+    const double t41 = g_z*t33;
+    const double t42 = g_z*t34;
+    const double t43 = g_z*t35;
+    const double t44 = g_z*t36;
+    const lane G_p_rx =
+        -B_1_y*t39 + (1.0/2.0)*B_1_z*g_y*m_d_1 - B_2_y*t40 + (1.0/2.0)*B_2_z*g_y*m_d_2 - B_3_y*t41
+        + (1.0/2.0)*B_3_z*g_y*m_d_3 - B_4_y*t42 + (1.0/2.0)*B_4_z*g_y*m_d_4 - B_5_y*t43
+        + (1.0/2.0)*B_5_z*g_y*m_d_5 - B_6_y*t44 + (1.0/2.0)*B_6_z*g_y*m_d_6 - c_y*t38 + c_z*g_y*m_p;
+    const lane G_p_ry =
+        B_1_x*t39 - B_1_z*g_x*t31 + B_2_x*t40 - B_2_z*g_x*t32 + B_3_x*t41 - B_3_z*g_x*t33 + B_4_x*t42
+        - B_4_z*g_x*t34 + B_5_x*t43 - B_5_z*g_x*t35 + B_6_x*t44 - B_6_z*g_x*t36 + c_x*t38 - c_z*g_x*m_p;
+    const lane G_p_rz =
+        -B_1_x*g_y*t31 + (1.0/2.0)*B_1_y*g_x*m_d_1 - B_2_x*g_y*t32 + (1.0/2.0)*B_2_y*g_x*m_d_2
+        - B_3_x*g_y*t33 + (1.0/2.0)*B_3_y*g_x*m_d_3 - B_4_x*g_y*t34 + (1.0/2.0)*B_4_y*g_x*m_d_4
+        - B_5_x*g_y*t35 + (1.0/2.0)*B_5_y*g_x*m_d_5 - B_6_x*g_y*t36 + (1.0/2.0)*B_6_y*g_x*m_d_6 - c_x*g_y*m_p
+        + c_y*g_x*m_p;
+    const lane G_1 =
+        D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
+        - g_x*(m_t_1*n_1_x + n_1_x*t31) - g_y*(m_t_1*n_1_y + n_1_y*t31) - g_z*(m_t_1*n_1_z + n_1_z*t31);
+    const lane G_2 =
+        D_p_rx_2*G_p_rx + D_p_ry_2*G_p_ry + D_p_rz_2*G_p_rz + D_p_x_2*G_p_x + D_p_y_2*G_p_y + D_p_z_2*G_p_z
+        - g_x*(m_t_2*n_2_x + n_2_x*t32) - g_y*(m_t_2*n_2_y + n_2_y*t32) - g_z*(m_t_2*n_2_z + n_2_z*t32);
+    const lane G_3 =
+        D_p_rx_3*G_p_rx + D_p_ry_3*G_p_ry + D_p_rz_3*G_p_rz + D_p_x_3*G_p_x + D_p_y_3*G_p_y + D_p_z_3*G_p_z
+        - g_x*(m_t_3*n_3_x + n_3_x*t33) - g_y*(m_t_3*n_3_y + n_3_y*t33) - g_z*(m_t_3*n_3_z + n_3_z*t33);
+    const lane G_4 =
+        D_p_rx_4*G_p_rx + D_p_ry_4*G_p_ry + D_p_rz_4*G_p_rz + D_p_x_4*G_p_x + D_p_y_4*G_p_y + D_p_z_4*G_p_z
+        - g_x*(m_t_4*n_4_x + n_4_x*t34) - g_y*(m_t_4*n_4_y + n_4_y*t34) - g_z*(m_t_4*n_4_z + n_4_z*t34);
+    const lane G_5 =
+        D_p_rx_5*G_p_rx + D_p_ry_5*G_p_ry + D_p_rz_5*G_p_rz + D_p_x_5*G_p_x + D_p_y_5*G_p_y + D_p_z_5*G_p_z
+        - g_x*(m_t_5*n_5_x + n_5_x*t35) - g_y*(m_t_5*n_5_y + n_5_y*t35) - g_z*(m_t_5*n_5_z + n_5_z*t35);
+    const lane G_6 =
+        D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
+        - g_x*(m_t_6*n_6_x + n_6_x*t36) - g_y*(m_t_6*n_6_y + n_6_y*t36) - g_z*(m_t_6*n_6_z + n_6_z*t36);
+    const double t45 = (R_p_1*R_p_1);
+    const double t46 = k_1_1*t45;
+    const lane t47 = k_1_3*t45;
+    const lane t48 = t46 + t47;
+    const lane t49 = -d_1_1*t46 + d_1_2*t48;
+    const lane t50 = R_p_1*k_1_2;
+    const lane t51 = k_1_2*t45;
+    const lane t52 = t46 + t51;
+    const lane t53 = d_1_1*t52 - d_1_2*t46;
+    const lane t54 = R_p_1*k_1_3;
+    const lane det_1 = t49*t50 - t53*t54;
+    const lane t55 = G_1/det_1;
+    const lane theta_1_1_st = -t53*t55;
+    const lane theta_1_2_st = t49*t55;
+    const double t56 = (R_p_2*R_p_2);
+    const double t57 = k_2_1*t56;
+    const lane t58 = k_2_3*t56;
+    const lane t59 = t57 + t58;
+    const lane t60 = -d_2_1*t57 + d_2_2*t59;
+    const lane t61 = R_p_2*k_2_2;
+    const lane t62 = k_2_2*t56;
+    const lane t63 = t57 + t62;
+    const lane t64 = d_2_1*t63 - d_2_2*t57;
+    const lane t65 = R_p_2*k_2_3;
+    const lane det_2 = t60*t61 - t64*t65;
+    const lane t66 = G_2/det_2;
+    const lane theta_2_1_st = -t64*t66;
+    const lane theta_2_2_st = t60*t66;
+    const double t67 = (R_p_3*R_p_3);
+    const double t68 = k_3_1*t67;
+    const lane t69 = k_3_3*t67;
+    const lane t70 = t68 + t69;
+    const lane t71 = -d_3_1*t68 + d_3_2*t70;
+    const lane t72 = R_p_3*k_3_2;
+    const lane t73 = k_3_2*t67;
+    const lane t74 = t68 + t73;
+    const lane t75 = d_3_1*t74 - d_3_2*t68;
+    const lane t76 = R_p_3*k_3_3;
+    const lane det_3 = t71*t72 - t75*t76;
+    const lane t77 = G_3/det_3;
+    const lane theta_3_1_st = -t75*t77;
+    const lane theta_3_2_st = t71*t77;
+    const lane t78 = R_p_4*k_4_2;
+    const double t79 = (R_p_4*R_p_4);
+    const lane t80 = k_4_2*t79;
+    const double t81 = k_4_1*t79;
+    const lane t82 = t80 + t81;
+    const lane t83 = d_4_1*t82 - d_4_2*t81;
+    const lane t84 = R_p_4*k_4_3;
+    const lane t85 = k_4_3*t79;
+    const lane t86 = t81 + t85;
+    const lane t87 = -d_4_1*t81 + d_4_2*t86;
+    const lane det_4 = t78*t87 - t83*t84;
+    const lane t88 = G_4/det_4;
+    const lane theta_4_1_st = -t83*t88;
+    const lane theta_4_2_st = t87*t88;
+    const double t89 = (R_p_5*R_p_5);
+    const double t90 = k_5_1*t89;
+    const lane t91 = k_5_3*t89;
+    const lane t92 = t90 + t91;
+    const lane t93 = -d_5_1*t90 + d_5_2*t92;
+    const lane t94 = R_p_5*k_5_2;
+    const lane t95 = k_5_2*t89;
+    const lane t96 = t90 + t95;
+    const lane t97 = d_5_1*t96 - d_5_2*t90;
+    const lane t98 = R_p_5*k_5_3;
+    const lane det_5 = t93*t94 - t97*t98;
+    const lane t99 = G_5/det_5;
+    const lane theta_5_1_st = -t97*t99;
+    const lane theta_5_2_st = t93*t99;
+    const double t100 = (R_p_6*R_p_6);
+    const double t101 = k_6_1*t100;
+    const lane t102 = k_6_3*t100;
+    const lane t103 = t101 + t102;
+    const lane t104 = -d_6_1*t101 + d_6_2*t103;
+    const lane t105 = R_p_6*k_6_2;
+    const lane t106 = k_6_2*t100;
+    const lane t107 = t101 + t106;
+    const lane t108 = d_6_1*t107 - d_6_2*t101;
+    const lane t109 = R_p_6*k_6_3;
+    const lane det_6 = t104*t105 - t108*t109;
+    const lane t110 = G_6/det_6;
+    const lane theta_6_1_st = -t108*t110;
+    const lane theta_6_2_st = t104*t110;
+    const lane t111 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const lane tau_st_1 = d_1_1*(-t111 + t47*theta_1_1_st) + d_1_2*(t111 + t51*theta_1_2_st);
+    const lane t112 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const lane tau_st_2 = d_2_1*(-t112 + t58*theta_2_1_st) + d_2_2*(t112 + t62*theta_2_2_st);
+    const lane t113 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
+    const lane tau_st_3 = d_3_1*(-t113 + t69*theta_3_1_st) + d_3_2*(t113 + t73*theta_3_2_st);
+    const lane t114 = R_p_4*k_4_1*(-R_p_4*theta_4_1_st + R_p_4*theta_4_2_st);
+    const lane tau_st_4 = d_4_1*(-t114 + t85*theta_4_1_st) + d_4_2*(t114 + t80*theta_4_2_st);
+    const lane t115 = R_p_5*k_5_1*(-R_p_5*theta_5_1_st + R_p_5*theta_5_2_st);
+    const lane tau_st_5 = d_5_1*(-t115 + t91*theta_5_1_st) + d_5_2*(t115 + t95*theta_5_2_st);
+    const lane t116 = R_p_6*k_6_1*(-R_p_6*theta_6_1_st + R_p_6*theta_6_2_st);
+    const lane tau_st_6 = d_6_1*(t102*theta_6_1_st - t116) + d_6_2*(t106*theta_6_2_st + t116);
+    D_p[0] = LANES(D_p_x_1);
+    D_p[1] = LANES(D_p_x_2);
+    D_p[2] = LANES(D_p_x_3);
+    D_p[3] = LANES(D_p_x_4);
+    D_p[4] = LANES(D_p_x_5);
+    D_p[5] = LANES(D_p_x_6);
+    D_p[6] = LANES(D_p_y_1);
+    D_p[7] = LANES(D_p_y_2);
+    D_p[8] = LANES(D_p_y_3);
+    D_p[9] = LANES(D_p_y_4);
+    D_p[10] = LANES(D_p_y_5);
+    D_p[11] = LANES(D_p_y_6);
+    D_p[12] = LANES(D_p_z_1);
+    D_p[13] = LANES(D_p_z_2);
+    D_p[14] = LANES(D_p_z_3);
+    D_p[15] = LANES(D_p_z_4);
+    D_p[16] = LANES(D_p_z_5);
+    D_p[17] = LANES(D_p_z_6);
+    D_p[18] = LANES(D_p_rx_1);
+    D_p[19] = LANES(D_p_rx_2);
+    D_p[20] = LANES(D_p_rx_3);
+    D_p[21] = LANES(D_p_rx_4);
+    D_p[22] = LANES(D_p_rx_5);
+    D_p[23] = LANES(D_p_rx_6);
+    D_p[24] = LANES(D_p_ry_1);
+    D_p[25] = LANES(D_p_ry_2);
+    D_p[26] = LANES(D_p_ry_3);
+    D_p[27] = LANES(D_p_ry_4);
+    D_p[28] = LANES(D_p_ry_5);
+    D_p[29] = LANES(D_p_ry_6);
+    D_p[30] = LANES(D_p_rz_1);
+    D_p[31] = LANES(D_p_rz_2);
+    D_p[32] = LANES(D_p_rz_3);
+    D_p[33] = LANES(D_p_rz_4);
+    D_p[34] = LANES(D_p_rz_5);
+    D_p[35] = LANES(D_p_rz_6);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    tau_st[2] = LANES(tau_st_3);
+    tau_st[3] = LANES(tau_st_4);
+    tau_st[4] = LANES(tau_st_5);
+    tau_st[5] = LANES(tau_st_6);
+    theta_st[0] = LANES(theta_1_1_st);
+    theta_st[1] = LANES(theta_2_1_st);
+    theta_st[2] = LANES(theta_3_1_st);
+    theta_st[3] = LANES(theta_4_1_st);
+    theta_st[4] = LANES(theta_5_1_st);
+    theta_st[5] = LANES(theta_6_1_st);
+    theta_st[6] = LANES(theta_1_2_st);
+    theta_st[7] = LANES(theta_2_2_st);
+    theta_st[8] = LANES(theta_3_2_st);
+    theta_st[9] = LANES(theta_4_2_st);
+    theta_st[10] = LANES(theta_5_2_st);
+    theta_st[11] = LANES(theta_6_2_st);
+    lanes_clear(H_el, 324);
+    H_el[0] = LANES(k_1_2 + k_1_3);
+    H_el[6] = H_el[108] = LANES(-t54);
+    H_el[12] = H_el[216] = LANES(-t50);
+    H_el[19] = LANES(k_2_2 + k_2_3);
+    H_el[25] = H_el[127] = LANES(-t65);
+    H_el[31] = H_el[235] = LANES(-t61);
+    H_el[38] = LANES(k_3_2 + k_3_3);
+    H_el[44] = H_el[146] = LANES(-t76);
+    H_el[50] = H_el[254] = LANES(-t72);
+    H_el[57] = LANES(k_4_2 + k_4_3);
+    H_el[63] = H_el[165] = LANES(-t84);
+    H_el[69] = H_el[273] = LANES(-t78);
+    H_el[76] = LANES(k_5_2 + k_5_3);
+    H_el[82] = H_el[184] = LANES(-t98);
+    H_el[88] = H_el[292] = LANES(-t94);
+    H_el[95] = LANES(k_6_2 + k_6_3);
+    H_el[101] = H_el[203] = LANES(-t109);
+    H_el[107] = H_el[311] = LANES(-t105);
+    H_el[114] = LANES(t48);
+    H_el[120] = H_el[222] = LANES(-t46);
+    H_el[133] = LANES(t59);
+    H_el[139] = H_el[241] = LANES(-t57);
+    H_el[152] = LANES(t70);
+    H_el[158] = H_el[260] = LANES(-t68);
+    H_el[171] = LANES(t86);
+    H_el[177] = H_el[279] = LANES(-t81);
+    H_el[190] = LANES(t92);
+    H_el[196] = H_el[298] = LANES(-t90);
+    H_el[209] = LANES(t103);
+    H_el[215] = H_el[317] = LANES(-t101);
+    H_el[228] = LANES(t52);
+    H_el[247] = LANES(t63);
+    H_el[266] = LANES(t74);
+    H_el[285] = LANES(t82);
+    H_el[304] = LANES(t96);
+    H_el[323] = LANES(t107);
+}
+
+/* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
+ *
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 2287 operations; 1458991566 with every named value expanded.
+ */
+static inline void lanes_extended_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict tau_st, lane *restrict theta_st)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const lane rot_x = pose[3];
+    const lane rot_y = pose[4];
+    const lane rot_z = pose[5];
+    const double m_p = parameters[0];
+    const double c_p_x = parameters[1];
+    const double c_p_y = parameters[2];
+    const double c_p_z = parameters[3];
+    const double g_x = parameters[10];
+    const double g_y = parameters[11];
+    const double g_z = parameters[12];
+    const double o_1_x = parameters[13];
+    const double o_1_y = parameters[14];
+    const double o_1_z = parameters[15];
+    const double o_2_x = parameters[16];
+    const double o_2_y = parameters[17];
+    const double o_2_z = parameters[18];
+    const double o_3_x = parameters[19];
+    const double o_3_y = parameters[20];
+    const double o_3_z = parameters[21];
+    const double o_4_x = parameters[22];
+    const double o_4_y = parameters[23];
+    const double o_4_z = parameters[24];
+    const double o_5_x = parameters[25];
+    const double o_5_y = parameters[26];
+    const double o_5_z = parameters[27];
+    const double o_6_x = parameters[28];
+    const double o_6_y = parameters[29];
+    const double o_6_z = parameters[30];
+    const double n_1_x = parameters[31];
+    const double n_1_y = parameters[32];
+    const double n_1_z = parameters[33];
+    const double n_2_x = parameters[34];
+    const double n_2_y = parameters[35];
+    const double n_2_z = parameters[36];
+    const double n_3_x = parameters[37];
+    const double n_3_y = parameters[38];
+    const double n_3_z = parameters[39];
+    const double n_4_x = parameters[40];
+    const double n_4_y = parameters[41];
+    const double n_4_z = parameters[42];
+    const double n_5_x = parameters[43];
+    const double n_5_y = parameters[44];
+    const double n_5_z = parameters[45];
+    const double n_6_x = parameters[46];
+    const double n_6_y = parameters[47];
+    const double n_6_z = parameters[48];
+    const double b_1_x = parameters[49];
+    const double b_1_y = parameters[50];
+    const double b_1_z = parameters[51];
+    const double b_2_x = parameters[52];
+    const double b_2_y = parameters[53];
+    const double b_2_z = parameters[54];
+    const double b_3_x = parameters[55];
+    const double b_3_y = parameters[56];
+    const double b_3_z = parameters[57];
+    const double b_4_x = parameters[58];
+    const double b_4_y = parameters[59];
+    const double b_4_z = parameters[60];
+    const double b_5_x = parameters[61];
+    const double b_5_y = parameters[62];
+    const double b_5_z = parameters[63];
+    const double b_6_x = parameters[64];
+    const double b_6_y = parameters[65];
+    const double b_6_z = parameters[66];
+    const double l_d_1 = parameters[67];
+    const double l_d_2 = parameters[68];
+    const double l_d_3 = parameters[69];
+    const double l_d_4 = parameters[70];
+    const double l_d_5 = parameters[71];
+    const double l_d_6 = parameters[72];
+    const double m_d_1 = parameters[73];
+    const double m_d_2 = parameters[74];
+    const double m_d_3 = parameters[75];
+    const double m_d_4 = parameters[76];
+    const double m_d_5 = parameters[77];
+    const double m_d_6 = parameters[78];
+    const double m_t_1 = parameters[79];
+    const double m_t_2 = parameters[80];
+    const double m_t_3 = parameters[81];
+    const double m_t_4 = parameters[82];
+    const double m_t_5 = parameters[83];
+    const double m_t_6 = parameters[84];
+    const double l_t_1 = parameters[85];
+    const double l_t_2 = parameters[86];
+    const double l_t_3 = parameters[87];
+    const double l_t_4 = parameters[88];
+    const double l_t_5 = parameters[89];
+    const double l_t_6 = parameters[90];
+    const double k_sp_1 = parameters[91];
+    const double k_sp_2 = parameters[92];
+    const double k_sp_3 = parameters[93];
+    const double k_sp_4 = parameters[94];
+    const double k_sp_5 = parameters[95];
+    const double k_sp_6 = parameters[96];
+    const double w_b_1 = parameters[97];
+    const double w_b_2 = parameters[98];
+    const double w_b_3 = parameters[99];
+    const double w_b_4 = parameters[100];
+    const double w_b_5 = parameters[101];
+    const double w_b_6 = parameters[102];
+    const double R_p_1 = parameters[103];
+    const double R_p_2 = parameters[104];
+    const double R_p_3 = parameters[105];
+    const double R_p_4 = parameters[106];
+    const double R_p_5 = parameters[107];
+    const double R_p_6 = parameters[108];
+    const double d_1_1 = parameters[127];
+    const double d_1_2 = parameters[128];
+    const double d_2_1 = parameters[129];
+    const double d_2_2 = parameters[130];
+    const double d_3_1 = parameters[131];
+    const double d_3_2 = parameters[132];
+    const double d_4_1 = parameters[133];
+    const double d_4_2 = parameters[134];
+    const double d_5_1 = parameters[135];
+    const double d_5_2 = parameters[136];
+    const double d_6_1 = parameters[137];
+    const double d_6_2 = parameters[138];
+    const double x_min_1 = parameters[139];
+    const double x_max_1 = parameters[140];
+    const double x_min_2 = parameters[141];
+    const double x_max_2 = parameters[142];
+    const double x_min_3 = parameters[143];
+    const double x_max_3 = parameters[144];
+    const double x_min_4 = parameters[145];
+    const double x_max_4 = parameters[146];
+    const double x_min_5 = parameters[147];
+    const double x_max_5 = parameters[148];
+    const double x_min_6 = parameters[149];
+    const double x_max_6 = parameters[150];
+    const double sigma_1 = parameters[151];
+    const double sigma_2 = parameters[152];
+    const double sigma_3 = parameters[153];
+    const double sigma_4 = parameters[154];
+    const double sigma_5 = parameters[155];
+    const double sigma_6 = parameters[156];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double a_B_3 = effects[2];
+    const double a_B_4 = effects[3];
+    const double a_B_5 = effects[4];
+    const double a_B_6 = effects[5];
+    const double c_E = effects[6];
+    const double c_T = effects[9];
+    const double F_T = effects[10];
+    const double m_L = effects[14];
+    const double b_L_x = effects[15];
+    const double b_L_y = effects[16];
+    const double b_L_z = effects[17];
+    const lane t1 = (rot_x*rot_x);
+    const lane t2 = (rot_y*rot_y);
+    const lane t3 = (rot_z*rot_z);
+    const lane t4 = t2 + t3;
+    const lane half_angle = (1.0/2.0)*lanes_sqrt(t1 + t4 + 1e-30);
+    const lane s_half = lanes_sin(half_angle)/half_angle;
+    const lane t5 = (s_half*s_half);
+    const lane t6 = (1.0/2.0)*t5;
+    const lane R_x_x = -t4*t6 + 1.0;
+    const lane c_half = lanes_cos(half_angle);
+    const lane t7 = c_half*s_half;
+    const lane t8 = rot_z*t7;
+    const lane R_x_y = (1.0/2.0)*rot_x*rot_y*t5 - t8;
+    const lane t9 = rot_y*t7;
+    const lane t10 = rot_x*t6;
+    const lane R_x_z = rot_z*t10 + t9;
+    const lane B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z;
+    const lane r_1_x = B_1_x - o_1_x + p_x;
+    const lane R_y_x = rot_y*t10 + t8;
+    const lane R_y_y = t6*(-t1 - t3) + 1.0;
+    const lane t11 = rot_x*t7;
+    const lane R_y_z = (1.0/2.0)*rot_y*rot_z*t5 - t11;
+    const lane B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z;
+    const lane r_1_y = B_1_y - o_1_y + p_y;
+    const lane R_z_x = (1.0/2.0)*rot_x*rot_z*t5 - t9;
+    const lane R_z_y = rot_y*rot_z*t6 + t11;
+    const lane R_z_z = t6*(-t1 - t2) + 1.0;
+    const lane B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z;
+    const lane r_1_z = B_1_z - o_1_z + p_z;
+    const lane B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z;
+    const lane r_2_x = B_2_x - o_2_x + p_x;
+    const lane B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z;
+    const lane r_2_y = B_2_y - o_2_y + p_y;
+    const lane B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z;
+    const lane r_2_z = B_2_z - o_2_z + p_z;
+    const lane B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z;
+    const lane r_3_x = B_3_x - o_3_x + p_x;
+    const lane B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z;
+    const lane r_3_y = B_3_y - o_3_y + p_y;
+    const lane B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z;
+    const lane r_3_z = B_3_z - o_3_z + p_z;
+    const lane B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z;
+    const lane r_4_x = B_4_x - o_4_x + p_x;
+    const lane B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z;
+    const lane r_4_y = B_4_y - o_4_y + p_y;
+    const lane B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z;
+    const lane r_4_z = B_4_z - o_4_z + p_z;
+    const lane B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z;
+    const lane r_5_x = B_5_x - o_5_x + p_x;
+    const lane B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z;
+    const lane r_5_y = B_5_y - o_5_y + p_y;
+    const lane B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z;
+    const lane r_5_z = B_5_z - o_5_z + p_z;
+    const lane B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z;
+    const lane r_6_x = B_6_x - o_6_x + p_x;
+    const lane B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z;
+    const lane r_6_y = B_6_y - o_6_y + p_y;
+    const lane B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z;
+    const lane r_6_z = B_6_z - o_6_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane x_1 = a_1 + sigma_1*lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane x_2 = a_2 + sigma_2*lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane x_3 = a_3 + sigma_3*lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane a_4 = n_4_x*r_4_x + n_4_y*r_4_y + n_4_z*r_4_z;
+    const lane w_4_x = -a_4*n_4_x + r_4_x;
+    const lane w_4_y = -a_4*n_4_y + r_4_y;
+    const lane w_4_z = -a_4*n_4_z + r_4_z;
+    const lane w2_4 = (w_4_x*w_4_x) + (w_4_y*w_4_y) + (w_4_z*w_4_z);
+    const lane x_4 = a_4 + sigma_4*lanes_sqrt((l_d_4*l_d_4) - w2_4);
+    const lane a_5 = n_5_x*r_5_x + n_5_y*r_5_y + n_5_z*r_5_z;
+    const lane w_5_x = -a_5*n_5_x + r_5_x;
+    const lane w_5_y = -a_5*n_5_y + r_5_y;
+    const lane w_5_z = -a_5*n_5_z + r_5_z;
+    const lane w2_5 = (w_5_x*w_5_x) + (w_5_y*w_5_y) + (w_5_z*w_5_z);
+    const lane x_5 = a_5 + sigma_5*lanes_sqrt((l_d_5*l_d_5) - w2_5);
+    const lane a_6 = n_6_x*r_6_x + n_6_y*r_6_y + n_6_z*r_6_z;
+    const lane w_6_x = -a_6*n_6_x + r_6_x;
+    const lane w_6_y = -a_6*n_6_y + r_6_y;
+    const lane w_6_z = -a_6*n_6_z + r_6_z;
+    const lane w2_6 = (w_6_x*w_6_x) + (w_6_y*w_6_y) + (w_6_z*w_6_z);
+    const lane x_6 = a_6 + sigma_6*lanes_sqrt((l_d_6*l_d_6) - w2_6);
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane s_4_x = -n_4_x*x_4 + r_4_x;
+    const lane s_4_y = -n_4_y*x_4 + r_4_y;
+    const lane s_4_z = -n_4_z*x_4 + r_4_z;
+    const lane s_5_x = -n_5_x*x_5 + r_5_x;
+    const lane s_5_y = -n_5_y*x_5 + r_5_y;
+    const lane s_5_z = -n_5_z*x_5 + r_5_z;
+    const lane s_6_x = -n_6_x*x_6 + r_6_x;
+    const lane s_6_y = -n_6_y*x_6 + r_6_y;
+    const lane s_6_z = -n_6_z*x_6 + r_6_z;
+    const lane c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z;
+    const lane c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z;
+    const lane c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z;
+    const lane o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z;
+    const lane o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z;
+    const lane o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z;
+    const lane D_l_1_rx = B_1_y*s_1_z - B_1_z*s_1_y;
+    const lane D_l_1_ry = -B_1_x*s_1_z + B_1_z*s_1_x;
+    const lane D_l_1_rz = B_1_x*s_1_y - B_1_y*s_1_x;
+    const lane D_l_2_rx = B_2_y*s_2_z - B_2_z*s_2_y;
+    const lane D_l_2_ry = -B_2_x*s_2_z + B_2_z*s_2_x;
+    const lane D_l_2_rz = B_2_x*s_2_y - B_2_y*s_2_x;
+    const lane D_l_3_rx = B_3_y*s_3_z - B_3_z*s_3_y;
+    const lane D_l_3_ry = -B_3_x*s_3_z + B_3_z*s_3_x;
+    const lane D_l_3_rz = B_3_x*s_3_y - B_3_y*s_3_x;
+    const lane D_l_4_rx = B_4_y*s_4_z - B_4_z*s_4_y;
+    const lane D_l_4_ry = -B_4_x*s_4_z + B_4_z*s_4_x;
+    const lane D_l_4_rz = B_4_x*s_4_y - B_4_y*s_4_x;
+    const lane D_l_5_rx = B_5_y*s_5_z - B_5_z*s_5_y;
+    const lane D_l_5_ry = -B_5_x*s_5_z + B_5_z*s_5_x;
+    const lane D_l_5_rz = B_5_x*s_5_y - B_5_y*s_5_x;
+    const lane D_l_6_rx = B_6_y*s_6_z - B_6_z*s_6_y;
+    const lane D_l_6_ry = -B_6_x*s_6_z + B_6_z*s_6_x;
+    const lane D_l_6_rz = B_6_x*s_6_y - B_6_y*s_6_x;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane D_r_4 = n_4_x*s_4_x + n_4_y*s_4_y + n_4_z*s_4_z;
+    const lane D_r_5 = n_5_x*s_5_x + n_5_y*s_5_y + n_5_z*s_5_z;
+    const lane D_r_6 = n_6_x*s_6_x + n_6_y*s_6_y + n_6_z*s_6_z;
+    const lane minor_23_23 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry;
+    const lane minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx;
+    const lane minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx;
+    const lane minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45;
+    const lane minor_23_24 = -D_l_2_rx*s_3_y + D_l_3_rx*s_2_y;
+    const lane minor_56_36 = -D_l_5_rz*s_6_z + D_l_6_rz*s_5_z;
+    const lane minor_56_35 = -D_l_5_ry*s_6_z + D_l_6_ry*s_5_z;
+    const lane minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + minor_56_56*s_4_z;
+    const lane minor_23_25 = -D_l_2_ry*s_3_y + D_l_3_ry*s_2_y;
+    const lane minor_56_34 = -D_l_5_rx*s_6_z + D_l_6_rx*s_5_z;
+    const lane minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + minor_56_46*s_4_z;
+    const lane minor_23_26 = -D_l_2_rz*s_3_y + D_l_3_rz*s_2_y;
+    const lane minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + minor_56_45*s_4_z;
+    const lane minor_23_34 = -D_l_2_rx*s_3_z + D_l_3_rx*s_2_z;
+    const lane minor_56_26 = -D_l_5_rz*s_6_y + D_l_6_rz*s_5_y;
+    const lane minor_56_25 = -D_l_5_ry*s_6_y + D_l_6_ry*s_5_y;
+    const lane minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + minor_56_56*s_4_y;
+    const lane minor_23_35 = -D_l_2_ry*s_3_z + D_l_3_ry*s_2_z;
+    const lane minor_56_24 = -D_l_5_rx*s_6_y + D_l_6_rx*s_5_y;
+    const lane minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + minor_56_46*s_4_y;
+    const lane minor_23_36 = -D_l_2_rz*s_3_z + D_l_3_rz*s_2_z;
+    const lane minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + minor_56_45*s_4_y;
+    const lane minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx;
+    const lane minor_56_23 = s_5_y*s_6_z - s_5_z*s_6_y;
+    const lane minor_456_236 = D_l_4_rz*minor_56_23 - minor_56_26*s_4_z + minor_56_36*s_4_y;
+    const lane minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx;
+    const lane minor_456_235 = D_l_4_ry*minor_56_23 - minor_56_25*s_4_z + minor_56_35*s_4_y;
+    const lane minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry;
+    const lane minor_456_234 = D_l_4_rx*minor_56_23 - minor_56_24*s_4_z + minor_56_34*s_4_y;
+    const lane A_x_1 =
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234;
+    const lane minor_23_13 = s_2_x*s_3_z - s_2_z*s_3_x;
+    const lane minor_23_14 = -D_l_2_rx*s_3_x + D_l_3_rx*s_2_x;
+    const lane minor_23_15 = -D_l_2_ry*s_3_x + D_l_3_ry*s_2_x;
+    const lane minor_23_16 = -D_l_2_rz*s_3_x + D_l_3_rz*s_2_x;
+    const lane minor_56_16 = -D_l_5_rz*s_6_x + D_l_6_rz*s_5_x;
+    const lane minor_56_15 = -D_l_5_ry*s_6_x + D_l_6_ry*s_5_x;
+    const lane minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + minor_56_56*s_4_x;
+    const lane minor_56_14 = -D_l_5_rx*s_6_x + D_l_6_rx*s_5_x;
+    const lane minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + minor_56_46*s_4_x;
+    const lane minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + minor_56_45*s_4_x;
+    const lane minor_56_13 = s_5_x*s_6_z - s_5_z*s_6_x;
+    const lane minor_456_136 = D_l_4_rz*minor_56_13 - minor_56_16*s_4_z + minor_56_36*s_4_x;
+    const lane minor_456_135 = D_l_4_ry*minor_56_13 - minor_56_15*s_4_z + minor_56_35*s_4_x;
+    const lane minor_456_134 = D_l_4_rx*minor_56_13 - minor_56_14*s_4_z + minor_56_34*s_4_x;
+    const lane A_y_1 =
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134;
+    const lane minor_23_12 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane minor_56_12 = s_5_x*s_6_y - s_5_y*s_6_x;
+    const lane minor_456_126 = D_l_4_rz*minor_56_12 - minor_56_16*s_4_y + minor_56_26*s_4_x;
+    const lane minor_456_125 = D_l_4_ry*minor_56_12 - minor_56_15*s_4_y + minor_56_25*s_4_x;
+    const lane minor_456_124 = D_l_4_rx*minor_56_12 - minor_56_14*s_4_y + minor_56_24*s_4_x;
+    const lane A_z_1 =
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124;
+    const lane minor_456_123 = minor_56_12*s_4_z - minor_56_13*s_4_y + minor_56_23*s_4_x;
+    const lane A_rx_1 =
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123;
+    const lane A_ry_1 =
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123;
+    const lane A_rz_1 =
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123;
+    const lane minor_13_23 = s_1_y*s_3_z - s_1_z*s_3_y;
+    const lane minor_13_24 = -D_l_1_rx*s_3_y + D_l_3_rx*s_1_y;
+    const lane minor_13_25 = -D_l_1_ry*s_3_y + D_l_3_ry*s_1_y;
+    const lane minor_13_26 = -D_l_1_rz*s_3_y + D_l_3_rz*s_1_y;
+    const lane minor_13_34 = -D_l_1_rx*s_3_z + D_l_3_rx*s_1_z;
+    const lane minor_13_35 = -D_l_1_ry*s_3_z + D_l_3_ry*s_1_z;
+    const lane minor_13_36 = -D_l_1_rz*s_3_z + D_l_3_rz*s_1_z;
+    const lane minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx;
+    const lane minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx;
+    const lane minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry;
+    const lane A_x_2 =
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234;
+    const lane minor_13_13 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane minor_13_14 = -D_l_1_rx*s_3_x + D_l_3_rx*s_1_x;
+    const lane minor_13_15 = -D_l_1_ry*s_3_x + D_l_3_ry*s_1_x;
+    const lane minor_13_16 = -D_l_1_rz*s_3_x + D_l_3_rz*s_1_x;
+    const lane A_y_2 =
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134;
+    const lane minor_13_12 = s_1_x*s_3_y - s_1_y*s_3_x;
+    const lane A_z_2 =
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124;
+    const lane A_rx_2 =
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123;
+    const lane A_ry_2 =
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123;
+    const lane A_rz_2 =
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123;
+    const lane minor_12_23 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane minor_12_24 = -D_l_1_rx*s_2_y + D_l_2_rx*s_1_y;
+    const lane minor_12_25 = -D_l_1_ry*s_2_y + D_l_2_ry*s_1_y;
+    const lane minor_12_26 = -D_l_1_rz*s_2_y + D_l_2_rz*s_1_y;
+    const lane minor_12_34 = -D_l_1_rx*s_2_z + D_l_2_rx*s_1_z;
+    const lane minor_12_35 = -D_l_1_ry*s_2_z + D_l_2_ry*s_1_z;
+    const lane minor_12_36 = -D_l_1_rz*s_2_z + D_l_2_rz*s_1_z;
+    const lane minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx;
+    const lane minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx;
+    const lane minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry;
+    const lane A_x_3 =
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234;
+    const lane minor_12_13 = s_1_x*s_2_z - s_1_z*s_2_x;
+    const lane minor_12_14 = -D_l_1_rx*s_2_x + D_l_2_rx*s_1_x;
+    const lane minor_12_15 = -D_l_1_ry*s_2_x + D_l_2_ry*s_1_x;
+    const lane minor_12_16 = -D_l_1_rz*s_2_x + D_l_2_rz*s_1_x;
+    const lane A_y_3 =
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134;
+    const lane minor_12_12 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane A_z_3 =
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124;
+    const lane A_rx_3 =
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123;
+    const lane A_ry_3 =
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123;
+    const lane A_rz_3 =
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123;
+    const lane minor_123_234 = D_l_1_rx*minor_23_23 - minor_23_24*s_1_z + minor_23_34*s_1_y;
+    const lane minor_123_235 = D_l_1_ry*minor_23_23 - minor_23_25*s_1_z + minor_23_35*s_1_y;
+    const lane minor_123_236 = D_l_1_rz*minor_23_23 - minor_23_26*s_1_z + minor_23_36*s_1_y;
+    const lane minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + minor_23_45*s_1_y;
+    const lane minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + minor_23_46*s_1_y;
+    const lane minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + minor_23_56*s_1_y;
+    const lane minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + minor_23_45*s_1_z;
+    const lane minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + minor_23_46*s_1_z;
+    const lane minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + minor_23_56*s_1_z;
+    const lane minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45;
+    const lane A_x_4 =
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23;
+    const lane minor_123_134 = D_l_1_rx*minor_23_13 - minor_23_14*s_1_z + minor_23_34*s_1_x;
+    const lane minor_123_135 = D_l_1_ry*minor_23_13 - minor_23_15*s_1_z + minor_23_35*s_1_x;
+    const lane minor_123_136 = D_l_1_rz*minor_23_13 - minor_23_16*s_1_z + minor_23_36*s_1_x;
+    const lane minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + minor_23_45*s_1_x;
+    const lane minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + minor_23_46*s_1_x;
+    const lane minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + minor_23_56*s_1_x;
+    const lane A_y_4 =
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13;
+    const lane minor_123_124 = D_l_1_rx*minor_23_12 - minor_23_14*s_1_y + minor_23_24*s_1_x;
+    const lane minor_123_125 = D_l_1_ry*minor_23_12 - minor_23_15*s_1_y + minor_23_25*s_1_x;
+    const lane minor_123_126 = D_l_1_rz*minor_23_12 - minor_23_16*s_1_y + minor_23_26*s_1_x;
+    const lane A_z_4 =
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12;
+    const lane minor_123_123 = minor_23_12*s_1_z - minor_23_13*s_1_y + minor_23_23*s_1_x;
+    const lane A_rx_4 =
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12;
+    const lane A_ry_4 =
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12;
+    const lane A_rz_4 =
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12;
+    const lane minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry;
+    const lane minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx;
+    const lane minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx;
+    const lane minor_46_36 = -D_l_4_rz*s_6_z + D_l_6_rz*s_4_z;
+    const lane minor_46_35 = -D_l_4_ry*s_6_z + D_l_6_ry*s_4_z;
+    const lane minor_46_34 = -D_l_4_rx*s_6_z + D_l_6_rx*s_4_z;
+    const lane minor_46_26 = -D_l_4_rz*s_6_y + D_l_6_rz*s_4_y;
+    const lane minor_46_25 = -D_l_4_ry*s_6_y + D_l_6_ry*s_4_y;
+    const lane minor_46_24 = -D_l_4_rx*s_6_y + D_l_6_rx*s_4_y;
+    const lane minor_46_23 = s_4_y*s_6_z - s_4_z*s_6_y;
+    const lane A_x_5 =
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23;
+    const lane minor_46_16 = -D_l_4_rz*s_6_x + D_l_6_rz*s_4_x;
+    const lane minor_46_15 = -D_l_4_ry*s_6_x + D_l_6_ry*s_4_x;
+    const lane minor_46_14 = -D_l_4_rx*s_6_x + D_l_6_rx*s_4_x;
+    const lane minor_46_13 = s_4_x*s_6_z - s_4_z*s_6_x;
+    const lane A_y_5 =
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13;
+    const lane minor_46_12 = s_4_x*s_6_y - s_4_y*s_6_x;
+    const lane A_z_5 =
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12;
+    const lane A_rx_5 =
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12;
+    const lane A_ry_5 =
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12;
+    const lane A_rz_5 =
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12;
+    const lane minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry;
+    const lane minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx;
+    const lane minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx;
+    const lane minor_45_36 = -D_l_4_rz*s_5_z + D_l_5_rz*s_4_z;
+    const lane minor_45_35 = -D_l_4_ry*s_5_z + D_l_5_ry*s_4_z;
+    const lane minor_45_34 = -D_l_4_rx*s_5_z + D_l_5_rx*s_4_z;
+    const lane minor_45_26 = -D_l_4_rz*s_5_y + D_l_5_rz*s_4_y;
+    const lane minor_45_25 = -D_l_4_ry*s_5_y + D_l_5_ry*s_4_y;
+    const lane minor_45_24 = -D_l_4_rx*s_5_y + D_l_5_rx*s_4_y;
+    const lane minor_45_23 = s_4_y*s_5_z - s_4_z*s_5_y;
+    const lane A_x_6 =
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23;
+    const lane minor_45_16 = -D_l_4_rz*s_5_x + D_l_5_rz*s_4_x;
+    const lane minor_45_15 = -D_l_4_ry*s_5_x + D_l_5_ry*s_4_x;
+    const lane minor_45_14 = -D_l_4_rx*s_5_x + D_l_5_rx*s_4_x;
+    const lane minor_45_13 = s_4_x*s_5_z - s_4_z*s_5_x;
+    const lane A_y_6 =
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13;
+    const lane minor_45_12 = s_4_x*s_5_y - s_4_y*s_5_x;
+    const lane A_z_6 =
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12;
+    const lane A_rx_6 =
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12;
+    const lane A_ry_6 =
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12;
+    const lane A_rz_6 =
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12;
+    const lane det_D_l =
+        A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane t12 = 1.0/det_D_l;
+    const lane t13 = D_r_1*t12;
+    const lane D_p_x_1 = A_x_1*t13;
+    const lane t14 = D_r_2*t12;
+    const lane D_p_x_2 = A_x_2*t14;
+    const lane t15 = D_r_3*t12;
+    const lane D_p_x_3 = A_x_3*t15;
+    const lane t16 = D_r_4*t12;
+    const lane D_p_x_4 = A_x_4*t16;
+    const lane t17 = D_r_5*t12;
+    const lane D_p_x_5 = A_x_5*t17;
+    const lane t18 = D_r_6*t12;
+    const lane D_p_x_6 = A_x_6*t18;
+    const lane D_p_y_1 = A_y_1*t13;
+    const lane D_p_y_2 = A_y_2*t14;
+    const lane D_p_y_3 = A_y_3*t15;
+    const lane D_p_y_4 = A_y_4*t16;
+    const lane D_p_y_5 = A_y_5*t17;
+    const lane D_p_y_6 = A_y_6*t18;
+    const lane D_p_z_1 = A_z_1*t13;
+    const lane D_p_z_2 = A_z_2*t14;
+    const lane D_p_z_3 = A_z_3*t15;
+    const lane D_p_z_4 = A_z_4*t16;
+    const lane D_p_z_5 = A_z_5*t17;
+    const lane D_p_z_6 = A_z_6*t18;
+    const lane D_p_rx_1 = A_rx_1*t13;
+    const lane D_p_rx_2 = A_rx_2*t14;
+    const lane D_p_rx_3 = A_rx_3*t15;
+    const lane D_p_rx_4 = A_rx_4*t16;
+    const lane D_p_rx_5 = A_rx_5*t17;
+    const lane D_p_rx_6 = A_rx_6*t18;
+    const lane D_p_ry_1 = A_ry_1*t13;
+    const lane D_p_ry_2 = A_ry_2*t14;
+    const lane D_p_ry_3 = A_ry_3*t15;
+    const lane D_p_ry_4 = A_ry_4*t16;
+    const lane D_p_ry_5 = A_ry_5*t17;
+    const lane D_p_ry_6 = A_ry_6*t18;
+    const lane D_p_rz_1 = A_rz_1*t13;
+    const lane D_p_rz_2 = A_rz_2*t14;
+    const lane D_p_rz_3 = A_rz_3*t15;
+    const lane D_p_rz_4 = A_rz_4*t16;
+    const lane D_p_rz_5 = A_rz_5*t17;
+    const lane D_p_rz_6 = A_rz_6*t18;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double t19 = F_T*c_T + 1.0;
+    const double t20 = c_E*t19;
+    const double t21 = k_sp_1*w_b_1*(a_B_1 + 1.0);
+    const double t22 = t20*t21;
+    const double t23 = t19*t21;
+    const double k_1_1 = t23/(l_f_1_1 + t22);
+    const double t24 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -t24 + x_1 - x_min_1;
+    const lane k_1_2 = t23/(l_f_1_2 + t22);
+    const lane l_f_1_3 = -t24 - x_1 + x_max_1;
+    const lane k_1_3 = t23/(l_f_1_3 + t22);
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double t25 = k_sp_2*w_b_2*(a_B_2 + 1.0);
+    const double t26 = t20*t25;
+    const double t27 = t19*t25;
+    const double k_2_1 = t27/(l_f_2_1 + t26);
+    const double t28 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -t28 + x_2 - x_min_2;
+    const lane k_2_2 = t27/(l_f_2_2 + t26);
+    const lane l_f_2_3 = -t28 - x_2 + x_max_2;
+    const lane k_2_3 = t27/(l_f_2_3 + t26);
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double t29 = k_sp_3*w_b_3*(a_B_3 + 1.0);
+    const double t30 = t20*t29;
+    const double t31 = t19*t29;
+    const double k_3_1 = t31/(l_f_3_1 + t30);
+    const double t32 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -t32 + x_3 - x_min_3;
+    const lane k_3_2 = t31/(l_f_3_2 + t30);
+    const lane l_f_3_3 = -t32 - x_3 + x_max_3;
+    const lane k_3_3 = t31/(l_f_3_3 + t30);
+    const double l_f_4_1 = x_max_4 - x_min_4;
+    const double t33 = k_sp_4*w_b_4*(a_B_4 + 1.0);
+    const double t34 = t20*t33;
+    const double t35 = t19*t33;
+    const double k_4_1 = t35/(l_f_4_1 + t34);
+    const double t36 = (1.0/2.0)*l_t_4;
+    const lane l_f_4_2 = -t36 + x_4 - x_min_4;
+    const lane k_4_2 = t35/(l_f_4_2 + t34);
+    const lane l_f_4_3 = -t36 - x_4 + x_max_4;
+    const lane k_4_3 = t35/(l_f_4_3 + t34);
+    const double l_f_5_1 = x_max_5 - x_min_5;
+    const double t37 = k_sp_5*w_b_5*(a_B_5 + 1.0);
+    const double t38 = t20*t37;
+    const double t39 = t19*t37;
+    const double k_5_1 = t39/(l_f_5_1 + t38);
+    const double t40 = (1.0/2.0)*l_t_5;
+    const lane l_f_5_2 = -t40 + x_5 - x_min_5;
+    const lane k_5_2 = t39/(l_f_5_2 + t38);
+    const lane l_f_5_3 = -t40 - x_5 + x_max_5;
+    const lane k_5_3 = t39/(l_f_5_3 + t38);
+    const double l_f_6_1 = x_max_6 - x_min_6;
+    const double t41 = k_sp_6*w_b_6*(a_B_6 + 1.0);
+    const double t42 = t20*t41;
+    const double t43 = t19*t41;
+    const double k_6_1 = t43/(l_f_6_1 + t42);
+    const double t44 = (1.0/2.0)*l_t_6;
+    const lane l_f_6_2 = -t44 + x_6 - x_min_6;
+    const lane k_6_2 = t43/(l_f_6_2 + t42);
+    const lane l_f_6_3 = -t44 - x_6 + x_max_6;
+    const lane k_6_3 = t43/(l_f_6_3 + t42);
+    const double t45 = (1.0/2.0)*m_d_1;
+    const double t46 = (1.0/2.0)*m_d_2;
+    const double t47 = (1.0/2.0)*m_d_3;
+    const double t48 = (1.0/2.0)*m_d_4;
+    const double t49 = (1.0/2.0)*m_d_5;
+    const double t50 = (1.0/2.0)*m_d_6;
+    const double t51 = m_L + m_p + t45 + t46 + t47 + t48 + t49 + t50;
+    const double G_p_x = -g_x*t51;
+    const double G_p_y = -g_y*t51;
+    const double G_p_z = -g_z*t51;
+    const double t52 = g_z*m_p;
+    const double t53 = g_z*m_L;
+    const double t54 = g_z*t45;
+    const double t55 = g_z*t46;
+    const double t56 = g_z*t47;
+    const double t57 = g_z*t48;
+    const double t58 = g_z*t49;
+    const double t59 = g_z*t50;
+    const lane G_p_rx =
+        -B_1_y*t54 + (1.0/2.0)*B_1_z*g_y*m_d_1 - B_2_y*t55 + (1.0/2.0)*B_2_z*g_y*m_d_2 - B_3_y*t56
+        + (1.0/2.0)*B_3_z*g_y*m_d_3 - B_4_y*t57 + (1.0/2.0)*B_4_z*g_y*m_d_4 - B_5_y*t58
+        + (1.0/2.0)*B_5_z*g_y*m_d_5 - B_6_y*t59 + (1.0/2.0)*B_6_z*g_y*m_d_6 - c_y*t52 + c_z*g_y*m_p
+        + g_y*m_L*o_L_z - o_L_y*t53;
+    const lane G_p_ry =
+        B_1_x*t54 - B_1_z*g_x*t45 + B_2_x*t55 - B_2_z*g_x*t46 + B_3_x*t56 - B_3_z*g_x*t47 + B_4_x*t57
+        - B_4_z*g_x*t48 + B_5_x*t58 - B_5_z*g_x*t49 + B_6_x*t59 - B_6_z*g_x*t50 + c_x*t52 - c_z*g_x*m_p
+        - g_x*m_L*o_L_z + o_L_x*t53;
+    const lane G_p_rz =
+        -B_1_x*g_y*t45 + (1.0/2.0)*B_1_y*g_x*m_d_1 - B_2_x*g_y*t46 + (1.0/2.0)*B_2_y*g_x*m_d_2
+        - B_3_x*g_y*t47 + (1.0/2.0)*B_3_y*g_x*m_d_3 - B_4_x*g_y*t48 + (1.0/2.0)*B_4_y*g_x*m_d_4
+        - B_5_x*g_y*t49 + (1.0/2.0)*B_5_y*g_x*m_d_5 - B_6_x*g_y*t50 + (1.0/2.0)*B_6_y*g_x*m_d_6 - c_x*g_y*m_p
+        + c_y*g_x*m_p + g_x*m_L*o_L_y - g_y*m_L*o_L_x;
+    const lane G_1 =
+        D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
+        - g_x*(m_t_1*n_1_x + n_1_x*t45) - g_y*(m_t_1*n_1_y + n_1_y*t45) - g_z*(m_t_1*n_1_z + n_1_z*t45);
+    const lane G_2 =
+        D_p_rx_2*G_p_rx + D_p_ry_2*G_p_ry + D_p_rz_2*G_p_rz + D_p_x_2*G_p_x + D_p_y_2*G_p_y + D_p_z_2*G_p_z
+        - g_x*(m_t_2*n_2_x + n_2_x*t46) - g_y*(m_t_2*n_2_y + n_2_y*t46) - g_z*(m_t_2*n_2_z + n_2_z*t46);
+    const lane G_3 =
+        D_p_rx_3*G_p_rx + D_p_ry_3*G_p_ry + D_p_rz_3*G_p_rz + D_p_x_3*G_p_x + D_p_y_3*G_p_y + D_p_z_3*G_p_z
+        - g_x*(m_t_3*n_3_x + n_3_x*t47) - g_y*(m_t_3*n_3_y + n_3_y*t47) - g_z*(m_t_3*n_3_z + n_3_z*t47);
+    const lane G_4 =
+        D_p_rx_4*G_p_rx + D_p_ry_4*G_p_ry + D_p_rz_4*G_p_rz + D_p_x_4*G_p_x + D_p_y_4*G_p_y + D_p_z_4*G_p_z
+        - g_x*(m_t_4*n_4_x + n_4_x*t48) - g_y*(m_t_4*n_4_y + n_4_y*t48) - g_z*(m_t_4*n_4_z + n_4_z*t48);
+    const lane G_5 =
+        D_p_rx_5*G_p_rx + D_p_ry_5*G_p_ry + D_p_rz_5*G_p_rz + D_p_x_5*G_p_x + D_p_y_5*G_p_y + D_p_z_5*G_p_z
+        - g_x*(m_t_5*n_5_x + n_5_x*t49) - g_y*(m_t_5*n_5_y + n_5_y*t49) - g_z*(m_t_5*n_5_z + n_5_z*t49);
+    const lane G_6 =
+        D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
+        - g_x*(m_t_6*n_6_x + n_6_x*t50) - g_y*(m_t_6*n_6_y + n_6_y*t50) - g_z*(m_t_6*n_6_z + n_6_z*t50);
+    const double t60 = (R_p_1*R_p_1);
+    const double t61 = k_1_1*t60;
+    const lane t62 = k_1_3*t60;
+    const lane t63 = -d_1_1*t61 + d_1_2*(t61 + t62);
+    const lane t64 = k_1_2*t60;
+    const lane t65 = d_1_1*(t61 + t64) - d_1_2*t61;
+    const lane det_1 = R_p_1*k_1_2*t63 - R_p_1*k_1_3*t65;
+    const lane t66 = G_1/det_1;
+    const lane theta_1_1_st = -t65*t66;
+    const lane theta_1_2_st = t63*t66;
+    const double t67 = (R_p_2*R_p_2);
+    const double t68 = k_2_1*t67;
+    const lane t69 = k_2_3*t67;
+    const lane t70 = -d_2_1*t68 + d_2_2*(t68 + t69);
+    const lane t71 = k_2_2*t67;
+    const lane t72 = d_2_1*(t68 + t71) - d_2_2*t68;
+    const lane det_2 = R_p_2*k_2_2*t70 - R_p_2*k_2_3*t72;
+    const lane t73 = G_2/det_2;
+    const lane theta_2_1_st = -t72*t73;
+    const lane theta_2_2_st = t70*t73;
+    const double t74 = (R_p_3*R_p_3);
+    const double t75 = k_3_1*t74;
+    const lane t76 = k_3_3*t74;
+    const lane t77 = -d_3_1*t75 + d_3_2*(t75 + t76);
+    const lane t78 = k_3_2*t74;
+    const lane t79 = d_3_1*(t75 + t78) - d_3_2*t75;
+    const lane det_3 = R_p_3*k_3_2*t77 - R_p_3*k_3_3*t79;
+    const lane t80 = G_3/det_3;
+    const lane theta_3_1_st = -t79*t80;
+    const lane theta_3_2_st = t77*t80;
+    const double t81 = (R_p_4*R_p_4);
+    const lane t82 = k_4_3*t81;
+    const double t83 = k_4_1*t81;
+    const lane t84 = -d_4_1*t83 + d_4_2*(t82 + t83);
+    const lane t85 = k_4_2*t81;
+    const lane t86 = d_4_1*(t83 + t85) - d_4_2*t83;
+    const lane det_4 = R_p_4*k_4_2*t84 - R_p_4*k_4_3*t86;
+    const lane t87 = G_4/det_4;
+    const lane theta_4_1_st = -t86*t87;
+    const lane theta_4_2_st = t84*t87;
+    const double t88 = (R_p_5*R_p_5);
+    const double t89 = k_5_1*t88;
+    const lane t90 = k_5_3*t88;
+    const lane t91 = -d_5_1*t89 + d_5_2*(t89 + t90);
+    const lane t92 = k_5_2*t88;
+    const lane t93 = d_5_1*(t89 + t92) - d_5_2*t89;
+    const lane det_5 = R_p_5*k_5_2*t91 - R_p_5*k_5_3*t93;
+    const lane t94 = G_5/det_5;
+    const lane theta_5_1_st = -t93*t94;
+    const lane theta_5_2_st = t91*t94;
+    const double t95 = (R_p_6*R_p_6);
+    const double t96 = k_6_1*t95;
+    const lane t97 = k_6_3*t95;
+    const lane t98 = -d_6_1*t96 + d_6_2*(t96 + t97);
+    const lane t99 = k_6_2*t95;
+    const lane t100 = d_6_1*(t96 + t99) - d_6_2*t96;
+    const lane det_6 = R_p_6*k_6_2*t98 - R_p_6*k_6_3*t100;
+    const lane t101 = G_6/det_6;
+    const lane theta_6_1_st = -t100*t101;
+    const lane theta_6_2_st = t101*t98;
+    const lane t102 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const lane tau_st_1 = d_1_1*(-t102 + t62*theta_1_1_st) + d_1_2*(t102 + t64*theta_1_2_st);
+    const lane t103 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const lane tau_st_2 = d_2_1*(-t103 + t69*theta_2_1_st) + d_2_2*(t103 + t71*theta_2_2_st);
+    const lane t104 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
+    const lane tau_st_3 = d_3_1*(-t104 + t76*theta_3_1_st) + d_3_2*(t104 + t78*theta_3_2_st);
+    const lane t105 = R_p_4*k_4_1*(-R_p_4*theta_4_1_st + R_p_4*theta_4_2_st);
+    const lane tau_st_4 = d_4_1*(-t105 + t82*theta_4_1_st) + d_4_2*(t105 + t85*theta_4_2_st);
+    const lane t106 = R_p_5*k_5_1*(-R_p_5*theta_5_1_st + R_p_5*theta_5_2_st);
+    const lane tau_st_5 = d_5_1*(-t106 + t90*theta_5_1_st) + d_5_2*(t106 + t92*theta_5_2_st);
+    const lane t107 = R_p_6*k_6_1*(-R_p_6*theta_6_1_st + R_p_6*theta_6_2_st);
+    const lane tau_st_6 = d_6_1*(-t107 + t97*theta_6_1_st) + d_6_2*(t107 + t99*theta_6_2_st);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    tau_st[2] = LANES(tau_st_3);
+    tau_st[3] = LANES(tau_st_4);
+    tau_st[4] = LANES(tau_st_5);
+    tau_st[5] = LANES(tau_st_6);
+    theta_st[0] = LANES(theta_1_1_st);
+    theta_st[1] = LANES(theta_2_1_st);
+    theta_st[2] = LANES(theta_3_1_st);
+    theta_st[3] = LANES(theta_4_1_st);
+    theta_st[4] = LANES(theta_5_1_st);
+    theta_st[5] = LANES(theta_6_1_st);
+    theta_st[6] = LANES(theta_1_2_st);
+    theta_st[7] = LANES(theta_2_2_st);
+    theta_st[8] = LANES(theta_3_2_st);
+    theta_st[9] = LANES(theta_4_2_st);
+    theta_st[10] = LANES(theta_5_2_st);
+    theta_st[11] = LANES(theta_6_2_st);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.

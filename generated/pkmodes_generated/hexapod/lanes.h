@@ -20,6 +20,7 @@
  *   J_i_a [kg m^2]: inertia tensor of the platform about its centre of mass, base frame, entry ia
  *   m_perp_j [kg]: inertia of leg j at its platform joint, perpendicular to the leg
  *   m_lift_j [kg]: mass that is lifted with the vector of leg j
+ *   f_st_j [N]: static force on drive j
  *   k_j [N/m]: stiffness of leg j, with effects
  *   o_L_i [m]: payload from the platform's origin, base frame, component i
  *   D_l_j_i [m^2]: moment of linkage vector j about the platform's origin, component i
@@ -42,6 +43,8 @@
  *   L_i_a [N m]: second derivative of gravity and closures with respect to the platform, entry i, a
  *   f_i_k [N/m]: force on the platform along i per unit of coordinate k
  *   f_i_k [N]: force on the platform along i per unit of coordinate k
+ *   G_j [N]: gradient of the gravitational potential energy with respect to l_j
+ *   s_j_st [m]: static length that motor j commands, relative to the unstrained transmissions
  *   M_p_i_a [kg]: apparent mass of the platform, entry i, a
  *   M_p_i_a [kg m]: apparent mass of the platform, entry i, a
  *   M_p_i_a [kg m^2]: apparent mass of the platform, entry i, a
@@ -55,6 +58,9 @@
 #define LANES_POSE 6
 #define LANES_INDEPENDENT 6
 #define LANES_DIRECTIONS 6
+#define LANES_LINEAR 3
+#define LANES_DRIVES 6
+#define LANES_DEPENDENT 6
 #define LANES_BASE 12
 #define LANES_ALL 15
 #define LANES_GRADIENT 140
@@ -64,6 +70,10 @@
 static const struct lanes_rule LANES_RULES[] = {
     {1, LANES_ABOVE_ZERO}, {1, LANES_AT_MOST_LIMIT}, {12, LANES_AT_LEAST_ZERO},
 };
+
+/* Which of the base coordinates the pose determines, and which follow these. */
+static const int LANES_GIVEN[] = {0, 1, 2, 3, 4, 5};
+static const int LANES_FOLLOWING[] = {6, 7, 8, 9, 10, 11};
 
 /* Leg lengths at a pose, and the margins of a pose.
  *
@@ -3110,6 +3120,1324 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[78] = LANES(D_p_rz_4);
     J_p[79] = LANES(D_p_rz_5);
     J_p[80] = LANES(D_p_rz_6);
+}
+
+/* Platform Jacobian, static equilibrium and elastic stiffness without effects.
+ *
+ * Source: platform_jacobian, static_equilibrium, elastic_hessian.
+ * 1804 operations; 54253086 with every named value expanded.
+ */
+static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const lane rot_x = pose[3];
+    const lane rot_y = pose[4];
+    const lane rot_z = pose[5];
+    const double m_p = parameters[0];
+    const double c_p_x = parameters[1];
+    const double c_p_y = parameters[2];
+    const double c_p_z = parameters[3];
+    const double g_x = parameters[10];
+    const double g_y = parameters[11];
+    const double g_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double a_4_x = parameters[22];
+    const double a_4_y = parameters[23];
+    const double a_4_z = parameters[24];
+    const double a_5_x = parameters[25];
+    const double a_5_y = parameters[26];
+    const double a_5_z = parameters[27];
+    const double a_6_x = parameters[28];
+    const double a_6_y = parameters[29];
+    const double a_6_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double b_4_x = parameters[40];
+    const double b_4_y = parameters[41];
+    const double b_4_z = parameters[42];
+    const double b_5_x = parameters[43];
+    const double b_5_y = parameters[44];
+    const double b_5_z = parameters[45];
+    const double b_6_x = parameters[46];
+    const double b_6_y = parameters[47];
+    const double b_6_z = parameters[48];
+    const double k_l_1 = parameters[61];
+    const double k_l_2 = parameters[62];
+    const double k_l_3 = parameters[63];
+    const double k_l_4 = parameters[64];
+    const double k_l_5 = parameters[65];
+    const double k_l_6 = parameters[66];
+    const double m_b_1 = parameters[67];
+    const double m_b_2 = parameters[68];
+    const double m_b_3 = parameters[69];
+    const double m_b_4 = parameters[70];
+    const double m_b_5 = parameters[71];
+    const double m_b_6 = parameters[72];
+    const double c_b_1 = parameters[73];
+    const double c_b_2 = parameters[74];
+    const double c_b_3 = parameters[75];
+    const double c_b_4 = parameters[76];
+    const double c_b_5 = parameters[77];
+    const double c_b_6 = parameters[78];
+    const double m_r_1 = parameters[85];
+    const double m_r_2 = parameters[86];
+    const double m_r_3 = parameters[87];
+    const double m_r_4 = parameters[88];
+    const double m_r_5 = parameters[89];
+    const double m_r_6 = parameters[90];
+    const double c_r_1 = parameters[91];
+    const double c_r_2 = parameters[92];
+    const double c_r_3 = parameters[93];
+    const double c_r_4 = parameters[94];
+    const double c_r_5 = parameters[95];
+    const double c_r_6 = parameters[96];
+    const lane t1 = (rot_x*rot_x);
+    const lane t2 = (rot_y*rot_y);
+    const lane t3 = (rot_z*rot_z);
+    const lane t4 = t2 + t3;
+    const lane half_angle = (1.0/2.0)*lanes_sqrt(t1 + t4 + 1e-30);
+    const lane s_half = lanes_sin(half_angle)/half_angle;
+    const lane t5 = (s_half*s_half);
+    const lane t6 = (1.0/2.0)*t5;
+    const lane R_x_x = -t4*t6 + 1.0;
+    const lane c_half = lanes_cos(half_angle);
+    const lane t7 = c_half*s_half;
+    const lane t8 = rot_z*t7;
+    const lane R_x_y = (1.0/2.0)*rot_x*rot_y*t5 - t8;
+    const lane t9 = rot_y*t7;
+    const lane t10 = rot_x*t6;
+    const lane R_x_z = rot_z*t10 + t9;
+    const lane B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z;
+    const lane d_1_x = B_1_x - a_1_x + p_x;
+    const lane R_y_x = rot_y*t10 + t8;
+    const lane R_y_y = t6*(-t1 - t3) + 1.0;
+    const lane t11 = rot_x*t7;
+    const lane R_y_z = (1.0/2.0)*rot_y*rot_z*t5 - t11;
+    const lane B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z;
+    const lane d_1_y = B_1_y - a_1_y + p_y;
+    const lane R_z_x = (1.0/2.0)*rot_x*rot_z*t5 - t9;
+    const lane R_z_y = rot_y*rot_z*t6 + t11;
+    const lane R_z_z = t6*(-t1 - t2) + 1.0;
+    const lane B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z;
+    const lane d_1_z = B_1_z - a_1_z + p_z;
+    const lane B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z;
+    const lane d_2_x = B_2_x - a_2_x + p_x;
+    const lane B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z;
+    const lane d_2_y = B_2_y - a_2_y + p_y;
+    const lane B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z;
+    const lane d_2_z = B_2_z - a_2_z + p_z;
+    const lane B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z;
+    const lane d_3_x = B_3_x - a_3_x + p_x;
+    const lane B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z;
+    const lane d_3_y = B_3_y - a_3_y + p_y;
+    const lane B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z;
+    const lane d_3_z = B_3_z - a_3_z + p_z;
+    const lane B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z;
+    const lane d_4_x = B_4_x - a_4_x + p_x;
+    const lane B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z;
+    const lane d_4_y = B_4_y - a_4_y + p_y;
+    const lane B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z;
+    const lane d_4_z = B_4_z - a_4_z + p_z;
+    const lane B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z;
+    const lane d_5_x = B_5_x - a_5_x + p_x;
+    const lane B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z;
+    const lane d_5_y = B_5_y - a_5_y + p_y;
+    const lane B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z;
+    const lane d_5_z = B_5_z - a_5_z + p_z;
+    const lane B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z;
+    const lane d_6_x = B_6_x - a_6_x + p_x;
+    const lane B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z;
+    const lane d_6_y = B_6_y - a_6_y + p_y;
+    const lane B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z;
+    const lane d_6_z = B_6_z - a_6_z + p_z;
+    const lane l_1 = lanes_sqrt((d_1_x*d_1_x) + (d_1_y*d_1_y) + (d_1_z*d_1_z));
+    const lane l_2 = lanes_sqrt((d_2_x*d_2_x) + (d_2_y*d_2_y) + (d_2_z*d_2_z));
+    const lane l_3 = lanes_sqrt((d_3_x*d_3_x) + (d_3_y*d_3_y) + (d_3_z*d_3_z));
+    const lane l_4 = lanes_sqrt((d_4_x*d_4_x) + (d_4_y*d_4_y) + (d_4_z*d_4_z));
+    const lane l_5 = lanes_sqrt((d_5_x*d_5_x) + (d_5_y*d_5_y) + (d_5_z*d_5_z));
+    const lane l_6 = lanes_sqrt((d_6_x*d_6_x) + (d_6_y*d_6_y) + (d_6_z*d_6_z));
+    const lane c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z;
+    const lane c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z;
+    const lane c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z;
+    const double t12 = c_b_1*m_b_1 - c_r_1*m_r_1;
+    const lane m_lift_1 = m_r_1 + t12/l_1;
+    const double t13 = c_b_2*m_b_2 - c_r_2*m_r_2;
+    const lane m_lift_2 = m_r_2 + t13/l_2;
+    const double t14 = c_b_3*m_b_3 - c_r_3*m_r_3;
+    const lane m_lift_3 = m_r_3 + t14/l_3;
+    const double t15 = c_b_4*m_b_4 - c_r_4*m_r_4;
+    const lane m_lift_4 = m_r_4 + t15/l_4;
+    const double t16 = c_b_5*m_b_5 - c_r_5*m_r_5;
+    const lane m_lift_5 = m_r_5 + t16/l_5;
+    const double t17 = c_b_6*m_b_6 - c_r_6*m_r_6;
+    const lane m_lift_6 = m_r_6 + t17/l_6;
+    const lane D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y;
+    const lane D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x;
+    const lane D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x;
+    const lane D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y;
+    const lane D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x;
+    const lane D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x;
+    const lane D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y;
+    const lane D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x;
+    const lane D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x;
+    const lane D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y;
+    const lane D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x;
+    const lane D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x;
+    const lane D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y;
+    const lane D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x;
+    const lane D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x;
+    const lane D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y;
+    const lane D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x;
+    const lane D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x;
+    const lane minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y;
+    const lane minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry;
+    const lane minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx;
+    const lane minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx;
+    const lane minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45;
+    const lane minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y;
+    const lane minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z;
+    const lane minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z;
+    const lane minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56;
+    const lane minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y;
+    const lane minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z;
+    const lane minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46;
+    const lane minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y;
+    const lane minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45;
+    const lane minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z;
+    const lane minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y;
+    const lane minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y;
+    const lane minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56;
+    const lane minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z;
+    const lane minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y;
+    const lane minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46;
+    const lane minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z;
+    const lane minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45;
+    const lane minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx;
+    const lane minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y;
+    const lane minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26;
+    const lane minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx;
+    const lane minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25;
+    const lane minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry;
+    const lane minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24;
+    const lane A_x_1 =
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234;
+    const lane minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x;
+    const lane minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x;
+    const lane minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x;
+    const lane minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x;
+    const lane minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x;
+    const lane minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x;
+    const lane minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56;
+    const lane minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x;
+    const lane minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46;
+    const lane minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45;
+    const lane minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x;
+    const lane minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16;
+    const lane minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15;
+    const lane minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14;
+    const lane A_y_1 =
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134;
+    const lane minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x;
+    const lane minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x;
+    const lane minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16;
+    const lane minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15;
+    const lane minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14;
+    const lane A_z_1 =
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124;
+    const lane minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12;
+    const lane A_rx_1 =
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123;
+    const lane A_ry_1 =
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123;
+    const lane A_rz_1 =
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123;
+    const lane minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y;
+    const lane minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y;
+    const lane minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y;
+    const lane minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y;
+    const lane minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z;
+    const lane minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z;
+    const lane minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z;
+    const lane minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx;
+    const lane minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx;
+    const lane minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry;
+    const lane A_x_2 =
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234;
+    const lane minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x;
+    const lane minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x;
+    const lane minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x;
+    const lane minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x;
+    const lane A_y_2 =
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134;
+    const lane minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x;
+    const lane A_z_2 =
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124;
+    const lane A_rx_2 =
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123;
+    const lane A_ry_2 =
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123;
+    const lane A_rz_2 =
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123;
+    const lane minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y;
+    const lane minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y;
+    const lane minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y;
+    const lane minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y;
+    const lane minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z;
+    const lane minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z;
+    const lane minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z;
+    const lane minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx;
+    const lane minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx;
+    const lane minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry;
+    const lane A_x_3 =
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234;
+    const lane minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x;
+    const lane minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x;
+    const lane minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x;
+    const lane minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x;
+    const lane A_y_3 =
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134;
+    const lane minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x;
+    const lane A_z_3 =
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124;
+    const lane A_rx_3 =
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123;
+    const lane A_ry_3 =
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123;
+    const lane A_rz_3 =
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123;
+    const lane minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24;
+    const lane minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25;
+    const lane minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26;
+    const lane minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45;
+    const lane minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46;
+    const lane minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56;
+    const lane minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45;
+    const lane minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46;
+    const lane minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56;
+    const lane minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45;
+    const lane A_x_4 =
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23;
+    const lane minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14;
+    const lane minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15;
+    const lane minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16;
+    const lane minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45;
+    const lane minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46;
+    const lane minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56;
+    const lane A_y_4 =
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13;
+    const lane minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14;
+    const lane minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15;
+    const lane minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16;
+    const lane A_z_4 =
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12;
+    const lane minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12;
+    const lane A_rx_4 =
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12;
+    const lane A_ry_4 =
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12;
+    const lane A_rz_4 =
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12;
+    const lane minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry;
+    const lane minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx;
+    const lane minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx;
+    const lane minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z;
+    const lane minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z;
+    const lane minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z;
+    const lane minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y;
+    const lane minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y;
+    const lane minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y;
+    const lane minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y;
+    const lane A_x_5 =
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23;
+    const lane minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x;
+    const lane minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x;
+    const lane minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x;
+    const lane minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x;
+    const lane A_y_5 =
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13;
+    const lane minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x;
+    const lane A_z_5 =
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12;
+    const lane A_rx_5 =
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12;
+    const lane A_ry_5 =
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12;
+    const lane A_rz_5 =
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12;
+    const lane minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry;
+    const lane minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx;
+    const lane minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx;
+    const lane minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z;
+    const lane minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z;
+    const lane minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z;
+    const lane minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y;
+    const lane minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y;
+    const lane minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y;
+    const lane minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y;
+    const lane A_x_6 =
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23;
+    const lane minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x;
+    const lane minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x;
+    const lane minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x;
+    const lane minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x;
+    const lane A_y_6 =
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13;
+    const lane minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x;
+    const lane A_z_6 =
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12;
+    const lane A_rx_6 =
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12;
+    const lane A_ry_6 =
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12;
+    const lane A_rz_6 =
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12;
+    const lane det_D_l =
+        A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z;
+    const lane t18 = 1.0/det_D_l;
+    const lane t19 = l_1*t18;
+    const lane D_p_x_1 = A_x_1*t19;
+    const lane t20 = l_2*t18;
+    const lane D_p_x_2 = A_x_2*t20;
+    const lane t21 = l_3*t18;
+    const lane D_p_x_3 = A_x_3*t21;
+    const lane t22 = l_4*t18;
+    const lane D_p_x_4 = A_x_4*t22;
+    const lane t23 = l_5*t18;
+    const lane D_p_x_5 = A_x_5*t23;
+    const lane t24 = l_6*t18;
+    const lane D_p_x_6 = A_x_6*t24;
+    const lane D_p_y_1 = A_y_1*t19;
+    const lane D_p_y_2 = A_y_2*t20;
+    const lane D_p_y_3 = A_y_3*t21;
+    const lane D_p_y_4 = A_y_4*t22;
+    const lane D_p_y_5 = A_y_5*t23;
+    const lane D_p_y_6 = A_y_6*t24;
+    const lane D_p_z_1 = A_z_1*t19;
+    const lane D_p_z_2 = A_z_2*t20;
+    const lane D_p_z_3 = A_z_3*t21;
+    const lane D_p_z_4 = A_z_4*t22;
+    const lane D_p_z_5 = A_z_5*t23;
+    const lane D_p_z_6 = A_z_6*t24;
+    const lane D_p_rx_1 = A_rx_1*t19;
+    const lane D_p_rx_2 = A_rx_2*t20;
+    const lane D_p_rx_3 = A_rx_3*t21;
+    const lane D_p_rx_4 = A_rx_4*t22;
+    const lane D_p_rx_5 = A_rx_5*t23;
+    const lane D_p_rx_6 = A_rx_6*t24;
+    const lane D_p_ry_1 = A_ry_1*t19;
+    const lane D_p_ry_2 = A_ry_2*t20;
+    const lane D_p_ry_3 = A_ry_3*t21;
+    const lane D_p_ry_4 = A_ry_4*t22;
+    const lane D_p_ry_5 = A_ry_5*t23;
+    const lane D_p_ry_6 = A_ry_6*t24;
+    const lane D_p_rz_1 = A_rz_1*t19;
+    const lane D_p_rz_2 = A_rz_2*t20;
+    const lane D_p_rz_3 = A_rz_3*t21;
+    const lane D_p_rz_4 = A_rz_4*t22;
+    const lane D_p_rz_5 = A_rz_5*t23;
+    const lane D_p_rz_6 = A_rz_6*t24;
+    const lane t25 = g_x*m_lift_1;
+    const lane t26 = g_x*m_lift_2;
+    const lane t27 = g_x*m_lift_3;
+    const lane t28 = g_x*m_lift_4;
+    const lane t29 = g_x*m_lift_5;
+    const lane t30 = g_x*m_lift_6;
+    const double t31 = g_x*m_p;
+    const lane G_p_x = -t25 - t26 - t27 - t28 - t29 - t30 - t31;
+    const lane t32 = g_y*m_lift_1;
+    const lane t33 = g_y*m_lift_2;
+    const lane t34 = g_y*m_lift_3;
+    const lane t35 = g_y*m_lift_4;
+    const lane t36 = g_y*m_lift_5;
+    const lane t37 = g_y*m_lift_6;
+    const double t38 = g_y*m_p;
+    const lane G_p_y = -t32 - t33 - t34 - t35 - t36 - t37 - t38;
+    const lane t39 = g_z*m_lift_1;
+    const lane t40 = g_z*m_lift_2;
+    const lane t41 = g_z*m_lift_3;
+    const lane t42 = g_z*m_lift_4;
+    const lane t43 = g_z*m_lift_5;
+    const lane t44 = g_z*m_lift_6;
+    const double t45 = g_z*m_p;
+    const lane G_p_z = -t39 - t40 - t41 - t42 - t43 - t44 - t45;
+    const lane G_p_rx =
+        -B_1_y*t39 + B_1_z*g_y*m_lift_1 - B_2_y*t40 + B_2_z*g_y*m_lift_2 - B_3_y*t41 + B_3_z*g_y*m_lift_3
+        - B_4_y*t42 + B_4_z*g_y*m_lift_4 - B_5_y*t43 + B_5_z*g_y*m_lift_5 - B_6_y*t44 + B_6_z*g_y*m_lift_6
+        - c_y*t45 + c_z*g_y*m_p;
+    const lane G_p_ry =
+        B_1_x*t39 - B_1_z*t25 + B_2_x*t40 - B_2_z*t26 + B_3_x*t41 - B_3_z*t27 + B_4_x*t42 - B_4_z*t28
+        + B_5_x*t43 - B_5_z*t29 + B_6_x*t44 - B_6_z*t30 + c_x*t45 - c_z*t31;
+    const lane G_p_rz =
+        -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
+        - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
+        - c_x*t38 + c_y*g_x*m_p;
+    const lane G_1 =
+        D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
+        - t12*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/(l_1*l_1);
+    const lane G_2 =
+        D_p_rx_2*G_p_rx + D_p_ry_2*G_p_ry + D_p_rz_2*G_p_rz + D_p_x_2*G_p_x + D_p_y_2*G_p_y + D_p_z_2*G_p_z
+        - t13*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/(l_2*l_2);
+    const lane G_3 =
+        D_p_rx_3*G_p_rx + D_p_ry_3*G_p_ry + D_p_rz_3*G_p_rz + D_p_x_3*G_p_x + D_p_y_3*G_p_y + D_p_z_3*G_p_z
+        - t14*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/(l_3*l_3);
+    const lane G_4 =
+        D_p_rx_4*G_p_rx + D_p_ry_4*G_p_ry + D_p_rz_4*G_p_rz + D_p_x_4*G_p_x + D_p_y_4*G_p_y + D_p_z_4*G_p_z
+        - t15*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/(l_4*l_4);
+    const lane G_5 =
+        D_p_rx_5*G_p_rx + D_p_ry_5*G_p_ry + D_p_rz_5*G_p_rz + D_p_x_5*G_p_x + D_p_y_5*G_p_y + D_p_z_5*G_p_z
+        - t16*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/(l_5*l_5);
+    const lane G_6 =
+        D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
+        - t17*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/(l_6*l_6);
+    const lane s_1_st = G_1/k_l_1;
+    const lane s_2_st = G_2/k_l_2;
+    const lane s_3_st = G_3/k_l_3;
+    const lane s_4_st = G_4/k_l_4;
+    const lane s_5_st = G_5/k_l_5;
+    const lane s_6_st = G_6/k_l_6;
+    const lane f_st_1 = k_l_1*s_1_st;
+    const lane f_st_2 = k_l_2*s_2_st;
+    const lane f_st_3 = k_l_3*s_3_st;
+    const lane f_st_4 = k_l_4*s_4_st;
+    const lane f_st_5 = k_l_5*s_5_st;
+    const lane f_st_6 = k_l_6*s_6_st;
+    D_p[0] = LANES(D_p_x_1);
+    D_p[1] = LANES(D_p_x_2);
+    D_p[2] = LANES(D_p_x_3);
+    D_p[3] = LANES(D_p_x_4);
+    D_p[4] = LANES(D_p_x_5);
+    D_p[5] = LANES(D_p_x_6);
+    D_p[6] = LANES(D_p_y_1);
+    D_p[7] = LANES(D_p_y_2);
+    D_p[8] = LANES(D_p_y_3);
+    D_p[9] = LANES(D_p_y_4);
+    D_p[10] = LANES(D_p_y_5);
+    D_p[11] = LANES(D_p_y_6);
+    D_p[12] = LANES(D_p_z_1);
+    D_p[13] = LANES(D_p_z_2);
+    D_p[14] = LANES(D_p_z_3);
+    D_p[15] = LANES(D_p_z_4);
+    D_p[16] = LANES(D_p_z_5);
+    D_p[17] = LANES(D_p_z_6);
+    D_p[18] = LANES(D_p_rx_1);
+    D_p[19] = LANES(D_p_rx_2);
+    D_p[20] = LANES(D_p_rx_3);
+    D_p[21] = LANES(D_p_rx_4);
+    D_p[22] = LANES(D_p_rx_5);
+    D_p[23] = LANES(D_p_rx_6);
+    D_p[24] = LANES(D_p_ry_1);
+    D_p[25] = LANES(D_p_ry_2);
+    D_p[26] = LANES(D_p_ry_3);
+    D_p[27] = LANES(D_p_ry_4);
+    D_p[28] = LANES(D_p_ry_5);
+    D_p[29] = LANES(D_p_ry_6);
+    D_p[30] = LANES(D_p_rz_1);
+    D_p[31] = LANES(D_p_rz_2);
+    D_p[32] = LANES(D_p_rz_3);
+    D_p[33] = LANES(D_p_rz_4);
+    D_p[34] = LANES(D_p_rz_5);
+    D_p[35] = LANES(D_p_rz_6);
+    tau_st[0] = LANES(f_st_1);
+    tau_st[1] = LANES(f_st_2);
+    tau_st[2] = LANES(f_st_3);
+    tau_st[3] = LANES(f_st_4);
+    tau_st[4] = LANES(f_st_5);
+    tau_st[5] = LANES(f_st_6);
+    theta_st[0] = LANES(s_1_st);
+    theta_st[1] = LANES(s_2_st);
+    theta_st[2] = LANES(s_3_st);
+    theta_st[3] = LANES(s_4_st);
+    theta_st[4] = LANES(s_5_st);
+    theta_st[5] = LANES(s_6_st);
+    lanes_clear(H_el, 144);
+    H_el[0] = LANES(k_l_1);
+    H_el[6] = H_el[72] = LANES(-k_l_1);
+    H_el[13] = LANES(k_l_2);
+    H_el[19] = H_el[85] = LANES(-k_l_2);
+    H_el[26] = LANES(k_l_3);
+    H_el[32] = H_el[98] = LANES(-k_l_3);
+    H_el[39] = LANES(k_l_4);
+    H_el[45] = H_el[111] = LANES(-k_l_4);
+    H_el[52] = LANES(k_l_5);
+    H_el[58] = H_el[124] = LANES(-k_l_5);
+    H_el[65] = LANES(k_l_6);
+    H_el[71] = H_el[137] = LANES(-k_l_6);
+    H_el[78] = LANES(k_l_1);
+    H_el[91] = LANES(k_l_2);
+    H_el[104] = LANES(k_l_3);
+    H_el[117] = LANES(k_l_4);
+    H_el[130] = LANES(k_l_5);
+    H_el[143] = LANES(k_l_6);
+}
+
+/* Drive forces and displacements that hold the pose, with the weights and stiffness changes of effects.
+ *
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 1846 operations; 36307794 with every named value expanded.
+ */
+static inline void lanes_extended_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict tau_st, lane *restrict theta_st)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const lane rot_x = pose[3];
+    const lane rot_y = pose[4];
+    const lane rot_z = pose[5];
+    const double m_p = parameters[0];
+    const double c_p_x = parameters[1];
+    const double c_p_y = parameters[2];
+    const double c_p_z = parameters[3];
+    const double g_x = parameters[10];
+    const double g_y = parameters[11];
+    const double g_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double a_4_x = parameters[22];
+    const double a_4_y = parameters[23];
+    const double a_4_z = parameters[24];
+    const double a_5_x = parameters[25];
+    const double a_5_y = parameters[26];
+    const double a_5_z = parameters[27];
+    const double a_6_x = parameters[28];
+    const double a_6_y = parameters[29];
+    const double a_6_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double b_4_x = parameters[40];
+    const double b_4_y = parameters[41];
+    const double b_4_z = parameters[42];
+    const double b_5_x = parameters[43];
+    const double b_5_y = parameters[44];
+    const double b_5_z = parameters[45];
+    const double b_6_x = parameters[46];
+    const double b_6_y = parameters[47];
+    const double b_6_z = parameters[48];
+    const double k_l_1 = parameters[61];
+    const double k_l_2 = parameters[62];
+    const double k_l_3 = parameters[63];
+    const double k_l_4 = parameters[64];
+    const double k_l_5 = parameters[65];
+    const double k_l_6 = parameters[66];
+    const double m_b_1 = parameters[67];
+    const double m_b_2 = parameters[68];
+    const double m_b_3 = parameters[69];
+    const double m_b_4 = parameters[70];
+    const double m_b_5 = parameters[71];
+    const double m_b_6 = parameters[72];
+    const double c_b_1 = parameters[73];
+    const double c_b_2 = parameters[74];
+    const double c_b_3 = parameters[75];
+    const double c_b_4 = parameters[76];
+    const double c_b_5 = parameters[77];
+    const double c_b_6 = parameters[78];
+    const double m_r_1 = parameters[85];
+    const double m_r_2 = parameters[86];
+    const double m_r_3 = parameters[87];
+    const double m_r_4 = parameters[88];
+    const double m_r_5 = parameters[89];
+    const double m_r_6 = parameters[90];
+    const double c_r_1 = parameters[91];
+    const double c_r_2 = parameters[92];
+    const double c_r_3 = parameters[93];
+    const double c_r_4 = parameters[94];
+    const double c_r_5 = parameters[95];
+    const double c_r_6 = parameters[96];
+    const double a_S_1 = effects[0];
+    const double a_S_2 = effects[1];
+    const double a_S_3 = effects[2];
+    const double a_S_4 = effects[3];
+    const double a_S_5 = effects[4];
+    const double a_S_6 = effects[5];
+    const double m_L = effects[9];
+    const double b_L_x = effects[10];
+    const double b_L_y = effects[11];
+    const double b_L_z = effects[12];
+    const lane t1 = (rot_x*rot_x);
+    const lane t2 = (rot_y*rot_y);
+    const lane t3 = (rot_z*rot_z);
+    const lane t4 = t2 + t3;
+    const lane half_angle = (1.0/2.0)*lanes_sqrt(t1 + t4 + 1e-30);
+    const lane s_half = lanes_sin(half_angle)/half_angle;
+    const lane t5 = (s_half*s_half);
+    const lane t6 = (1.0/2.0)*t5;
+    const lane R_x_x = -t4*t6 + 1.0;
+    const lane c_half = lanes_cos(half_angle);
+    const lane t7 = c_half*s_half;
+    const lane t8 = rot_z*t7;
+    const lane R_x_y = (1.0/2.0)*rot_x*rot_y*t5 - t8;
+    const lane t9 = rot_y*t7;
+    const lane t10 = rot_x*t6;
+    const lane R_x_z = rot_z*t10 + t9;
+    const lane B_1_x = R_x_x*b_1_x + R_x_y*b_1_y + R_x_z*b_1_z;
+    const lane d_1_x = B_1_x - a_1_x + p_x;
+    const lane R_y_x = rot_y*t10 + t8;
+    const lane R_y_y = t6*(-t1 - t3) + 1.0;
+    const lane t11 = rot_x*t7;
+    const lane R_y_z = (1.0/2.0)*rot_y*rot_z*t5 - t11;
+    const lane B_1_y = R_y_x*b_1_x + R_y_y*b_1_y + R_y_z*b_1_z;
+    const lane d_1_y = B_1_y - a_1_y + p_y;
+    const lane R_z_x = (1.0/2.0)*rot_x*rot_z*t5 - t9;
+    const lane R_z_y = rot_y*rot_z*t6 + t11;
+    const lane R_z_z = t6*(-t1 - t2) + 1.0;
+    const lane B_1_z = R_z_x*b_1_x + R_z_y*b_1_y + R_z_z*b_1_z;
+    const lane d_1_z = B_1_z - a_1_z + p_z;
+    const lane B_2_x = R_x_x*b_2_x + R_x_y*b_2_y + R_x_z*b_2_z;
+    const lane d_2_x = B_2_x - a_2_x + p_x;
+    const lane B_2_y = R_y_x*b_2_x + R_y_y*b_2_y + R_y_z*b_2_z;
+    const lane d_2_y = B_2_y - a_2_y + p_y;
+    const lane B_2_z = R_z_x*b_2_x + R_z_y*b_2_y + R_z_z*b_2_z;
+    const lane d_2_z = B_2_z - a_2_z + p_z;
+    const lane B_3_x = R_x_x*b_3_x + R_x_y*b_3_y + R_x_z*b_3_z;
+    const lane d_3_x = B_3_x - a_3_x + p_x;
+    const lane B_3_y = R_y_x*b_3_x + R_y_y*b_3_y + R_y_z*b_3_z;
+    const lane d_3_y = B_3_y - a_3_y + p_y;
+    const lane B_3_z = R_z_x*b_3_x + R_z_y*b_3_y + R_z_z*b_3_z;
+    const lane d_3_z = B_3_z - a_3_z + p_z;
+    const lane B_4_x = R_x_x*b_4_x + R_x_y*b_4_y + R_x_z*b_4_z;
+    const lane d_4_x = B_4_x - a_4_x + p_x;
+    const lane B_4_y = R_y_x*b_4_x + R_y_y*b_4_y + R_y_z*b_4_z;
+    const lane d_4_y = B_4_y - a_4_y + p_y;
+    const lane B_4_z = R_z_x*b_4_x + R_z_y*b_4_y + R_z_z*b_4_z;
+    const lane d_4_z = B_4_z - a_4_z + p_z;
+    const lane B_5_x = R_x_x*b_5_x + R_x_y*b_5_y + R_x_z*b_5_z;
+    const lane d_5_x = B_5_x - a_5_x + p_x;
+    const lane B_5_y = R_y_x*b_5_x + R_y_y*b_5_y + R_y_z*b_5_z;
+    const lane d_5_y = B_5_y - a_5_y + p_y;
+    const lane B_5_z = R_z_x*b_5_x + R_z_y*b_5_y + R_z_z*b_5_z;
+    const lane d_5_z = B_5_z - a_5_z + p_z;
+    const lane B_6_x = R_x_x*b_6_x + R_x_y*b_6_y + R_x_z*b_6_z;
+    const lane d_6_x = B_6_x - a_6_x + p_x;
+    const lane B_6_y = R_y_x*b_6_x + R_y_y*b_6_y + R_y_z*b_6_z;
+    const lane d_6_y = B_6_y - a_6_y + p_y;
+    const lane B_6_z = R_z_x*b_6_x + R_z_y*b_6_y + R_z_z*b_6_z;
+    const lane d_6_z = B_6_z - a_6_z + p_z;
+    const lane l_1 = lanes_sqrt((d_1_x*d_1_x) + (d_1_y*d_1_y) + (d_1_z*d_1_z));
+    const lane l_2 = lanes_sqrt((d_2_x*d_2_x) + (d_2_y*d_2_y) + (d_2_z*d_2_z));
+    const lane l_3 = lanes_sqrt((d_3_x*d_3_x) + (d_3_y*d_3_y) + (d_3_z*d_3_z));
+    const lane l_4 = lanes_sqrt((d_4_x*d_4_x) + (d_4_y*d_4_y) + (d_4_z*d_4_z));
+    const lane l_5 = lanes_sqrt((d_5_x*d_5_x) + (d_5_y*d_5_y) + (d_5_z*d_5_z));
+    const lane l_6 = lanes_sqrt((d_6_x*d_6_x) + (d_6_y*d_6_y) + (d_6_z*d_6_z));
+    const lane c_x = R_x_x*c_p_x + R_x_y*c_p_y + R_x_z*c_p_z;
+    const lane c_y = R_y_x*c_p_x + R_y_y*c_p_y + R_y_z*c_p_z;
+    const lane c_z = R_z_x*c_p_x + R_z_y*c_p_y + R_z_z*c_p_z;
+    const double t12 = c_b_1*m_b_1 - c_r_1*m_r_1;
+    const lane m_lift_1 = m_r_1 + t12/l_1;
+    const double t13 = c_b_2*m_b_2 - c_r_2*m_r_2;
+    const lane m_lift_2 = m_r_2 + t13/l_2;
+    const double t14 = c_b_3*m_b_3 - c_r_3*m_r_3;
+    const lane m_lift_3 = m_r_3 + t14/l_3;
+    const double t15 = c_b_4*m_b_4 - c_r_4*m_r_4;
+    const lane m_lift_4 = m_r_4 + t15/l_4;
+    const double t16 = c_b_5*m_b_5 - c_r_5*m_r_5;
+    const lane m_lift_5 = m_r_5 + t16/l_5;
+    const double t17 = c_b_6*m_b_6 - c_r_6*m_r_6;
+    const lane m_lift_6 = m_r_6 + t17/l_6;
+    const lane o_L_x = R_x_x*b_L_x + R_x_y*b_L_y + R_x_z*b_L_z;
+    const lane o_L_y = R_y_x*b_L_x + R_y_y*b_L_y + R_y_z*b_L_z;
+    const lane o_L_z = R_z_x*b_L_x + R_z_y*b_L_y + R_z_z*b_L_z;
+    const lane D_l_1_rx = B_1_y*d_1_z - B_1_z*d_1_y;
+    const lane D_l_1_ry = -B_1_x*d_1_z + B_1_z*d_1_x;
+    const lane D_l_1_rz = B_1_x*d_1_y - B_1_y*d_1_x;
+    const lane D_l_2_rx = B_2_y*d_2_z - B_2_z*d_2_y;
+    const lane D_l_2_ry = -B_2_x*d_2_z + B_2_z*d_2_x;
+    const lane D_l_2_rz = B_2_x*d_2_y - B_2_y*d_2_x;
+    const lane D_l_3_rx = B_3_y*d_3_z - B_3_z*d_3_y;
+    const lane D_l_3_ry = -B_3_x*d_3_z + B_3_z*d_3_x;
+    const lane D_l_3_rz = B_3_x*d_3_y - B_3_y*d_3_x;
+    const lane D_l_4_rx = B_4_y*d_4_z - B_4_z*d_4_y;
+    const lane D_l_4_ry = -B_4_x*d_4_z + B_4_z*d_4_x;
+    const lane D_l_4_rz = B_4_x*d_4_y - B_4_y*d_4_x;
+    const lane D_l_5_rx = B_5_y*d_5_z - B_5_z*d_5_y;
+    const lane D_l_5_ry = -B_5_x*d_5_z + B_5_z*d_5_x;
+    const lane D_l_5_rz = B_5_x*d_5_y - B_5_y*d_5_x;
+    const lane D_l_6_rx = B_6_y*d_6_z - B_6_z*d_6_y;
+    const lane D_l_6_ry = -B_6_x*d_6_z + B_6_z*d_6_x;
+    const lane D_l_6_rz = B_6_x*d_6_y - B_6_y*d_6_x;
+    const lane minor_23_23 = d_2_y*d_3_z - d_2_z*d_3_y;
+    const lane minor_56_56 = D_l_5_ry*D_l_6_rz - D_l_5_rz*D_l_6_ry;
+    const lane minor_56_46 = D_l_5_rx*D_l_6_rz - D_l_5_rz*D_l_6_rx;
+    const lane minor_56_45 = D_l_5_rx*D_l_6_ry - D_l_5_ry*D_l_6_rx;
+    const lane minor_456_456 = D_l_4_rx*minor_56_56 - D_l_4_ry*minor_56_46 + D_l_4_rz*minor_56_45;
+    const lane minor_23_24 = -D_l_2_rx*d_3_y + D_l_3_rx*d_2_y;
+    const lane minor_56_36 = -D_l_5_rz*d_6_z + D_l_6_rz*d_5_z;
+    const lane minor_56_35 = -D_l_5_ry*d_6_z + D_l_6_ry*d_5_z;
+    const lane minor_456_356 = -D_l_4_ry*minor_56_36 + D_l_4_rz*minor_56_35 + d_4_z*minor_56_56;
+    const lane minor_23_25 = -D_l_2_ry*d_3_y + D_l_3_ry*d_2_y;
+    const lane minor_56_34 = -D_l_5_rx*d_6_z + D_l_6_rx*d_5_z;
+    const lane minor_456_346 = -D_l_4_rx*minor_56_36 + D_l_4_rz*minor_56_34 + d_4_z*minor_56_46;
+    const lane minor_23_26 = -D_l_2_rz*d_3_y + D_l_3_rz*d_2_y;
+    const lane minor_456_345 = -D_l_4_rx*minor_56_35 + D_l_4_ry*minor_56_34 + d_4_z*minor_56_45;
+    const lane minor_23_34 = -D_l_2_rx*d_3_z + D_l_3_rx*d_2_z;
+    const lane minor_56_26 = -D_l_5_rz*d_6_y + D_l_6_rz*d_5_y;
+    const lane minor_56_25 = -D_l_5_ry*d_6_y + D_l_6_ry*d_5_y;
+    const lane minor_456_256 = -D_l_4_ry*minor_56_26 + D_l_4_rz*minor_56_25 + d_4_y*minor_56_56;
+    const lane minor_23_35 = -D_l_2_ry*d_3_z + D_l_3_ry*d_2_z;
+    const lane minor_56_24 = -D_l_5_rx*d_6_y + D_l_6_rx*d_5_y;
+    const lane minor_456_246 = -D_l_4_rx*minor_56_26 + D_l_4_rz*minor_56_24 + d_4_y*minor_56_46;
+    const lane minor_23_36 = -D_l_2_rz*d_3_z + D_l_3_rz*d_2_z;
+    const lane minor_456_245 = -D_l_4_rx*minor_56_25 + D_l_4_ry*minor_56_24 + d_4_y*minor_56_45;
+    const lane minor_23_45 = D_l_2_rx*D_l_3_ry - D_l_2_ry*D_l_3_rx;
+    const lane minor_56_23 = d_5_y*d_6_z - d_5_z*d_6_y;
+    const lane minor_456_236 = D_l_4_rz*minor_56_23 + d_4_y*minor_56_36 - d_4_z*minor_56_26;
+    const lane minor_23_46 = D_l_2_rx*D_l_3_rz - D_l_2_rz*D_l_3_rx;
+    const lane minor_456_235 = D_l_4_ry*minor_56_23 + d_4_y*minor_56_35 - d_4_z*minor_56_25;
+    const lane minor_23_56 = D_l_2_ry*D_l_3_rz - D_l_2_rz*D_l_3_ry;
+    const lane minor_456_234 = D_l_4_rx*minor_56_23 + d_4_y*minor_56_34 - d_4_z*minor_56_24;
+    const lane A_x_1 =
+        minor_23_23*minor_456_456 - minor_23_24*minor_456_356 + minor_23_25*minor_456_346
+        - minor_23_26*minor_456_345 + minor_23_34*minor_456_256 - minor_23_35*minor_456_246
+        + minor_23_36*minor_456_245 + minor_23_45*minor_456_236 - minor_23_46*minor_456_235
+        + minor_23_56*minor_456_234;
+    const lane minor_23_13 = d_2_x*d_3_z - d_2_z*d_3_x;
+    const lane minor_23_14 = -D_l_2_rx*d_3_x + D_l_3_rx*d_2_x;
+    const lane minor_23_15 = -D_l_2_ry*d_3_x + D_l_3_ry*d_2_x;
+    const lane minor_23_16 = -D_l_2_rz*d_3_x + D_l_3_rz*d_2_x;
+    const lane minor_56_16 = -D_l_5_rz*d_6_x + D_l_6_rz*d_5_x;
+    const lane minor_56_15 = -D_l_5_ry*d_6_x + D_l_6_ry*d_5_x;
+    const lane minor_456_156 = -D_l_4_ry*minor_56_16 + D_l_4_rz*minor_56_15 + d_4_x*minor_56_56;
+    const lane minor_56_14 = -D_l_5_rx*d_6_x + D_l_6_rx*d_5_x;
+    const lane minor_456_146 = -D_l_4_rx*minor_56_16 + D_l_4_rz*minor_56_14 + d_4_x*minor_56_46;
+    const lane minor_456_145 = -D_l_4_rx*minor_56_15 + D_l_4_ry*minor_56_14 + d_4_x*minor_56_45;
+    const lane minor_56_13 = d_5_x*d_6_z - d_5_z*d_6_x;
+    const lane minor_456_136 = D_l_4_rz*minor_56_13 + d_4_x*minor_56_36 - d_4_z*minor_56_16;
+    const lane minor_456_135 = D_l_4_ry*minor_56_13 + d_4_x*minor_56_35 - d_4_z*minor_56_15;
+    const lane minor_456_134 = D_l_4_rx*minor_56_13 + d_4_x*minor_56_34 - d_4_z*minor_56_14;
+    const lane A_y_1 =
+        -minor_23_13*minor_456_456 + minor_23_14*minor_456_356 - minor_23_15*minor_456_346
+        + minor_23_16*minor_456_345 - minor_23_34*minor_456_156 + minor_23_35*minor_456_146
+        - minor_23_36*minor_456_145 - minor_23_45*minor_456_136 + minor_23_46*minor_456_135
+        - minor_23_56*minor_456_134;
+    const lane minor_23_12 = d_2_x*d_3_y - d_2_y*d_3_x;
+    const lane minor_56_12 = d_5_x*d_6_y - d_5_y*d_6_x;
+    const lane minor_456_126 = D_l_4_rz*minor_56_12 + d_4_x*minor_56_26 - d_4_y*minor_56_16;
+    const lane minor_456_125 = D_l_4_ry*minor_56_12 + d_4_x*minor_56_25 - d_4_y*minor_56_15;
+    const lane minor_456_124 = D_l_4_rx*minor_56_12 + d_4_x*minor_56_24 - d_4_y*minor_56_14;
+    const lane A_z_1 =
+        minor_23_12*minor_456_456 - minor_23_14*minor_456_256 + minor_23_15*minor_456_246
+        - minor_23_16*minor_456_245 + minor_23_24*minor_456_156 - minor_23_25*minor_456_146
+        + minor_23_26*minor_456_145 + minor_23_45*minor_456_126 - minor_23_46*minor_456_125
+        + minor_23_56*minor_456_124;
+    const lane minor_456_123 = d_4_x*minor_56_23 - d_4_y*minor_56_13 + d_4_z*minor_56_12;
+    const lane A_rx_1 =
+        -minor_23_12*minor_456_356 + minor_23_13*minor_456_256 - minor_23_15*minor_456_236
+        + minor_23_16*minor_456_235 - minor_23_23*minor_456_156 + minor_23_25*minor_456_136
+        - minor_23_26*minor_456_135 - minor_23_35*minor_456_126 + minor_23_36*minor_456_125
+        - minor_23_56*minor_456_123;
+    const lane A_ry_1 =
+        minor_23_12*minor_456_346 - minor_23_13*minor_456_246 + minor_23_14*minor_456_236
+        - minor_23_16*minor_456_234 + minor_23_23*minor_456_146 - minor_23_24*minor_456_136
+        + minor_23_26*minor_456_134 + minor_23_34*minor_456_126 - minor_23_36*minor_456_124
+        + minor_23_46*minor_456_123;
+    const lane A_rz_1 =
+        -minor_23_12*minor_456_345 + minor_23_13*minor_456_245 - minor_23_14*minor_456_235
+        + minor_23_15*minor_456_234 - minor_23_23*minor_456_145 + minor_23_24*minor_456_135
+        - minor_23_25*minor_456_134 - minor_23_34*minor_456_125 + minor_23_35*minor_456_124
+        - minor_23_45*minor_456_123;
+    const lane minor_13_23 = d_1_y*d_3_z - d_1_z*d_3_y;
+    const lane minor_13_24 = -D_l_1_rx*d_3_y + D_l_3_rx*d_1_y;
+    const lane minor_13_25 = -D_l_1_ry*d_3_y + D_l_3_ry*d_1_y;
+    const lane minor_13_26 = -D_l_1_rz*d_3_y + D_l_3_rz*d_1_y;
+    const lane minor_13_34 = -D_l_1_rx*d_3_z + D_l_3_rx*d_1_z;
+    const lane minor_13_35 = -D_l_1_ry*d_3_z + D_l_3_ry*d_1_z;
+    const lane minor_13_36 = -D_l_1_rz*d_3_z + D_l_3_rz*d_1_z;
+    const lane minor_13_45 = D_l_1_rx*D_l_3_ry - D_l_1_ry*D_l_3_rx;
+    const lane minor_13_46 = D_l_1_rx*D_l_3_rz - D_l_1_rz*D_l_3_rx;
+    const lane minor_13_56 = D_l_1_ry*D_l_3_rz - D_l_1_rz*D_l_3_ry;
+    const lane A_x_2 =
+        -minor_13_23*minor_456_456 + minor_13_24*minor_456_356 - minor_13_25*minor_456_346
+        + minor_13_26*minor_456_345 - minor_13_34*minor_456_256 + minor_13_35*minor_456_246
+        - minor_13_36*minor_456_245 - minor_13_45*minor_456_236 + minor_13_46*minor_456_235
+        - minor_13_56*minor_456_234;
+    const lane minor_13_13 = d_1_x*d_3_z - d_1_z*d_3_x;
+    const lane minor_13_14 = -D_l_1_rx*d_3_x + D_l_3_rx*d_1_x;
+    const lane minor_13_15 = -D_l_1_ry*d_3_x + D_l_3_ry*d_1_x;
+    const lane minor_13_16 = -D_l_1_rz*d_3_x + D_l_3_rz*d_1_x;
+    const lane A_y_2 =
+        minor_13_13*minor_456_456 - minor_13_14*minor_456_356 + minor_13_15*minor_456_346
+        - minor_13_16*minor_456_345 + minor_13_34*minor_456_156 - minor_13_35*minor_456_146
+        + minor_13_36*minor_456_145 + minor_13_45*minor_456_136 - minor_13_46*minor_456_135
+        + minor_13_56*minor_456_134;
+    const lane minor_13_12 = d_1_x*d_3_y - d_1_y*d_3_x;
+    const lane A_z_2 =
+        -minor_13_12*minor_456_456 + minor_13_14*minor_456_256 - minor_13_15*minor_456_246
+        + minor_13_16*minor_456_245 - minor_13_24*minor_456_156 + minor_13_25*minor_456_146
+        - minor_13_26*minor_456_145 - minor_13_45*minor_456_126 + minor_13_46*minor_456_125
+        - minor_13_56*minor_456_124;
+    const lane A_rx_2 =
+        minor_13_12*minor_456_356 - minor_13_13*minor_456_256 + minor_13_15*minor_456_236
+        - minor_13_16*minor_456_235 + minor_13_23*minor_456_156 - minor_13_25*minor_456_136
+        + minor_13_26*minor_456_135 + minor_13_35*minor_456_126 - minor_13_36*minor_456_125
+        + minor_13_56*minor_456_123;
+    const lane A_ry_2 =
+        -minor_13_12*minor_456_346 + minor_13_13*minor_456_246 - minor_13_14*minor_456_236
+        + minor_13_16*minor_456_234 - minor_13_23*minor_456_146 + minor_13_24*minor_456_136
+        - minor_13_26*minor_456_134 - minor_13_34*minor_456_126 + minor_13_36*minor_456_124
+        - minor_13_46*minor_456_123;
+    const lane A_rz_2 =
+        minor_13_12*minor_456_345 - minor_13_13*minor_456_245 + minor_13_14*minor_456_235
+        - minor_13_15*minor_456_234 + minor_13_23*minor_456_145 - minor_13_24*minor_456_135
+        + minor_13_25*minor_456_134 + minor_13_34*minor_456_125 - minor_13_35*minor_456_124
+        + minor_13_45*minor_456_123;
+    const lane minor_12_23 = d_1_y*d_2_z - d_1_z*d_2_y;
+    const lane minor_12_24 = -D_l_1_rx*d_2_y + D_l_2_rx*d_1_y;
+    const lane minor_12_25 = -D_l_1_ry*d_2_y + D_l_2_ry*d_1_y;
+    const lane minor_12_26 = -D_l_1_rz*d_2_y + D_l_2_rz*d_1_y;
+    const lane minor_12_34 = -D_l_1_rx*d_2_z + D_l_2_rx*d_1_z;
+    const lane minor_12_35 = -D_l_1_ry*d_2_z + D_l_2_ry*d_1_z;
+    const lane minor_12_36 = -D_l_1_rz*d_2_z + D_l_2_rz*d_1_z;
+    const lane minor_12_45 = D_l_1_rx*D_l_2_ry - D_l_1_ry*D_l_2_rx;
+    const lane minor_12_46 = D_l_1_rx*D_l_2_rz - D_l_1_rz*D_l_2_rx;
+    const lane minor_12_56 = D_l_1_ry*D_l_2_rz - D_l_1_rz*D_l_2_ry;
+    const lane A_x_3 =
+        minor_12_23*minor_456_456 - minor_12_24*minor_456_356 + minor_12_25*minor_456_346
+        - minor_12_26*minor_456_345 + minor_12_34*minor_456_256 - minor_12_35*minor_456_246
+        + minor_12_36*minor_456_245 + minor_12_45*minor_456_236 - minor_12_46*minor_456_235
+        + minor_12_56*minor_456_234;
+    const lane minor_12_13 = d_1_x*d_2_z - d_1_z*d_2_x;
+    const lane minor_12_14 = -D_l_1_rx*d_2_x + D_l_2_rx*d_1_x;
+    const lane minor_12_15 = -D_l_1_ry*d_2_x + D_l_2_ry*d_1_x;
+    const lane minor_12_16 = -D_l_1_rz*d_2_x + D_l_2_rz*d_1_x;
+    const lane A_y_3 =
+        -minor_12_13*minor_456_456 + minor_12_14*minor_456_356 - minor_12_15*minor_456_346
+        + minor_12_16*minor_456_345 - minor_12_34*minor_456_156 + minor_12_35*minor_456_146
+        - minor_12_36*minor_456_145 - minor_12_45*minor_456_136 + minor_12_46*minor_456_135
+        - minor_12_56*minor_456_134;
+    const lane minor_12_12 = d_1_x*d_2_y - d_1_y*d_2_x;
+    const lane A_z_3 =
+        minor_12_12*minor_456_456 - minor_12_14*minor_456_256 + minor_12_15*minor_456_246
+        - minor_12_16*minor_456_245 + minor_12_24*minor_456_156 - minor_12_25*minor_456_146
+        + minor_12_26*minor_456_145 + minor_12_45*minor_456_126 - minor_12_46*minor_456_125
+        + minor_12_56*minor_456_124;
+    const lane A_rx_3 =
+        -minor_12_12*minor_456_356 + minor_12_13*minor_456_256 - minor_12_15*minor_456_236
+        + minor_12_16*minor_456_235 - minor_12_23*minor_456_156 + minor_12_25*minor_456_136
+        - minor_12_26*minor_456_135 - minor_12_35*minor_456_126 + minor_12_36*minor_456_125
+        - minor_12_56*minor_456_123;
+    const lane A_ry_3 =
+        minor_12_12*minor_456_346 - minor_12_13*minor_456_246 + minor_12_14*minor_456_236
+        - minor_12_16*minor_456_234 + minor_12_23*minor_456_146 - minor_12_24*minor_456_136
+        + minor_12_26*minor_456_134 + minor_12_34*minor_456_126 - minor_12_36*minor_456_124
+        + minor_12_46*minor_456_123;
+    const lane A_rz_3 =
+        -minor_12_12*minor_456_345 + minor_12_13*minor_456_245 - minor_12_14*minor_456_235
+        + minor_12_15*minor_456_234 - minor_12_23*minor_456_145 + minor_12_24*minor_456_135
+        - minor_12_25*minor_456_134 - minor_12_34*minor_456_125 + minor_12_35*minor_456_124
+        - minor_12_45*minor_456_123;
+    const lane minor_123_234 = D_l_1_rx*minor_23_23 + d_1_y*minor_23_34 - d_1_z*minor_23_24;
+    const lane minor_123_235 = D_l_1_ry*minor_23_23 + d_1_y*minor_23_35 - d_1_z*minor_23_25;
+    const lane minor_123_236 = D_l_1_rz*minor_23_23 + d_1_y*minor_23_36 - d_1_z*minor_23_26;
+    const lane minor_123_245 = -D_l_1_rx*minor_23_25 + D_l_1_ry*minor_23_24 + d_1_y*minor_23_45;
+    const lane minor_123_246 = -D_l_1_rx*minor_23_26 + D_l_1_rz*minor_23_24 + d_1_y*minor_23_46;
+    const lane minor_123_256 = -D_l_1_ry*minor_23_26 + D_l_1_rz*minor_23_25 + d_1_y*minor_23_56;
+    const lane minor_123_345 = -D_l_1_rx*minor_23_35 + D_l_1_ry*minor_23_34 + d_1_z*minor_23_45;
+    const lane minor_123_346 = -D_l_1_rx*minor_23_36 + D_l_1_rz*minor_23_34 + d_1_z*minor_23_46;
+    const lane minor_123_356 = -D_l_1_ry*minor_23_36 + D_l_1_rz*minor_23_35 + d_1_z*minor_23_56;
+    const lane minor_123_456 = D_l_1_rx*minor_23_56 - D_l_1_ry*minor_23_46 + D_l_1_rz*minor_23_45;
+    const lane A_x_4 =
+        -minor_123_234*minor_56_56 + minor_123_235*minor_56_46 - minor_123_236*minor_56_45
+        - minor_123_245*minor_56_36 + minor_123_246*minor_56_35 - minor_123_256*minor_56_34
+        + minor_123_345*minor_56_26 - minor_123_346*minor_56_25 + minor_123_356*minor_56_24
+        - minor_123_456*minor_56_23;
+    const lane minor_123_134 = D_l_1_rx*minor_23_13 + d_1_x*minor_23_34 - d_1_z*minor_23_14;
+    const lane minor_123_135 = D_l_1_ry*minor_23_13 + d_1_x*minor_23_35 - d_1_z*minor_23_15;
+    const lane minor_123_136 = D_l_1_rz*minor_23_13 + d_1_x*minor_23_36 - d_1_z*minor_23_16;
+    const lane minor_123_145 = -D_l_1_rx*minor_23_15 + D_l_1_ry*minor_23_14 + d_1_x*minor_23_45;
+    const lane minor_123_146 = -D_l_1_rx*minor_23_16 + D_l_1_rz*minor_23_14 + d_1_x*minor_23_46;
+    const lane minor_123_156 = -D_l_1_ry*minor_23_16 + D_l_1_rz*minor_23_15 + d_1_x*minor_23_56;
+    const lane A_y_4 =
+        minor_123_134*minor_56_56 - minor_123_135*minor_56_46 + minor_123_136*minor_56_45
+        + minor_123_145*minor_56_36 - minor_123_146*minor_56_35 + minor_123_156*minor_56_34
+        - minor_123_345*minor_56_16 + minor_123_346*minor_56_15 - minor_123_356*minor_56_14
+        + minor_123_456*minor_56_13;
+    const lane minor_123_124 = D_l_1_rx*minor_23_12 + d_1_x*minor_23_24 - d_1_y*minor_23_14;
+    const lane minor_123_125 = D_l_1_ry*minor_23_12 + d_1_x*minor_23_25 - d_1_y*minor_23_15;
+    const lane minor_123_126 = D_l_1_rz*minor_23_12 + d_1_x*minor_23_26 - d_1_y*minor_23_16;
+    const lane A_z_4 =
+        -minor_123_124*minor_56_56 + minor_123_125*minor_56_46 - minor_123_126*minor_56_45
+        - minor_123_145*minor_56_26 + minor_123_146*minor_56_25 - minor_123_156*minor_56_24
+        + minor_123_245*minor_56_16 - minor_123_246*minor_56_15 + minor_123_256*minor_56_14
+        - minor_123_456*minor_56_12;
+    const lane minor_123_123 = d_1_x*minor_23_23 - d_1_y*minor_23_13 + d_1_z*minor_23_12;
+    const lane A_rx_4 =
+        minor_123_123*minor_56_56 - minor_123_125*minor_56_36 + minor_123_126*minor_56_35
+        + minor_123_135*minor_56_26 - minor_123_136*minor_56_25 + minor_123_156*minor_56_23
+        - minor_123_235*minor_56_16 + minor_123_236*minor_56_15 - minor_123_256*minor_56_13
+        + minor_123_356*minor_56_12;
+    const lane A_ry_4 =
+        -minor_123_123*minor_56_46 + minor_123_124*minor_56_36 - minor_123_126*minor_56_34
+        - minor_123_134*minor_56_26 + minor_123_136*minor_56_24 - minor_123_146*minor_56_23
+        + minor_123_234*minor_56_16 - minor_123_236*minor_56_14 + minor_123_246*minor_56_13
+        - minor_123_346*minor_56_12;
+    const lane A_rz_4 =
+        minor_123_123*minor_56_45 - minor_123_124*minor_56_35 + minor_123_125*minor_56_34
+        + minor_123_134*minor_56_25 - minor_123_135*minor_56_24 + minor_123_145*minor_56_23
+        - minor_123_234*minor_56_15 + minor_123_235*minor_56_14 - minor_123_245*minor_56_13
+        + minor_123_345*minor_56_12;
+    const lane minor_46_56 = D_l_4_ry*D_l_6_rz - D_l_4_rz*D_l_6_ry;
+    const lane minor_46_46 = D_l_4_rx*D_l_6_rz - D_l_4_rz*D_l_6_rx;
+    const lane minor_46_45 = D_l_4_rx*D_l_6_ry - D_l_4_ry*D_l_6_rx;
+    const lane minor_46_36 = -D_l_4_rz*d_6_z + D_l_6_rz*d_4_z;
+    const lane minor_46_35 = -D_l_4_ry*d_6_z + D_l_6_ry*d_4_z;
+    const lane minor_46_34 = -D_l_4_rx*d_6_z + D_l_6_rx*d_4_z;
+    const lane minor_46_26 = -D_l_4_rz*d_6_y + D_l_6_rz*d_4_y;
+    const lane minor_46_25 = -D_l_4_ry*d_6_y + D_l_6_ry*d_4_y;
+    const lane minor_46_24 = -D_l_4_rx*d_6_y + D_l_6_rx*d_4_y;
+    const lane minor_46_23 = d_4_y*d_6_z - d_4_z*d_6_y;
+    const lane A_x_5 =
+        minor_123_234*minor_46_56 - minor_123_235*minor_46_46 + minor_123_236*minor_46_45
+        + minor_123_245*minor_46_36 - minor_123_246*minor_46_35 + minor_123_256*minor_46_34
+        - minor_123_345*minor_46_26 + minor_123_346*minor_46_25 - minor_123_356*minor_46_24
+        + minor_123_456*minor_46_23;
+    const lane minor_46_16 = -D_l_4_rz*d_6_x + D_l_6_rz*d_4_x;
+    const lane minor_46_15 = -D_l_4_ry*d_6_x + D_l_6_ry*d_4_x;
+    const lane minor_46_14 = -D_l_4_rx*d_6_x + D_l_6_rx*d_4_x;
+    const lane minor_46_13 = d_4_x*d_6_z - d_4_z*d_6_x;
+    const lane A_y_5 =
+        -minor_123_134*minor_46_56 + minor_123_135*minor_46_46 - minor_123_136*minor_46_45
+        - minor_123_145*minor_46_36 + minor_123_146*minor_46_35 - minor_123_156*minor_46_34
+        + minor_123_345*minor_46_16 - minor_123_346*minor_46_15 + minor_123_356*minor_46_14
+        - minor_123_456*minor_46_13;
+    const lane minor_46_12 = d_4_x*d_6_y - d_4_y*d_6_x;
+    const lane A_z_5 =
+        minor_123_124*minor_46_56 - minor_123_125*minor_46_46 + minor_123_126*minor_46_45
+        + minor_123_145*minor_46_26 - minor_123_146*minor_46_25 + minor_123_156*minor_46_24
+        - minor_123_245*minor_46_16 + minor_123_246*minor_46_15 - minor_123_256*minor_46_14
+        + minor_123_456*minor_46_12;
+    const lane A_rx_5 =
+        -minor_123_123*minor_46_56 + minor_123_125*minor_46_36 - minor_123_126*minor_46_35
+        - minor_123_135*minor_46_26 + minor_123_136*minor_46_25 - minor_123_156*minor_46_23
+        + minor_123_235*minor_46_16 - minor_123_236*minor_46_15 + minor_123_256*minor_46_13
+        - minor_123_356*minor_46_12;
+    const lane A_ry_5 =
+        minor_123_123*minor_46_46 - minor_123_124*minor_46_36 + minor_123_126*minor_46_34
+        + minor_123_134*minor_46_26 - minor_123_136*minor_46_24 + minor_123_146*minor_46_23
+        - minor_123_234*minor_46_16 + minor_123_236*minor_46_14 - minor_123_246*minor_46_13
+        + minor_123_346*minor_46_12;
+    const lane A_rz_5 =
+        -minor_123_123*minor_46_45 + minor_123_124*minor_46_35 - minor_123_125*minor_46_34
+        - minor_123_134*minor_46_25 + minor_123_135*minor_46_24 - minor_123_145*minor_46_23
+        + minor_123_234*minor_46_15 - minor_123_235*minor_46_14 + minor_123_245*minor_46_13
+        - minor_123_345*minor_46_12;
+    const lane minor_45_56 = D_l_4_ry*D_l_5_rz - D_l_4_rz*D_l_5_ry;
+    const lane minor_45_46 = D_l_4_rx*D_l_5_rz - D_l_4_rz*D_l_5_rx;
+    const lane minor_45_45 = D_l_4_rx*D_l_5_ry - D_l_4_ry*D_l_5_rx;
+    const lane minor_45_36 = -D_l_4_rz*d_5_z + D_l_5_rz*d_4_z;
+    const lane minor_45_35 = -D_l_4_ry*d_5_z + D_l_5_ry*d_4_z;
+    const lane minor_45_34 = -D_l_4_rx*d_5_z + D_l_5_rx*d_4_z;
+    const lane minor_45_26 = -D_l_4_rz*d_5_y + D_l_5_rz*d_4_y;
+    const lane minor_45_25 = -D_l_4_ry*d_5_y + D_l_5_ry*d_4_y;
+    const lane minor_45_24 = -D_l_4_rx*d_5_y + D_l_5_rx*d_4_y;
+    const lane minor_45_23 = d_4_y*d_5_z - d_4_z*d_5_y;
+    const lane A_x_6 =
+        -minor_123_234*minor_45_56 + minor_123_235*minor_45_46 - minor_123_236*minor_45_45
+        - minor_123_245*minor_45_36 + minor_123_246*minor_45_35 - minor_123_256*minor_45_34
+        + minor_123_345*minor_45_26 - minor_123_346*minor_45_25 + minor_123_356*minor_45_24
+        - minor_123_456*minor_45_23;
+    const lane minor_45_16 = -D_l_4_rz*d_5_x + D_l_5_rz*d_4_x;
+    const lane minor_45_15 = -D_l_4_ry*d_5_x + D_l_5_ry*d_4_x;
+    const lane minor_45_14 = -D_l_4_rx*d_5_x + D_l_5_rx*d_4_x;
+    const lane minor_45_13 = d_4_x*d_5_z - d_4_z*d_5_x;
+    const lane A_y_6 =
+        minor_123_134*minor_45_56 - minor_123_135*minor_45_46 + minor_123_136*minor_45_45
+        + minor_123_145*minor_45_36 - minor_123_146*minor_45_35 + minor_123_156*minor_45_34
+        - minor_123_345*minor_45_16 + minor_123_346*minor_45_15 - minor_123_356*minor_45_14
+        + minor_123_456*minor_45_13;
+    const lane minor_45_12 = d_4_x*d_5_y - d_4_y*d_5_x;
+    const lane A_z_6 =
+        -minor_123_124*minor_45_56 + minor_123_125*minor_45_46 - minor_123_126*minor_45_45
+        - minor_123_145*minor_45_26 + minor_123_146*minor_45_25 - minor_123_156*minor_45_24
+        + minor_123_245*minor_45_16 - minor_123_246*minor_45_15 + minor_123_256*minor_45_14
+        - minor_123_456*minor_45_12;
+    const lane A_rx_6 =
+        minor_123_123*minor_45_56 - minor_123_125*minor_45_36 + minor_123_126*minor_45_35
+        + minor_123_135*minor_45_26 - minor_123_136*minor_45_25 + minor_123_156*minor_45_23
+        - minor_123_235*minor_45_16 + minor_123_236*minor_45_15 - minor_123_256*minor_45_13
+        + minor_123_356*minor_45_12;
+    const lane A_ry_6 =
+        -minor_123_123*minor_45_46 + minor_123_124*minor_45_36 - minor_123_126*minor_45_34
+        - minor_123_134*minor_45_26 + minor_123_136*minor_45_24 - minor_123_146*minor_45_23
+        + minor_123_234*minor_45_16 - minor_123_236*minor_45_14 + minor_123_246*minor_45_13
+        - minor_123_346*minor_45_12;
+    const lane A_rz_6 =
+        minor_123_123*minor_45_45 - minor_123_124*minor_45_35 + minor_123_125*minor_45_34
+        + minor_123_134*minor_45_25 - minor_123_135*minor_45_24 + minor_123_145*minor_45_23
+        - minor_123_234*minor_45_15 + minor_123_235*minor_45_14 - minor_123_245*minor_45_13
+        + minor_123_345*minor_45_12;
+    const lane det_D_l =
+        A_rx_1*D_l_1_rx + A_ry_1*D_l_1_ry + A_rz_1*D_l_1_rz + A_x_1*d_1_x + A_y_1*d_1_y + A_z_1*d_1_z;
+    const lane t18 = 1.0/det_D_l;
+    const lane t19 = l_1*t18;
+    const lane D_p_x_1 = A_x_1*t19;
+    const lane t20 = l_2*t18;
+    const lane D_p_x_2 = A_x_2*t20;
+    const lane t21 = l_3*t18;
+    const lane D_p_x_3 = A_x_3*t21;
+    const lane t22 = l_4*t18;
+    const lane D_p_x_4 = A_x_4*t22;
+    const lane t23 = l_5*t18;
+    const lane D_p_x_5 = A_x_5*t23;
+    const lane t24 = l_6*t18;
+    const lane D_p_x_6 = A_x_6*t24;
+    const lane D_p_y_1 = A_y_1*t19;
+    const lane D_p_y_2 = A_y_2*t20;
+    const lane D_p_y_3 = A_y_3*t21;
+    const lane D_p_y_4 = A_y_4*t22;
+    const lane D_p_y_5 = A_y_5*t23;
+    const lane D_p_y_6 = A_y_6*t24;
+    const lane D_p_z_1 = A_z_1*t19;
+    const lane D_p_z_2 = A_z_2*t20;
+    const lane D_p_z_3 = A_z_3*t21;
+    const lane D_p_z_4 = A_z_4*t22;
+    const lane D_p_z_5 = A_z_5*t23;
+    const lane D_p_z_6 = A_z_6*t24;
+    const lane D_p_rx_1 = A_rx_1*t19;
+    const lane D_p_rx_2 = A_rx_2*t20;
+    const lane D_p_rx_3 = A_rx_3*t21;
+    const lane D_p_rx_4 = A_rx_4*t22;
+    const lane D_p_rx_5 = A_rx_5*t23;
+    const lane D_p_rx_6 = A_rx_6*t24;
+    const lane D_p_ry_1 = A_ry_1*t19;
+    const lane D_p_ry_2 = A_ry_2*t20;
+    const lane D_p_ry_3 = A_ry_3*t21;
+    const lane D_p_ry_4 = A_ry_4*t22;
+    const lane D_p_ry_5 = A_ry_5*t23;
+    const lane D_p_ry_6 = A_ry_6*t24;
+    const lane D_p_rz_1 = A_rz_1*t19;
+    const lane D_p_rz_2 = A_rz_2*t20;
+    const lane D_p_rz_3 = A_rz_3*t21;
+    const lane D_p_rz_4 = A_rz_4*t22;
+    const lane D_p_rz_5 = A_rz_5*t23;
+    const lane D_p_rz_6 = A_rz_6*t24;
+    const double k_1 = k_l_1*(a_S_1 + 1.0);
+    const double k_2 = k_l_2*(a_S_2 + 1.0);
+    const double k_3 = k_l_3*(a_S_3 + 1.0);
+    const double k_4 = k_l_4*(a_S_4 + 1.0);
+    const double k_5 = k_l_5*(a_S_5 + 1.0);
+    const double k_6 = k_l_6*(a_S_6 + 1.0);
+    const lane t25 = g_x*m_lift_1;
+    const lane t26 = g_x*m_lift_2;
+    const lane t27 = g_x*m_lift_3;
+    const lane t28 = g_x*m_lift_4;
+    const lane t29 = g_x*m_lift_5;
+    const lane t30 = g_x*m_lift_6;
+    const double t31 = m_L + m_p;
+    const lane G_p_x = -g_x*t31 - t25 - t26 - t27 - t28 - t29 - t30;
+    const lane t32 = g_y*m_lift_1;
+    const lane t33 = g_y*m_lift_2;
+    const lane t34 = g_y*m_lift_3;
+    const lane t35 = g_y*m_lift_4;
+    const lane t36 = g_y*m_lift_5;
+    const lane t37 = g_y*m_lift_6;
+    const lane G_p_y = -g_y*t31 - t32 - t33 - t34 - t35 - t36 - t37;
+    const lane t38 = g_z*m_lift_1;
+    const lane t39 = g_z*m_lift_2;
+    const lane t40 = g_z*m_lift_3;
+    const lane t41 = g_z*m_lift_4;
+    const lane t42 = g_z*m_lift_5;
+    const lane t43 = g_z*m_lift_6;
+    const lane G_p_z = -g_z*t31 - t38 - t39 - t40 - t41 - t42 - t43;
+    const double t44 = g_z*m_p;
+    const double t45 = g_z*m_L;
+    const lane G_p_rx =
+        -B_1_y*t38 + B_1_z*g_y*m_lift_1 - B_2_y*t39 + B_2_z*g_y*m_lift_2 - B_3_y*t40 + B_3_z*g_y*m_lift_3
+        - B_4_y*t41 + B_4_z*g_y*m_lift_4 - B_5_y*t42 + B_5_z*g_y*m_lift_5 - B_6_y*t43 + B_6_z*g_y*m_lift_6
+        - c_y*t44 + c_z*g_y*m_p + g_y*m_L*o_L_z - o_L_y*t45;
+    const lane G_p_ry =
+        B_1_x*t38 - B_1_z*t25 + B_2_x*t39 - B_2_z*t26 + B_3_x*t40 - B_3_z*t27 + B_4_x*t41 - B_4_z*t28
+        + B_5_x*t42 - B_5_z*t29 + B_6_x*t43 - B_6_z*t30 + c_x*t44 - c_z*g_x*m_p - g_x*m_L*o_L_z + o_L_x*t45;
+    const lane G_p_rz =
+        -B_1_x*t32 + B_1_y*g_x*m_lift_1 - B_2_x*t33 + B_2_y*g_x*m_lift_2 - B_3_x*t34 + B_3_y*g_x*m_lift_3
+        - B_4_x*t35 + B_4_y*g_x*m_lift_4 - B_5_x*t36 + B_5_y*g_x*m_lift_5 - B_6_x*t37 + B_6_y*g_x*m_lift_6
+        - c_x*g_y*m_p + c_y*g_x*m_p + g_x*m_L*o_L_y - g_y*m_L*o_L_x;
+    const lane G_1 =
+        D_p_rx_1*G_p_rx + D_p_ry_1*G_p_ry + D_p_rz_1*G_p_rz + D_p_x_1*G_p_x + D_p_y_1*G_p_y + D_p_z_1*G_p_z
+        - t12*(-d_1_x*g_x - d_1_y*g_y - d_1_z*g_z)/(l_1*l_1);
+    const lane G_2 =
+        D_p_rx_2*G_p_rx + D_p_ry_2*G_p_ry + D_p_rz_2*G_p_rz + D_p_x_2*G_p_x + D_p_y_2*G_p_y + D_p_z_2*G_p_z
+        - t13*(-d_2_x*g_x - d_2_y*g_y - d_2_z*g_z)/(l_2*l_2);
+    const lane G_3 =
+        D_p_rx_3*G_p_rx + D_p_ry_3*G_p_ry + D_p_rz_3*G_p_rz + D_p_x_3*G_p_x + D_p_y_3*G_p_y + D_p_z_3*G_p_z
+        - t14*(-d_3_x*g_x - d_3_y*g_y - d_3_z*g_z)/(l_3*l_3);
+    const lane G_4 =
+        D_p_rx_4*G_p_rx + D_p_ry_4*G_p_ry + D_p_rz_4*G_p_rz + D_p_x_4*G_p_x + D_p_y_4*G_p_y + D_p_z_4*G_p_z
+        - t15*(-d_4_x*g_x - d_4_y*g_y - d_4_z*g_z)/(l_4*l_4);
+    const lane G_5 =
+        D_p_rx_5*G_p_rx + D_p_ry_5*G_p_ry + D_p_rz_5*G_p_rz + D_p_x_5*G_p_x + D_p_y_5*G_p_y + D_p_z_5*G_p_z
+        - t16*(-d_5_x*g_x - d_5_y*g_y - d_5_z*g_z)/(l_5*l_5);
+    const lane G_6 =
+        D_p_rx_6*G_p_rx + D_p_ry_6*G_p_ry + D_p_rz_6*G_p_rz + D_p_x_6*G_p_x + D_p_y_6*G_p_y + D_p_z_6*G_p_z
+        - t17*(-d_6_x*g_x - d_6_y*g_y - d_6_z*g_z)/(l_6*l_6);
+    const lane s_1_st = G_1/k_1;
+    const lane s_2_st = G_2/k_2;
+    const lane s_3_st = G_3/k_3;
+    const lane s_4_st = G_4/k_4;
+    const lane s_5_st = G_5/k_5;
+    const lane s_6_st = G_6/k_6;
+    const lane f_st_1 = k_1*s_1_st;
+    const lane f_st_2 = k_2*s_2_st;
+    const lane f_st_3 = k_3*s_3_st;
+    const lane f_st_4 = k_4*s_4_st;
+    const lane f_st_5 = k_5*s_5_st;
+    const lane f_st_6 = k_6*s_6_st;
+    tau_st[0] = LANES(f_st_1);
+    tau_st[1] = LANES(f_st_2);
+    tau_st[2] = LANES(f_st_3);
+    tau_st[3] = LANES(f_st_4);
+    tau_st[4] = LANES(f_st_5);
+    tau_st[5] = LANES(f_st_6);
+    theta_st[0] = LANES(s_1_st);
+    theta_st[1] = LANES(s_2_st);
+    theta_st[2] = LANES(s_3_st);
+    theta_st[3] = LANES(s_4_st);
+    theta_st[4] = LANES(s_5_st);
+    theta_st[5] = LANES(s_6_st);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.

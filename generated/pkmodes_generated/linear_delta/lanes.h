@@ -15,6 +15,7 @@
  *   a_j [m]: coordinate of platform joint j along rail j
  *   w_j_i [m]: vector from rail j to platform joint j, perpendicular to it, component i
  *   w2_j [m^2]: squared distance of platform joint j from rail j
+ *   tau_st_j [N m]: static torque on the driven pulley of axis j
  *   I_j_k [kg m^2]: moment of inertia of pulley k of axis j, including the motor if it is driven
  *   l_f_j_s [m]: free length of span s of belt j (1 between the pulleys, 2 from carriage to pulley 2, 3 from
  *     carriage to pulley 1)
@@ -27,6 +28,9 @@
  *   D_delta_i_k [1]: platform Jacobian, dp_i/ddelta_k
  *   U_j_i_k [1]: derivative of linkage vector j, component i, with respect to x_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
+ *   G_j [N]: gradient of the gravitational potential energy with respect to x_j
+ *   det_j [N^2 m]: determinant of the equilibrium equations of axis j
+ *   theta_j_k_st [rad]: static rotation of pulley k of axis j, relative to the unstrained transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
@@ -35,6 +39,9 @@
 #define LANES_POSE 3
 #define LANES_INDEPENDENT 3
 #define LANES_DIRECTIONS 3
+#define LANES_LINEAR 3
+#define LANES_DRIVES 3
+#define LANES_DEPENDENT 6
 #define LANES_BASE 9
 #define LANES_ALL 21
 #define LANES_GRADIENT 102
@@ -44,6 +51,10 @@
 static const struct lanes_rule LANES_RULES[] = {
     {3, LANES_AT_LEAST_ZERO}, {1, LANES_AT_MOST_LIMIT}, {9, LANES_ABOVE_ZERO},
 };
+
+/* Which of the base coordinates the pose determines, and which follow these. */
+static const int LANES_GIVEN[] = {0, 1, 2};
+static const int LANES_FOLLOWING[] = {3, 4, 5, 6, 7, 8};
 
 /* Carriage positions at a pose, and the margins of a pose.
  *
@@ -1136,6 +1147,521 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[55] = LANES(D_delta_z_2);
     J_p[56] = LANES(D_delta_z_3);
     J_p[62] = LANES(1.0);
+}
+
+/* Platform Jacobian, static equilibrium and elastic stiffness without effects.
+ *
+ * Source: platform_jacobian, static_equilibrium, elastic_hessian.
+ * 375 operations; 141870 with every named value expanded.
+ */
+static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double n_1_x = parameters[13];
+    const double n_1_y = parameters[14];
+    const double n_1_z = parameters[15];
+    const double n_2_x = parameters[16];
+    const double n_2_y = parameters[17];
+    const double n_2_z = parameters[18];
+    const double n_3_x = parameters[19];
+    const double n_3_y = parameters[20];
+    const double n_3_z = parameters[21];
+    const double b_1_x = parameters[22];
+    const double b_1_y = parameters[23];
+    const double b_1_z = parameters[24];
+    const double b_2_x = parameters[25];
+    const double b_2_y = parameters[26];
+    const double b_2_z = parameters[27];
+    const double b_3_x = parameters[28];
+    const double b_3_y = parameters[29];
+    const double b_3_z = parameters[30];
+    const double l_d_1 = parameters[31];
+    const double l_d_2 = parameters[32];
+    const double l_d_3 = parameters[33];
+    const double m_d_1 = parameters[34];
+    const double m_d_2 = parameters[35];
+    const double m_d_3 = parameters[36];
+    const double m_t_1 = parameters[37];
+    const double m_t_2 = parameters[38];
+    const double m_t_3 = parameters[39];
+    const double l_t_1 = parameters[40];
+    const double l_t_2 = parameters[41];
+    const double l_t_3 = parameters[42];
+    const double k_sp_1 = parameters[43];
+    const double k_sp_2 = parameters[44];
+    const double k_sp_3 = parameters[45];
+    const double w_b_1 = parameters[46];
+    const double w_b_2 = parameters[47];
+    const double w_b_3 = parameters[48];
+    const double R_p_1 = parameters[49];
+    const double R_p_2 = parameters[50];
+    const double R_p_3 = parameters[51];
+    const double d_1_1 = parameters[61];
+    const double d_1_2 = parameters[62];
+    const double d_2_1 = parameters[63];
+    const double d_2_2 = parameters[64];
+    const double d_3_1 = parameters[65];
+    const double d_3_2 = parameters[66];
+    const double x_min_1 = parameters[67];
+    const double x_max_1 = parameters[68];
+    const double x_min_2 = parameters[69];
+    const double x_max_2 = parameters[70];
+    const double x_min_3 = parameters[71];
+    const double x_max_3 = parameters[72];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane x_1 = a_1 + sigma_1*lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane x_2 = a_2 + sigma_2*lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane x_3 = a_3 + sigma_3*lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane t1 = 1.0/det_D_l;
+    const lane t2 = D_r_1*t1;
+    const lane D_p_x_1 = A_x_1*t2;
+    const lane t3 = D_r_2*t1;
+    const lane D_p_x_2 = A_x_2*t3;
+    const lane t4 = D_r_3*t1;
+    const lane D_p_x_3 = A_x_3*t4;
+    const lane D_p_y_1 = A_y_1*t2;
+    const lane D_p_y_2 = A_y_2*t3;
+    const lane D_p_y_3 = A_y_3*t4;
+    const lane D_p_z_1 = A_z_1*t2;
+    const lane D_p_z_2 = A_z_2*t3;
+    const lane D_p_z_3 = A_z_3*t4;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double t5 = k_sp_1*w_b_1;
+    const double k_1_1 = t5/l_f_1_1;
+    const double t6 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -t6 + x_1 - x_min_1;
+    const lane k_1_2 = t5/l_f_1_2;
+    const lane l_f_1_3 = -t6 - x_1 + x_max_1;
+    const lane k_1_3 = t5/l_f_1_3;
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double t7 = k_sp_2*w_b_2;
+    const double k_2_1 = t7/l_f_2_1;
+    const double t8 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -t8 + x_2 - x_min_2;
+    const lane k_2_2 = t7/l_f_2_2;
+    const lane l_f_2_3 = -t8 - x_2 + x_max_2;
+    const lane k_2_3 = t7/l_f_2_3;
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double t9 = k_sp_3*w_b_3;
+    const double k_3_1 = t9/l_f_3_1;
+    const double t10 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -t10 + x_3 - x_min_3;
+    const lane k_3_2 = t9/l_f_3_2;
+    const lane l_f_3_3 = -t10 - x_3 + x_max_3;
+    const lane k_3_3 = t9/l_f_3_3;
+    const double t11 = (1.0/2.0)*m_d_1;
+    const double t12 = (1.0/2.0)*m_d_2;
+    const double t13 = (1.0/2.0)*m_d_3;
+    const double t14 = m_p + t11 + t12 + t13;
+    const double t15 = g_x*t14;
+    const double t16 = g_y*t14;
+    const double t17 = g_z*t14;
+    const lane G_1 =
+        -D_p_x_1*t15 - D_p_y_1*t16 - D_p_z_1*t17 - g_x*(m_t_1*n_1_x + n_1_x*t11) - g_y*(m_t_1*n_1_y
+        + n_1_y*t11) - g_z*(m_t_1*n_1_z + n_1_z*t11);
+    const lane G_2 =
+        -D_p_x_2*t15 - D_p_y_2*t16 - D_p_z_2*t17 - g_x*(m_t_2*n_2_x + n_2_x*t12) - g_y*(m_t_2*n_2_y
+        + n_2_y*t12) - g_z*(m_t_2*n_2_z + n_2_z*t12);
+    const lane G_3 =
+        -D_p_x_3*t15 - D_p_y_3*t16 - D_p_z_3*t17 - g_x*(m_t_3*n_3_x + n_3_x*t13) - g_y*(m_t_3*n_3_y
+        + n_3_y*t13) - g_z*(m_t_3*n_3_z + n_3_z*t13);
+    const double t18 = (R_p_1*R_p_1);
+    const double t19 = k_1_1*t18;
+    const lane t20 = k_1_3*t18;
+    const lane t21 = t19 + t20;
+    const lane t22 = -d_1_1*t19 + d_1_2*t21;
+    const lane t23 = R_p_1*k_1_2;
+    const lane t24 = k_1_2*t18;
+    const lane t25 = t19 + t24;
+    const lane t26 = d_1_1*t25 - d_1_2*t19;
+    const lane t27 = R_p_1*k_1_3;
+    const lane det_1 = t22*t23 - t26*t27;
+    const lane t28 = G_1/det_1;
+    const lane theta_1_1_st = -t26*t28;
+    const lane theta_1_2_st = t22*t28;
+    const double t29 = (R_p_2*R_p_2);
+    const double t30 = k_2_1*t29;
+    const lane t31 = k_2_3*t29;
+    const lane t32 = t30 + t31;
+    const lane t33 = -d_2_1*t30 + d_2_2*t32;
+    const lane t34 = R_p_2*k_2_2;
+    const lane t35 = k_2_2*t29;
+    const lane t36 = t30 + t35;
+    const lane t37 = d_2_1*t36 - d_2_2*t30;
+    const lane t38 = R_p_2*k_2_3;
+    const lane det_2 = t33*t34 - t37*t38;
+    const lane t39 = G_2/det_2;
+    const lane theta_2_1_st = -t37*t39;
+    const lane theta_2_2_st = t33*t39;
+    const double t40 = (R_p_3*R_p_3);
+    const double t41 = k_3_1*t40;
+    const lane t42 = k_3_3*t40;
+    const lane t43 = t41 + t42;
+    const lane t44 = -d_3_1*t41 + d_3_2*t43;
+    const lane t45 = R_p_3*k_3_2;
+    const lane t46 = k_3_2*t40;
+    const lane t47 = t41 + t46;
+    const lane t48 = d_3_1*t47 - d_3_2*t41;
+    const lane t49 = R_p_3*k_3_3;
+    const lane det_3 = t44*t45 - t48*t49;
+    const lane t50 = G_3/det_3;
+    const lane theta_3_1_st = -t48*t50;
+    const lane theta_3_2_st = t44*t50;
+    const lane t51 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const lane tau_st_1 = d_1_1*(t20*theta_1_1_st - t51) + d_1_2*(t24*theta_1_2_st + t51);
+    const lane t52 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const lane tau_st_2 = d_2_1*(t31*theta_2_1_st - t52) + d_2_2*(t35*theta_2_2_st + t52);
+    const lane t53 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
+    const lane tau_st_3 = d_3_1*(t42*theta_3_1_st - t53) + d_3_2*(t46*theta_3_2_st + t53);
+    D_p[0] = LANES(D_p_x_1);
+    D_p[1] = LANES(D_p_x_2);
+    D_p[2] = LANES(D_p_x_3);
+    D_p[3] = LANES(D_p_y_1);
+    D_p[4] = LANES(D_p_y_2);
+    D_p[5] = LANES(D_p_y_3);
+    D_p[6] = LANES(D_p_z_1);
+    D_p[7] = LANES(D_p_z_2);
+    D_p[8] = LANES(D_p_z_3);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    tau_st[2] = LANES(tau_st_3);
+    theta_st[0] = LANES(theta_1_1_st);
+    theta_st[1] = LANES(theta_2_1_st);
+    theta_st[2] = LANES(theta_3_1_st);
+    theta_st[3] = LANES(theta_1_2_st);
+    theta_st[4] = LANES(theta_2_2_st);
+    theta_st[5] = LANES(theta_3_2_st);
+    lanes_clear(H_el, 81);
+    H_el[0] = LANES(k_1_2 + k_1_3);
+    H_el[3] = H_el[27] = LANES(-t27);
+    H_el[6] = H_el[54] = LANES(-t23);
+    H_el[10] = LANES(k_2_2 + k_2_3);
+    H_el[13] = H_el[37] = LANES(-t38);
+    H_el[16] = H_el[64] = LANES(-t34);
+    H_el[20] = LANES(k_3_2 + k_3_3);
+    H_el[23] = H_el[47] = LANES(-t49);
+    H_el[26] = H_el[74] = LANES(-t45);
+    H_el[30] = LANES(t21);
+    H_el[33] = H_el[57] = LANES(-t19);
+    H_el[40] = LANES(t32);
+    H_el[43] = H_el[67] = LANES(-t30);
+    H_el[50] = LANES(t43);
+    H_el[53] = H_el[77] = LANES(-t41);
+    H_el[60] = LANES(t25);
+    H_el[70] = LANES(t36);
+    H_el[80] = LANES(t47);
+}
+
+/* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
+ *
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 388 operations; 129417 with every named value expanded.
+ */
+static inline void lanes_extended_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict tau_st, lane *restrict theta_st)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double n_1_x = parameters[13];
+    const double n_1_y = parameters[14];
+    const double n_1_z = parameters[15];
+    const double n_2_x = parameters[16];
+    const double n_2_y = parameters[17];
+    const double n_2_z = parameters[18];
+    const double n_3_x = parameters[19];
+    const double n_3_y = parameters[20];
+    const double n_3_z = parameters[21];
+    const double b_1_x = parameters[22];
+    const double b_1_y = parameters[23];
+    const double b_1_z = parameters[24];
+    const double b_2_x = parameters[25];
+    const double b_2_y = parameters[26];
+    const double b_2_z = parameters[27];
+    const double b_3_x = parameters[28];
+    const double b_3_y = parameters[29];
+    const double b_3_z = parameters[30];
+    const double l_d_1 = parameters[31];
+    const double l_d_2 = parameters[32];
+    const double l_d_3 = parameters[33];
+    const double m_d_1 = parameters[34];
+    const double m_d_2 = parameters[35];
+    const double m_d_3 = parameters[36];
+    const double m_t_1 = parameters[37];
+    const double m_t_2 = parameters[38];
+    const double m_t_3 = parameters[39];
+    const double l_t_1 = parameters[40];
+    const double l_t_2 = parameters[41];
+    const double l_t_3 = parameters[42];
+    const double k_sp_1 = parameters[43];
+    const double k_sp_2 = parameters[44];
+    const double k_sp_3 = parameters[45];
+    const double w_b_1 = parameters[46];
+    const double w_b_2 = parameters[47];
+    const double w_b_3 = parameters[48];
+    const double R_p_1 = parameters[49];
+    const double R_p_2 = parameters[50];
+    const double R_p_3 = parameters[51];
+    const double d_1_1 = parameters[61];
+    const double d_1_2 = parameters[62];
+    const double d_2_1 = parameters[63];
+    const double d_2_2 = parameters[64];
+    const double d_3_1 = parameters[65];
+    const double d_3_2 = parameters[66];
+    const double x_min_1 = parameters[67];
+    const double x_max_1 = parameters[68];
+    const double x_min_2 = parameters[69];
+    const double x_max_2 = parameters[70];
+    const double x_min_3 = parameters[71];
+    const double x_max_3 = parameters[72];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double a_B_1 = effects[0];
+    const double a_B_2 = effects[1];
+    const double a_B_3 = effects[2];
+    const double c_E = effects[3];
+    const double c_T = effects[6];
+    const double F_T = effects[7];
+    const double m_L = effects[11];
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane a_1 = n_1_x*r_1_x + n_1_y*r_1_y + n_1_z*r_1_z;
+    const lane w_1_x = -a_1*n_1_x + r_1_x;
+    const lane w_1_y = -a_1*n_1_y + r_1_y;
+    const lane w_1_z = -a_1*n_1_z + r_1_z;
+    const lane w2_1 = (w_1_x*w_1_x) + (w_1_y*w_1_y) + (w_1_z*w_1_z);
+    const lane x_1 = a_1 + sigma_1*lanes_sqrt((l_d_1*l_d_1) - w2_1);
+    const lane a_2 = n_2_x*r_2_x + n_2_y*r_2_y + n_2_z*r_2_z;
+    const lane w_2_x = -a_2*n_2_x + r_2_x;
+    const lane w_2_y = -a_2*n_2_y + r_2_y;
+    const lane w_2_z = -a_2*n_2_z + r_2_z;
+    const lane w2_2 = (w_2_x*w_2_x) + (w_2_y*w_2_y) + (w_2_z*w_2_z);
+    const lane x_2 = a_2 + sigma_2*lanes_sqrt((l_d_2*l_d_2) - w2_2);
+    const lane a_3 = n_3_x*r_3_x + n_3_y*r_3_y + n_3_z*r_3_z;
+    const lane w_3_x = -a_3*n_3_x + r_3_x;
+    const lane w_3_y = -a_3*n_3_y + r_3_y;
+    const lane w_3_z = -a_3*n_3_z + r_3_z;
+    const lane w2_3 = (w_3_x*w_3_x) + (w_3_y*w_3_y) + (w_3_z*w_3_z);
+    const lane x_3 = a_3 + sigma_3*lanes_sqrt((l_d_3*l_d_3) - w2_3);
+    const lane s_1_x = -n_1_x*x_1 + r_1_x;
+    const lane s_1_y = -n_1_y*x_1 + r_1_y;
+    const lane s_1_z = -n_1_z*x_1 + r_1_z;
+    const lane s_2_x = -n_2_x*x_2 + r_2_x;
+    const lane s_2_y = -n_2_y*x_2 + r_2_y;
+    const lane s_2_z = -n_2_z*x_2 + r_2_z;
+    const lane s_3_x = -n_3_x*x_3 + r_3_x;
+    const lane s_3_y = -n_3_y*x_3 + r_3_y;
+    const lane s_3_z = -n_3_z*x_3 + r_3_z;
+    const lane D_r_1 = n_1_x*s_1_x + n_1_y*s_1_y + n_1_z*s_1_z;
+    const lane D_r_2 = n_2_x*s_2_x + n_2_y*s_2_y + n_2_z*s_2_z;
+    const lane D_r_3 = n_3_x*s_3_x + n_3_y*s_3_y + n_3_z*s_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane t1 = 1.0/det_D_l;
+    const lane t2 = D_r_1*t1;
+    const lane D_p_x_1 = A_x_1*t2;
+    const lane t3 = D_r_2*t1;
+    const lane D_p_x_2 = A_x_2*t3;
+    const lane t4 = D_r_3*t1;
+    const lane D_p_x_3 = A_x_3*t4;
+    const lane D_p_y_1 = A_y_1*t2;
+    const lane D_p_y_2 = A_y_2*t3;
+    const lane D_p_y_3 = A_y_3*t4;
+    const lane D_p_z_1 = A_z_1*t2;
+    const lane D_p_z_2 = A_z_2*t3;
+    const lane D_p_z_3 = A_z_3*t4;
+    const double l_f_1_1 = x_max_1 - x_min_1;
+    const double t5 = F_T*c_T + 1.0;
+    const double t6 = c_E*t5;
+    const double t7 = k_sp_1*w_b_1*(a_B_1 + 1.0);
+    const double t8 = t6*t7;
+    const double t9 = t5*t7;
+    const double k_1_1 = t9/(l_f_1_1 + t8);
+    const double t10 = (1.0/2.0)*l_t_1;
+    const lane l_f_1_2 = -t10 + x_1 - x_min_1;
+    const lane k_1_2 = t9/(l_f_1_2 + t8);
+    const lane l_f_1_3 = -t10 - x_1 + x_max_1;
+    const lane k_1_3 = t9/(l_f_1_3 + t8);
+    const double l_f_2_1 = x_max_2 - x_min_2;
+    const double t11 = k_sp_2*w_b_2*(a_B_2 + 1.0);
+    const double t12 = t11*t6;
+    const double t13 = t11*t5;
+    const double k_2_1 = t13/(l_f_2_1 + t12);
+    const double t14 = (1.0/2.0)*l_t_2;
+    const lane l_f_2_2 = -t14 + x_2 - x_min_2;
+    const lane k_2_2 = t13/(l_f_2_2 + t12);
+    const lane l_f_2_3 = -t14 - x_2 + x_max_2;
+    const lane k_2_3 = t13/(l_f_2_3 + t12);
+    const double l_f_3_1 = x_max_3 - x_min_3;
+    const double t15 = k_sp_3*w_b_3*(a_B_3 + 1.0);
+    const double t16 = t15*t6;
+    const double t17 = t15*t5;
+    const double k_3_1 = t17/(l_f_3_1 + t16);
+    const double t18 = (1.0/2.0)*l_t_3;
+    const lane l_f_3_2 = -t18 + x_3 - x_min_3;
+    const lane k_3_2 = t17/(l_f_3_2 + t16);
+    const lane l_f_3_3 = -t18 - x_3 + x_max_3;
+    const lane k_3_3 = t17/(l_f_3_3 + t16);
+    const double t19 = (1.0/2.0)*m_d_1;
+    const double t20 = (1.0/2.0)*m_d_2;
+    const double t21 = (1.0/2.0)*m_d_3;
+    const double t22 = m_L + m_p + t19 + t20 + t21;
+    const double t23 = g_x*t22;
+    const double t24 = g_y*t22;
+    const double t25 = g_z*t22;
+    const lane G_1 =
+        -D_p_x_1*t23 - D_p_y_1*t24 - D_p_z_1*t25 - g_x*(m_t_1*n_1_x + n_1_x*t19) - g_y*(m_t_1*n_1_y
+        + n_1_y*t19) - g_z*(m_t_1*n_1_z + n_1_z*t19);
+    const lane G_2 =
+        -D_p_x_2*t23 - D_p_y_2*t24 - D_p_z_2*t25 - g_x*(m_t_2*n_2_x + n_2_x*t20) - g_y*(m_t_2*n_2_y
+        + n_2_y*t20) - g_z*(m_t_2*n_2_z + n_2_z*t20);
+    const lane G_3 =
+        -D_p_x_3*t23 - D_p_y_3*t24 - D_p_z_3*t25 - g_x*(m_t_3*n_3_x + n_3_x*t21) - g_y*(m_t_3*n_3_y
+        + n_3_y*t21) - g_z*(m_t_3*n_3_z + n_3_z*t21);
+    const double t26 = (R_p_1*R_p_1);
+    const double t27 = k_1_1*t26;
+    const lane t28 = k_1_3*t26;
+    const lane t29 = -d_1_1*t27 + d_1_2*(t27 + t28);
+    const lane t30 = k_1_2*t26;
+    const lane t31 = d_1_1*(t27 + t30) - d_1_2*t27;
+    const lane det_1 = R_p_1*k_1_2*t29 - R_p_1*k_1_3*t31;
+    const lane t32 = G_1/det_1;
+    const lane theta_1_1_st = -t31*t32;
+    const lane theta_1_2_st = t29*t32;
+    const double t33 = (R_p_2*R_p_2);
+    const double t34 = k_2_1*t33;
+    const lane t35 = k_2_3*t33;
+    const lane t36 = -d_2_1*t34 + d_2_2*(t34 + t35);
+    const lane t37 = k_2_2*t33;
+    const lane t38 = d_2_1*(t34 + t37) - d_2_2*t34;
+    const lane det_2 = R_p_2*k_2_2*t36 - R_p_2*k_2_3*t38;
+    const lane t39 = G_2/det_2;
+    const lane theta_2_1_st = -t38*t39;
+    const lane theta_2_2_st = t36*t39;
+    const double t40 = (R_p_3*R_p_3);
+    const double t41 = k_3_1*t40;
+    const lane t42 = k_3_3*t40;
+    const lane t43 = -d_3_1*t41 + d_3_2*(t41 + t42);
+    const lane t44 = k_3_2*t40;
+    const lane t45 = d_3_1*(t41 + t44) - d_3_2*t41;
+    const lane det_3 = R_p_3*k_3_2*t43 - R_p_3*k_3_3*t45;
+    const lane t46 = G_3/det_3;
+    const lane theta_3_1_st = -t45*t46;
+    const lane theta_3_2_st = t43*t46;
+    const lane t47 = R_p_1*k_1_1*(-R_p_1*theta_1_1_st + R_p_1*theta_1_2_st);
+    const lane tau_st_1 = d_1_1*(t28*theta_1_1_st - t47) + d_1_2*(t30*theta_1_2_st + t47);
+    const lane t48 = R_p_2*k_2_1*(-R_p_2*theta_2_1_st + R_p_2*theta_2_2_st);
+    const lane tau_st_2 = d_2_1*(t35*theta_2_1_st - t48) + d_2_2*(t37*theta_2_2_st + t48);
+    const lane t49 = R_p_3*k_3_1*(-R_p_3*theta_3_1_st + R_p_3*theta_3_2_st);
+    const lane tau_st_3 = d_3_1*(t42*theta_3_1_st - t49) + d_3_2*(t44*theta_3_2_st + t49);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    tau_st[2] = LANES(tau_st_3);
+    theta_st[0] = LANES(theta_1_1_st);
+    theta_st[1] = LANES(theta_2_1_st);
+    theta_st[2] = LANES(theta_3_1_st);
+    theta_st[3] = LANES(theta_1_2_st);
+    theta_st[4] = LANES(theta_2_2_st);
+    theta_st[5] = LANES(theta_3_2_st);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.

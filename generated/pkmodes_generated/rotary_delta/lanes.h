@@ -22,6 +22,7 @@
  *   C_j [m]: component of r_j along the arm when the loop is closed
  *   rho2_j [m^2]: squared length of the part of r_j in the plane of the arm
  *   S_j [m]: component of r_j in that plane, perpendicular to the arm
+ *   tau_st_j [N m]: static torque on motor j, seen at the arm
  *   I_j [kg m^2]: moment of inertia of motor j, seen at the arm
  *   k_j [N m/rad]: stiffness of reducer j
  *   D_r_j [m^2]: entry of D_r for axis j: component of linkage vector along the motion of its joint
@@ -31,6 +32,9 @@
  *   D_delta_i_k [1]: platform Jacobian, dp_i/ddelta_k
  *   U_j_i_k [m]: derivative of linkage vector j, component i, with respect to theta_k
  *   mu_j [N/m]: static force in linkage j divided by its length, positive in compression
+ *   G_j [N m]: gradient of the gravitational potential energy with respect to theta_j
+ *   phi_j_st [rad]: static angle of motor j divided by the gear ratio, relative to the unstrained
+ *     transmissions
  */
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "-ffast-math, -Ofast and -ffinite-math-only hide NaN, the mark of bad poses: compile without them"
@@ -39,6 +43,9 @@
 #define LANES_POSE 3
 #define LANES_INDEPENDENT 3
 #define LANES_DIRECTIONS 3
+#define LANES_LINEAR 3
+#define LANES_DRIVES 3
+#define LANES_DEPENDENT 3
 #define LANES_BASE 6
 #define LANES_ALL 12
 #define LANES_GRADIENT 94
@@ -48,6 +55,10 @@
 static const struct lanes_rule LANES_RULES[] = {
     {6, LANES_AT_LEAST_ZERO}, {1, LANES_AT_MOST_LIMIT}, {6, LANES_AT_LEAST_ZERO},
 };
+
+/* Which of the base coordinates the pose determines, and which follow these. */
+static const int LANES_GIVEN[] = {0, 1, 2};
+static const int LANES_FOLLOWING[] = {3, 4, 5};
 
 /* Arm angles at a pose, and the margins of a pose.
  *
@@ -1075,6 +1086,432 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
     J_p[31] = LANES(D_delta_z_2);
     J_p[32] = LANES(D_delta_z_3);
     J_p[35] = LANES(1.0);
+}
+
+/* Platform Jacobian, static equilibrium and elastic stiffness without effects.
+ *
+ * Source: platform_jacobian, static_equilibrium, elastic_hessian.
+ * 372 operations; 204378 with every named value expanded.
+ */
+static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double z_1_x = parameters[22];
+    const double z_1_y = parameters[23];
+    const double z_1_z = parameters[24];
+    const double z_2_x = parameters[25];
+    const double z_2_y = parameters[26];
+    const double z_2_z = parameters[27];
+    const double z_3_x = parameters[28];
+    const double z_3_y = parameters[29];
+    const double z_3_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double L_a_1 = parameters[40];
+    const double L_a_2 = parameters[41];
+    const double L_a_3 = parameters[42];
+    const double m_a_1 = parameters[43];
+    const double m_a_2 = parameters[44];
+    const double m_a_3 = parameters[45];
+    const double r_a_1 = parameters[46];
+    const double r_a_2 = parameters[47];
+    const double r_a_3 = parameters[48];
+    const double l_d_1 = parameters[52];
+    const double l_d_2 = parameters[53];
+    const double l_d_3 = parameters[54];
+    const double m_d_1 = parameters[55];
+    const double m_d_2 = parameters[56];
+    const double m_d_3 = parameters[57];
+    const double k_r_1 = parameters[58];
+    const double k_r_2 = parameters[59];
+    const double k_r_3 = parameters[60];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
+    const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
+    const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
+    const double y_2_x = a_2_y*z_2_z - a_2_z*z_2_y;
+    const double y_2_y = -a_2_x*z_2_z + a_2_z*z_2_x;
+    const double y_2_z = a_2_x*z_2_y - a_2_y*z_2_x;
+    const double y_3_x = a_3_y*z_3_z - a_3_z*z_3_y;
+    const double y_3_y = -a_3_x*z_3_z + a_3_z*z_3_x;
+    const double y_3_z = a_3_x*z_3_y - a_3_y*z_3_x;
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z;
+    const lane B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z;
+    const lane rho2_1 = (A_1*A_1) + (B_1*B_1);
+    const lane C_1 =
+        (1.0/2.0)*((L_a_1*L_a_1) - (l_d_1*l_d_1) + (r_1_x*r_1_x) + (r_1_y*r_1_y) + (r_1_z*r_1_z))/L_a_1;
+    const lane S_1 = sigma_1*lanes_sqrt(-(C_1*C_1) + rho2_1);
+    const lane t1 = 1.0/rho2_1;
+    const lane c_1 = t1*(A_1*C_1 - B_1*S_1);
+    const lane sn_1 = t1*(A_1*S_1 + B_1*C_1);
+    const lane A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z;
+    const lane B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z;
+    const lane rho2_2 = (A_2*A_2) + (B_2*B_2);
+    const lane C_2 =
+        (1.0/2.0)*((L_a_2*L_a_2) - (l_d_2*l_d_2) + (r_2_x*r_2_x) + (r_2_y*r_2_y) + (r_2_z*r_2_z))/L_a_2;
+    const lane S_2 = sigma_2*lanes_sqrt(-(C_2*C_2) + rho2_2);
+    const lane t2 = 1.0/rho2_2;
+    const lane c_2 = t2*(A_2*C_2 - B_2*S_2);
+    const lane sn_2 = t2*(A_2*S_2 + B_2*C_2);
+    const lane A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z;
+    const lane B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z;
+    const lane rho2_3 = (A_3*A_3) + (B_3*B_3);
+    const lane C_3 =
+        (1.0/2.0)*((L_a_3*L_a_3) - (l_d_3*l_d_3) + (r_3_x*r_3_x) + (r_3_y*r_3_y) + (r_3_z*r_3_z))/L_a_3;
+    const lane S_3 = sigma_3*lanes_sqrt(-(C_3*C_3) + rho2_3);
+    const lane t3 = 1.0/rho2_3;
+    const lane c_3 = t3*(A_3*C_3 - B_3*S_3);
+    const lane sn_3 = t3*(A_3*S_3 + B_3*C_3);
+    const lane d_1_x = c_1*z_1_x + sn_1*y_1_x;
+    const lane d_1_y = c_1*z_1_y + sn_1*y_1_y;
+    const lane d_1_z = c_1*z_1_z + sn_1*y_1_z;
+    const lane t_1_x = c_1*y_1_x - sn_1*z_1_x;
+    const lane t_1_y = c_1*y_1_y - sn_1*z_1_y;
+    const lane t_1_z = c_1*y_1_z - sn_1*z_1_z;
+    const lane d_2_x = c_2*z_2_x + sn_2*y_2_x;
+    const lane d_2_y = c_2*z_2_y + sn_2*y_2_y;
+    const lane d_2_z = c_2*z_2_z + sn_2*y_2_z;
+    const lane t_2_x = c_2*y_2_x - sn_2*z_2_x;
+    const lane t_2_y = c_2*y_2_y - sn_2*z_2_y;
+    const lane t_2_z = c_2*y_2_z - sn_2*z_2_z;
+    const lane d_3_x = c_3*z_3_x + sn_3*y_3_x;
+    const lane d_3_y = c_3*z_3_y + sn_3*y_3_y;
+    const lane d_3_z = c_3*z_3_z + sn_3*y_3_z;
+    const lane t_3_x = c_3*y_3_x - sn_3*z_3_x;
+    const lane t_3_y = c_3*y_3_y - sn_3*z_3_y;
+    const lane t_3_z = c_3*y_3_z - sn_3*z_3_z;
+    const lane s_1_x = -L_a_1*d_1_x + r_1_x;
+    const lane s_1_y = -L_a_1*d_1_y + r_1_y;
+    const lane s_1_z = -L_a_1*d_1_z + r_1_z;
+    const lane s_2_x = -L_a_2*d_2_x + r_2_x;
+    const lane s_2_y = -L_a_2*d_2_y + r_2_y;
+    const lane s_2_z = -L_a_2*d_2_z + r_2_z;
+    const lane s_3_x = -L_a_3*d_3_x + r_3_x;
+    const lane s_3_y = -L_a_3*d_3_y + r_3_y;
+    const lane s_3_z = -L_a_3*d_3_z + r_3_z;
+    const lane D_r_1 = L_a_1*s_1_x*t_1_x + L_a_1*s_1_y*t_1_y + L_a_1*s_1_z*t_1_z;
+    const lane D_r_2 = L_a_2*s_2_x*t_2_x + L_a_2*s_2_y*t_2_y + L_a_2*s_2_z*t_2_z;
+    const lane D_r_3 = L_a_3*s_3_x*t_3_x + L_a_3*s_3_y*t_3_y + L_a_3*s_3_z*t_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane t4 = 1.0/det_D_l;
+    const lane t5 = D_r_1*t4;
+    const lane D_p_x_1 = A_x_1*t5;
+    const lane t6 = D_r_2*t4;
+    const lane D_p_x_2 = A_x_2*t6;
+    const lane t7 = D_r_3*t4;
+    const lane D_p_x_3 = A_x_3*t7;
+    const lane D_p_y_1 = A_y_1*t5;
+    const lane D_p_y_2 = A_y_2*t6;
+    const lane D_p_y_3 = A_y_3*t7;
+    const lane D_p_z_1 = A_z_1*t5;
+    const lane D_p_z_2 = A_z_2*t6;
+    const lane D_p_z_3 = A_z_3*t7;
+    const double t8 = (1.0/2.0)*m_d_3;
+    const double t9 = (1.0/2.0)*m_d_1;
+    const double t10 = (1.0/2.0)*m_d_2;
+    const double t11 = m_p + t10 + t8 + t9;
+    const double t12 = g_x*t11;
+    const double t13 = g_y*t11;
+    const double t14 = g_z*t11;
+    const double t15 = L_a_1*t9 + m_a_1*r_a_1;
+    const lane G_1 = -D_p_x_1*t12 - D_p_y_1*t13 - D_p_z_1*t14 - g_x*t15*t_1_x - g_y*t15*t_1_y - g_z*t15*t_1_z;
+    const double t16 = L_a_2*t10 + m_a_2*r_a_2;
+    const lane G_2 = -D_p_x_2*t12 - D_p_y_2*t13 - D_p_z_2*t14 - g_x*t16*t_2_x - g_y*t16*t_2_y - g_z*t16*t_2_z;
+    const double t17 = L_a_3*t8 + m_a_3*r_a_3;
+    const lane G_3 = -D_p_x_3*t12 - D_p_y_3*t13 - D_p_z_3*t14 - g_x*t17*t_3_x - g_y*t17*t_3_y - g_z*t17*t_3_z;
+    const lane phi_1_st = G_1/k_r_1;
+    const lane phi_2_st = G_2/k_r_2;
+    const lane phi_3_st = G_3/k_r_3;
+    const lane tau_st_1 = k_r_1*phi_1_st;
+    const lane tau_st_2 = k_r_2*phi_2_st;
+    const lane tau_st_3 = k_r_3*phi_3_st;
+    D_p[0] = LANES(D_p_x_1);
+    D_p[1] = LANES(D_p_x_2);
+    D_p[2] = LANES(D_p_x_3);
+    D_p[3] = LANES(D_p_y_1);
+    D_p[4] = LANES(D_p_y_2);
+    D_p[5] = LANES(D_p_y_3);
+    D_p[6] = LANES(D_p_z_1);
+    D_p[7] = LANES(D_p_z_2);
+    D_p[8] = LANES(D_p_z_3);
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    tau_st[2] = LANES(tau_st_3);
+    theta_st[0] = LANES(phi_1_st);
+    theta_st[1] = LANES(phi_2_st);
+    theta_st[2] = LANES(phi_3_st);
+    lanes_clear(H_el, 36);
+    H_el[0] = LANES(k_r_1);
+    H_el[3] = H_el[18] = LANES(-k_r_1);
+    H_el[7] = LANES(k_r_2);
+    H_el[10] = H_el[25] = LANES(-k_r_2);
+    H_el[14] = LANES(k_r_3);
+    H_el[17] = H_el[32] = LANES(-k_r_3);
+    H_el[21] = LANES(k_r_1);
+    H_el[28] = LANES(k_r_2);
+    H_el[35] = LANES(k_r_3);
+}
+
+/* Drive torques and rotations that hold the pose, with the weights and stiffness changes of effects.
+ *
+ * Source: equation 44; springs added by effects are relaxed at the pose, and released joints are locked.
+ * 376 operations; 138123 with every named value expanded.
+ */
+static inline void lanes_extended_statics(const lane *restrict pose, const double *restrict parameters,
+    const double *restrict effects, lane *restrict tau_st, lane *restrict theta_st)
+{
+    (void)pose;
+    (void)parameters;
+    (void)effects;
+    const lane p_x = pose[0];
+    const lane p_y = pose[1];
+    const lane p_z = pose[2];
+    const double m_p = parameters[0];
+    const double g_x = parameters[1];
+    const double g_y = parameters[2];
+    const double g_z = parameters[3];
+    const double o_1_x = parameters[4];
+    const double o_1_y = parameters[5];
+    const double o_1_z = parameters[6];
+    const double o_2_x = parameters[7];
+    const double o_2_y = parameters[8];
+    const double o_2_z = parameters[9];
+    const double o_3_x = parameters[10];
+    const double o_3_y = parameters[11];
+    const double o_3_z = parameters[12];
+    const double a_1_x = parameters[13];
+    const double a_1_y = parameters[14];
+    const double a_1_z = parameters[15];
+    const double a_2_x = parameters[16];
+    const double a_2_y = parameters[17];
+    const double a_2_z = parameters[18];
+    const double a_3_x = parameters[19];
+    const double a_3_y = parameters[20];
+    const double a_3_z = parameters[21];
+    const double z_1_x = parameters[22];
+    const double z_1_y = parameters[23];
+    const double z_1_z = parameters[24];
+    const double z_2_x = parameters[25];
+    const double z_2_y = parameters[26];
+    const double z_2_z = parameters[27];
+    const double z_3_x = parameters[28];
+    const double z_3_y = parameters[29];
+    const double z_3_z = parameters[30];
+    const double b_1_x = parameters[31];
+    const double b_1_y = parameters[32];
+    const double b_1_z = parameters[33];
+    const double b_2_x = parameters[34];
+    const double b_2_y = parameters[35];
+    const double b_2_z = parameters[36];
+    const double b_3_x = parameters[37];
+    const double b_3_y = parameters[38];
+    const double b_3_z = parameters[39];
+    const double L_a_1 = parameters[40];
+    const double L_a_2 = parameters[41];
+    const double L_a_3 = parameters[42];
+    const double m_a_1 = parameters[43];
+    const double m_a_2 = parameters[44];
+    const double m_a_3 = parameters[45];
+    const double r_a_1 = parameters[46];
+    const double r_a_2 = parameters[47];
+    const double r_a_3 = parameters[48];
+    const double l_d_1 = parameters[52];
+    const double l_d_2 = parameters[53];
+    const double l_d_3 = parameters[54];
+    const double m_d_1 = parameters[55];
+    const double m_d_2 = parameters[56];
+    const double m_d_3 = parameters[57];
+    const double k_r_1 = parameters[58];
+    const double k_r_2 = parameters[59];
+    const double k_r_3 = parameters[60];
+    const double sigma_1 = parameters[73];
+    const double sigma_2 = parameters[74];
+    const double sigma_3 = parameters[75];
+    const double a_R_1 = effects[0];
+    const double a_R_2 = effects[1];
+    const double a_R_3 = effects[2];
+    const double m_L = effects[6];
+    const double y_1_x = a_1_y*z_1_z - a_1_z*z_1_y;
+    const double y_1_y = -a_1_x*z_1_z + a_1_z*z_1_x;
+    const double y_1_z = a_1_x*z_1_y - a_1_y*z_1_x;
+    const double y_2_x = a_2_y*z_2_z - a_2_z*z_2_y;
+    const double y_2_y = -a_2_x*z_2_z + a_2_z*z_2_x;
+    const double y_2_z = a_2_x*z_2_y - a_2_y*z_2_x;
+    const double y_3_x = a_3_y*z_3_z - a_3_z*z_3_y;
+    const double y_3_y = -a_3_x*z_3_z + a_3_z*z_3_x;
+    const double y_3_z = a_3_x*z_3_y - a_3_y*z_3_x;
+    const lane r_1_x = b_1_x - o_1_x + p_x;
+    const lane r_1_y = b_1_y - o_1_y + p_y;
+    const lane r_1_z = b_1_z - o_1_z + p_z;
+    const lane r_2_x = b_2_x - o_2_x + p_x;
+    const lane r_2_y = b_2_y - o_2_y + p_y;
+    const lane r_2_z = b_2_z - o_2_z + p_z;
+    const lane r_3_x = b_3_x - o_3_x + p_x;
+    const lane r_3_y = b_3_y - o_3_y + p_y;
+    const lane r_3_z = b_3_z - o_3_z + p_z;
+    const lane A_1 = r_1_x*z_1_x + r_1_y*z_1_y + r_1_z*z_1_z;
+    const lane B_1 = r_1_x*y_1_x + r_1_y*y_1_y + r_1_z*y_1_z;
+    const lane rho2_1 = (A_1*A_1) + (B_1*B_1);
+    const lane C_1 =
+        (1.0/2.0)*((L_a_1*L_a_1) - (l_d_1*l_d_1) + (r_1_x*r_1_x) + (r_1_y*r_1_y) + (r_1_z*r_1_z))/L_a_1;
+    const lane S_1 = sigma_1*lanes_sqrt(-(C_1*C_1) + rho2_1);
+    const lane t1 = 1.0/rho2_1;
+    const lane c_1 = t1*(A_1*C_1 - B_1*S_1);
+    const lane sn_1 = t1*(A_1*S_1 + B_1*C_1);
+    const lane A_2 = r_2_x*z_2_x + r_2_y*z_2_y + r_2_z*z_2_z;
+    const lane B_2 = r_2_x*y_2_x + r_2_y*y_2_y + r_2_z*y_2_z;
+    const lane rho2_2 = (A_2*A_2) + (B_2*B_2);
+    const lane C_2 =
+        (1.0/2.0)*((L_a_2*L_a_2) - (l_d_2*l_d_2) + (r_2_x*r_2_x) + (r_2_y*r_2_y) + (r_2_z*r_2_z))/L_a_2;
+    const lane S_2 = sigma_2*lanes_sqrt(-(C_2*C_2) + rho2_2);
+    const lane t2 = 1.0/rho2_2;
+    const lane c_2 = t2*(A_2*C_2 - B_2*S_2);
+    const lane sn_2 = t2*(A_2*S_2 + B_2*C_2);
+    const lane A_3 = r_3_x*z_3_x + r_3_y*z_3_y + r_3_z*z_3_z;
+    const lane B_3 = r_3_x*y_3_x + r_3_y*y_3_y + r_3_z*y_3_z;
+    const lane rho2_3 = (A_3*A_3) + (B_3*B_3);
+    const lane C_3 =
+        (1.0/2.0)*((L_a_3*L_a_3) - (l_d_3*l_d_3) + (r_3_x*r_3_x) + (r_3_y*r_3_y) + (r_3_z*r_3_z))/L_a_3;
+    const lane S_3 = sigma_3*lanes_sqrt(-(C_3*C_3) + rho2_3);
+    const lane t3 = 1.0/rho2_3;
+    const lane c_3 = t3*(A_3*C_3 - B_3*S_3);
+    const lane sn_3 = t3*(A_3*S_3 + B_3*C_3);
+    const lane d_1_x = c_1*z_1_x + sn_1*y_1_x;
+    const lane d_1_y = c_1*z_1_y + sn_1*y_1_y;
+    const lane d_1_z = c_1*z_1_z + sn_1*y_1_z;
+    const lane t_1_x = c_1*y_1_x - sn_1*z_1_x;
+    const lane t_1_y = c_1*y_1_y - sn_1*z_1_y;
+    const lane t_1_z = c_1*y_1_z - sn_1*z_1_z;
+    const lane d_2_x = c_2*z_2_x + sn_2*y_2_x;
+    const lane d_2_y = c_2*z_2_y + sn_2*y_2_y;
+    const lane d_2_z = c_2*z_2_z + sn_2*y_2_z;
+    const lane t_2_x = c_2*y_2_x - sn_2*z_2_x;
+    const lane t_2_y = c_2*y_2_y - sn_2*z_2_y;
+    const lane t_2_z = c_2*y_2_z - sn_2*z_2_z;
+    const lane d_3_x = c_3*z_3_x + sn_3*y_3_x;
+    const lane d_3_y = c_3*z_3_y + sn_3*y_3_y;
+    const lane d_3_z = c_3*z_3_z + sn_3*y_3_z;
+    const lane t_3_x = c_3*y_3_x - sn_3*z_3_x;
+    const lane t_3_y = c_3*y_3_y - sn_3*z_3_y;
+    const lane t_3_z = c_3*y_3_z - sn_3*z_3_z;
+    const lane s_1_x = -L_a_1*d_1_x + r_1_x;
+    const lane s_1_y = -L_a_1*d_1_y + r_1_y;
+    const lane s_1_z = -L_a_1*d_1_z + r_1_z;
+    const lane s_2_x = -L_a_2*d_2_x + r_2_x;
+    const lane s_2_y = -L_a_2*d_2_y + r_2_y;
+    const lane s_2_z = -L_a_2*d_2_z + r_2_z;
+    const lane s_3_x = -L_a_3*d_3_x + r_3_x;
+    const lane s_3_y = -L_a_3*d_3_y + r_3_y;
+    const lane s_3_z = -L_a_3*d_3_z + r_3_z;
+    const lane D_r_1 = L_a_1*s_1_x*t_1_x + L_a_1*s_1_y*t_1_y + L_a_1*s_1_z*t_1_z;
+    const lane D_r_2 = L_a_2*s_2_x*t_2_x + L_a_2*s_2_y*t_2_y + L_a_2*s_2_z*t_2_z;
+    const lane D_r_3 = L_a_3*s_3_x*t_3_x + L_a_3*s_3_y*t_3_y + L_a_3*s_3_z*t_3_z;
+    const lane A_x_1 = s_2_y*s_3_z - s_2_z*s_3_y;
+    const lane A_y_1 = -s_2_x*s_3_z + s_2_z*s_3_x;
+    const lane A_z_1 = s_2_x*s_3_y - s_2_y*s_3_x;
+    const lane A_x_2 = -s_1_y*s_3_z + s_1_z*s_3_y;
+    const lane A_y_2 = s_1_x*s_3_z - s_1_z*s_3_x;
+    const lane A_z_2 = -s_1_x*s_3_y + s_1_y*s_3_x;
+    const lane A_x_3 = s_1_y*s_2_z - s_1_z*s_2_y;
+    const lane A_y_3 = -s_1_x*s_2_z + s_1_z*s_2_x;
+    const lane A_z_3 = s_1_x*s_2_y - s_1_y*s_2_x;
+    const lane det_D_l = A_x_1*s_1_x + A_y_1*s_1_y + A_z_1*s_1_z;
+    const lane t4 = 1.0/det_D_l;
+    const lane t5 = D_r_1*t4;
+    const lane D_p_x_1 = A_x_1*t5;
+    const lane t6 = D_r_2*t4;
+    const lane D_p_x_2 = A_x_2*t6;
+    const lane t7 = D_r_3*t4;
+    const lane D_p_x_3 = A_x_3*t7;
+    const lane D_p_y_1 = A_y_1*t5;
+    const lane D_p_y_2 = A_y_2*t6;
+    const lane D_p_y_3 = A_y_3*t7;
+    const lane D_p_z_1 = A_z_1*t5;
+    const lane D_p_z_2 = A_z_2*t6;
+    const lane D_p_z_3 = A_z_3*t7;
+    const double k_1 = k_r_1*(a_R_1 + 1.0);
+    const double k_2 = k_r_2*(a_R_2 + 1.0);
+    const double k_3 = k_r_3*(a_R_3 + 1.0);
+    const double t8 = (1.0/2.0)*m_d_3;
+    const double t9 = (1.0/2.0)*m_d_1;
+    const double t10 = (1.0/2.0)*m_d_2;
+    const double t11 = m_L + m_p + t10 + t8 + t9;
+    const double t12 = g_x*t11;
+    const double t13 = g_y*t11;
+    const double t14 = g_z*t11;
+    const double t15 = L_a_1*t9 + m_a_1*r_a_1;
+    const lane G_1 = -D_p_x_1*t12 - D_p_y_1*t13 - D_p_z_1*t14 - g_x*t15*t_1_x - g_y*t15*t_1_y - g_z*t15*t_1_z;
+    const double t16 = L_a_2*t10 + m_a_2*r_a_2;
+    const lane G_2 = -D_p_x_2*t12 - D_p_y_2*t13 - D_p_z_2*t14 - g_x*t16*t_2_x - g_y*t16*t_2_y - g_z*t16*t_2_z;
+    const double t17 = L_a_3*t8 + m_a_3*r_a_3;
+    const lane G_3 = -D_p_x_3*t12 - D_p_y_3*t13 - D_p_z_3*t14 - g_x*t17*t_3_x - g_y*t17*t_3_y - g_z*t17*t_3_z;
+    const lane phi_1_st = G_1/k_1;
+    const lane phi_2_st = G_2/k_2;
+    const lane phi_3_st = G_3/k_3;
+    const lane tau_st_1 = k_1*phi_1_st;
+    const lane tau_st_2 = k_2*phi_2_st;
+    const lane tau_st_3 = k_3*phi_3_st;
+    tau_st[0] = LANES(tau_st_1);
+    tau_st[1] = LANES(tau_st_2);
+    tau_st[2] = LANES(tau_st_3);
+    theta_st[0] = LANES(phi_1_st);
+    theta_st[1] = LANES(phi_2_st);
+    theta_st[2] = LANES(phi_3_st);
 }
 
 /* Derivatives of the eigenvalue of a mode with respect to all quantities.

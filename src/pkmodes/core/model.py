@@ -23,21 +23,20 @@ from pkmodes.core.mechanism.poses import (
     CheckedPoses,
     OnError,
     as_points,
-    check_poses,
     largest_condition,
 )
-from pkmodes.core.robot.pose_table import by_name, poses_by_name
+from pkmodes.core.robot.pose_table import by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
-from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
+from pkmodes.core.solve.backends import AUTO, all_cores, checked_threads, chosen, solver_of
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
-from pkmodes.core.solve.fields import FIELDS, condition_number
+from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.mode_fields import Later, ModeFields, Plan
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
-from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, evaluation, matrices
+from pkmodes.core.system.evaluation import Evaluation, evaluation
 from pkmodes.core.system.motors import solved_system
 
 Array = NDArray[np.float64]
@@ -250,8 +249,16 @@ class Model:
         _, arrays = self._run(plan.fields, poses, on_error, given, number)
         return arrays["frequencies"]
 
-    def matrices(self, poses: ArrayLike, on_error: OnError = "raise") -> tuple[Array, Array]:
-        """Compute the mass and stiffness matrices (equations 33 and 48).
+    def matrices(
+        self,
+        poses: ArrayLike,
+        on_error: OnError = "raise",
+        *,
+        out: Out = None,
+        backend: str = AUTO,
+        threads: int | None = None,
+    ) -> tuple[Array, Array]:
+        """Compute the mass and stiffness matrices (equations 33 and 48), motors free.
 
         Parameters
         ----------
@@ -259,6 +266,12 @@ class Model:
             In SI units.
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN.
+        out : mapping of str to ndarray, optional
+            Arrays to fill in place and return: ``"mass_matrix"``, ``"stiffness_matrix"``, or both.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`.
+        threads : int, optional
+            As for `modes`.
 
         Returns
         -------
@@ -266,10 +279,16 @@ class Model:
             In SI units, in the order of `coordinates`; NaN where a pose could not be evaluated.
         K : ndarray, shape (..., n, n)
             Likewise.
+
+        Raises
+        ------
+        PkmodesError
+            As for `modes`.
         """
-        checked = self.checked(poses, on_error)
-        M, K = self.evaluated(lambda p: matrices(self.system, p), checked)
-        return M, K
+        number = checked_threads(threads)
+        names = "mass_matrix", "stiffness_matrix"
+        _, arrays = self._evaluated(names, poses, on_error, out, backend, number)
+        return arrays["mass_matrix"], arrays["stiffness_matrix"]
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
         """Compute the torques and rotations that hold the pose (equation 44).
@@ -286,10 +305,10 @@ class Model:
         Statics
             With the leading axes of the poses.
         """
-        checked = self.checked(poses, on_error)
-        torques, rotations = self.evaluated(self.system.statics, checked)
+        checked, arrays = self._evaluated(("static_torque", "static_rotation"), poses, on_error)
         poses = checked.points.reshape((*checked.batch, -1))
         codes = checked.codes.reshape(checked.batch)
+        torques, rotations = arrays["static_torque"], arrays["static_rotation"]
         return Statics(codes, checked.known, poses, torques, rotations, self.robot)
 
     @property
@@ -326,7 +345,9 @@ class Model:
             robot=self.robot,
         )
 
-    def platform_jacobian(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+    def platform_jacobian(
+        self, poses: ArrayLike, on_error: OnError = "raise", *, out: Array | None = None
+    ) -> Array:
         """Compute the platform Jacobian D_p = dp/dq (equation 15); rotations are small ones about base axes.
 
         Parameters
@@ -335,16 +356,17 @@ class Model:
             In SI units.
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN.
+        out : ndarray of float, optional
+            Of the shape of the result: filled in place and returned.
 
         Returns
         -------
         ndarray, shape (..., d, k)
             One row per pose component, one column per independent coordinate.
         """
-        (D_p,) = self._at(poses, on_error, "platform_jacobian")
-        return D_p
+        return self._field("platform_jacobian", poses, on_error, out)
 
-    def condition(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+    def condition(self, poses: ArrayLike, on_error: OnError = "raise", *, out: Array | None = None) -> Array:
         """Compute the condition number of the platform Jacobian D_p: its largest singular value over its smallest.
 
         Rotations count times the characteristic length of the platform (docs/model.md).
@@ -355,17 +377,19 @@ class Model:
             In SI units.
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN.
+        out : ndarray of float, optional
+            Of the shape of the result: filled in place and returned.
 
         Returns
         -------
         ndarray, shape (...)
             At least 1; 1 where the platform moves equally far in every direction.
         """
-        D_p, lengths = self._generated.platform_jacobian, lengths_of(self.mechanism, self.robot.parameters)
-        (found,) = self.evaluated(lambda p: condition_number(D_p(p), lengths), self.checked(poses, on_error))
-        return found
+        return self._field("condition", poses, on_error, out)
 
-    def inverse_kinematics(self, poses: ArrayLike, on_error: OnError = "raise") -> Array:
+    def inverse_kinematics(
+        self, poses: ArrayLike, on_error: OnError = "raise", *, out: Array | None = None
+    ) -> Array:
         """Compute the independent coordinates on the branch given in the robot file (equations 1 to 3).
 
         Parameters
@@ -374,14 +398,15 @@ class Model:
             In SI units.
         on_error : {"raise", "nan"}
             With "nan", a pose that cannot be evaluated gives NaN.
+        out : ndarray of float, optional
+            Of the shape of the result: filled in place and returned.
 
         Returns
         -------
         ndarray, shape (..., k)
             In SI units, in the order of ``mechanism.independent``.
         """
-        (q,) = self._at(poses, on_error, "inverse_kinematics")
-        return q
+        return self._field("joint_positions", poses, on_error, out)
 
     def direct_kinematics(self, positions: ArrayLike, assembly: int) -> Array:
         """Compute the pose from the independent coordinates.
@@ -451,7 +476,7 @@ class Model:
             If the mechanism has only one assembly branch.
         """
         if self.mechanism.rotations:
-            (D_p,) = self._at(poses, on_error, "platform_jacobian")
+            D_p = self.platform_jacobian(poses, on_error)
             with np.errstate(invalid="ignore"):
                 return np.asarray(np.sign(np.linalg.det(D_p)))
         self._function("direct_kinematics")
@@ -503,6 +528,27 @@ class Model:
         fields = self._fields(names, self.solver(backend, drives), drives, given)
         return self._run(fields, poses, on_error, out, threads)
 
+    def _field(self, name: str, poses: ArrayLike, on_error: OnError, out: Array | None) -> Array:
+        """Evaluate one field with free motors."""
+        given = None if out is None else {name: out}
+        return self._evaluated((name,), poses, on_error, given)[1][name]
+
+    def _evaluated(
+        self,
+        names: tuple[str, ...],
+        poses: ArrayLike,
+        on_error: OnError,
+        out: Out = None,
+        backend: str = AUTO,
+        threads: int | None = None,
+    ) -> tuple[CheckedPoses, dict[str, Array]]:
+        """Evaluate fields with free motors, by default by the default back end."""
+        if out is not None:
+            chosen_fields(names, out, names)
+        plan = self._plan(names, out, backend, FREE)
+        number = all_cores() if threads is None else threads
+        return self._run(plan.fields, poses, on_error, out, number)
+
     def _run(
         self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
     ) -> tuple[CheckedPoses, dict[str, Array]]:
@@ -516,7 +562,8 @@ class Model:
         key = (solver, *names)
         fields = None if given else self._fields_of.get(key)
         if fields is None:
-            known = {"dissipation": self.dissipation, **(given or {})}
+            lengths = lengths_of(self.mechanism, self.robot.parameters)
+            known = {"dissipation": self.dissipation, "lengths": lengths, **(given or {})}
             fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, known)
             if not given:
                 self._fields_of[key] = fields
@@ -571,9 +618,7 @@ class Model:
         """
         key = chosen(backend), checked_drives(drives)
         if key not in self._solvers:
-            # Without effects, a library has the digits of NumPy in M and K; with them it rounds K in another order.
-            same = drives != FREE and not isinstance(self.system, ExtendedSystem)
-            free = self.solver(key[0], FREE) if same else None
+            free = None if drives == FREE else self.solver(key[0], FREE)
             solver = solver_of(self.solved(drives), self.max_condition, key[0], free)
             self._solvers[key] = solver
         return self._solvers[key]
@@ -610,8 +655,8 @@ class Model:
         CheckedPoses
             The poses one after the other, with the code of each.
         """
-        points = poses_by_name(poses, self.mechanism)
-        return check_poses(points, self.mechanism, self.robot.parameters, on_error, self.max_condition)
+        checked, _ = self._evaluated((), poses, on_error)
+        return checked
 
     def _function(self, name: str) -> Callable[..., Any]:
         """Return a function of the base model that not every mechanism has."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -10,7 +12,8 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.linalg import statics
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
-from pkmodes.core.system.evaluation import Evaluation, matrices
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.system.motors import MotorsHeld
 
 Array = NDArray[np.float64]
@@ -48,22 +51,23 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
             model.robot.source,
             "check the drives of the mechanism",
         )
-    (found,) = model.evaluated(
-        lambda points: platform_compliance(model.system, held, points), model.checked(poses, on_error)
-    )
+    (found,) = model.evaluated(partial(_at_points, model), model.checked(poses, on_error))
     return np.asarray(found)
 
 
-def platform_compliance(system: Evaluation, held: Evaluation, points: Array) -> Array:
-    """Return the displacement of the platform per force [m/N] at N poses, (N, components, components).
-
-    Parameters
-    ----------
-    system, held : Evaluation
-        With free and with held motors.
-    """
-    _, K = matrices(held, points)
-    moved = system.platform_motion(points)  # N, d, n
+def _at_points(model: Model, points: Array) -> Array:
+    """Return the displacement of the platform per force [m/N] at N poses, (N, components, components)."""
+    held, solver = model.solved(HELD), model.solver(AUTO, HELD).inner
+    at = RobotAtPoses(held, points, model.robot.source, {})
+    if solver.fields.issuperset(("stiffness_matrix", "platform_motion")):
+        n, components = len(held.coordinates), len(model.mechanism.platform)
+        found = {
+            "stiffness_matrix": np.empty((len(points), n, n)),
+            "platform_motion": np.empty((len(points), components, n)),
+        }
+        solver.compute(at, found)
+        return statics.compliance(found["stiffness_matrix"], found["platform_motion"])
+    moved = model.system.platform_motion(points)
     if isinstance(held, MotorsHeld):
         moved = moved @ held.motions()[0]
-    return statics.compliance(K, moved)
+    return statics.compliance(at.stiffness_matrix, moved)

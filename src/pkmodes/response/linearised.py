@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
+from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.system.motors import MotorsHeld, motor_motion
 from pkmodes.support.solutions import solved
 
@@ -60,6 +61,7 @@ class LinearisedRobot:
         self.model, self.points = model, points
         system = self.system = model.solved(drives)
         at = solved(model.solver(backend, drives).inner, system, points, model.robot.source)
+        self._solver = model.solver(backend, drives).inner
         self.rigid, self.massless = system.rigid_modes, system.massless
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
@@ -76,10 +78,22 @@ class LinearisedRobot:
         if rigid:
             eigenvalues, shapes = eigenvalues.copy(), shapes.copy()
             R = shapes[:, :rigid]
-            M, K = (R @ matrix.own @ np.swapaxes(R, -1, -2) for matrix in self.matrices)
+            M, K = (R @ matrix @ np.swapaxes(R, -1, -2) for matrix in self._own_matrices)
             eigenvalues[:, :rigid], turned = generalised_eigh(M, K)
             shapes[:, :rigid] = turned @ R
         return eigenvalues, shapes
+
+    @cached_property
+    def _own_matrices(self) -> tuple[Array, Array]:
+        """M and K in the k coordinates, each (N, k, k)."""
+        names = "mass_matrix", "stiffness_matrix"
+        if not self._solver.fields.issuperset(names):
+            M, K = (blocks.own for blocks in self.matrices)
+            return M, K
+        n = len(self.massless)
+        found = {name: np.empty((len(self.points), n, n)) for name in names}
+        self._solver.compute(RobotAtPoses(self.system, self.points, self.model.robot.source, {}), found)
+        return found["mass_matrix"], found["stiffness_matrix"]
 
     @cached_property
     def matrices(self) -> tuple[Blocks, Blocks]:

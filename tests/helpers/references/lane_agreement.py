@@ -7,8 +7,10 @@ import numpy as np
 from helpers.references.numpy_modes import solve
 from helpers.robots.lane_samples import Case, results
 from pkmodes.core.linalg.eigen import has_stiff_joint, natural_frequencies
+from pkmodes.core.linalg.statics import amplitudes_of_steps
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.poses import check_poses
+from pkmodes.core.system.strain_free import elastic_stiffness, strain_free_motions
 
 #: Largest errors: of frequencies of vibration, relative; of the shapes of separate modes, relative to the largest
 #: component; of eigenvalues relative to the largest; of M-orthogonality; of the scaled residual relative to K.
@@ -49,6 +51,11 @@ def errors(given: Case) -> tuple[Errors, Errors]:
     eigenvalues, shapes = found["eigenvalues"], found["shapes"]
     np.testing.assert_allclose(natural_frequencies(eigenvalues), found["frequencies"], rtol=1e-15)
     motion = given.evaluation.platform_motion(p)
+    np.testing.assert_allclose(
+        found["platform_motion"], motion, rtol=1e-14, atol=1e-14 * np.abs(motion).max()
+    )
+    _assert_statics_agree(given, p, found)
+    _assert_amplitudes_agree(given, p, found, M @ strain_free_motions(given.evaluation, p))
     moved = found["platform_shapes"] - shapes @ np.swapaxes(motion, -1, -2)
     assert (np.abs(moved) <= 1e-12 * (np.abs(shapes) @ np.abs(np.swapaxes(motion, -1, -2)))).all()
     own = _of_equations(M, K, eigenvalues, shapes)
@@ -69,6 +76,32 @@ def errors(given: Case) -> tuple[Errors, Errors]:
     turned = np.abs(shapes * sign - expected.shapes).max(axis=-1) / size
     own["shape"] = np.where(alone, turned, 0.0).max(axis=1)
     return own, _of_equations(M, K, expected.eigenvalues, expected.shapes)
+
+
+def _assert_statics_agree(given: Case, p: np.ndarray, found: dict[str, np.ndarray]) -> None:
+    torques, rotations = given.evaluation.statics(p)
+    expected = {
+        "static_torque": torques,
+        "static_rotation": rotations,
+        "platform_jacobian": Generated(given.mechanism.model, given.parameters).platform_jacobian(p),
+        "elastic_stiffness": elastic_stiffness(given.evaluation, p),
+    }
+    for name, values in expected.items():
+        largest = np.abs(values).max(initial=0.0)
+        np.testing.assert_allclose(found[name], values, rtol=0.0, atol=1e-13 * largest, err_msg=name)
+
+
+def _assert_amplitudes_agree(
+    given: Case, p: np.ndarray, found: dict[str, np.ndarray], momenta: np.ndarray
+) -> None:
+    """To the rounding of the sums in them, with the modes that were found."""
+    linear, rigid = slice(len(given.mechanism.directions)), given.evaluation.rigid_modes
+    parts = found["eigenvalues"], found["shapes"], found["platform_shapes"][..., linear]
+    expected = amplitudes_of_steps(*parts, momenta[..., linear])[:, rigid:]
+    size = amplitudes_of_steps(parts[0], np.abs(parts[1]), parts[2], np.abs(momenta[..., linear]))[:, rigid:]
+    amplitudes = found["vibration_amplitudes"]
+    assert np.isnan(amplitudes[:, :rigid]).all()
+    assert (np.abs(amplitudes[:, rigid:] - expected) <= 1e-11 * size).all()
 
 
 def _of_equations(M: np.ndarray, K: np.ndarray, eigenvalues: np.ndarray, shapes: np.ndarray) -> Errors:

@@ -21,6 +21,7 @@ from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve import fields
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem
 from pkmodes.sensitivity.compiled import terms_of
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
@@ -117,8 +118,9 @@ def chosen(mechanism: Mechanism, names: tuple[str, ...], values: dict[str, float
 
 
 def evaluator(given: Case) -> Evaluator:
-    found = load(given.mechanism.package, given.mechanism.name)
-    return Evaluator(found, given.evaluation.lanes(), len(given.evaluation.coordinates), MAX_CONDITION)
+    found, system = load(given.mechanism.package, given.mechanism.name), given.evaluation
+    rigid = system.rigid_modes
+    return Evaluator(found, system.lanes(), len(system.coordinates), MAX_CONDITION, rigid_modes=rigid)
 
 
 def robot_of(given: Case) -> Robot:
@@ -145,20 +147,10 @@ def results(
     given: Case, poses: np.ndarray, width: int | None = None
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     run = evaluator(given)
-    n, m = run.coordinates, run.modes
     varied, terms = directions(given)
-    tails = (
-        (m,),
-        (m,),
-        (m, n),
-        (m, len(given.mechanism.platform)),
-        (len(given.mechanism.independent),),
-        (n, n),
-        (n, n),
-        (len(varied), m),
-        (len(varied), m),
-    )
+    sizes = fields.sizes_of(given.mechanism, run.modes, run.coordinates)
+    tails = {name: fields.tail(fields.FIELDS[name], sizes) for name in FIELDS if name != "eigenvalues"}
+    tails |= {"eigenvalues": (run.modes,), **dict.fromkeys(RATES, (len(varied), run.modes))}
     # Poisoned, so that an entry that is not written shows.
-    names = (*FIELDS, *RATES)
-    arrays = {name: np.full((len(poses), *tail), 12345.0) for name, tail in zip(names, tails, strict=True)}
+    arrays = {name: np.full((len(poses), *tails[name]), 12345.0) for name in (*FIELDS, *RATES)}
     return run.run(np.ascontiguousarray(poses), arrays, width=width, terms=terms), arrays

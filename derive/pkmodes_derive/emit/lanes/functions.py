@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 
 from sympy import Expr, Integer, Symbol
 
@@ -83,6 +84,37 @@ def extended(model: Model) -> Function:
         (M, Output("K", K_el.shape, K, K_el.unit, "K_el + K_g"), *motion.outputs),
         _definitions([matrices, motion]),
     )
+
+
+def statics(model: Model) -> Function:
+    """The platform Jacobian, what holds the pose, and the stiffness of the transmissions, without effects."""
+    by_name = {f.name: f for f in model.functions}
+    names = "platform_jacobian", "static_equilibrium", "elastic_hessian"
+    used = [by_name[name] for name in names]
+    return Function(
+        "statics",
+        "Platform Jacobian, static equilibrium and elastic stiffness without effects.",
+        ", ".join(names),
+        used[0].arguments,
+        tuple(output for function in used for output in function.outputs),
+        _definitions(used),
+    )
+
+
+def extended_statics(model: Model) -> Function:
+    """What holds the pose, with effects."""
+    by_name = {f.name: f for f in model.functions}
+    return replace(by_name["extended_static_equilibrium"], name="extended_statics")
+
+
+def places(description: Description) -> list[tuple[str, str]]:
+    """Which of the base coordinates are independent, and which are not: what C calls these lists, and their text."""
+    names = [component.name for component in description.coordinates]
+    given = [names.index(name) for name in description.independent]
+    others = [i for i in range(len(names)) if i not in given]
+    return [
+        (name, ", ".join(map(str, indices))) for name, indices in (("GIVEN", given), ("FOLLOWING", others))
+    ]
 
 
 def choices(model: Model, description: Description) -> set[Symbol]:

@@ -52,7 +52,8 @@ def files(
     inputs = [*(s for group in groups for field in group.fields for s in field.symbols), *pose]
     varied = set(inputs) - functions.choices(base, description)
     gradients = [gradient(f, inputs, varied) for f in matrices]
-    of_pose = functions.position(base, description), *matrices
+    equilibria = functions.statics(base), functions.extended_statics(extended)
+    of_pose = functions.position(base, description), *matrices, *equilibria
     tangents = [tangent(matrices[1], inputs, varied)]
     programs = {f"lanes_{f.name}": arrange(f) for f in (*of_pose, *gradients, *tangents)}
     margins = functions.margins_of(base, description)
@@ -71,12 +72,16 @@ def files(
             ("POSE", len(description.pose)),
             ("INDEPENDENT", len(description.independent)),
             ("DIRECTIONS", len(description.platform)),
+            ("LINEAR", len(description.directions)),
+            ("DRIVES", len(description.drives)),
+            ("DEPENDENT", len(base.coordinates) - len(description.independent)),
             ("BASE", len(base.coordinates)),
             ("ALL", len(extended.coordinates)),
             ("GRADIENT", len(inputs)),
             ("MARGINS", sum(count for count, _ in margins)),
         ],
         rules=layout.listing((f"{{{count}, {RULES[rule]}}}" for count, rule in margins), "    "),
+        places=functions.places(description),
         functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in of_pose],
         gradients=[_function(f, programs[f"lanes_{f.name}"], groups) for f in gradients],
         tangents=[_function(f, programs[f"lanes_{f.name}"], groups) for f in tangents],

@@ -27,6 +27,7 @@ SOURCES = (
     "lane.h",
     "request.h",
     "rows.h",
+    "strain_free.h",
     "system.h",
     "tangent.h",
 )

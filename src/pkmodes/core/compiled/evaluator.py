@@ -35,6 +35,8 @@ class Evaluator:
         Poses with a larger condition number are singular.
     components : int
         Components of the platform's motion, for `along`.
+    rigid_modes : int
+        How many modes do not vibrate.
 
     Attributes
     ----------
@@ -43,7 +45,13 @@ class Evaluator:
     """
 
     def __init__(
-        self, library: Library, lanes: Lanes, coordinates: int, largest_condition: float, components: int = 0
+        self,
+        library: Library,
+        lanes: Lanes,
+        coordinates: int,
+        largest_condition: float,
+        components: int = 0,
+        rigid_modes: int = 0,
     ) -> None:
         self.coordinates = coordinates
         self.modes = coordinates - int(lanes.massless.sum())
@@ -51,6 +59,7 @@ class Evaluator:
         self._robots, self._components = lanes.robots, components
         self._request = Request(
             robots=self._robots,
+            rigid_modes=rigid_modes,
             parameter_count=lanes.parameters.shape[-1],
             effect_count=lanes.effects.shape[-1],
             joint_count=lanes.joints.shape[-1],

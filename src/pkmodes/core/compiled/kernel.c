@@ -11,6 +11,7 @@
 #endif
 
 #include "gradient.h"
+#include "strain_free.h"
 #include "tangent.h"
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
@@ -42,6 +43,21 @@ INLINE mask lanes_checked(const lane *restrict pose, const lane *restrict margin
     return pick_code(~finite, 1, code);
 }
 
+/* The amplitude with which a mode rings after a step of acceleration along each linear direction. */
+INLINE void lanes_ring(const struct lanes_system *restrict system, const lane *restrict motion, const lane *restrict x, int n,
+    lane compliance, lane *restrict amplitude)
+{
+    lane squares = (lane){0};
+    for (int a = 0; a < LANES_LINEAR; a++)
+        squares += motion[a] * motion[a];
+    for (int j = 0; j < LANES_LINEAR; j++) {
+        lane momentum = (lane){0};
+        for (int k = 0; k < n; k++)
+            momentum += x[k] * system->momentum[k * LANES_LINEAR + j];
+        amplitude[j] = root(squares) * magnitude(momentum) * compliance;
+    }
+}
+
 /* Write the modes of a block, ascending; coordinate i of the system is column `column[i]` of the results. */
 static __attribute__((noinline)) void lanes_write(const struct lanes_system *restrict system,
     const struct eigen_problem *restrict problem, int n, int m, const int *restrict column)
@@ -49,6 +65,7 @@ static __attribute__((noinline)) void lanes_write(const struct lanes_system *res
     const struct lanes_block *block = &system->block;
     const struct pkmodes_request *request = block->request;
     lane frequencies[LANES_ALL], shapes[LANES_ALL * LANES_ALL], motions[LANES_ALL * LANES_DIRECTIONS];
+    lane amplitudes[LANES_ALL * LANES_LINEAR];
     if (request->frequencies) {
         for (int i = 0; i < m; i++)
             frequencies[i] = with_sign(root(magnitude(problem->d[i])), problem->d[i]) / TWO_PI;
@@ -56,25 +73,30 @@ static __attribute__((noinline)) void lanes_write(const struct lanes_system *res
     }
     if (request->eigenvalues)
         lanes_put(block, request->eigenvalues, problem->d, m);
-    if (!(request->shapes || request->platform_shapes))
+    if (!(request->shapes || request->platform_shapes || request->vibration_amplitudes))
         return;
     for (int i = 0; i < m; i++) {
         lane x[LANES_ALL];
         lanes_shape(system, problem->Z + i * m, eigen_sign(m, problem->Z + i * m), n, m, x);
         for (int k = 0; k < n; k++)
             shapes[i * n + column[k]] = x[k];
-        if (request->platform_shapes)
+        if (request->platform_shapes || request->vibration_amplitudes)
             for (int a = 0; a < LANES_DIRECTIONS; a++) {
                 lane motion = (lane){0};
                 for (int k = 0; k < n; k++)
                     motion += system->J_p[a * n + k] * x[k];
                 motions[i * LANES_DIRECTIONS + a] = motion;
             }
+        if (request->vibration_amplitudes)
+            lanes_ring(system, motions + i * LANES_DIRECTIONS, x, n,
+                i < request->rigid_modes ? LANES(NAN) : 1.0 / magnitude(problem->d[i]), amplitudes + i * LANES_LINEAR);
     }
     if (request->shapes)
         lanes_put(block, request->shapes, shapes, m * n);
     if (request->platform_shapes)
         lanes_put(block, request->platform_shapes, motions, m * LANES_DIRECTIONS);
+    if (request->vibration_amplitudes)
+        lanes_put(block, request->vibration_amplitudes, amplitudes, m * LANES_LINEAR);
 }
 
 /* Solve the systems and write the requested modes; a pose that needs another solver gets the code -1. */
@@ -82,7 +104,7 @@ INLINE void lanes_solve(struct lanes_system *restrict system, int units, int n, 
 {
     const struct pkmodes_request *request = system->block.request;
     const int rates = request->eigenvalue_rates || request->frequency_rates;
-    const int vectors = request->shapes || request->platform_shapes || rates;
+    const int vectors = request->shapes || request->platform_shapes || request->vibration_amplitudes || rates;
     struct eigen_problem problem[EIGEN_UNITS];
     mask bad[EIGEN_UNITS];
     for (int u = 0; u < units; u++)
@@ -108,6 +130,24 @@ static __attribute__((noinline)) void lanes_solve_one(
     lanes_solve(system, 1, n, m, column);
 }
 
+/* M, n by n, times the motion that strains nothing. */
+static __attribute__((noinline)) void lanes_momentum(
+    const struct lanes_system *restrict system, int n, const lane *restrict M, lane *restrict momentum)
+{
+    const struct pkmodes_request *request = system->block.request;
+    lane jacobian[LANES_POSE * LANES_INDEPENDENT], torque[LANES_DRIVES], rotation[LANES_DEPENDENT];
+    lane elastic[LANES_BASE * LANES_BASE], motion[LANES_BASE * LANES_LINEAR];
+    lanes_statics(system->pose, request->parameters, request->effects, jacobian, torque, rotation, elastic);
+    lanes_strain_free(jacobian, elastic, motion);
+    for (int i = 0; i < n; i++)
+        for (int j = 0; j < LANES_LINEAR; j++) {
+            lane sum = (lane){0};
+            for (int c = 0; c < LANES_BASE; c++)
+                sum += M[i * n + c] * motion[c * LANES_LINEAR + j];
+            momentum[i * LANES_LINEAR + j] = sum;
+        }
+}
+
 /* The model without effects. */
 INLINE void lanes_without_effects(
     struct lanes_system *restrict system, int units, int modes)
@@ -123,6 +163,10 @@ INLINE void lanes_without_effects(
             lanes_put(&system[u].block, request->mass, system[u].M, n * n);
         if (request->stiffness)
             lanes_put(&system[u].block, request->stiffness, system[u].K, n * n);
+        if (request->platform_motion)
+            lanes_put(&system[u].block, request->platform_motion, system[u].J_p, LANES_DIRECTIONS * n);
+        if (request->vibration_amplitudes)
+            lanes_momentum(system + u, n, system[u].M, system[u].momentum);
     }
     if (modes && units == 1)
         lanes_solve_one(system, n, n, column);
@@ -139,7 +183,8 @@ INLINE void lanes_select(int n, const lane *restrict all, const int *restrict ro
 }
 
 /* Add to the rows and columns of leading coordinates what those that follow them contribute. */
-INLINE void lanes_fold(const struct pkmodes_request *restrict request, lane *restrict M, lane *restrict K, lane *restrict J_p)
+INLINE void lanes_fold(const struct pkmodes_request *restrict request, lane *restrict M, lane *restrict K,
+    lane *restrict J_p, lane *restrict momentum)
 {
     for (int f = 0; f < request->fold_count; f++) {
         const int to = request->leading[f], from = request->following[f];
@@ -154,6 +199,8 @@ INLINE void lanes_fold(const struct pkmodes_request *restrict request, lane *res
         }
         for (int a = 0; a < LANES_DIRECTIONS; a++)
             J_p[a * LANES_ALL + to] += weight * J_p[a * LANES_ALL + from];
+        for (int j = 0; momentum && j < LANES_LINEAR; j++)
+            momentum[to * LANES_LINEAR + j] += weight * momentum[from * LANES_LINEAR + j];
     }
 }
 
@@ -177,8 +224,11 @@ static __attribute__((noinline)) void lanes_with_effects(
         lanes_extended(system[u].pose, request->parameters, request->effects, M, K, J_p);
         for (int i = 0; i < n; i++)
             K[request->free[i] * (LANES_ALL + 1)] += request->joints[request->free[i]];
+        lane momentum[LANES_ALL * LANES_LINEAR];
+        if (request->vibration_amplitudes)
+            lanes_momentum(system + u, LANES_ALL, M, momentum);
         if (request->fold_count)
-            lanes_fold(request, M, K, J_p);
+            lanes_fold(request, M, K, J_p, request->vibration_amplitudes ? momentum : 0);
         if (request->mass) {
             lanes_select(n, M, request->free, system[u].M);
             lanes_put(&system[u].block, request->mass, system[u].M, n * n);
@@ -187,11 +237,21 @@ static __attribute__((noinline)) void lanes_with_effects(
             lanes_select(n, K, request->free, system[u].K);
             lanes_put(&system[u].block, request->stiffness, system[u].K, n * n);
         }
+        if (request->platform_motion) {
+            for (int a = 0; a < LANES_DIRECTIONS; a++)
+                for (int i = 0; i < n; i++)
+                    system[u].J_p[a * n + i] = J_p[a * LANES_ALL + request->free[i]];
+            lanes_put(&system[u].block, request->platform_motion, system[u].J_p, LANES_DIRECTIONS * n);
+        }
         lanes_select(n, M, rows, system[u].M);
         lanes_select(n, K, rows, system[u].K);
         for (int a = 0; a < LANES_DIRECTIONS; a++)
             for (int i = 0; i < n; i++)
                 system[u].J_p[a * n + i] = J_p[a * LANES_ALL + rows[i]];
+        if (request->vibration_amplitudes)
+            for (int i = 0; i < n; i++)
+                for (int j = 0; j < LANES_LINEAR; j++)
+                    system[u].momentum[i * LANES_LINEAR + j] = momentum[rows[i] * LANES_LINEAR + j];
     }
     if (modes && units == 1)
         lanes_solve_one(system, n, m, column);
@@ -199,12 +259,31 @@ static __attribute__((noinline)) void lanes_with_effects(
         lanes_solve(system, EIGEN_UNITS, n, m, column);
 }
 
+/* Write the platform Jacobian and what holds each pose. */
+static __attribute__((noinline)) void lanes_put_statics(const struct lanes_block *block, const lane *restrict pose)
+{
+    const struct pkmodes_request *request = block->request;
+    lane jacobian[LANES_POSE * LANES_INDEPENDENT], torque[LANES_DRIVES], rotation[LANES_DEPENDENT];
+    lane elastic[LANES_BASE * LANES_BASE];
+    lanes_statics(pose, request->parameters, request->effects, jacobian, torque, rotation, elastic);
+    if (request->free_count)
+        lanes_extended_statics(pose, request->parameters, request->effects, torque, rotation);
+    if (request->platform_jacobian)
+        lanes_put(block, request->platform_jacobian, jacobian, LANES_POSE * LANES_INDEPENDENT);
+    if (request->static_torque)
+        lanes_put(block, request->static_torque, torque, LANES_DRIVES);
+    if (request->static_rotation)
+        lanes_put(block, request->static_rotation, rotation, LANES_DEPENDENT);
+    if (request->elastic_stiffness)
+        lanes_put(block, request->elastic_stiffness, elastic, LANES_BASE * LANES_BASE);
+}
+
 /* Evaluate as many blocks as there are units, and write the requested results and the codes. */
 INLINE void lanes_evaluate(const struct pkmodes_request *request, long long start, int units)
 {
     const int modes = request->frequencies || request->eigenvalues || request->shapes || request->platform_shapes
-        || request->eigenvalue_rates || request->frequency_rates;
-    const int matrices = request->mass || request->stiffness;
+        || request->vibration_amplitudes || request->eigenvalue_rates || request->frequency_rates;
+    const int matrices = request->mass || request->stiffness || request->platform_motion;
     struct lanes_system system[EIGEN_UNITS];
     for (int u = 0; u < units; u++) {
         const long long first = start + u * LANES_WIDTH, left = request->count - first;
@@ -217,6 +296,9 @@ INLINE void lanes_evaluate(const struct pkmodes_request *request, long long star
         system[u].block = (struct lanes_block){request, first, left < LANES_WIDTH ? (int)left : LANES_WIDTH, code};
         if (request->joint_positions)
             lanes_put(&system[u].block, request->joint_positions, q, LANES_INDEPENDENT);
+        if (request->platform_jacobian || request->static_torque || request->static_rotation
+            || request->elastic_stiffness)
+            lanes_put_statics(&system[u].block, system[u].pose);
         if (request->changes)
             lanes_along_paths(&system[u].block, system[u].pose);
     }

@@ -14,7 +14,13 @@ FIELDS = (
     "eigenvalues",
     "shapes",
     "platform_shapes",
+    "vibration_amplitudes",
     "joint_positions",
+    "platform_motion",
+    "platform_jacobian",
+    "static_torque",
+    "static_rotation",
+    "elastic_stiffness",
     "mass_matrix",
     "stiffness_matrix",
 )

@@ -25,9 +25,9 @@ from pkmodes.core.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 5
+LAYOUT = 6
 #: The function that was last added to the generated headers.
-NEWEST = "lanes_extended_tangent("
+NEWEST = "lanes_extended_statics("
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
 
 
@@ -103,11 +103,18 @@ class Request(ctypes.Structure):
         ("given_eigenvalues", ctypes.c_void_p),
         ("given_shapes", ctypes.c_void_p),
         ("modes", ctypes.c_longlong),
+        ("rigid_modes", ctypes.c_longlong),
         ("frequencies", ctypes.c_void_p),
         ("eigenvalues", ctypes.c_void_p),
         ("shapes", ctypes.c_void_p),
         ("platform_shapes", ctypes.c_void_p),
+        ("vibration_amplitudes", ctypes.c_void_p),
         ("joint_positions", ctypes.c_void_p),
+        ("platform_motion", ctypes.c_void_p),
+        ("platform_jacobian", ctypes.c_void_p),
+        ("static_torque", ctypes.c_void_p),
+        ("static_rotation", ctypes.c_void_p),
+        ("elastic_stiffness", ctypes.c_void_p),
         ("mass_matrix", ctypes.c_void_p),
         ("stiffness_matrix", ctypes.c_void_p),
         ("eigenvalue_rates", ctypes.c_void_p),

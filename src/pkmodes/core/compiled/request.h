@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* Version of the layout below; a library with another version is not used. */
-#define PKMODES_LAYOUT 5
+#define PKMODES_LAYOUT 6
 
 struct pkmodes_request {
     /* N poses, row-major. */
@@ -39,13 +39,20 @@ struct pkmodes_request {
     /* Modes whose derivatives are wanted, m at each pose: with effects, the last four results together. */
     const double *given_eigenvalues, *given_shapes; /* (N, m), (N, m, n) */
     long long modes;
+    long long rigid_modes;
     /* Results, n coordinates and m of them with inertia; NULL where not wanted.  A pose that cannot be evaluated gives
      * NaN. */
     double *frequencies;      /* (N, m) [Hz] */
     double *eigenvalues;      /* (N, m) [1/s^2] */
     double *shapes;           /* (N, m, n) */
     double *platform_shapes;  /* (N, m, directions) */
+    double *vibration_amplitudes; /* (N, m, linear directions) [s^2]; NaN for the first `rigid_modes` */
     double *joint_positions;  /* (N, independent) */
+    double *platform_motion;  /* (N, directions, n) */
+    double *platform_jacobian; /* (N, components of the pose, independent) */
+    double *static_torque;    /* (N, drives) */
+    double *static_rotation;  /* (N, dependent) */
+    double *elastic_stiffness; /* (N, base coordinates, base coordinates): K without effects and gravity */
     double *mass;             /* (N, n, n) */
     double *stiffness;        /* (N, n, n) */
     double *eigenvalue_rates; /* (N, T, m) [1/s^2 per unit] */

@@ -25,6 +25,7 @@ struct lanes_system {
     lane pose[LANES_POSE];
     lane M[LANES_ALL * LANES_ALL], K[LANES_ALL * LANES_ALL], J_p[LANES_DIRECTIONS * LANES_ALL];
     lane follow[LANES_ALL * LANES_ALL], scale[LANES_ALL];
+    lane momentum[LANES_ALL * LANES_LINEAR]; /* M times the motion that strains nothing, by linear direction */
 };
 
 /* The shape of a row of Z, with the coordinates without inertia, times a sign. */

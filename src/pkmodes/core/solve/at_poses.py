@@ -14,6 +14,7 @@ from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.stiffness_parts import StiffnessParts, stiffness_parts
+from pkmodes.core.system.strain_free import elastic_stiffness
 
 Array = NDArray[np.float64]
 
@@ -69,9 +70,23 @@ class RobotAtPoses:
         return self.system.platform_motion(self.points)
 
     @cached_property
-    def static_torques(self) -> Array:
+    def elastic_stiffness(self) -> Array:
+        """K without effects and gravity, in base coordinates, (N, b, b)."""
+        return elastic_stiffness(self.system, self.points)
+
+    @cached_property
+    def static_torque(self) -> Array:
         """Torques or forces of the drives that hold the poses, (N, drives)."""
-        return self.system.statics(self.points)[0]
+        return self._statics[0]
+
+    @cached_property
+    def static_rotation(self) -> Array:
+        """Static values of the dependent coordinates, (N, dependent)."""
+        return self._statics[1]
+
+    @cached_property
+    def _statics(self) -> tuple[Array, Array]:
+        return self.system.statics(self.points)
 
     @cached_property
     def joint_positions(self) -> Array:

@@ -32,7 +32,7 @@ PREFERRED = (CompiledSolver.name, NumpySolver.name)
 #: Environment variable with the back end to use where none is asked for.
 VARIABLE = "PKMODES_BACKEND"
 #: Fields in the coordinates with free motors, which the inner solver does not know.
-IN_ALL = frozenset({"mass_matrix", "stiffness_matrix"})
+IN_ALL = frozenset({"mass_matrix", "stiffness_matrix", "platform_motion"})
 COUNTED = {3: "three", 4: "four", 5: "five"}
 
 
@@ -132,20 +132,29 @@ class HeldSolver(Solver):
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
         """Return what fills arrays at a single pose, if the inner solver has such a thing."""
-        if not self._of_free.isdisjoint(tails):
-            return None
-        if SHAPES not in tails:
-            return self._inner.alone(tails)
-        own = {**tails, SHAPES: (*tails[SHAPES][:-1], len(self._system.coordinates))}
-        inner, system = self._inner.alone(own), self._system
-        if inner is None:
-            return None
+        own = {name: tail for name, tail in tails.items() if name not in self._of_free}
+        if SHAPES in own:
+            own[SHAPES] = (*own[SHAPES][:-1], len(self._system.coordinates))
+        inner = self._inner.alone(own)
+        free = None
+        if self._free is not None and len(own) < len(tails):
+            free = self._free.alone({name: tail for name, tail in tails.items() if name not in own})
+            if not own or free is None:
+                return free
+        if inner is None or (free is None and SHAPES not in own):
+            return inner
+        system = self._system
 
         def of_held(point: NDArray[np.float64]) -> dict[str, NDArray[np.float64]] | None:
             found = inner(point)
-            if found is not None:
+            if found is None:
+                return None
+            if SHAPES in found:
                 found[SHAPES] = system.part_with_free_motors(found[SHAPES])
-            return found
+            if free is None:
+                return found
+            in_all = free(point)
+            return None if in_all is None else {**found, **in_all}
 
         return of_held
 

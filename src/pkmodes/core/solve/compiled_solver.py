@@ -41,7 +41,7 @@ class CompiledSolver(Solver):
     differentiates = True
     together = True
     #: The fields that need the eigenproblem.
-    _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes"})
+    _of_modes = frozenset({"frequencies", EIGENVALUES, "shapes", "platform_shapes", "vibration_amplitudes"})
 
     def __init__(self, evaluator: Evaluator, system: Evaluation) -> None:
         self.evaluator, self._system = evaluator, system
@@ -68,8 +68,15 @@ class CompiledSolver(Solver):
             raise UnavailableError(
                 f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
             ) from None
-        components = len(mechanism.platform)
-        return cls(Evaluator(library, lanes, len(system.coordinates), largest_condition, components), system)
+        evaluator = Evaluator(
+            library,
+            lanes,
+            len(system.coordinates),
+            largest_condition,
+            components=len(mechanism.platform),
+            rigid_modes=system.rigid_modes,
+        )
+        return cls(evaluator, system)
 
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays."""

@@ -24,7 +24,8 @@ Array = NDArray[Any]
 #: Axes after those of the poses.  In maps, modes are those of vibration; independent coordinates are entries of the
 #: axis of all coordinates, and linear directions of that of all components of the platform's motion.
 MODE, DIRECTION, COORDINATE, DRIVE = "mode", "direction", "coordinate", "drive"
-INDEPENDENT, LINEAR = "independent", "linear"
+INDEPENDENT, DEPENDENT, LINEAR, COMPONENT = "independent", "dependent", "linear", "component"
+BASE = "base coordinate"
 NORMALISED = "mass-normalised, phi^T M phi = 1: displacements in 1/sqrt(kg), rotations in 1/(sqrt(kg) m)"
 PER_MODE = "of the platform in each vibration mode"
 #: Conditions under which maps have a field: mode shapes are kept, a robot dissipates, the motors are held.
@@ -122,13 +123,14 @@ def _vibration_amplitudes(
     shapes: Array,
     platform_shapes: Array,
     mass_matrix: Array,
-    points: Array,
+    elastic_stiffness: Array,
+    platform_jacobian: Array,
     rigid_modes: int,
-    strain_free_motions: Callable[[Array], Array],
+    strain_free_motions: Callable[[Array, Array], Array],
     directions: Sequence[str],
 ) -> Array:
     linear = slice(len(directions))
-    momenta = mass_matrix @ strain_free_motions(points)[..., linear]
+    momenta = mass_matrix @ strain_free_motions(elastic_stiffness, platform_jacobian)[..., linear]
     amplitudes = amplitudes_of_steps(eigenvalues, shapes, platform_shapes[..., linear], momenta)
     amplitudes[:, :rigid_modes] = np.nan
     return amplitudes
@@ -234,7 +236,8 @@ FIELDS: dict[str, Field] = {
                 "shapes",
                 "platform_shapes",
                 "mass_matrix",
-                "points",
+                "elastic_stiffness",
+                "platform_jacobian",
                 "rigid_modes",
                 "strain_free_motions",
                 "directions",
@@ -308,9 +311,33 @@ FIELDS: dict[str, Field] = {
             on_demand=True,
         ),
         Field(
+            name="platform_motion",
+            dims=(DIRECTION, COORDINATE),
+            needs=("platform_motion",),
+            in_modes=False,
+        ),
+        Field(
+            name="platform_jacobian",
+            dims=(COMPONENT, INDEPENDENT),
+            needs=("platform_jacobian",),
+            in_modes=False,
+        ),
+        Field(
+            name="elastic_stiffness",
+            dims=(BASE, BASE),
+            needs=("elastic_stiffness",),
+            in_modes=False,
+        ),
+        Field(
+            name="static_rotation",
+            dims=(DEPENDENT,),
+            needs=("static_rotation",),
+            in_modes=False,
+        ),
+        Field(
             name="static_torque",
             dims=(DRIVE,),
-            needs=("static_torques",),
+            needs=("static_torque",),
             in_modes=False,
             variable="static_torque",
             units=lambda mechanism: mechanism.drives[0].unit,
@@ -395,4 +422,7 @@ def sizes_of(
         LINEAR: len(mechanism.directions),
         DRIVE: len(mechanism.drives),
         INDEPENDENT: len(mechanism.independent) if independent is None else independent,
+        DEPENDENT: len(mechanism.coordinates) - len(mechanism.independent),
+        COMPONENT: len(mechanism.pose),
+        BASE: len(mechanism.coordinates),
     }

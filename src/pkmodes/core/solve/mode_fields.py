@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,10 +23,10 @@ from pkmodes.core.solve.batch import Job, Rows, run
 from pkmodes.core.solve.fields import DISSIPATION, FIELDS, MODE, missing, sizes_of
 from pkmodes.core.solve.fields import tail as tail_of
 from pkmodes.core.solve.numpy_solver import NumpySolver
-from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Codes, Solver
+from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, Alone, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, may_be_refused, number_of_modes
 from pkmodes.core.system.motors import MotorsHeld, springs_on_motors
-from pkmodes.core.system.strain_free import strain_free_motions
+from pkmodes.core.system.strain_free import StrainFreeMotions
 
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
@@ -78,9 +78,6 @@ class ModeFields:
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
         self._tails = {name: (tail_of(field, sizes), field.dtype) for name, field in fields.items()}
         self._tails[EIGENVALUES] = (modes,), "f8"
-        alone = None
-        if computed and not (self._filled or self._derived):
-            alone = solver.alone({name: self._tails[name][0] for name in computed})
         self.job = Job(
             tails={name: self._tails[name] for name in self._names},
             known=codes_of(system.mechanism),
@@ -88,7 +85,7 @@ class ModeFields:
             by_numpy=self.by_numpy,
             checks_poses=solver.checks_poses,
             refusable=_of_modes(self._names) and may_be_refused(solved),
-            alone=alone,
+            alone=self._alone(),
         )
 
     def _tells(self, name: str) -> bool:
@@ -99,6 +96,24 @@ class ModeFields:
         if field.only == DISSIPATION:
             return bool(self._given["dissipation"])
         return field.only != HELD or self._given["strain_free_motions"] is not None
+
+    def _alone(self) -> Alone | None:
+        """Return what evaluates the fields at a single pose with less overhead, if there is such a thing."""
+        own = [*(name for name in self._computed if name not in self._derived), *self._needed]
+        if self._filled or not (own or self._solver.checks_poses):
+            return None
+        solved = self._solver.alone({name: self._tails[name][0] for name in own})
+        if solved is None or not self._derived:
+            return solved
+
+        def of_pose(point: Array) -> dict[str, Array] | None:
+            found = solved(point)
+            if found is None:
+                return None
+            at = RobotAtPoses(self._system, point, self._source, {**self._given, **found})
+            return {name: at[name] for name in self._names}
+
+        return of_pose
 
     def tail(self, name: str) -> tuple[int, ...]:
         """Return the shape of a field at one pose."""
@@ -115,6 +130,10 @@ class ModeFields:
             for name, array in rows.items():
                 self._fill(name, array, checked.codes)
             return rows
+        if len(checked.points) == 1 and self.job.alone is not None and not checked.codes[0]:
+            found = self.job.alone(checked.points)
+            if found is not None and (checked.left is None or not len(checked.left)):
+                return found
         _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
         if checked.left is not None and len(checked.left):
             for name, array in self.by_numpy(checked.points[checked.left]).items():
@@ -263,15 +282,15 @@ def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
     Returns
     -------
     dict of str to object
-        ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from N poses the motions of all
-        coordinates, None where motors follow no command: they are free, without springs that hold them; ``kept``,
-        all coordinates per unit of those that remain with held motors, (n, r), None with free motors or if a motion
-        remains that nothing elastic resists.
+        ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from the elastic stiffness and the
+        platform Jacobian of N poses the motions of all coordinates, None where motors follow no command: they are
+        free, without springs that hold them; ``kept``, all coordinates per unit of those that remain with held
+        motors, (n, r), None with free motors or if a motion remains that nothing elastic resists.
     """
     given: dict[str, Any] = {"rigid_modes": solved.rigid_modes, "strain_free_motions": None, "kept": None}
     held = isinstance(solved, MotorsHeld)
     if held or springs_on_motors(system.mechanism, system.springs_to_ground):
-        given["strain_free_motions"] = partial(strain_free_motions, system)
+        given["strain_free_motions"] = StrainFreeMotions(system)
     if isinstance(solved, MotorsHeld):
         given["kept"] = None if solved.rigid_modes else solved.motions()[0]
     return given

@@ -191,7 +191,12 @@ def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tup
     effects : mapping of str to float
         By ``<effect>.<parameter>``.
     """
-    return springs_among(mechanism, active_effects(mechanism, effects))
+    return _springs_on_motors(mechanism, tuple(effects.items()))
+
+
+@lru_cache(256)
+def _springs_on_motors(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> tuple[str, ...]:
+    return springs_among(mechanism, active_effects(mechanism, dict(effects)))
 
 
 def springs_among(mechanism: Mechanism, names: Iterable[str]) -> tuple[str, ...]:
