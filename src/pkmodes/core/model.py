@@ -480,7 +480,8 @@ class Model:
             with np.errstate(invalid="ignore"):
                 return np.asarray(np.sign(np.linalg.det(D_p)))
         self._function("direct_kinematics")
-        determinant, _ = self._at(poses, on_error, "jacobian_condition")
+        checked = self.checked(poses, on_error)
+        determinant, _ = self.evaluated(self._generated.jacobian_condition, checked)
         return np.sign(determinant)
 
     # What the methods and the applications share.
@@ -666,10 +667,6 @@ class Model:
             )
             raise PkmodesError(what, self.robot.source, "start from poses: Model.inverse_kinematics")
         return getattr(self._generated, name)  # type: ignore[no-any-return]
-
-    def _at(self, poses: ArrayLike, on_error: OnError, name: str) -> tuple[Array, ...]:
-        """Evaluate a function of the base model and return its results with the poses' leading axes."""
-        return self.evaluated(getattr(self._generated, name), self.checked(poses, on_error))
 
     @staticmethod
     def evaluated(function: Callable[[Array], Any], checked: CheckedPoses) -> tuple[Array, ...]:
