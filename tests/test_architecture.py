@@ -162,9 +162,11 @@ NAMES = {"__init__.py", "__main__.py", "api.py", "interrupts.py", "mechanism.py"
 DIAGNOSIS = ("core.base", "core.linalg", "core.robot.columns", "support", "measured", "diagnosis")
 #: Most lines of a module.
 MOST = 400
-#: Modules of one idea that is longer, most of it docstrings: the evaluator of a robot, what a mechanism declares.
+#: Modules of one idea that is longer, most of it docstrings or a table: the evaluator of a robot, its fields, what a
+#: mechanism declares.
 LONG = {
     "src/pkmodes/core/model.py": 690,
+    "src/pkmodes/core/solve/fields.py": 440,
     "src/pkmodes/diagnosis/problem.py": 420,
     "src/pkmodes/sensitivity/matrices.py": 430,
     "src/pkmodes_description/structure.py": 450,
