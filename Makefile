@@ -125,7 +125,7 @@ suites: $(VENV)/.dev  ## error rates of identification and diagnosis on the virt
 	$(BIN)/python -m pkmodes_rig.suites.clear_suites $(CLUSTER) --seed 20261207 --out docs/clear-causes-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.six_legged_suites $(CLUSTER) --seed 20271217 --out docs/six-legs-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.one_place $(CLUSTER) --seed 20280301 --out docs/one-place-measured.md
-	$(BIN)/python -m pkmodes_rig.suites.changed $(CLUSTER) --seed 20290101 --out docs/changed-measured.md
+	$(BIN)/python -m pkmodes_rig.suites.changed $(CLUSTER) --seed 20290105 --out docs/changed-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.campaigns $(CLUSTER) --seed 20261226 --out docs/signals-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.damping $(CLUSTER) --seed 20261230 --out docs/damping-measured.md
 	$(BIN)/python -m pkmodes_rig.suites.deciding --out tests/golden/rules.jsonl

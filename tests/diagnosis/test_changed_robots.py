@@ -18,6 +18,8 @@ from pkmodes.diagnosis.states.counterparts import close_groups, expected_modes, 
 from pkmodes.diagnosis.states.shared_shapes import shapes_without_errors
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv
+from pkmodes.updating.changes import exchanged
+from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.reading import read_states
 from pkmodes.updating.shared_values import deviations, in_use
 
@@ -159,6 +161,20 @@ def test_masses_inertias_and_stiffnesses_of_each_axis_are_shared() -> None:
     for p in parameters:
         assert p.value == 0.0
         assert p.sigma == pytest.approx(0.03 * moves[p.name].value) or moves[p.name].value == 0.0
+
+
+def test_parts_that_act_like_what_changes_in_use_are_no_candidates() -> None:
+    """A wider belt is a stiffer one; a larger pulley also turns more slowly."""
+    robot = read_robot(ROBOT)
+    known = robot.with_values(
+        {path: {"sigma": None} for path, value in robot.quantities.items() if value.sigma}
+    )
+    structure = MeasuredRobot.of(known, updating.read(BEFORE, robot=known)).structure()
+    parts = {one.name: one.odds for one in exchanged(structure)}
+    assert "parameter:axis.2.belt.width" not in parts
+    assert "parameter:axis.2.belt.specific_stiffness" not in parts
+    assert parts["parameter:axis.2.pulley.radius"] == 0.1
+    assert parts["parameter:axis.2.pulley.inertia"] == 0.1
 
 
 def test_lengths_and_ratios_do_not_change_in_use() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
@@ -14,8 +15,17 @@ from scipy.linalg import eigh
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurements, Parameter, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
+from pkmodes.diagnosis.fit.hypothesis import Hypothesis
+from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.states.result import Change
-from pkmodes.diagnosis.states.shared_errors import ANY, UNKNOWN, between_setups, shared_errors
+from pkmodes.diagnosis.states.shared_errors import (
+    ANY,
+    UNKNOWN,
+    FittedValues,
+    between_setups,
+    less_certain,
+    shared_errors,
+)
 from pkmodes.diagnosis.states.words import between
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -131,7 +141,11 @@ def declared(sigma: float | None = 0.02, again: Sequence[str] = (" again",)) -> 
 
 
 def both_states(
-    rng: np.random.Generator, softer: float = 0.0, storey: int = 2, wrong: float = 0.03, lost: float = 0.0
+    rng: np.random.Generator,
+    softer: float = 0.0,
+    storeys: Sequence[int] = (2,),
+    wrong: float = 0.03,
+    lost: float = 0.0,
 ) -> Measurements:
     """Return both states of a true chain, whose springs are all wrong by some per cent in both."""
     k = 4e5 * (1.0 + wrong * rng.uniform(-1.0, 1.0, FLOORS))
@@ -140,7 +154,7 @@ def both_states(
     mode: list[int] = []
     for again in ("", " again"):
         now = k.copy()
-        now[storey - 1] *= 1.0 - (softer if again else 0.0)
+        now[[storey - 1 for storey in storeys]] *= 1.0 - (softer if again else 0.0)
         for setup in SETUPS:
             M, K = chain(now, loads_of(setup))
             f = np.sqrt(eigh(K, M, eigvals_only=True)) / (2.0 * np.pi)
@@ -174,6 +188,15 @@ def test_a_softer_storey_is_found_though_the_model_is_wrong_in_both_states(seed:
     assert found.model_error > 2.0 * SIGMA, "the model is wrong in both"
     plain = diagnose(declared(), data.at([i for i, label in enumerate(data.labels) if "again" in label]))
     assert plain.verdict != "effect_found" or plain.effects[0].members != ("storey 2",)
+
+
+def test_two_changes_at_once_are_not_claimed() -> None:
+    found = what_changed(both_states(np.random.default_rng(3), softer=0.2, storeys=(1, 4)))
+    assert (found.verdict, found.rule, found.changed) == ("unexplained", "claims.two_of_few", True)
+    assert "storey 1" in found.reason
+    assert "storey 4" in found.reason
+    assert "two changes at once are not claimed: measure a state between them" in found.reason
+    assert not found.effects
 
 
 def test_nothing_changed_is_said() -> None:
@@ -213,7 +236,7 @@ def test_whole_states_are_never_held_out() -> None:
 
 def test_several_later_states_are_each_compared_with_the_trusted_one() -> None:
     first, second = (
-        both_states(np.random.default_rng(3), softer=x, storey=s) for x, s in ((0.12, 2), (0.15, 4))
+        both_states(np.random.default_rng(3), softer=x, storeys=(s,)) for x, s in ((0.12, 2), (0.15, 4))
     )
     third = second.at([i for i, label in enumerate(second.labels) if "again" in label])
     data = Measurements.from_rows(
@@ -289,6 +312,64 @@ def test_far_above_those_of_the_measurement_errors_of_the_model_are_taken_off_as
     _, residual, sigma, _ = fitter.unfitted(fitter.declared, fitter.observations.every)
     np.testing.assert_allclose(shared.offset, residual, atol=0.02 * SIGMA)
     np.testing.assert_allclose(shared.variance, sigma**2, rtol=0.05)
+
+
+def test_what_the_trusted_state_leaves_unknown_of_its_values_is_in_the_errors_of_modes() -> None:
+    """Propagated to first order, with derivatives by differences of the predictions."""
+    structure, names, steps = declared(), ("m", "k"), np.array([1e-3, 20.0])
+    covariance = np.diag([0.2, 4e3]) @ np.array([[1.0, 0.6], [0.6, 1.0]]) @ np.diag([0.2, 4e3])
+    values = np.array([p.value for p in structure.parameters])
+    mode, setup = np.array([0, 3, 4]), np.array([2, 0, 1])
+
+    def difference(k: int) -> tuple[np.ndarray, np.ndarray]:
+        step = np.zeros_like(values)
+        step[k] = steps[k]
+        up, down = structure.predict(values + step, ()), structure.predict(values - step, ())
+        sign = np.sign((up.shapes * down.shapes).sum(axis=-1, keepdims=True))
+        logs, shapes = up.log_frequencies - down.log_frequencies, up.shapes - sign * down.shapes
+        return logs[setup, mode] / (2.0 * steps[k]), shapes[setup, mode] / (2.0 * steps[k])
+
+    of_logs, of_shapes = (np.stack(rates, axis=-1) for rates in zip(*map(difference, range(2)), strict=True))
+    found = FittedValues(names, covariance).variances(structure, mode, setup)
+    for rates, variance in zip((of_logs, of_shapes), found, strict=True):
+        expected = ((rates @ np.linalg.cholesky(covariance)) ** 2).sum(axis=-1)
+        np.testing.assert_allclose(variance, expected, rtol=1e-5, atol=1e-12)
+
+
+def test_the_rows_of_a_later_state_have_these_errors_too() -> None:
+    data = both_states(np.random.default_rng(2))
+    later = [i for i, label in enumerate(data.labels) if "again" in label]
+    fitter, without = shared_of(data, later)
+    own = declared(None).subset([3, 4, 5])
+    fitted = FittedValues(("m", "k"), np.diag([0.2, 4e3]) ** 2)
+    shared = shared_errors(fitter, fitter.declared, own, data.at(later), fitted=fitted)
+    mode, setup = np.array(data.at(later).mode, dtype=int) - 1, data.at(later).pose
+    more, _ = fitted.variances(own, mode, setup)
+    assert (more > 1e-6).all()
+    np.testing.assert_allclose(shared.variance, without.variance + more, rtol=1e-12)
+
+
+def test_a_candidate_that_is_less_likely_costs_its_odds() -> None:
+    data = both_states(np.random.default_rng(1), softer=0.1)
+    store = FitStore(Fitter(declared(), data))
+    usual = declared().candidates[0]
+    rare = replace(usual, name="rare", odds=0.1)
+    one, other = (store.fit(Hypothesis((cause,))) for cause in (usual, rare))
+    assert one is not None
+    assert other is not None
+    assert store.criterion(other) - store.criterion(one) == pytest.approx(2.0 * np.log(10.0))
+    assert store.price(rare) - store.price(usual) == pytest.approx(2.0 * np.log(10.0))
+
+
+def test_shapes_without_a_counterpart_are_as_uncertain_as_the_values_behind_their_modes() -> None:
+    shapes, spread = np.array([[1.0, 0.5], [1.0, -0.5]]), np.array([0.01, 0.2])
+    same, larger = less_certain(shapes, np.full(2, 0.02), 0.03, spread)
+    np.testing.assert_array_equal(same, shapes)
+    np.testing.assert_allclose(larger, [np.sqrt(0.0004 + 0.0009 + 0.0001), np.sqrt(0.0004 + 0.0009 + 0.04)])
+    # Where no error is stated, all have one scatter, and what is less certain is left out.
+    fewer, unstated = less_certain(shapes, np.full(2, np.nan), 0.03, spread)
+    np.testing.assert_array_equal(fewer, [[1.0, 0.5], [np.nan, np.nan]])
+    assert np.isnan(unstated).all()
 
 
 def test_the_scatter_between_setups_is_an_upper_limit() -> None:

@@ -156,8 +156,11 @@ class ClaimCriteria:
     once: ClassVar[bool] = False
     #: Whether a term is as likely as a cause of the catalogue: a part at one place that changed.
     any_place: ClassVar[bool] = False
+    #: Whether several causes at once are claimed: of changes, one is more likely than two, and what a wrong model
+    #: leaves looks like two.
+    several: ClassVar[bool] = True
     #: Whether a law is a rival of a term that survives beside it: that a part changed is more likely than that what
-    #: changed varies with the position, so of changes a law is a rival only where it is better.
+    #: changed varies with the position, so of changes a law is a rival only where it is clearly better.
     laws_survive: ClassVar[bool] = True
     #: Stated errors may be too small by this factor at most, where that competes with a cause.
     wrong_errors: ClassVar[float] = np.inf
@@ -311,6 +314,7 @@ class ClaimOfChanges(ClaimCriteria):
 
     once: ClassVar[bool] = True
     any_place: ClassVar[bool] = True
+    several: ClassVar[bool] = False
     laws_survive: ClassVar[bool] = False
     wrong_errors: ClassVar[float] = 3.0
     specific_term: ClassVar[float] = 0.2

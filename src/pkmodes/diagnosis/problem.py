@@ -139,6 +139,8 @@ class Candidate:
         be anywhere, pairs of mass and frequency.
     local : bool
         A value of one axis: it concerns one place, as a term does, and is compared with terms before it is claimed.
+    odds : float
+        How likely it is beside other candidates, before any measurement.
     joints : tuple of Joint
         Of a cause that has a relative change for each of several equal parts: these, one for each parameter.  Where
         one of them alone would do as well, it is named.
@@ -158,6 +160,7 @@ class Candidate:
     form: str = ""
     starts: tuple[tuple[float, ...], ...] = ()
     local: bool = False
+    odds: float = 1.0
     joints: tuple[Joint, ...] = ()
 
     @property

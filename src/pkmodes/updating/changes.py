@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+
+import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.problem import Parameter, Structure
+from pkmodes.diagnosis.beyond.instead import ALIKE
+from pkmodes.diagnosis.problem import Candidate, Parameter, Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.states.changes import Trusted, with_known
 from pkmodes.diagnosis.states.result import Change, merged
 from pkmodes.diagnosis.states.words import candidate_as_change
 from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS
 from pkmodes.measured.measurements import Measurements
-from pkmodes.sensitivity.paths import ParameterPath
+from pkmodes.sensitivity.paths import ParameterPath, resolve
 from pkmodes.support.threads import one_blas_thread
 from pkmodes.updating.candidates import EFFECTS, PREFIX
 from pkmodes.updating.joints import joints_of
@@ -30,6 +33,8 @@ BEFORE, AFTER = "before", "after"
 #: What all transmissions of a kind may differ by from one day to another, as with temperature: the standard deviation
 #: of the relative change of their stiffness.
 DAY = 0.015
+#: How likely it is that a part was exchanged or moved, beside a change in use.
+EXCHANGED = 0.1
 #: The stiffness of the equal parts of a transmission.
 STIFFNESS = "stiffness"
 
@@ -96,7 +101,8 @@ def changed(
         measured = MeasuredRobot.of(known, data).where_usable()
         if progress is not None and len(campaigns) > 1:
             progress(f"comparing {name} with {names[0]}")
-        structure = with_known(_extended(measured.structure(candidates, priors), wrong), common.values)
+        own = _extended(measured.structure(candidates, priors), wrong)
+        structure = with_known(_with_values(own, common.values), common.values)
         ask = partial(
             common.changed_to,
             name,
@@ -110,17 +116,50 @@ def changed(
 
 
 def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool) -> Change:
-    """Return what changed: of what changes in use, and where none of that explains it, of parts and places too."""
+    """Return what changed: of what changes in use, and of parts that were exchanged or moved.
+
+    Such a part is less likely: it counts where nothing else explains the difference, or in the class of what does.
+    """
     robot = structure.robot
     some = [of_one_machine(one) for one in structure.candidates if everything or in_use(robot, one)]
     first = ask(structure.extended([], {}, some))
-    if everything or first.changed is False or first.verdict == AMBIGUOUS.word or first.explained:
+    settled = first.changed is False or first.verdict == AMBIGUOUS.word
+    if everything or (settled and not first.explained):
         return first
-    second = ask(structure.extended([], {}, [of_one_machine(one) for one in structure.candidates]))
-    if not second.explained:
+    parts = list(exchanged(structure))
+    second = ask(structure.extended([], {}, [*some, *parts]))
+    if not second.claimed & {one.name for one in parts}:
         return first
+    if first.explained:
+        return second
     note = "nothing that changes in use explains this: only a part that was exchanged or moved does"
     return replace(second, notes=(note, *second.notes))
+
+
+def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
+    """Yield what changes only if a part is exchanged or moved, unless it acts like what changes in use."""
+    robot = structure.robot
+    single = [one for one in structure.candidates if len(one.parameters) == 1]
+    places = {p.name: i for i, p in enumerate(structure.parameters)}
+    values = np.array([p.value for p in structure.parameters])
+    rates = structure.predict(values, [places[one.parameters[0]] for one in single]).rates
+    rates = rates[np.isfinite(rates).all(axis=-1)]
+    size = np.linalg.norm(rates, axis=0)
+    unit = rates / np.where(size > 0.0, size, 1.0)
+    used = np.array([in_use(robot, one) for one in single])
+    alike = np.flatnonzero((np.abs(unit.T @ unit[:, used]) >= ALIKE).any(axis=1))
+    same = {single[i].name for i in alike}
+    for one in structure.candidates:
+        if not in_use(robot, one) and one.name not in same:
+            yield replace(of_one_machine(one), odds=EXCHANGED)
+
+
+def _with_values(structure: RobotStructure, values: Mapping[str, float]) -> RobotStructure:
+    """Return a structure that also has the values of the trusted state that nothing may have changed."""
+    robot, there = structure.robot, {p.name for p in structure.parameters}
+    moves = {name: resolve(robot, name) for name in values if name not in there}
+    parameters = [Parameter(name, path.value, path.unit) for name, path in moves.items()]
+    return structure.extended(parameters, moves, structure.candidates)
 
 
 def _extended(

@@ -59,7 +59,8 @@ def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
     Beside several causes or a value of one axis, each term that survives competes; beside one cause, a term that
     lowers the criterion by more than chance.  A term that does exactly the same as a cause, such as a mass on a
     carriage and a heavier carriage, does not compete, nor does one joint alone of a cause with a value for each.  Of
-    changes, one that is the same only to what was measured does: a spring along x, where no mode along y was found.
+    changes, one joint alone does where it is clearly better, and so does a term that is the same only to what was
+    measured: a spring along x, where no mode along y was found.
     """
     criterion = of_terms.store.criterion
     again = [fit for fit in of_terms.tried.carried if fit.causes == catalogue.final.causes]
@@ -73,11 +74,13 @@ def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
         same = [fit for fit in equal if _single(fit) and same_everywhere(fitter, fit, claimed)]
         competing = [fit for fit in terms if fit not in same]
         return next(iter(best_first(of_terms.store, competing)), None)
-    rivals = [fit for fit in terms if not nested(fitter, fit, claimed)]
+    worth = catalogue.criteria.search.worth
+    simpler = [fit for fit in terms if any_place and criterion(fit) < criterion(claimed) - worth]
+    rivals = [fit for fit in terms if fit in simpler or not nested(fitter, fit, claimed)]
     if one_of_many(catalogue):
         competing = [fit for fit in rivals if abs(criterion(fit) - criterion(claimed)) > EQUAL]
     else:
-        limit = criterion(claimed) - catalogue.criteria.search.worth
+        limit = criterion(claimed) - worth
         competing = [fit for fit in rivals if criterion(fit) < limit]
     return next(iter(best_first(of_terms.store, competing)), None)
 

@@ -173,10 +173,10 @@ class FitStore:
 
         The penalty of a parameter is the logarithm of the number of data (Schwarz's BIC).  With a prior it is
         2 ln(prior sigma / sigma), from Laplace's approximation of the evidence.  Excluded rows have a separate
-        penalty.
+        penalty, and the odds of a candidate that is less likely than others count too.
         """
         h, fitter = fit.hypothesis, self.fitter
-        price, each = 0.0, self.parameter_price
+        price, each = sum(map(_odds, fit.causes), 0.0), self.parameter_price
         for i in self.added(fit):
             row = fitter.priors.of(i)
             if row is None:
@@ -189,9 +189,9 @@ class FitStore:
         return fit.deviance + price + each * count
 
     def price(self, candidate: Candidate) -> float:
-        """Return the penalty of a candidate in the criterion, for its parameters without prior."""
+        """Return the penalty of a candidate in the criterion, for its parameters without prior and its odds."""
         free = [i for i in self.fitter.indices(candidate) if self.fitter.priors.of(i) is None]
-        return self.parameter_price * len(free)
+        return self.parameter_price * len(free) + _odds(candidate)
 
     @property
     def parameter_price(self) -> float:
@@ -231,3 +231,8 @@ class FitStore:
     def _idle(self, fit: Fit, i: int) -> bool:
         absent = self.fitter.parameters[i].value
         return absent == 0.0 and abs(float(fit.values[i])) <= IDLE * fit.sigma_of(i)
+
+
+def _odds(candidate: Candidate) -> float:
+    """Return the penalty of the odds of a candidate: twice the logarithm of what the likelihood must make up for."""
+    return -2.0 * float(np.log(candidate.odds))

@@ -26,7 +26,12 @@ from pkmodes.diagnosis.one_state import diagnosed
 from pkmodes.diagnosis.problem import Array, Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.states.result import Change, Counterpart, merged, of_difference
-from pkmodes.diagnosis.states.shared_errors import SharedErrors, shared_errors, without_shared_errors
+from pkmodes.diagnosis.states.shared_errors import (
+    FittedValues,
+    SharedErrors,
+    shared_errors,
+    without_shared_errors,
+)
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.numbers import plain
 
@@ -76,10 +81,10 @@ class Trusted:
     @property
     def shape_error(self) -> float:
         """Standard deviation of the components of shapes by which the model differs from the trusted state."""
-        misfit = FitStore(self.fitter).fitter.misfit(self.fit, SHAPE, stated=True)
+        misfit = self.fitter.misfit(self.fit, SHAPE, stated=True)
         sigma = self.fitter.data.shape_sigma
         if misfit.degrees <= 0.0 or np.isnan(sigma).all():
-            return 0.0
+            return FitStore(self.fitter).shape_scatter(self.fit) or 0.0
         return float(np.sqrt(np.nanmean(sigma**2) * misfit.ratio))
 
     @property
@@ -117,7 +122,10 @@ class Trusted:
             If both states have no mode in common, were measured under other conditions, or have the same rows.
         """
         self._check(name, data)
-        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error)
+        nuisances = tuple(self.fitter.nuisances)
+        names = tuple(self.fitter.parameters[i].name for i in nuisances)
+        fitted = FittedValues(names, self.fit.covariance_of(nuisances))
+        shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted)
         if not shared.known.any():
             what = f"no mode of {shown(name)} was measured in {shown(self.name)}"
             remedy = "measure modes at poses that both states have"

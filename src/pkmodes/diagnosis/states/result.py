@@ -90,6 +90,12 @@ class Change(Diagnosis):
         return bool(self.effects) or (self.beyond is not None and self.beyond.found is not None)
 
     @property
+    def claimed(self) -> set[str]:
+        """The names of everything in the classes of what is claimed."""
+        beyond = [] if self.beyond is None or self.beyond.found is None else [self.beyond.found.finding]
+        return {name for finding in (*self.effects, *beyond) for name in finding.members}
+
+    @property
     def what(self) -> str:
         """What changed, as a clause: "change found: ...", or that nothing did, or that the data do not tell."""
         if self.effects:

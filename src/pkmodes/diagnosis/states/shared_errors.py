@@ -75,8 +75,39 @@ class SharedErrors:
         return np.asarray(self.counterpart >= 0)
 
 
+class FittedValues(NamedTuple):
+    """Uncertain values as the trusted state tells them: their names, and their covariance, (k, k)."""
+
+    names: tuple[str, ...]
+    covariance: Array
+
+    def variances(
+        self, structure: Structure, mode: NDArray[np.intp], setup: NDArray[np.int_]
+    ) -> tuple[Array, Array]:
+        """Return what they leave unknown of modes at setups: variances of ln f, (R,), and of shapes, (R, C)."""
+        places = {p.name: i for i, p in enumerate(structure.parameters)}
+        values = np.array([p.value for p in structure.parameters])
+        at = structure.predict(values, [places[name] for name in self.names], shape_rates=True)
+        rates, of_shapes = (
+            at.log_rates[setup, mode],
+            np.zeros((*at.shapes[setup, mode].shape, len(self.names))),
+        )
+        if at.shape_rates is not None:
+            of_shapes = at.shape_rates[setup, mode]
+        of_logs, of_components = (
+            np.asarray(np.einsum("...i,ij,...j->...", each, self.covariance, each))
+            for each in (rates, of_shapes)
+        )
+        return of_logs, of_components
+
+
 def shared_errors(
-    trusted: Fitter, values: Array, structure: Structure, later: Measurements, shape_error: float = 0.0
+    trusted: Fitter,
+    values: Array,
+    structure: Structure,
+    later: Measurements,
+    shape_error: float = 0.0,
+    fitted: FittedValues | None = None,
 ) -> SharedErrors:
     """Return what the rows of a later state share with the trusted one.
 
@@ -90,6 +121,8 @@ def shared_errors(
         At the setups of the later state, with these values as declared.
     shape_error : float, optional
         Standard deviation of the components of shapes by which the model differs from the trusted state.
+    fitted : FittedValues, optional
+        How well the trusted state tells these values.
     """
     pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
     before, data = trusted.structure.predict(values, ()), trusted.data
@@ -122,9 +155,17 @@ def shared_errors(
     offset, variance = errors.of_rows(partner, later.pose)
     there = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     modes = np.where((partner >= 0)[:, None], there, np.nan)
+    spread = np.zeros(len(partner))
+    own = np.flatnonzero(partner >= 0)
+    if fitted is not None and fitted.names and len(own):
+        of_logs, of_shapes = fitted.variances(structure, partner[own], later.pose[own])
+        variance[own] += of_logs
+        spread[own] = _relative(weights * np.sqrt(of_shapes[:, columns]), weights * there[own])
     shapes, shape_sigma = shapes_without_errors(data, later, counterpart, modes, weights)
     alone = counterpart < 0
-    shape_sigma[alone] = np.minimum(np.hypot(shape_sigma[alone], shape_error), LARGEST)
+    shapes[alone], shape_sigma[alone] = less_certain(
+        shapes[alone], shape_sigma[alone], shape_error, spread[alone]
+    )
     return SharedErrors(
         offset,
         variance,
@@ -134,6 +175,23 @@ def shared_errors(
         shapes,
         shape_sigma,
     )
+
+
+def _relative(sigma: Array, shapes: Array) -> Array:
+    """Return the largest of the standard deviations of components relative to the largest component, (R,)."""
+    size = np.abs(shapes).max(axis=1, initial=0.0)
+    return np.asarray(sigma.max(axis=1, initial=0.0) / np.where(size > 0.0, size, 1.0))
+
+
+def less_certain(shapes: Array, sigma: Array, error: float, spread: Array) -> tuple[Array, Array]:
+    """Return shapes without a counterpart, and their standard deviations with the error that the model has there.
+
+    Where none is stated, all such shapes have one scatter: those of modes of which the values of the trusted state
+    leave more than that unknown are left out.
+    """
+    lost = np.isnan(sigma) & (spread > error)
+    larger = np.sqrt(sigma**2 + error**2 + spread**2)
+    return np.where(lost[:, None], np.nan, shapes), np.minimum(larger, LARGEST)
 
 
 class Setups(NamedTuple):

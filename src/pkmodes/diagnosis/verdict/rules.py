@@ -185,9 +185,16 @@ def not_significant(e: Evidence) -> str:
 
 
 def two_of_few(e: Evidence) -> str:
-    """Two causes would be claimed from fewer than ten measured modes."""
+    """Two causes would be claimed from fewer than ten measured modes, or two changes at once."""
     rows, needed = len(e.fitter.observations.log), e.criteria.claim.rows_for_two
-    if len(e.final.causes) < 2 or rows >= needed:
+    if len(e.final.causes) < 2:
+        return ""
+    if not e.criteria.claim.several:
+        return (
+            f"{names(e.final.causes)} together would explain the residual, but two changes at once are not claimed: "
+            "measure a state between them"
+        )
+    if rows >= needed:
         return ""
     return (
         f"{names(e.final.causes)} together would explain the residual, but two causes are not claimed from {rows} "
