@@ -137,7 +137,7 @@ def test_headers_of_an_earlier_version_are_to_be_generated_again(
     (tmp_path / "earlier_header").mkdir()
     (tmp_path / "earlier_header" / "__init__.py").touch()
     header = (ROOT / "generated/pkmodes_generated/corexy" / build.HEADER).read_text(encoding="utf-8")
-    earlier = header.replace("lanes_extended_tangent", "lanes_something_else")
+    earlier = header.replace("lanes_extended_statics", "lanes_something_else")
     (tmp_path / "earlier_header" / build.HEADER).write_text(earlier, encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
     with pytest.raises(UnavailableError) as error:

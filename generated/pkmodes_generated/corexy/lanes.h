@@ -366,7 +366,8 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
  * 90 operations; 1032 with every named value expanded.
  */
 static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
-    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st,
+    lane *restrict H_el)
 {
     (void)pose;
     (void)parameters;

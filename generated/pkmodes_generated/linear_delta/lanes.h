@@ -1155,7 +1155,8 @@ static inline void lanes_extended(const lane *restrict pose, const double *restr
  * 375 operations; 141870 with every named value expanded.
  */
 static inline void lanes_statics(const lane *restrict pose, const double *restrict parameters,
-    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st, lane *restrict H_el)
+    const double *restrict effects, lane *restrict D_p, lane *restrict tau_st, lane *restrict theta_st,
+    lane *restrict H_el)
 {
     (void)pose;
     (void)parameters;

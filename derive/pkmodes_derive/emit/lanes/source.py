@@ -36,7 +36,7 @@ class _Block:
 
     comment: list[str]
     name: str
-    outputs: str
+    arguments: list[str]
     body: list[str]
     each: list[str]
     coordinates: int
@@ -97,10 +97,15 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
         f" * {commentary.operations(program)}",
         " */",
     ]
-    outputs = ", ".join(f"lane *restrict {output.name}" for output in function.outputs)
+    names = [
+        "const double *restrict effects",
+        *(f"lane *restrict {output.name}" for output in function.outputs),
+    ]
+    arguments = layout.listing(names, INDENT)
+    arguments[-1] = arguments[-1].removesuffix(",") + ")"
     body, each = _statements(function, program, groups)
     (_, *of_mode) = function.arguments
-    return _Block(comment, function.name, outputs, body, each, len(of_mode[0].symbols) if of_mode else 0)
+    return _Block(comment, function.name, arguments, body, each, len(of_mode[0].symbols) if of_mode else 0)
 
 
 def _statements(
