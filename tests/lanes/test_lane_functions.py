@@ -17,10 +17,11 @@ pytestmark = pytest.mark.compiler
 SOURCE = """
 #include "lane.h"
 #define LANES_BASE 2
+#define LANES_POSE 1
 #define LANES_INDEPENDENT 1
 #define LANES_DEPENDENT 1
 #define LANES_LINEAR 1
-static const int LANES_GIVEN[] = {0}, LANES_FOLLOWING[] = {1};
+static const int LANES_INDEPENDENT_INDICES[] = {0}, LANES_DEPENDENT_INDICES[] = {1};
 #include "strain_free.h"
 void eliminated(const double *a, const double *b, double *x)
 {

@@ -37,9 +37,9 @@ static const struct lanes_rule LANES_RULES[] = {
     {4, LANES_AT_LEAST_ZERO},
 };
 
-/* Which of the base coordinates the pose determines, and which follow these. */
-static const int LANES_GIVEN[] = {0, 1};
-static const int LANES_FOLLOWING[] = {2, 3};
+/* Which of the base coordinates the pose determines, and which depend on these. */
+static const int LANES_INDEPENDENT_INDICES[] = {0, 1};
+static const int LANES_DEPENDENT_INDICES[] = {2, 3};
 
 /* Positions at a pose, and the margins of a pose.
  *

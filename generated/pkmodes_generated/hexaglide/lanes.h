@@ -82,9 +82,9 @@ static const struct lanes_rule LANES_RULES[] = {
     {1, LANES_ABOVE_ZERO}, {6, LANES_AT_LEAST_ZERO}, {1, LANES_AT_MOST_LIMIT}, {18, LANES_ABOVE_ZERO},
 };
 
-/* Which of the base coordinates the pose determines, and which follow these. */
-static const int LANES_GIVEN[] = {0, 1, 2, 3, 4, 5};
-static const int LANES_FOLLOWING[] = {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
+/* Which of the base coordinates the pose determines, and which depend on these. */
+static const int LANES_INDEPENDENT_INDICES[] = {0, 1, 2, 3, 4, 5};
+static const int LANES_DEPENDENT_INDICES[] = {6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17};
 
 /* Carriage positions at a pose, and the margins of a pose.
  *

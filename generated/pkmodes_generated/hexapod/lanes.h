@@ -71,9 +71,9 @@ static const struct lanes_rule LANES_RULES[] = {
     {1, LANES_ABOVE_ZERO}, {1, LANES_AT_MOST_LIMIT}, {12, LANES_AT_LEAST_ZERO},
 };
 
-/* Which of the base coordinates the pose determines, and which follow these. */
-static const int LANES_GIVEN[] = {0, 1, 2, 3, 4, 5};
-static const int LANES_FOLLOWING[] = {6, 7, 8, 9, 10, 11};
+/* Which of the base coordinates the pose determines, and which depend on these. */
+static const int LANES_INDEPENDENT_INDICES[] = {0, 1, 2, 3, 4, 5};
+static const int LANES_DEPENDENT_INDICES[] = {6, 7, 8, 9, 10, 11};
 
 /* Leg lengths at a pose, and the margins of a pose.
  *

@@ -52,9 +52,9 @@ static const struct lanes_rule LANES_RULES[] = {
     {3, LANES_AT_LEAST_ZERO}, {1, LANES_AT_MOST_LIMIT}, {9, LANES_ABOVE_ZERO},
 };
 
-/* Which of the base coordinates the pose determines, and which follow these. */
-static const int LANES_GIVEN[] = {0, 1, 2};
-static const int LANES_FOLLOWING[] = {3, 4, 5, 6, 7, 8};
+/* Which of the base coordinates the pose determines, and which depend on these. */
+static const int LANES_INDEPENDENT_INDICES[] = {0, 1, 2};
+static const int LANES_DEPENDENT_INDICES[] = {3, 4, 5, 6, 7, 8};
 
 /* Carriage positions at a pose, and the margins of a pose.
  *

@@ -56,9 +56,9 @@ static const struct lanes_rule LANES_RULES[] = {
     {6, LANES_AT_LEAST_ZERO}, {1, LANES_AT_MOST_LIMIT}, {6, LANES_AT_LEAST_ZERO},
 };
 
-/* Which of the base coordinates the pose determines, and which follow these. */
-static const int LANES_GIVEN[] = {0, 1, 2};
-static const int LANES_FOLLOWING[] = {3, 4, 5};
+/* Which of the base coordinates the pose determines, and which depend on these. */
+static const int LANES_INDEPENDENT_INDICES[] = {0, 1, 2};
+static const int LANES_DEPENDENT_INDICES[] = {3, 4, 5};
 
 /* Arm angles at a pose, and the margins of a pose.
  *

@@ -28,7 +28,7 @@ from pkmodes.core.mechanism.poses import (
 from pkmodes.core.robot.pose_table import by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
-from pkmodes.core.solve.backends import AUTO, all_cores, checked_threads, chosen, solver_of
+from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
@@ -285,9 +285,8 @@ class Model:
         PkmodesError
             As for `modes`.
         """
-        number = checked_threads(threads)
         names = "mass_matrix", "stiffness_matrix"
-        _, arrays = self._evaluated(names, poses, on_error, out, backend, number)
+        _, arrays = self._into(out, names, poses, on_error, backend, threads)
         return arrays["mass_matrix"], arrays["stiffness_matrix"]
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
@@ -305,7 +304,7 @@ class Model:
         Statics
             With the leading axes of the poses.
         """
-        checked, arrays = self._evaluated(("static_torque", "static_rotation"), poses, on_error)
+        checked, arrays = self._into(None, ("static_torque", "static_rotation"), poses, on_error)
         poses = checked.points.reshape((*checked.batch, -1))
         codes = checked.codes.reshape(checked.batch)
         torques, rotations = arrays["static_torque"], arrays["static_rotation"]
@@ -529,26 +528,25 @@ class Model:
         fields = self._fields(names, self.solver(backend, drives), drives, given)
         return self._run(fields, poses, on_error, out, threads)
 
-    def _field(self, name: str, poses: ArrayLike, on_error: OnError, out: Array | None) -> Array:
-        """Evaluate one field with free motors."""
-        given = None if out is None else {name: out}
-        return self._evaluated((name,), poses, on_error, given)[1][name]
-
-    def _evaluated(
+    def _into(
         self,
+        out: Out,
         names: tuple[str, ...],
         poses: ArrayLike,
         on_error: OnError,
-        out: Out = None,
         backend: str = AUTO,
         threads: int | None = None,
     ) -> tuple[CheckedPoses, dict[str, Array]]:
-        """Evaluate fields with free motors, by default by the default back end."""
+        """Evaluate fields with free motors, into arrays of the caller if there are any."""
         if out is not None:
             chosen_fields(names, out, names)
-        plan = self._plan(names, out, backend, FREE)
-        number = all_cores() if threads is None else threads
-        return self._run(plan.fields, poses, on_error, out, number)
+        number = checked_threads(threads)
+        return self.fields_at(poses, on_error, names, backend, out=out, threads=number)
+
+    def _field(self, name: str, poses: ArrayLike, on_error: OnError, out: Array | None) -> Array:
+        """Evaluate one field with free motors."""
+        _, arrays = self._into(None if out is None else {name: out}, (name,), poses, on_error)
+        return arrays[name]
 
     def _run(
         self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
@@ -656,7 +654,7 @@ class Model:
         CheckedPoses
             The poses one after the other, with the code of each.
         """
-        checked, _ = self._evaluated((), poses, on_error)
+        checked, _ = self._into(None, (), poses, on_error)
         return checked
 
     def _function(self, name: str) -> Callable[..., Any]:

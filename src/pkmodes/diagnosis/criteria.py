@@ -156,11 +156,11 @@ class ClaimCriteria:
     once: ClassVar[bool] = False
     #: Whether a term is as likely as a cause of the catalogue: a part at one place that changed.
     any_place: ClassVar[bool] = False
-    #: Whether several causes at once are claimed: of changes, one is more likely than two, and what a wrong model
-    #: leaves looks like two.
+    #: Whether several causes at once are claimed: one change is more likely than two, and the errors of a wrong model
+    #: can look like two.
     several: ClassVar[bool] = True
-    #: Whether a law is a rival of a term that survives beside it: that a part changed is more likely than that what
-    #: changed varies with the position, so of changes a law is a rival only where it is clearly better.
+    #: Whether a law is a rival of a term as long as it survives beside it.  A part that changed is more likely than a
+    #: change that varies with the position, so for changes a law is a rival only where it is clearly better.
     laws_survive: ClassVar[bool] = True
     #: Stated errors may be too small by this factor at most, where that competes with a cause.
     wrong_errors: ClassVar[float] = np.inf

@@ -140,7 +140,7 @@ class Candidate:
     local : bool
         A value of one axis: it concerns one place, as a term does, and is compared with terms before it is claimed.
     odds : float
-        How likely it is beside other candidates, before any measurement.
+        Prior odds relative to other candidates.
     joints : tuple of Joint
         Of a cause that has a relative change for each of several equal parts: these, one for each parameter.  Where
         one of them alone would do as well, it is named.

@@ -14,7 +14,7 @@ from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import AUTO
-from pkmodes.core.system.motors import MotorsHeld
+from pkmodes.support.solutions import with_fields
 
 Array = NDArray[np.float64]
 
@@ -57,17 +57,6 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
 
 def _at_points(model: Model, points: Array) -> Array:
     """Return the displacement of the platform per force [m/N] at N poses, (N, components, components)."""
-    held, solver = model.solved(HELD), model.solver(AUTO, HELD).inner
-    at = RobotAtPoses(held, points, model.robot.source, {})
-    if solver.fields.issuperset(("stiffness_matrix", "platform_motion")):
-        n, components = len(held.coordinates), len(model.mechanism.platform)
-        found = {
-            "stiffness_matrix": np.empty((len(points), n, n)),
-            "platform_motion": np.empty((len(points), components, n)),
-        }
-        solver.compute(at, found)
-        return statics.compliance(found["stiffness_matrix"], found["platform_motion"])
-    moved = model.system.platform_motion(points)
-    if isinstance(held, MotorsHeld):
-        moved = moved @ held.motions()[0]
-    return statics.compliance(at.stiffness_matrix, moved)
+    at = RobotAtPoses(model.solved(HELD), points, model.robot.source, {})
+    with_fields(model.solver(AUTO, HELD).inner, at, "stiffness_matrix", "platform_motion")
+    return statics.compliance(at["stiffness_matrix"], at["platform_motion"])

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
-from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.motors import MotorsHeld, motor_motion
-from pkmodes.support.solutions import solved
+from pkmodes.support.solutions import solved, with_fields
 
 Array = NDArray[np.float64]
 
@@ -60,45 +60,37 @@ class LinearisedRobot:
     def __init__(self, model: Model, points: Array, drives: str, backend: str) -> None:
         self.model, self.points = model, points
         system = self.system = model.solved(drives)
-        at = solved(model.solver(backend, drives).inner, system, points, model.robot.source)
-        self._solver = model.solver(backend, drives).inner
+        solver = model.solver(backend, drives).inner
+        self._at = solved(solver, system, points, model.robot.source)
         self.rigid, self.massless = system.rigid_modes, system.massless
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):
             self.kept, self.prescribed = system.motions()
-        self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes(at["eigenvalues"], at["shapes"])
+        self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes(solver)
 
-    def _with_exact_rigid_modes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+    def _with_exact_rigid_modes(self, solver: Solver) -> tuple[Array, Array]:
         """Return the modes, the rigid ones from an eigenproblem of their own.
 
         Otherwise they have the rounding of the largest eigenvalue, which shows at low frequencies.
         """
-        rigid = self.rigid
+        rigid, at = self.rigid, self._at
+        eigenvalues, shapes = at["eigenvalues"], at["shapes"]
         if rigid:
+            with_fields(solver, at, "mass_matrix", "stiffness_matrix")
             eigenvalues, shapes = eigenvalues.copy(), shapes.copy()
             R = shapes[:, :rigid]
-            M, K = (R @ matrix @ np.swapaxes(R, -1, -2) for matrix in self._own_matrices)
+            M, K = (
+                R @ matrix @ np.swapaxes(R, -1, -2) for matrix in (at["mass_matrix"], at["stiffness_matrix"])
+            )
             eigenvalues[:, :rigid], turned = generalised_eigh(M, K)
             shapes[:, :rigid] = turned @ R
         return eigenvalues, shapes
 
     @cached_property
-    def _own_matrices(self) -> tuple[Array, Array]:
-        """M and K in the k coordinates, each (N, k, k)."""
-        names = "mass_matrix", "stiffness_matrix"
-        if not self._solver.fields.issuperset(names):
-            M, K = (blocks.own for blocks in self.matrices)
-            return M, K
-        n = len(self.massless)
-        found = {name: np.empty((len(self.points), n, n)) for name in names}
-        self._solver.compute(RobotAtPoses(self.system, self.points, self.model.robot.source, {}), found)
-        return found["mass_matrix"], found["stiffness_matrix"]
-
-    @cached_property
     def matrices(self) -> tuple[Blocks, Blocks]:
         """M and K."""
-        M, K = (self._blocks(matrix) for matrix in self.system.all_coordinates(self.points))
+        M, K = (self._blocks(matrix) for matrix in self._at.all_coordinates)
         return M, K
 
     @cached_property

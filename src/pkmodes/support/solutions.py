@@ -7,11 +7,34 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.fields import FIELDS, sizes_of, tail
 from pkmodes.core.solve.numpy_solver import NumpySolver, checked_modes
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
 from pkmodes.core.system.evaluation import Evaluation, number_of_modes
 
 Array = NDArray[np.float64]
+
+
+def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
+    """Return a robot at poses with what a solver has of some fields; NumPy evaluates the others when they are read.
+
+    Parameters
+    ----------
+    solver : Solver
+        Of its system.
+    names : str
+        Of `pkmodes.core.solve.fields.FIELDS`, none of which needs the eigenproblem.
+    """
+    sizes = sizes_of(at.system.mechanism, number_of_modes(at.system), len(at.system.coordinates))
+    arrays = {
+        name: np.empty((len(at.points), *tail(FIELDS[name], sizes)))
+        for name in names
+        if name in solver.fields
+    }
+    if arrays:
+        solver.compute(at, arrays)
+        at.known.update(arrays)
+    return at
 
 
 def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAtPoses:

@@ -12,7 +12,7 @@ from pkmodes.core.base.errors import MeasurementError, PkmodesError, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot
 from pkmodes.core.robot.robot import Robot
-from pkmodes.diagnosis.beyond.instead import ALIKE
+from pkmodes.diagnosis.fit.hypothesis import parallel
 from pkmodes.diagnosis.problem import Candidate, Parameter, Structure
 from pkmodes.diagnosis.search.additions import Progress
 from pkmodes.diagnosis.states.changes import Trusted, with_known
@@ -33,7 +33,7 @@ BEFORE, AFTER = "before", "after"
 #: What all transmissions of a kind may differ by from one day to another, as with temperature: the standard deviation
 #: of the relative change of their stiffness.
 DAY = 0.015
-#: How likely it is that a part was exchanged or moved, beside a change in use.
+#: Odds of an exchanged or moved part relative to a change in use.
 EXCHANGED = 0.1
 #: The stiffness of the equal parts of a transmission.
 STIFFNESS = "stiffness"
@@ -116,9 +116,9 @@ def changed(
 
 
 def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool) -> Change:
-    """Return what changed: of what changes in use, and of parts that were exchanged or moved.
+    """Return what changed: something that changes in use, or a part that was exchanged or moved.
 
-    Such a part is less likely: it counts where nothing else explains the difference, or in the class of what does.
+    Such a part is less likely: it is named in the class of what explains the difference, or where nothing else does.
     """
     robot = structure.robot
     some = [of_one_machine(one) for one in structure.candidates if everything or in_use(robot, one)]
@@ -137,25 +137,21 @@ def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, eve
 
 
 def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
-    """Yield what changes only if a part is exchanged or moved, unless it acts like what changes in use."""
+    """Yield the candidates that need an exchanged or moved part, except those that act like a change in use."""
     robot = structure.robot
     single = [one for one in structure.candidates if len(one.parameters) == 1]
     places = {p.name: i for i, p in enumerate(structure.parameters)}
     values = np.array([p.value for p in structure.parameters])
     rates = structure.predict(values, [places[one.parameters[0]] for one in single]).rates
-    rates = rates[np.isfinite(rates).all(axis=-1)]
-    size = np.linalg.norm(rates, axis=0)
-    unit = rates / np.where(size > 0.0, size, 1.0)
     used = np.array([in_use(robot, one) for one in single])
-    alike = np.flatnonzero((np.abs(unit.T @ unit[:, used]) >= ALIKE).any(axis=1))
-    same = {single[i].name for i in alike}
+    same = {single[i].name for i in np.flatnonzero(parallel(rates)[:, used].any(axis=1))}
     for one in structure.candidates:
         if not in_use(robot, one) and one.name not in same:
             yield replace(of_one_machine(one), odds=EXCHANGED)
 
 
 def _with_values(structure: RobotStructure, values: Mapping[str, float]) -> RobotStructure:
-    """Return a structure that also has the values of the trusted state that nothing may have changed."""
+    """Return a structure with the values of the trusted state that are in no candidate."""
     robot, there = structure.robot, {p.name for p in structure.parameters}
     moves = {name: resolve(robot, name) for name in values if name not in there}
     parameters = [Parameter(name, path.value, path.unit) for name, path in moves.items()]

@@ -10,7 +10,7 @@ from pkmodes.core.linalg.eigen import has_stiff_joint, natural_frequencies
 from pkmodes.core.linalg.statics import amplitudes_of_steps
 from pkmodes.core.mechanism.generated import Generated
 from pkmodes.core.mechanism.poses import check_poses
-from pkmodes.core.system.strain_free import elastic_stiffness, strain_free_motions
+from pkmodes.core.system.strain_free import strain_free_motions
 
 #: Largest errors: of frequencies of vibration, relative; of the shapes of separate modes, relative to the largest
 #: component; of eigenvalues relative to the largest; of M-orthogonality; of the scaled residual relative to K.
@@ -79,12 +79,13 @@ def errors(given: Case) -> tuple[Errors, Errors]:
 
 
 def _assert_statics_agree(given: Case, p: np.ndarray, found: dict[str, np.ndarray]) -> None:
+    base = Generated(given.mechanism.model, given.parameters)
     torques, rotations = given.evaluation.statics(p)
     expected = {
         "static_torque": torques,
         "static_rotation": rotations,
-        "platform_jacobian": Generated(given.mechanism.model, given.parameters).platform_jacobian(p),
-        "elastic_stiffness": elastic_stiffness(given.evaluation, p),
+        "platform_jacobian": base.platform_jacobian(p),
+        "elastic_stiffness": base.elastic_hessian(p),
     }
     for name, values in expected.items():
         largest = np.abs(values).max(initial=0.0)
@@ -94,7 +95,7 @@ def _assert_statics_agree(given: Case, p: np.ndarray, found: dict[str, np.ndarra
 def _assert_amplitudes_agree(
     given: Case, p: np.ndarray, found: dict[str, np.ndarray], momenta: np.ndarray
 ) -> None:
-    """To the rounding of the sums in them, with the modes that were found."""
+    """With the modes that were found, to the rounding of sums times the conditions of D_p and of springs."""
     linear, rigid = slice(len(given.mechanism.directions)), given.evaluation.rigid_modes
     parts = found["eigenvalues"], found["shapes"], found["platform_shapes"][..., linear]
     expected = amplitudes_of_steps(*parts, momenta[..., linear])[:, rigid:]

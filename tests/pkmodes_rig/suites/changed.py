@@ -149,7 +149,7 @@ def page(outcomes: Sequence[PairOutcome], seconds: float, pool: Pool) -> list[st
         *_ABOUT,
         "",
         *([f"Seed {outcomes[0].case.seed}."] if outcomes else []),
-        f"Before, the rules were tried on pairs of the seeds {SEEN}.",
+        f"The rules were developed on pairs with the seeds {SEEN}.",
         *_left_out(every),
         "",
         "## Requirements",

@@ -107,14 +107,12 @@ def extended_statics(model: Model) -> Function:
     return replace(by_name["extended_static_equilibrium"], name="extended_statics")
 
 
-def places(description: Description) -> list[tuple[str, str]]:
-    """Which of the base coordinates are independent, and which are not: what C calls these lists, and their text."""
+def coordinate_indices(description: Description) -> dict[str, list[int]]:
+    """Which of the base coordinates are independent, and which are not, by the name of the list in C."""
     names = [component.name for component in description.coordinates]
-    given = [names.index(name) for name in description.independent]
-    others = [i for i in range(len(names)) if i not in given]
-    return [
-        (name, ", ".join(map(str, indices))) for name, indices in (("GIVEN", given), ("FOLLOWING", others))
-    ]
+    independent = [names.index(name) for name in description.independent]
+    dependent = [i for i in range(len(names)) if i not in independent]
+    return {"INDEPENDENT_INDICES": independent, "DEPENDENT_INDICES": dependent}
 
 
 def choices(model: Model, description: Description) -> set[Symbol]:

@@ -81,7 +81,10 @@ def files(
             ("MARGINS", sum(count for count, _ in margins)),
         ],
         rules=layout.listing((f"{{{count}, {RULES[rule]}}}" for count, rule in margins), "    "),
-        places=functions.places(description),
+        indices_of=[
+            (name, ", ".join(map(str, found)))
+            for name, found in functions.coordinate_indices(description).items()
+        ],
         functions=[_function(f, programs[f"lanes_{f.name}"], groups) for f in of_pose],
         gradients=[_function(f, programs[f"lanes_{f.name}"], groups) for f in gradients],
         tangents=[_function(f, programs[f"lanes_{f.name}"], groups) for f in tangents],

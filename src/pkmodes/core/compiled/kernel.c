@@ -43,8 +43,14 @@ INLINE mask lanes_checked(const lane *restrict pose, const lane *restrict margin
     return pick_code(~finite, 1, code);
 }
 
+/* Whether a result is wanted that follows from the shapes of modes. */
+INLINE int lanes_of_shapes(const struct pkmodes_request *request)
+{
+    return request->shapes || request->platform_shapes || request->vibration_amplitudes;
+}
+
 /* The amplitude with which a mode rings after a step of acceleration along each linear direction. */
-INLINE void lanes_ring(const struct lanes_system *restrict system, const lane *restrict motion, const lane *restrict x, int n,
+INLINE void lanes_amplitude(const struct lanes_system *restrict system, const lane *restrict motion, const lane *restrict x, int n,
     lane compliance, lane *restrict amplitude)
 {
     lane squares = (lane){0};
@@ -73,7 +79,7 @@ static __attribute__((noinline)) void lanes_write(const struct lanes_system *res
     }
     if (request->eigenvalues)
         lanes_put(block, request->eigenvalues, problem->d, m);
-    if (!(request->shapes || request->platform_shapes || request->vibration_amplitudes))
+    if (!lanes_of_shapes(request))
         return;
     for (int i = 0; i < m; i++) {
         lane x[LANES_ALL];
@@ -88,7 +94,7 @@ static __attribute__((noinline)) void lanes_write(const struct lanes_system *res
                 motions[i * LANES_DIRECTIONS + a] = motion;
             }
         if (request->vibration_amplitudes)
-            lanes_ring(system, motions + i * LANES_DIRECTIONS, x, n,
+            lanes_amplitude(system, motions + i * LANES_DIRECTIONS, x, n,
                 i < request->rigid_modes ? LANES(NAN) : 1.0 / magnitude(problem->d[i]), amplitudes + i * LANES_LINEAR);
     }
     if (request->shapes)
@@ -104,7 +110,7 @@ INLINE void lanes_solve(struct lanes_system *restrict system, int units, int n, 
 {
     const struct pkmodes_request *request = system->block.request;
     const int rates = request->eigenvalue_rates || request->frequency_rates;
-    const int vectors = request->shapes || request->platform_shapes || request->vibration_amplitudes || rates;
+    const int vectors = lanes_of_shapes(request) || rates;
     struct eigen_problem problem[EIGEN_UNITS];
     mask bad[EIGEN_UNITS];
     for (int u = 0; u < units; u++)
@@ -182,6 +188,14 @@ INLINE void lanes_select(int n, const lane *restrict all, const int *restrict ro
             some[i * n + j] = all[rows[i] * LANES_ALL + rows[j]];
 }
 
+/* Of the motion of the platform, per unit of all coordinates, that of those that are free, in an order. */
+INLINE void lanes_select_motion(int n, const lane *restrict all, const int *restrict columns, lane *restrict some)
+{
+    for (int a = 0; a < LANES_DIRECTIONS; a++)
+        for (int i = 0; i < n; i++)
+            some[a * n + i] = all[a * LANES_ALL + columns[i]];
+}
+
 /* Add to the rows and columns of leading coordinates what those that follow them contribute. */
 INLINE void lanes_fold(const struct pkmodes_request *restrict request, lane *restrict M, lane *restrict K,
     lane *restrict J_p, lane *restrict momentum)
@@ -238,16 +252,12 @@ static __attribute__((noinline)) void lanes_with_effects(
             lanes_put(&system[u].block, request->stiffness, system[u].K, n * n);
         }
         if (request->platform_motion) {
-            for (int a = 0; a < LANES_DIRECTIONS; a++)
-                for (int i = 0; i < n; i++)
-                    system[u].J_p[a * n + i] = J_p[a * LANES_ALL + request->free[i]];
+            lanes_select_motion(n, J_p, request->free, system[u].J_p);
             lanes_put(&system[u].block, request->platform_motion, system[u].J_p, LANES_DIRECTIONS * n);
         }
         lanes_select(n, M, rows, system[u].M);
         lanes_select(n, K, rows, system[u].K);
-        for (int a = 0; a < LANES_DIRECTIONS; a++)
-            for (int i = 0; i < n; i++)
-                system[u].J_p[a * n + i] = J_p[a * LANES_ALL + rows[i]];
+        lanes_select_motion(n, J_p, rows, system[u].J_p);
         if (request->vibration_amplitudes)
             for (int i = 0; i < n; i++)
                 for (int j = 0; j < LANES_LINEAR; j++)
@@ -259,7 +269,7 @@ static __attribute__((noinline)) void lanes_with_effects(
         lanes_solve(system, EIGEN_UNITS, n, m, column);
 }
 
-/* Write the platform Jacobian and what holds each pose. */
+/* Write the platform Jacobian, what holds each pose, and the stiffness of the transmissions. */
 static __attribute__((noinline)) void lanes_put_statics(const struct lanes_block *block, const lane *restrict pose)
 {
     const struct pkmodes_request *request = block->request;
@@ -281,8 +291,8 @@ static __attribute__((noinline)) void lanes_put_statics(const struct lanes_block
 /* Evaluate as many blocks as there are units, and write the requested results and the codes. */
 INLINE void lanes_evaluate(const struct pkmodes_request *request, long long start, int units)
 {
-    const int modes = request->frequencies || request->eigenvalues || request->shapes || request->platform_shapes
-        || request->vibration_amplitudes || request->eigenvalue_rates || request->frequency_rates;
+    const int modes = request->frequencies || request->eigenvalues || lanes_of_shapes(request)
+        || request->eigenvalue_rates || request->frequency_rates;
     const int matrices = request->mass || request->stiffness || request->platform_motion;
     struct lanes_system system[EIGEN_UNITS];
     for (int u = 0; u < units; u++) {

@@ -4,6 +4,8 @@
 
 #include "lane.h"
 
+_Static_assert(LANES_POSE == LANES_INDEPENDENT, "a pose determines as many coordinates as it has components");
+
 /* Solve A X = B for `count` columns by elimination with partial pivoting, in their own places. */
 INLINE void lanes_eliminate(int n, int count, lane *restrict A, lane *restrict B)
 {
@@ -49,21 +51,21 @@ INLINE void lanes_strain_free(lane *restrict jacobian, const lane *restrict elas
             given[i * count + j] = LANES(i == j ? 1.0 : 0.0);
     lanes_eliminate(k, count, jacobian, given);
     for (int i = 0; i < f; i++) {
-        const lane *row = elastic + LANES_FOLLOWING[i] * n;
+        const lane *row = elastic + LANES_DEPENDENT_INDICES[i] * n;
         for (int j = 0; j < f; j++)
-            A[i * f + j] = row[LANES_FOLLOWING[j]];
+            A[i * f + j] = row[LANES_DEPENDENT_INDICES[j]];
         for (int j = 0; j < count; j++) {
             B[i * count + j] = (lane){0};
             for (int c = 0; c < k; c++)
-                B[i * count + j] -= row[LANES_GIVEN[c]] * given[c * count + j];
+                B[i * count + j] -= row[LANES_INDEPENDENT_INDICES[c]] * given[c * count + j];
         }
     }
     lanes_eliminate(f, count, A, B);
     for (int j = 0; j < count; j++) {
         for (int i = 0; i < k; i++)
-            motion[LANES_GIVEN[i] * count + j] = given[i * count + j];
+            motion[LANES_INDEPENDENT_INDICES[i] * count + j] = given[i * count + j];
         for (int i = 0; i < f; i++)
-            motion[LANES_FOLLOWING[i] * count + j] = B[i * count + j];
+            motion[LANES_DEPENDENT_INDICES[i] * count + j] = B[i * count + j];
     }
 }
 

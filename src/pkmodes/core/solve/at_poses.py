@@ -14,7 +14,6 @@ from pkmodes.core.mechanism.length import lengths_of
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.stiffness_parts import StiffnessParts, stiffness_parts
-from pkmodes.core.system.strain_free import elastic_stiffness
 
 Array = NDArray[np.float64]
 
@@ -72,7 +71,7 @@ class RobotAtPoses:
     @cached_property
     def elastic_stiffness(self) -> Array:
         """K without effects and gravity, in base coordinates, (N, b, b)."""
-        return elastic_stiffness(self.system, self.points)
+        return np.asarray(self._base.elastic_hessian(self.points))
 
     @cached_property
     def static_torque(self) -> Array:
@@ -91,12 +90,12 @@ class RobotAtPoses:
     @cached_property
     def joint_positions(self) -> Array:
         """The independent coordinates, (N, k)."""
-        return np.asarray(self._kinematics.inverse_kinematics(self.points))
+        return np.asarray(self._base.inverse_kinematics(self.points))
 
     @cached_property
     def platform_jacobian(self) -> Array:
         """D_p, (N, d, k)."""
-        return np.asarray(self._kinematics.platform_jacobian(self.points))
+        return np.asarray(self._base.platform_jacobian(self.points))
 
     @property
     def directions(self) -> tuple[str, ...]:
@@ -109,5 +108,5 @@ class RobotAtPoses:
         return lengths_of(self.system.mechanism, self.system.parameters)
 
     @property
-    def _kinematics(self) -> Generated:
+    def _base(self) -> Generated:
         return Generated(self.system.mechanism.model, self.system.parameters)

@@ -130,12 +130,13 @@ class ModeFields:
             for name, array in rows.items():
                 self._fill(name, array, checked.codes)
             return rows
-        if len(checked.points) == 1 and self.job.alone is not None and not checked.codes[0]:
+        left = checked.left is not None and len(checked.left) > 0
+        if self.job.alone is not None and len(checked.points) == 1 and not (checked.codes[0] or left):
             found = self.job.alone(checked.points)
-            if found is not None and (checked.left is None or not len(checked.left)):
+            if found is not None:
                 return found
         _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
-        if checked.left is not None and len(checked.left):
+        if checked.left is not None and left:
             for name, array in self.by_numpy(checked.points[checked.left]).items():
                 rows[name][checked.left] = array
         return rows

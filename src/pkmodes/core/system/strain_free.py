@@ -20,19 +20,8 @@ def strain_free_motions(system: Evaluation, points: Array) -> Array:
         With free motors.
     points : ndarray, shape (N, d)
     """
-    jacobian = Generated(system.mechanism.model, system.parameters).platform_jacobian(points)
-    return StrainFreeMotions(system)(elastic_stiffness(system, points), jacobian)
-
-
-def elastic_stiffness(system: Evaluation, points: Array) -> Array:
-    """Return the stiffness of the transmissions without effects and gravity, (N, b, b), of base coordinates."""
-    mechanism = system.mechanism
-    model = Generated(mechanism.model, system.parameters)
-    if model.has("elastic_hessian"):  # the same, several times faster
-        return np.asarray(model.elastic_hessian(points))
-    extended, first = mechanism.extended, len(mechanism.coordinates)
-    _, elastic, _ = Generated(extended, system.parameters, extended.Effects()).extended_matrices(points)
-    return np.asarray(elastic[:, :first, :first])
+    model = Generated(system.mechanism.model, system.parameters)
+    return StrainFreeMotions(system)(model.elastic_hessian(points), model.platform_jacobian(points))
 
 
 class StrainFreeMotions:
@@ -49,10 +38,9 @@ class StrainFreeMotions:
 
     def __init__(self, system: Evaluation) -> None:
         mechanism = system.mechanism
-        names, pose = [q.name for q in mechanism.coordinates], [c.name for c in mechanism.pose]
-        self._given = np.array([names.index(name) for name in mechanism.independent])
-        self._follows = np.setdiff1d(np.arange(len(names)), self._given)
-        self._components = [pose.index(name) for name in mechanism.components]
+        names = [q.name for q in mechanism.coordinates]
+        self._independent = np.array([names.index(name) for name in mechanism.independent])
+        self._dependent = np.setdiff1d(np.arange(len(names)), self._independent)
         self._coordinates = len(system.coordinates)
 
     def __call__(self, elastic: Array, jacobian: Array) -> Array:
@@ -61,22 +49,20 @@ class StrainFreeMotions:
         Parameters
         ----------
         elastic : ndarray, shape (N, b, b)
-            From `elastic_stiffness`.
-        jacobian : ndarray, shape (N, d, k)
-            Of the platform.
+            K without effects and gravity, in base coordinates.
+        jacobian : ndarray, shape (N, k, k)
+            Of the platform, whose components are those of the pose.
 
         Returns
         -------
         ndarray, shape (N, n, components)
             In all n coordinates, motors included.
         """
-        square = jacobian.shape[-2] == jacobian.shape[-1]
-        inverse = np.linalg.inv(jacobian) if square else np.linalg.pinv(jacobian)
-        rates = inverse[..., self._components]
+        rates = np.linalg.inv(jacobian)
         motions = np.zeros((len(jacobian), self._coordinates, rates.shape[-1]))
-        motions[:, self._given] = rates
+        motions[:, self._independent] = rates
         # The other coordinates follow without force: so the motion is the one that strains nothing.
-        followed = elastic[:, self._follows]
-        forces = followed[..., self._given] @ rates
-        motions[:, self._follows] = -np.linalg.solve(followed[..., self._follows], forces)
+        rows = elastic[:, self._dependent]
+        forces = rows[..., self._independent] @ rates
+        motions[:, self._dependent] = -np.linalg.solve(rows[..., self._dependent], forces)
         return motions

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from pkmodes.diagnosis.beyond.evidence import EQUAL, TermEvidence, best_first
 from pkmodes.diagnosis.beyond.tried import fitter_of
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis
+from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, parallel
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Structure
 from pkmodes.diagnosis.search.score import score
@@ -23,8 +21,6 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 
 #: Terms are tried before one cause is claimed if the linear model promises one of them this part of its gain.
 COMPETES = 0.5
-#: Cosine of the angle between the changes of all modes by two causes, from which on they are the same.
-ALIKE = 1.0 - 1e-6
 
 
 def one_of_many(catalogue: Evidence) -> bool:
@@ -58,9 +54,10 @@ def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:
 
     Beside several causes or a value of one axis, each term that survives competes; beside one cause, a term that
     lowers the criterion by more than chance.  A term that does exactly the same as a cause, such as a mass on a
-    carriage and a heavier carriage, does not compete, nor does one joint alone of a cause with a value for each.  Of
-    changes, one joint alone does where it is clearly better, and so does a term that is the same only to what was
-    measured: a spring along x, where no mode along y was found.
+    carriage and a heavier carriage, does not compete, nor does one joint alone of a cause with a value for each.
+
+    For changes, one joint alone competes where it is clearly better, and so does a term that differs from the cause
+    only in modes that were not measured: a spring along x, where no mode along y was found.
     """
     criterion = of_terms.store.criterion
     again = [fit for fit in of_terms.tried.carried if fit.causes == catalogue.final.causes]
@@ -92,6 +89,4 @@ def _single(fit: Fit) -> bool:
 def same_everywhere(fitter: Fitter, a: Fit, b: Fit) -> bool:
     """Return whether two causes of one value change all modes at all setups alike to first order, measured or not."""
     index = [fitter.indices(fit.causes[-1])[0] for fit in (a, b)]
-    rates = fitter.structure.predict(fitter.declared, index).rates
-    one, other = np.moveaxis(rates[np.isfinite(rates).all(axis=-1)], -1, 0)
-    return abs(float(one @ other)) >= ALIKE * float(np.linalg.norm(one) * np.linalg.norm(other))
+    return bool(parallel(fitter.structure.predict(fitter.declared, index).rates)[0, 1])

@@ -75,7 +75,7 @@ def p_outside(tried: Tried, final: Fit) -> float:
 def like_a_law(tried: Tried, final: Fit) -> Law | None:
     """Return the law that explains the data best, if it does so as well as a term; else None.
 
-    The signatures of the law and of its constant part are fitted, linearised.  Of changes a law must do so better by
+    The signatures of the law and of its constant part are fitted, linearised.  For changes, a law must be better by
     three standard deviations.
     """
     store, plain, best = tried.search.store, tried.plain, None

@@ -8,11 +8,15 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import stats
 
 from pkmodes.diagnosis.fit.solver import correlation, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
+
+#: Cosine of the angle between the changes of all modes by two parameters from which on they are the same.
+PARALLEL = 1.0 - 1e-6
 
 
 class Misfit(NamedTuple):
@@ -164,6 +168,20 @@ class Fit(Fitted):
     def deviance(self) -> float:
         """Twice the negative log likelihood."""
         return self.chi2 + self.log_determinant
+
+
+def parallel(rates: Array) -> NDArray[np.bool_]:
+    """Return which of T parameters change all modes alike, up to a factor, (T, T).
+
+    Parameters
+    ----------
+    rates : ndarray, shape (S, m, T)
+        Derivatives of the eigenvalues; modes for which some are not known are left out.
+    """
+    known = rates[np.isfinite(rates).all(axis=-1)]
+    size = np.linalg.norm(known, axis=0)
+    unit = known / np.where(size > 0.0, size, 1.0)
+    return np.asarray(np.abs(unit.T @ unit) >= PARALLEL)
 
 
 def orthonormal(columns: Array) -> Array:

@@ -15,7 +15,7 @@ from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.problem import Array, Candidate
 
 #: A further parameter of a term within this many standard deviations of 0 is not counted as one.
-IDLE = 1e-3
+ABSENT = 1e-3
 
 Key = tuple[frozenset[str], frozenset[int], bool]
 
@@ -173,7 +173,7 @@ class FitStore:
 
         The penalty of a parameter is the logarithm of the number of data (Schwarz's BIC).  With a prior it is
         2 ln(prior sigma / sigma), from Laplace's approximation of the evidence.  Excluded rows have a separate
-        penalty, and the odds of a candidate that is less likely than others count too.
+        penalty, and so have prior odds below 1.
         """
         h, fitter = fit.hypothesis, self.fitter
         price, each = sum(map(_odds, fit.causes), 0.0), self.parameter_price
@@ -221,18 +221,21 @@ class FitStore:
     def added(self, fit: Fit) -> list[int]:
         """Return the indices of the parameters that the causes of a fit add.
 
-        A further parameter of a term that is 0, such as the mass of a support, is none: it does nothing there.
+        A further parameter of a term that is 0, such as the mass of a support, does nothing and is left out.
         """
-        index = [
-            (i, k and cause.form) for cause in fit.causes for k, i in enumerate(self.fitter.indices(cause))
-        ]
-        return [i for i, further in index if not (further and self._idle(fit, i))]
+        added: list[int] = []
+        for cause in fit.causes:
+            first, *others = self.fitter.indices(cause)
+            added += [first, *(i for i in others if not (cause.form and self._absent(fit, i)))]
+        return added
 
-    def _idle(self, fit: Fit, i: int) -> bool:
-        absent = self.fitter.parameters[i].value
-        return absent == 0.0 and abs(float(fit.values[i])) <= IDLE * fit.sigma_of(i)
+    def _absent(self, fit: Fit, i: int) -> bool:
+        """Return whether a parameter that is 0 without its cause is 0 with it."""
+        return self.fitter.parameters[i].value == 0.0 and abs(float(fit.values[i])) <= ABSENT * fit.sigma_of(
+            i
+        )
 
 
 def _odds(candidate: Candidate) -> float:
-    """Return the penalty of the odds of a candidate: twice the logarithm of what the likelihood must make up for."""
+    """Return the penalty of the prior odds of a candidate, on the scale of the deviance."""
     return -2.0 * float(np.log(candidate.odds))

@@ -76,7 +76,7 @@ class SharedErrors:
 
 
 class FittedValues(NamedTuple):
-    """Uncertain values as the trusted state tells them: their names, and their covariance, (k, k)."""
+    """Uncertain values fitted to the trusted state: their names, and their covariance, (k, k)."""
 
     names: tuple[str, ...]
     covariance: Array
@@ -84,21 +84,16 @@ class FittedValues(NamedTuple):
     def variances(
         self, structure: Structure, mode: NDArray[np.intp], setup: NDArray[np.int_]
     ) -> tuple[Array, Array]:
-        """Return what they leave unknown of modes at setups: variances of ln f, (R,), and of shapes, (R, C)."""
+        """Return the variances that these cause in modes at setups: of ln f, (R,), and of shapes, (R, C)."""
         places = {p.name: i for i, p in enumerate(structure.parameters)}
         values = np.array([p.value for p in structure.parameters])
         at = structure.predict(values, [places[name] for name in self.names], shape_rates=True)
-        rates, of_shapes = (
-            at.log_rates[setup, mode],
-            np.zeros((*at.shapes[setup, mode].shape, len(self.names))),
+        assert at.shape_rates is not None
+        of_logs, of_shapes = (
+            np.asarray(np.einsum("...i,ij,...j->...", rates, self.covariance, rates))
+            for rates in (at.log_rates[setup, mode], at.shape_rates[setup, mode])
         )
-        if at.shape_rates is not None:
-            of_shapes = at.shape_rates[setup, mode]
-        of_logs, of_components = (
-            np.asarray(np.einsum("...i,ij,...j->...", each, self.covariance, each))
-            for each in (rates, of_shapes)
-        )
-        return of_logs, of_components
+        return of_logs, of_shapes
 
 
 def shared_errors(
@@ -122,7 +117,7 @@ def shared_errors(
     shape_error : float, optional
         Standard deviation of the components of shapes by which the model differs from the trusted state.
     fitted : FittedValues, optional
-        How well the trusted state tells these values.
+        The uncertainty of these values.
     """
     pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
     before, data = trusted.structure.predict(values, ()), trusted.data
@@ -184,10 +179,18 @@ def _relative(sigma: Array, shapes: Array) -> Array:
 
 
 def less_certain(shapes: Array, sigma: Array, error: float, spread: Array) -> tuple[Array, Array]:
-    """Return shapes without a counterpart, and their standard deviations with the error that the model has there.
+    """Return shapes without a counterpart, and their standard deviations with the error of the model there.
 
-    Where none is stated, all such shapes have one scatter: those of modes of which the values of the trusted state
-    leave more than that unknown are left out.
+    Where none is stated, all such shapes share one scatter, and those on which the uncertainty of the fitted values
+    has a larger influence are left out.
+
+    Parameters
+    ----------
+    shapes, sigma : ndarray, shape (R, C) and (R,)
+    error : float
+        Standard deviation of the model's shapes in the trusted state.
+    spread : ndarray, shape (R,)
+        Standard deviation due to the fitted values.
     """
     lost = np.isnan(sigma) & (spread > error)
     larger = np.sqrt(sigma**2 + error**2 + spread**2)

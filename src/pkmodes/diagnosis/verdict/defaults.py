@@ -8,8 +8,8 @@ from pkmodes.diagnosis.verdict.evidence import Evidence, Says
 def by_a_default(e: Evidence) -> Says | None:
     """A class has a part of a whole, such as one direction of a frame, whose value a default makes specific.
 
-    With the default open, such a cause is one mass on one spring: it explains one further mode whatever that is.  Of
-    changes, all else that moves on a spring of its own is a term, which is tried before a claim.
+    With the default open, such a cause is one mass on one spring: it explains one further mode whatever that is.  For
+    changes, everything else that moves on a spring of its own is tried as a term before a claim.
     """
     if e.criteria.claim.any_place:
         return None
