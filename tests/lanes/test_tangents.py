@@ -11,9 +11,14 @@ import pytest
 
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, SIX_LEGGED, case, robot_of
 from pkmodes.core.compiled import build
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES
 from pkmodes.core.compiled.loader import UnavailableError, load
+from pkmodes.core.mechanism.poses import MAX_CONDITION
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.compiled_solver import CompiledSolver
 from pkmodes.core.system.evaluation import ExtendedSystem
-from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of
+from pkmodes.core.system.motors import solved_system
+from pkmodes.sensitivity.compiled import CompiledDerivatives, along_paths, derivatives_of, terms_of
 from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives, locked_joints
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.shapes import shape_derivatives
@@ -59,7 +64,7 @@ def robots(name: str, effects: str, count: int) -> Robots:
         for i, component in enumerate(given.mechanism.pose)
     ]
     if count > 1:  # locked joints are differentiated for one robot only
-        locked = locked_joints(systems[0], moves)
+        locked = locked_joints(systems[0], moves).paths
         moves = [move for t, move in enumerate(moves) if t not in locked]
     points = np.tile(given.poses[-EACH:], (count, 1))
     return Robots(systems, points, moves, modes_of_systems(systems, points))
@@ -118,6 +123,49 @@ def test_the_motion_of_the_platform_by_complex_step(name: str) -> None:
         )
     masses = [t for t, path in enumerate(given.paths) if path.path == "platform.mass"]
     assert not motions[:, masses].any()
+
+
+def assert_matrices(name: str, effects: str, drives: str) -> None:
+    """Compare dM, dK, M and K with the generated code's, and one pose with the same pose among others."""
+    given = case(name, 3, effects, count=EACH)
+    robot = robot_of(given)
+    system = solved_system(ExtendedSystem(given.mechanism, given.parameters, given.values), drives)
+    solver = CompiledSolver.init(system, MAX_CONDITION)
+    moves = resolve_all(robot, [path for path in paths(robot) if path != "axis.joint_radius"])
+    terms, locked = terms_of(system, moves), locked_joints(system, moves)
+    fields = (*RATES_OF_MATRICES, *ALL_COORDINATES)
+    none = np.empty((EACH, 0)), np.empty((EACH, 0, len(system.coordinates)))
+    at = RobotAtPoses(system, given.poses, "", {})
+    found = along_paths(solver, at, moves, none, terms, locked, fields)
+    assert isinstance(found, CompiledDerivatives)
+    expected = MatrixDerivatives(system, given.poses, [moves])
+    evaluated = np.setdiff1d(np.arange(len(moves)), locked.paths)
+    for one, other in zip(found.dense(), expected.dense(), strict=True):
+        largest = np.abs(other).max(axis=(2, 3), initial=0.0, where=np.isfinite(other))
+        limit = EXACT * largest.max(axis=0)[:, None, None]
+        assert (np.abs(one - other)[:, evaluated] <= limit[evaluated]).all()
+        assert np.isnan(one[:, list(locked.paths)]).all()
+        assert np.any(other[:, evaluated])
+    for one, other in ((found.mass, expected.mass), (found.stiffness, expected.stiffness)):
+        np.testing.assert_allclose(one, other, rtol=0, atol=EXACT * np.abs(other).max())
+    together = solver.along(at, *none, terms, fields)
+    for i in (0, EACH - 1):
+        at = RobotAtPoses(system, given.poses[i : i + 1], "", {})
+        alone = solver.along(at, *(a[:1] for a in none), terms, fields)
+        assert together is not None
+        assert alone is not None
+        for field in fields:
+            np.testing.assert_array_equal(alone[field][0], together[field][i])
+
+
+@pytest.mark.parametrize("drives", ["free", "held"])
+@pytest.mark.parametrize("name", [*NAMES, *SIX_LEGGED])
+def test_derivatives_of_matrices_are_those_of_the_generated_code(
+    subtests: pytest.Subtests, name: str, drives: str
+) -> None:
+    for effects in EFFECTS:
+        with subtests.test(effects):
+            assert_matrices(name, effects, drives)
 
 
 def test_numpy_evaluates_poses_that_the_library_refuses() -> None:

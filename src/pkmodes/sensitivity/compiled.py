@@ -6,12 +6,12 @@ The evaluator takes parameter paths as weighted entries of the gradient of an ei
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import UNSOLVED, Along, Terms, flat
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, UNSOLVED, Terms, flat
 from pkmodes.core.linalg.eigen import magnitude
 from pkmodes.core.mechanism.poses import CHUNK, codes_of
 from pkmodes.core.mechanism.registry import Mechanism
@@ -21,11 +21,12 @@ from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.batch import Job
 from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, may_be_refused, number_of_modes
-from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields, joints_of
+from pkmodes.sensitivity.matrices import POSE, Locked, MatrixDerivatives, effect_fields, joints_of
 from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.paths import ParameterPath
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 #: The compiled evaluator's names of the fields of `sensitivity.sensitivities.Sensitivities` that it evaluates.
 RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
 
@@ -167,10 +168,11 @@ class CompiledDerivatives(MatrixDerivatives):
 
     Parameters
     ----------
-    system, p, paths, matrices
+    system, p, paths, matrices, locked
         As for `MatrixDerivatives`.
-    along : Along
-        Of the modes for which derivatives will be requested.
+    along : mapping of str to ndarray
+        What the kernel evaluated of the modes for which derivatives will be requested
+        (`pkmodes.core.compiled.evaluator.Evaluator.along`): at least what belongs to modes.
     """
 
     def __init__(
@@ -179,27 +181,45 @@ class CompiledDerivatives(MatrixDerivatives):
         p: Array,
         paths: Sequence[Sequence[ParameterPath]],
         matrices: tuple[Array, Array] | None,
-        along: Along,
+        along: Mapping[str, Array],
+        locked: Locked | None = None,
     ) -> None:
-        super().__init__(system, p, paths, matrices)
-        self._of_modes = along
+        super().__init__(system, p, paths, matrices, locked)
+        self._along_paths = along
+
+    @cached_property
+    def _all_coordinates(self) -> tuple[Array, Array]:
+        if not self._along_paths.keys() >= set(ALL_COORDINATES):
+            return super()._all_coordinates
+        M, K = (self.system.in_basis(self._along_paths[name]) for name in ALL_COORDINATES)
+        K[..., np.arange(self.size), np.arange(self.size)] += self.system.joints
+        return M, K
+
+    @cached_property
+    def _dense(self) -> tuple[Array, Array]:
+        if not self._along_paths.keys() >= set(RATES_OF_MATRICES):
+            return super()._dense
+        dM, dK = (self._along_paths[name] for name in RATES_OF_MATRICES)
+        for matrix in (dM, dK):
+            matrix[:, list(self.locked)] = np.nan
+        return dM, dK
 
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
         """Return derivatives of simple eigenvalues, (N, m, T)."""
-        rates = np.ascontiguousarray(np.swapaxes(self._of_modes.mode_rates, 1, 2))
+        rates = np.ascontiguousarray(np.swapaxes(self._along_paths["mode_rates"], 1, 2))
         self._add_locked(rates, eigenvalues, shapes)
         return rates
 
-    def changes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+    def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
         """Return (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path."""
-        change, norm = self._of_modes.changes, self._of_modes.norms
-        for t in self.locked:
-            change[:, t], norm[:, t] = self.locked_change(t, eigenvalues, shapes)
-        return change, norm
+        if poses is not None or "changes" not in self._along_paths:
+            return super().changes(eigenvalues, shapes, poses)
+        change, norm = self._along_paths["changes"], self._along_paths["norms"]
+        return self._with_locked(change, norm, eigenvalues, shapes)
 
     def motions(self, shapes: Array) -> Array | None:
         """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, components)."""
-        return self._of_modes.motions
+        return self._along_paths["motions"]
 
 
 def derivatives_of(
@@ -232,3 +252,34 @@ def derivatives_of(
     if along is None:
         return MatrixDerivatives(system, p, paths, matrices)
     return CompiledDerivatives(system, p, paths, matrices, along)
+
+
+def along_paths(
+    solver: Solver,
+    at: RobotAtPoses,
+    paths: Sequence[ParameterPath],
+    modes: tuple[Array, Array],
+    terms: Terms,
+    locked: Locked,
+    fields: Sequence[str],
+) -> MatrixDerivatives:
+    """Return the derivatives of one robot along paths, what a compiled solver has of them from one call.
+
+    Parameters
+    ----------
+    at : RobotAtPoses
+        The extended system at N poses; perhaps with its matrices.
+    modes : tuple of ndarray, shapes (N, m) and (N, m, n)
+        Eigenvalues and shapes; m may be 0.
+    terms : Terms
+        Of the paths.
+    locked : Locked
+        Of the paths, from `pkmodes.sensitivity.matrices.locked_joints`.
+    fields : sequence of str
+        As of `pkmodes.core.solve.solver.Solver.along`.
+    """
+    assert isinstance(at.system, ExtendedSystem)
+    along = solver.along(at, *modes, terms, fields) if fields else None
+    if along is None:
+        return MatrixDerivatives(at.system, at.points, [paths], vars(at).get("all_coordinates"), locked)
+    return CompiledDerivatives(at.system, at.points, [paths], None, along, locked)

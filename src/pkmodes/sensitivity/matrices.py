@@ -11,9 +11,9 @@ times that force.  The derivative is finite at c = 0, where the joint's stiffnes
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,47 +97,93 @@ def _motion_moves(mechanism: Mechanism) -> Iterator[str]:
             yield dotted
 
 
-def locked_joints(
-    system: ExtendedSystem, paths: Sequence[ParameterPath]
-) -> dict[int, list[tuple[tuple[int, ...], float]]]:
-    """Return the locked joints that paths would release: coordinates and weights by index of the path."""
-    free = set(system.free)
-    locked: dict[int, list[tuple[tuple[int, ...], float]]] = {}
+class Locked(NamedTuple):
+    """The locked joints that parameter paths would release.
+
+    Attributes
+    ----------
+    paths : tuple of int, length L
+        Indices of these paths.
+    joints : ndarray of int, shape (r,)
+        Their locked coordinates.
+    weights : ndarray, shape (L, r)
+        The compliance of each along each path.
+    springs : ndarray, shape (L, e)
+        The stiffness, along each path, of the springs of joints that are not locked.
+    """
+
+    paths: tuple[int, ...]
+    joints: Index
+    weights: Array
+    springs: Array
+
+
+def locked_joints(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Locked:
+    """Return the locked joints that paths would release."""
+    free, joints_of_slot = frozenset(system.free.tolist()), joints_of(system.mechanism)
+    of_path: dict[int, dict[int, float]] = {}
     for t, path in enumerate(paths):
         for slot, weight in path.weights.items():
-            place = tuple(q for q in joints_of(system.mechanism).get(slot, ()) if q not in free)
-            if place:
-                locked.setdefault(t, []).append((place, weight))
-    return locked
+            for q in joints_of_slot.get(slot, ()):
+                if q not in free:
+                    moved = of_path.setdefault(t, {})
+                    moved[q] = moved.get(q, 0.0) + weight
+    joints = sorted({q for moved in of_path.values() for q in moved})
+    weights = np.zeros((len(of_path), len(joints)))
+    springs = np.zeros((len(of_path), system.joint_rates.shape[-1]))
+    for row, spring, (t, moved) in zip(weights, springs, of_path.items(), strict=True):
+        row[:] = [moved.get(q, 0.0) for q in joints]
+        spring[:] = _springs(paths[t], joints_of_slot, free, np.atleast_2d(system.joint_rates)[0])
+    return Locked(tuple(of_path), np.array(joints, dtype=np.intp), weights, springs)
+
+
+def _springs(
+    path: ParameterPath, joints: Mapping[Slot, tuple[int, ...]], free: Collection[int], rates: Array
+) -> Array:
+    """Return the stiffness of springs along a path, (e,), of joints that are not locked."""
+    springs = np.zeros(len(rates))
+    for slot, weight in path.weights.items():
+        for q in joints.get(slot, ()):
+            if q in free:
+                springs[q] += weight * rates[q]
+    return springs
 
 
 def released(
-    matrices: tuple[Array, Array], free: Index, joints: Sequence[int], eigenvalues: Array, shapes: Array
+    matrices: tuple[Array, Array],
+    free: Index,
+    joints: Index,
+    weights: Array,
+    eigenvalues: Array,
+    shapes: Array,
 ) -> tuple[Array, Array, Array]:
-    """Return what a compliance of locked joints changes, per unit.
+    """Return what compliances of locked joints change.
 
     Parameters
     ----------
     matrices : tuple of ndarray, shape (N, e, e)
         M and K in all coordinates.
     free : ndarray of int, shape (n,)
-    joints : sequence of int, length r
+    joints : ndarray of int, shape (r,)
+    weights : ndarray, shape (L, r)
+        The compliance of each joint along L paths.
     eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
 
     Returns
     -------
     force : ndarray, shape (N, m, r)
-        B(lambda) phi, with which the joints deflect.
-    change : ndarray, shape (N, m, n)
+        B(lambda) phi, minus the deflection of a joint per unit of its compliance.
+    change : ndarray, shape (N, L, m, n)
         Of (K - lambda M) phi, -B^T B phi.
-    norm : ndarray, shape (N, m)
+    norm : ndarray, shape (N, L, m)
         Of phi^T M phi, by the motion of the joints.
     """
-    M, K = (matrix[:, list(joints)][..., free] for matrix in matrices)
+    M, K = (matrix[:, joints][..., free] for matrix in matrices)
     inertia = shapes @ np.swapaxes(M, -1, -2)
     force = shapes @ np.swapaxes(K, -1, -2) - eigenvalues[..., None] * inertia
-    change = eigenvalues[..., None] * (force @ M) - force @ K
-    return force, change, -2.0 * np.sum(force * inertia, axis=-1)
+    deflection = -force[:, None] * weights[:, None]
+    change = deflection @ K[:, None] - eigenvalues[:, None, :, None] * (deflection @ M[:, None])
+    return force, change, 2.0 * np.sum(deflection * inertia[:, None], axis=-1)
 
 
 class MatrixDerivatives:
@@ -155,6 +201,8 @@ class MatrixDerivatives:
         T paths for each robot.
     matrices : tuple of ndarray, optional
         M and K in all coordinates, if they were evaluated already.
+    locked : Locked, optional
+        From `locked_joints`, if known.
 
     Attributes
     ----------
@@ -163,10 +211,8 @@ class MatrixDerivatives:
         e, the number of base and all released coordinates.
     free : ndarray of int, shape (n,)
         Indices of the coordinates that are not locked.
-    locked : tuple of int
-        Indices of the paths that are compliances of locked joints; empty for several robots.
-    locked_joints : dict
-        The coordinates of these joints and weights by index of the path.
+    locked_joints : Locked
+        The locked joints that paths would release; none for several robots.
     """
 
     def __init__(
@@ -175,33 +221,41 @@ class MatrixDerivatives:
         p: Array,
         paths: Sequence[Sequence[ParameterPath]],
         matrices: tuple[Array, Array] | None = None,
+        locked: Locked | None = None,
     ) -> None:
         self.system, self._p = system, p
         self.free, self.size = system.free, len(system.mechanism.extended.COORDINATES)
         self._matrices = matrices
-        self.locked_joints = locked_joints(system, paths[0])
-        self.locked = tuple(self.locked_joints)
+        self.locked_joints = locked_joints(system, paths[0]) if locked is None else locked
         if self.locked and len(paths) > 1:
             raise ValueError(
                 "robots with derivatives with respect to locked joints must be evaluated one by one"
             )
         self._paths, self._each = paths, (len(paths), len(p) // len(paths))
 
+    @property
+    def locked(self) -> tuple[int, ...]:
+        """Indices of the paths that are compliances of locked joints."""
+        return self.locked_joints.paths
+
     @cached_property
     def _directions(self) -> tuple[Array, Array, Array]:
         """Stiffness of springs, numbers with derivatives, and pose along each path of each robot."""
         system, paths = self.system, self._paths
-        shape, each = (len(paths), len(paths[0])), self._each[1]
-        rates = np.atleast_2d(system.joint_rates)[:: each or 1]
+        shape = len(paths), len(paths[0])
         springs, shift = np.zeros((*shape, self.size)), np.zeros((*shape, self._p.shape[-1]))
-        slots, free = _slots(system.mechanism), set(system.free)
+        slots, joints = _slots(system.mechanism), joints_of(system.mechanism)
+        rates, free = (
+            np.atleast_2d(system.joint_rates)[:: self._each[1] or 1],
+            frozenset(system.free.tolist()),
+        )
         along = np.zeros((shape[0], len(slots), shape[1]))
         for b, t in np.ndindex(shape):
+            springs[b, t] = _springs(paths[b][t], joints, free, rates[b])
             for slot, weight in paths[b][t].weights.items():
-                if slot in joints_of(system.mechanism):
-                    place = [q for q in joints_of(system.mechanism)[slot] if q in free]
-                    springs[b, t, place] += weight * rates[b, place]
-                elif slot[0] == POSE:
+                if slot in joints:
+                    continue
+                if slot[0] == POSE:
                     shift[b, t, slot[1]] += weight
                 elif slot in slots:
                     along[b, slots[slot], t] += weight
@@ -269,24 +323,29 @@ class MatrixDerivatives:
     def _all_coordinates(self) -> tuple[Array, Array]:
         return self.system.all_coordinates(self._p) if self._matrices is None else self._matrices
 
-    def dense(self, poses: Index | slice = slice(None)) -> tuple[Array, Array]:
+    def dense(self, poses: Index | None = None) -> tuple[Array, Array]:
         """Evaluate dM and dK along each path, (N, T, n, n), in the free coordinates, at some or all poses.
 
         They are NaN for the compliance of a locked joint, which is not in the matrices.
         """
+        return self._dense if poses is None else self._dense_at(poses)
+
+    @cached_property
+    def _dense(self) -> tuple[Array, Array]:
+        return self._dense_at(slice(None))
+
+    def _dense_at(self, poses: Index | slice) -> tuple[Array, Array]:
         robot = np.repeat(np.arange(self._each[0]), self._each[1])[poses]
         derivatives = []
         for matrix in (0, 1):
-            entries = _entries(self.system.mechanism, matrix)
-            values = self._values[matrix][poses]
-            full = np.zeros((len(values), self._springs.shape[1], self.size, self.size))
-            for t in range(full.shape[1]):
-                along = self._along[matrix][..., t]
-                some = np.flatnonzero(
-                    along.any(axis=0)
-                )  # numbers that a path moves together may change one entry
-                change = (values[:, some] * along[:, some][robot]).T
-                np.add.at(np.moveaxis(full[:, t], 0, -1), (entries.row[some], entries.column[some]), change)
+            _, row, column = _entries(self.system.mechanism, matrix)
+            along, values = self._along[matrix], self._values[matrix][poses]
+            full = np.zeros((len(values), along.shape[-1], self.size, self.size))
+            entry, t = np.nonzero(along.any(axis=0))
+            place = (t * self.size + row[entry]) * self.size + column[entry]
+            for of_pose, change in zip(full, values[:, entry] * along[:, entry, t][robot], strict=True):
+                # Numbers that a path moves together may change one entry.
+                of_pose[...] = np.bincount(place, change, of_pose.size).reshape(of_pose.shape)
             full += np.swapaxes(np.triu(full, 1), -1, -2)
             if self._by_pose is not None:
                 full += np.einsum("ntd,ndab->ntab", self._shift[robot], self._by_pose[matrix][poses])
@@ -332,54 +391,70 @@ class MatrixDerivatives:
 
     def _add_locked(self, rates: Array, eigenvalues: Array, shapes: Array) -> None:
         """Add the derivatives of eigenvalues with respect to the compliances of locked joints, (N, m, T)."""
-        for t in self.locked:
-            for joints, weight in self.locked_joints[t]:
-                force = self.joint_forces(eigenvalues, shapes, joints)
-                rates[..., t] -= weight * np.sum(force**2, axis=-1)
+        if self.locked:
+            force, _, _ = self._released(eigenvalues, shapes)
+            rates[..., list(self.locked)] -= force**2 @ self.locked_joints.weights.T
 
-    def changes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
-        """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path."""
-        dM, dK = self.dense()
-        modes = np.swapaxes(shapes, -1, -2)[:, None]
+    def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
+        """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path.
+
+        Parameters
+        ----------
+        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+        poses : ndarray of int, optional
+            Those wanted, by default all.
+        """
+        dM, dK = self.dense(poses)
+        some = slice(None) if poses is None else poses
+        modes = np.swapaxes(shapes[some], -1, -2)[:, None]
         inertia = dM @ modes
-        change = np.swapaxes(dK @ modes - inertia * eigenvalues[:, None, None], -1, -2)
-        norm = np.einsum("nia,ntai->nti", shapes, inertia)
-        for t in self.locked:
-            change[:, t], norm[:, t] = self.locked_change(t, eigenvalues, shapes)
+        change = np.swapaxes(dK @ modes - inertia * eigenvalues[some, None, None], -1, -2)
+        norm = np.einsum("nia,ntai->nti", shapes[some], inertia)
+        return self._with_locked(change, norm, eigenvalues, shapes, some)
+
+    def _with_locked(
+        self,
+        change: Array,
+        norm: Array,
+        eigenvalues: Array,
+        shapes: Array,
+        poses: Index | slice = slice(None),
+    ) -> tuple[Array, Array]:
+        """Put what the compliances of locked joints change in its place in the results of `changes`."""
+        if self.locked:
+            locked = list(self.locked)
+            of_locked, norm_of_locked = self._locked_changes(eigenvalues, shapes)
+            change[:, locked], norm[:, locked] = of_locked[poses], norm_of_locked[poses]
         return change, norm
 
     def motions(self, shapes: Array) -> Array | None:
         """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, components), if known."""
         return None
 
-    def joint_forces(self, eigenvalues: Array, shapes: Array, joints: Sequence[int]) -> Array:
-        """Compute the forces B(lambda) phi that locked joints carry in each mode, (N, m, r)."""
-        return released((self.mass, self.stiffness), self.free, joints, eigenvalues, shapes)[0]
+    def locked_motions(self, eigenvalues: Array, shapes: Array) -> Array:
+        """Compute the deflection of locked joints under their forces along the paths in `locked`, (N, L, m, e)."""
+        force, locked = self._released(eigenvalues, shapes)[0], self.locked_joints
+        motions = np.zeros((len(shapes), len(self.locked), shapes.shape[1], self.size))
+        motions[..., locked.joints] = -force[:, None] * locked.weights[:, None]
+        return motions
 
-    def locked_motion(self, t: int, eigenvalues: Array, shapes: Array) -> Array:
-        """Compute the deflection of locked joints under their forces, per unit of compliance, (N, m, e)."""
-        motion = np.zeros((*shapes.shape[:-1], self.size))
-        for joints, weight in self.locked_joints[t]:
-            motion[..., list(joints)] -= weight * self.joint_forces(eigenvalues, shapes, joints)
-        return motion
-
-    def locked_change(self, t: int, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
-        """Return the replacements of (dK - lambda dM) phi and phi^T dM phi for the compliance of a locked joint.
+    def _locked_changes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
+        """Return the replacements of (dK - lambda dM) phi and phi^T dM phi along the L paths in `locked`.
 
         Returns
         -------
-        change : ndarray, shape (N, m, n)
+        change : ndarray, shape (N, L, m, n)
             -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked.
-        norm : ndarray, shape (N, m)
+        norm : ndarray, shape (N, L, m)
             Change of the modal mass due to the motion of the joint.
         """
-        change, norm = self._springs[0, t, self.free] * shapes, np.zeros_like(eigenvalues)
-        for joints, weight in self.locked_joints[t]:
-            _, of_change, of_norm = released(
-                (self.mass, self.stiffness), self.free, joints, eigenvalues, shapes
-            )
-            change, norm = change + weight * of_change, norm + weight * of_norm
-        return change, norm
+        _, change, norm = self._released(eigenvalues, shapes)
+        springs = self.locked_joints.springs[:, self.free]
+        return springs[:, None] * shapes[:, None] + change, norm
+
+    def _released(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array, Array]:
+        matrices, locked = (self.mass, self.stiffness), self.locked_joints
+        return released(matrices, self.free, locked.joints, locked.weights, eigenvalues, shapes)
 
     def stiff_change(self, pose: int, eigenvalues: Array, shapes: Array, dM: Array, dK: Array) -> Array:
         """Compute (dK - lambda dM) phi for modes of stiff joints, up to a multiple of M phi, which rotates no shape.

@@ -120,8 +120,15 @@ def mode_derivatives(
     d_shapes : ndarray, shape (T, m, n)
         In a group, the part that is M-orthogonal to the other members.
     """
+    sizes = np.bincount(group)
+    if len(sizes) == len(group):
+        return _of_simple(M, K, eigenvalues, shapes, change, norm, magnitude)
     d_eigenvalues, d_shapes = np.empty(change.shape[:2]), np.empty(change.shape)
-    for number in np.unique(group):
+    simple = np.flatnonzero(sizes[group] == 1)
+    d_eigenvalues[:, simple], d_shapes[:, simple] = _of_simple(
+        M, K, eigenvalues[simple], shapes[simple], change[:, simple], norm[:, simple], magnitude[simple]
+    )
+    for number in np.flatnonzero(sizes > 1):
         members = np.flatnonzero(group == number)
         inside = _inside(change, shapes, members)
         d_eigenvalues[:, members] = np.linalg.eigvalsh(_symmetric(inside))
@@ -140,3 +147,21 @@ def mode_derivatives(
             outside = np.linalg.solve(system, right)[: len(scale)].T * scale
             d_shapes[:, i] = outside - 0.5 * norm[:, i, None] * shapes[i]
     return d_eigenvalues, d_shapes
+
+
+def _of_simple(
+    M: Array, K: Array, eigenvalues: Array, shapes: Array, change: Array, norm: Array, magnitude: Array
+) -> tuple[Array, Array]:
+    """Compute derivatives of k modes that are no group, from their bordered systems together."""
+    rates = np.einsum("tin,in->ti", change, shapes)
+    scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + magnitude[:, None] * np.diagonal(M))
+    momenta = shapes @ M
+    border = momenta * scale
+    border /= np.linalg.norm(border, axis=1, keepdims=True)
+    k, n = shapes.shape
+    system, right = np.zeros((k, n + 1, n + 1)), np.zeros((k, n + 1, len(change)))
+    system[:, :n, :n] = (K - eigenvalues[:, None, None] * M) * scale[:, :, None] * scale[:, None]
+    system[:, :n, n] = system[:, n, :n] = border
+    right[:, :n] = np.moveaxis((rates[..., None] * momenta - change) * scale, 0, -1)
+    outside = np.moveaxis(np.linalg.solve(system, right)[:, :n], -1, 0) * scale
+    return rates, outside - 0.5 * norm[..., None] * shapes

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,12 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from pkmodes.core.base.arguments import is_all
 from pkmodes.core.base.drives import FREE, checked_drives
 from pkmodes.core.base.errors import PkmodesError, listed, shown
-from pkmodes.core.compiled.lanes import Terms
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, magnitude
 from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import effect_parameters
 from pkmodes.core.robot.robot import Robot
+from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import AUTO, checked_threads
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
@@ -26,8 +27,8 @@ from pkmodes.core.solve.results import ChosenFields
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
-from pkmodes.sensitivity.compiled import RATES, rates_job, terms_of
-from pkmodes.sensitivity.matrices import MatrixDerivatives
+from pkmodes.sensitivity.compiled import RATES, along_paths, rates_job, terms_of
+from pkmodes.sensitivity.matrices import Locked, MatrixDerivatives, locked_joints
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.support.solutions import solved
@@ -36,6 +37,8 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses differentiated together: the matrices of one pose take a few hundred kilobytes.
 TOGETHER = 64
+#: The fields that no mode takes part in.
+MATRICES = frozenset({"mass_matrix", "stiffness_matrix"})
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -114,6 +117,10 @@ class ResolvedPaths:
 
     Attributes
     ----------
+    names, units : tuple of str, length T
+        Paths and SI units.
+    values : ndarray, shape (T,)
+        As the robot has them.
     system : Evaluation
         Of the robot, with free or held motors.
 
@@ -127,6 +134,9 @@ class ResolvedPaths:
         self, robot: Robot, parameters: Sequence[str | ParameterPath] | None, drives: str = FREE
     ) -> None:
         self.robot, self.paths, self.drives = robot, _chosen(robot, parameters), drives
+        self.names = tuple(path.path for path in self.paths)
+        self.units = tuple(path.unit for path in self.paths)
+        self.values = np.array([path.value for path in self.paths])
         self.system = solved_system(evaluation(robot), drives)
 
     @cached_property
@@ -143,6 +153,23 @@ class ResolvedPaths:
     def terms(self) -> Terms:
         """The paths as the compiled evaluator takes them."""
         return terms_of(self.extended, self.paths)
+
+    @cached_property
+    def locked(self) -> Locked:
+        """The locked joints that paths would release."""
+        return locked_joints(self.extended, self.paths)
+
+    @cached_property
+    def terms_of_listed(self) -> Terms:
+        """The same with free motors."""
+        return self.terms if self.listed is self.extended else terms_of(self.listed, self.paths)
+
+
+class _Solvers(NamedTuple):
+    """The solver of the system that is solved, with shapes in its own coordinates, and that with free motors."""
+
+    solved: Solver
+    free: Solver
 
 
 def sensitivities_at(
@@ -199,7 +226,8 @@ def sensitivities_at(
     """
     resolved = _resolved(model, parameters, checked_drives(drives))
     solver, count = model.solver(backend, drives).inner, checked_threads(threads)
-    robot, chosen, system = resolved.robot, resolved.paths, resolved.system
+    solvers = _Solvers(solver, solver if drives == FREE else model.solver(backend, FREE))
+    robot, system = resolved.robot, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
     asked = chosen_fields(fields, out, Sensitivities.FIELDS)
@@ -212,7 +240,7 @@ def sensitivities_at(
             resolved.terms,
             limit,
             asked,
-            lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solver), p),
+            lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solvers), p),
         )
         checked, arrays = run(job, robot, model.max_condition, poses, on_error, out, count)
     else:
@@ -221,15 +249,15 @@ def sensitivities_at(
         of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
-            of_poses.put(where, _at(resolved, p, limit, asked, solver))
+            of_poses.put(where, _at(resolved, p, limit, asked, solvers))
         arrays = of_poses.finish()
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
         known=checked.known,
         arrays=arrays,
-        parameters=tuple(path.path for path in chosen),
-        units=tuple(path.unit for path in chosen),
-        values=np.array([path.value for path in chosen]),
+        parameters=resolved.names,
+        units=resolved.units,
+        values=resolved.values.copy(),
         drives=resolved.drives,
     )
 
@@ -272,64 +300,83 @@ def _chosen(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> l
 
 
 def _at(
-    resolved: ResolvedPaths,
-    p: Array,
-    close: float,
-    asked: Collection[str],
-    solver: Solver,
+    resolved: ResolvedPaths, p: Array, close: float, asked: Collection[str], solvers: _Solvers
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
-    robot, system, chosen, extended = (
-        resolved.robot,
-        resolved.system,
-        resolved.paths,
-        resolved.extended,
-    )
-    of_modes = {"eigenvalues", "frequencies", "shapes", "groups"} & set(asked)
-    # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    at = solved(solver, system, p, robot.source) if of_modes else None
-    matrices = at.all_coordinates if at is not None and extended is system else None
-    derivatives = MatrixDerivatives(extended, p, [chosen], matrices)
-    fields: dict[str, NDArray[Any]] = {}
-    if {"mass_matrix", "stiffness_matrix", "shapes"} & set(asked):
+    derivatives, fields = None, dict[str, NDArray[Any]]()
+    if not MATRICES.issuperset(asked):
+        derivatives, fields = _of_modes(resolved, p, close, asked, solvers.solved)
+    if not MATRICES.isdisjoint(asked):
+        if derivatives is None or isinstance(resolved.extended, MotorsHeld):
+            derivatives = _of_matrices(resolved, p, solvers.free)
         fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
-    if at is not None:
-        M, K, eigenvalues, shapes = (
-            at[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
-        )
-        first = system.first
-        sizes = magnitude(eigenvalues, first, system.rigid_modes, system.loose_motions)
-        group = fields["groups"] = groups(eigenvalues, close, sizes)
-        if "shapes" in asked:
-            both = _changes(
-                derivatives, fields["mass_matrix"], fields["stiffness_matrix"], eigenvalues, shapes
-            )
-            fields["eigenvalues"], fields["shapes"] = np.empty(both[1].shape), np.empty(both[0].shape)
-            for i, one in enumerate(zip(M, K, eigenvalues, shapes, *both, group, sizes, strict=True)):
-                fields["eigenvalues"][i], fields["shapes"][i] = mode_derivatives(*one)
-            evaluated = [t for t in range(len(chosen)) if t not in derivatives.locked]
-            stiff = has_stiff_joint(eigenvalues, first, system.rigid_modes)
-            for i in np.flatnonzero(stiff).tolist():
-                given = eigenvalues[i], shapes[i]
-                dM, dK = fields["mass_matrix"][i], fields["stiffness_matrix"][i]
-                other = derivatives.stiff_change(i, *given, dM, dK)[evaluated]
-                norm = both[1][i, evaluated]
-                _, turned = mode_derivatives(M[i], K[i], *given, other, norm, group[i], sizes[i])
-                fields["shapes"][i, evaluated, first:] = turned[:, first:]
-        elif {"eigenvalues", "frequencies"} & set(asked):
-            fields["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
-        if "frequencies" in asked:
-            size = np.abs(eigenvalues)
-            nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
-            twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
-            fields["frequencies"] = fields["eigenvalues"] / twice[:, None]
-    if isinstance(extended, MotorsHeld):
-        if "shapes" in asked:
-            fields["shapes"] = extended.part_with_free_motors(fields["shapes"])
-        if {"mass_matrix", "stiffness_matrix"} & set(asked):
-            every = MatrixDerivatives(resolved.listed, p, [chosen])
-            fields["mass_matrix"], fields["stiffness_matrix"] = every.dense()
     return {name: fields[name] for name in asked}
+
+
+def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDerivatives:
+    """Return the derivatives of M and K with free motors."""
+    at = RobotAtPoses(resolved.listed, p, "", {})
+    modes = np.empty((len(p), 0)), np.empty((len(p), 0, len(at.system.coordinates)))
+    terms, locked = resolved.terms_of_listed, locked_joints(resolved.listed, resolved.paths)
+    return along_paths(solver, at, resolved.paths, modes, terms, locked, RATES_OF_MATRICES)
+
+
+def _of_modes(
+    resolved: ResolvedPaths, p: Array, close: float, asked: Collection[str], solver: Solver
+) -> tuple[MatrixDerivatives, dict[str, NDArray[Any]]]:
+    """Compute the fields that belong to modes; the derivatives that they follow from come first."""
+    robot, system, extended = resolved.robot, resolved.system, resolved.extended
+    shapes_asked = "shapes" in asked
+    # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
+    at = solved(solver, system, p, robot.source, *(sorted(MATRICES) if shapes_asked else ()))
+    eigenvalues, shapes = at["eigenvalues"], at["shapes"]
+    wanted = list[str]()
+    if shapes_asked:
+        wanted += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
+        if not (isinstance(extended, MotorsHeld) or MATRICES.isdisjoint(asked)):
+            wanted += RATES_OF_MATRICES
+    known = at if extended is system else RobotAtPoses(extended, at.points, robot.source, {})
+    derivatives = along_paths(
+        solver, known, resolved.paths, (eigenvalues, shapes), resolved.terms, resolved.locked, wanted
+    )
+    sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
+    group = groups(eigenvalues, close, sizes)
+    fields: dict[str, NDArray[Any]] = {"groups": group}
+    if shapes_asked:
+        fields["eigenvalues"], fields["shapes"] = _of_shapes(derivatives, at, group, sizes)
+        if isinstance(extended, MotorsHeld):
+            fields["shapes"] = extended.part_with_free_motors(fields["shapes"])
+    elif {"eigenvalues", "frequencies"} & set(asked):
+        fields["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
+    if "frequencies" in asked:
+        size = np.abs(eigenvalues)
+        nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
+        twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
+        fields["frequencies"] = fields["eigenvalues"] / twice[:, None]
+    return derivatives, fields
+
+
+def _of_shapes(
+    derivatives: MatrixDerivatives, at: RobotAtPoses, group: Index, sizes: Array
+) -> tuple[Array, Array]:
+    """Compute the derivatives of eigenvalues, (N, T, m), and shapes, (N, T, m, n)."""
+    modes = M, K, eigenvalues, shapes = tuple(
+        at[name] for name in ("mass_matrix", "stiffness_matrix", "eigenvalues", "shapes")
+    )
+    change, norm = derivatives.changes(eigenvalues, shapes)
+    rates, turned = np.empty(norm.shape), np.empty(change.shape)
+    for i, one in enumerate(zip(*modes, change, norm, group, sizes, strict=True)):
+        rates[i], turned[i] = mode_derivatives(*one)
+    first = at.system.first
+    stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, at.system.rigid_modes))
+    if len(stiff):
+        evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked)
+        for i, dM, dK in zip(stiff.tolist(), *derivatives.dense(stiff), strict=True):
+            given = eigenvalues[i], shapes[i]
+            other = derivatives.stiff_change(i, *given, dM, dK)[evaluated]
+            _, again = mode_derivatives(M[i], K[i], *given, other, norm[i, evaluated], group[i], sizes[i])
+            turned[i, evaluated, first:] = again[:, first:]
+    return rates, turned
 
 
 def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, group: Index) -> Array:
@@ -337,27 +384,7 @@ def _rates(derivatives: MatrixDerivatives, eigenvalues: Array, shapes: Array, gr
     rates = np.swapaxes(derivatives.eigenvalues(eigenvalues, shapes), -1, -2)
     repeated = np.flatnonzero(group[:, -1] < group.shape[1] - 1)
     if len(repeated):
-        dM, dK = derivatives.dense(repeated)
-        change, _ = _changes(derivatives, dM, dK, eigenvalues, shapes, repeated)
+        change, _ = derivatives.changes(eigenvalues, shapes, repeated)
         for i, of_pose in zip(repeated, change, strict=True):
             rates[i] = branches(of_pose, shapes[i], group[i])
     return rates
-
-
-def _changes(
-    derivatives: MatrixDerivatives,
-    dM: Array,
-    dK: Array,
-    eigenvalues: Array,
-    shapes: Array,
-    poses: Index | slice = slice(None),
-) -> tuple[Array, Array]:
-    """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), at some or all poses."""
-    phi, values = shapes[poses], eigenvalues[poses]
-    change = np.einsum("ptab,pib->ptia", dK, phi)
-    change -= values[:, None, :, None] * np.einsum("ptab,pib->ptia", dM, phi)
-    norm = np.einsum("pia,ptab,pib->pti", phi, dM, phi, optimize=True)
-    for t in derivatives.locked:
-        of_all = derivatives.locked_change(t, eigenvalues, shapes)
-        change[:, t], norm[:, t] = of_all[0][poses], of_all[1][poses]
-    return change, norm

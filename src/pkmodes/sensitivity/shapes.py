@@ -64,8 +64,8 @@ def shape_derivatives(
         beyond[..., free[r]] -= np.swapaxes(
             np.linalg.solve(K[:, None], np.swapaxes(change[..., r], -1, -2)), -1, -2
         )
-    for t in derivatives.locked:
-        beyond[:, t] += derivatives.locked_motion(t, eigenvalues, shapes)
+    if derivatives.locked:
+        beyond[:, list(derivatives.locked)] += derivatives.locked_motions(eigenvalues, shapes)
     rates[..., :size] = derivatives.system.of_model(rates[..., :size] + beyond)
     if motion is not None:
         rates[..., size:] += beyond @ np.swapaxes(motion(), -1, -2)[:, None]

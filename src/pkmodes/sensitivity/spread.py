@@ -26,7 +26,6 @@ from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.robot.layout import Slot, lent
 from pkmodes.core.robot.robot import Robot
-from pkmodes.sensitivity.matrices import locked_joints
 from pkmodes.sensitivity.modes import groups
 from pkmodes.sensitivity.paths import ParameterPath, paths
 from pkmodes.sensitivity.relative import CLOSE, rates_of
@@ -81,7 +80,7 @@ def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[
     if not robot.covariance:
         return names, root
     resolved = ResolvedPaths(robot, names, drives)
-    if locked_joints(resolved.extended, resolved.paths):
+    if resolved.locked.paths:
         return names, root  # derivatives of a group know no line that releases a locked joint and does more
     lines: list[ParameterPath] = []
     for column in root.T:

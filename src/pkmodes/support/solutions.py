@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -25,20 +27,23 @@ def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
     names : str
         Of `pkmodes.core.solve.fields.FIELDS`, none of which needs the eigenproblem.
     """
-    sizes = sizes_of(at.system.mechanism, number_of_modes(at.system), len(at.system.coordinates))
-    arrays = {
-        name: np.empty((len(at.points), *tail(FIELDS[name], sizes)))
-        for name in names
-        if name in solver.fields
-    }
+    arrays = _arrays(solver, at.system, len(at.points), names)
     if arrays:
         solver.compute(at, arrays)
         at.known.update(arrays)
     return at
 
 
-def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAtPoses:
+def _arrays(solver: Solver, system: Evaluation, poses: int, names: Sequence[str]) -> dict[str, Array]:
+    """Return arrays for those fields that a solver fills."""
+    sizes = sizes_of(system.mechanism, number_of_modes(system), len(system.coordinates))
+    return {name: np.empty((poses, *tail(FIELDS[name], sizes))) for name in names if name in solver.fields}
+
+
+def solved(solver: Solver, system: Evaluation, p: Array, source: str, *others: str) -> RobotAtPoses:
     """Return a robot at poses with its ``eigenvalues``, (N, m), and ``shapes``, (N, m, n): those of `Model.modes`.
+
+    Where a compiled solver solves, it evaluates other fields in the same call.
 
     Parameters
     ----------
@@ -48,6 +53,8 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
         Poses that can be evaluated; N may be 0.
     source : str
         The robot, for messages.
+    others : str
+        Further fields that will be read, of `pkmodes.core.solve.fields.FIELDS`.
 
     Raises
     ------
@@ -58,11 +65,12 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str) -> RobotAt
     if isinstance(solver, NumpySolver) or not len(p):  # the layout decides how products of shapes round
         at.known.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
         return at
-    n, m = len(system.coordinates), number_of_modes(system)
-    arrays = {EIGENVALUES: np.empty((len(p), m)), SHAPES: np.empty((len(p), m, n))}
+    arrays = {EIGENVALUES: np.empty((len(p), number_of_modes(system)))}
+    arrays |= _arrays(solver, system, len(p), (SHAPES, *others))
     codes = solver.compute(at, arrays)
     left = np.flatnonzero(codes == UNSOLVED)
     if len(left):
+        arrays = {name: arrays[name] for name in (EIGENVALUES, SHAPES)}
         some = {name: array[left] for name, array in arrays.items()}
         NumpySolver.init(system, MAX_CONDITION).compute(RobotAtPoses(system, p[left], source, {}), some)
         for name, array in some.items():

@@ -109,7 +109,7 @@ def solved(
 
 def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
     """Return modes with their derivatives along the moves of each robot's parameters."""
-    if len(moves) > 1 and any(locked_joints(at.system, one.paths) for one in moves):
+    if len(moves) > 1 and any(locked_joints(at.system, one.paths).paths for one in moves):
         each = [derived(at.of(b), [one], shape_rates) for b, one in enumerate(moves)]
         return concatenated(each)
     most = max(len(one.paths) for one in moves)

@@ -185,7 +185,7 @@ class RobotStructure:
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
         for k, (at, some) in enumerate(zip(machines, by, strict=True)):
-            apart = any(locked_joints(at.systems[c], paths) for c, paths in self._paths(some).items())
+            apart = any(locked_joints(at.systems[c], paths).paths for c, paths in self._paths(some).items())
             groups.setdefault(k if apart else tuple(map(self._key, at.systems)), []).append(k)
         everywhere = np.ones(len(self.points), dtype=bool)
         count, batches = len(self.points), []

@@ -28,6 +28,7 @@ from pkmodes.updating.term_changes import Change, Surroundings, at_null, change_
 from pkmodes_description import Term
 
 Array = NDArray[np.float64]
+Index = NDArray[np.intp]
 
 
 class _Rates(NamedTuple):
@@ -136,8 +137,9 @@ class TermRates:
                 turned = np.imag(platform_with(term, stepped)) / STEP
                 motion = self._motions @ np.swapaxes(turned, -1, -2)
             rates = self._linear(of_M, of_K)._replace(motion=motion)
-            for joints, weight in derivatives.locked_joints.get(t, []):
-                rates = self._released(rates, joints, weight)
+            if t in derivatives.locked:
+                locked = derivatives.locked_joints
+                rates = self._released(rates, locked.joints, locked.weights[derivatives.locked.index(t)])
             yield rates
 
     def _with_parameter(self, place: PlacedTerm, k: int, values: Array) -> _Rates:
@@ -160,15 +162,20 @@ class TermRates:
         change = shapes @ dK - eigenvalues[..., None] * inertia
         return _Rates(change, np.einsum("nmi,nmi->nm", inertia, shapes))
 
-    def _released(self, rates: _Rates, joints: Sequence[int], weight: float) -> _Rates:
-        """Return rates with those of the compliance of locked joints: each deflects under its force."""
+    def _released(self, rates: _Rates, joints: Index, weights: Array) -> _Rates:
+        """Return rates with those of compliances of locked joints, (r,): each deflects under its force."""
         modes, matrices = self.modes, self.modes.matrices
         force, change, norm = released(
-            (matrices.M, matrices.K), matrices.free, joints, modes.eigenvalues, modes.shapes
+            (matrices.M, matrices.K),
+            matrices.free,
+            joints,
+            weights[None],
+            modes.eigenvalues,
+            modes.shapes,
         )
         deflection = np.zeros_like(self._motions) if rates.deflection is None else rates.deflection
-        deflection[..., list(joints)] -= weight * force
-        return _Rates(rates.change + weight * change, rates.norm + weight * norm, rates.motion, deflection)
+        deflection[..., joints] -= weights * force
+        return _Rates(rates.change + change[:, 0], rates.norm + norm[:, 0], rates.motion, deflection)
 
     def _absent(self, term: Term, values: Array) -> _Rates:
         motions = self._motions

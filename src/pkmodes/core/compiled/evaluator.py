@@ -7,14 +7,14 @@ no addresses.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import Along, Lanes, Terms
+from pkmodes.core.compiled.lanes import ALONG_OF_MODES, Lanes, Terms
 from pkmodes.core.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
@@ -33,8 +33,8 @@ class Evaluator:
         Without effects; with them `lanes` says how many there are.
     largest_condition : float
         Poses with a larger condition number are singular.
-    components : int
-        Components of the platform's motion, for `along`.
+    components, size : int
+        Components of the platform's motion and number of all coordinates of the model with effects, for `along`.
     rigid_modes : int
         How many modes do not vibrate.
 
@@ -51,12 +51,13 @@ class Evaluator:
         coordinates: int,
         largest_condition: float,
         components: int = 0,
+        size: int = 0,
         rigid_modes: int = 0,
     ) -> None:
         self.coordinates = coordinates
         self.modes = coordinates - int(lanes.massless.sum())
         self._library, self._lanes = library, lanes  # the arrays live as long as their addresses are used
-        self._robots, self._components = lanes.robots, components
+        self._robots, self._components, self._size = lanes.robots, components, size
         self._request = Request(
             robots=self._robots,
             rigid_modes=rigid_modes,
@@ -136,8 +137,15 @@ class Evaluator:
         """Return room for one pose of some components and some fields of one robot: see `Room`."""
         return Room(self._library, self._request, size, tails)
 
-    def along(self, points: Array, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
-        """Evaluate the derivatives along paths that the derivatives of given modes need.
+    def along(
+        self,
+        points: Array,
+        eigenvalues: Array,
+        shapes: Array,
+        terms: Terms,
+        fields: Sequence[str] = ALONG_OF_MODES,
+    ) -> dict[str, Array] | None:
+        """Evaluate along paths what the derivatives of given modes need.
 
         Parameters
         ----------
@@ -147,24 +155,36 @@ class Evaluator:
             The modes, with n coordinates that are not locked.
         terms : Terms
             Of T paths; for several robots those of each.
+        fields : sequence of str
+            Of `ALONG_OF_MODES`, `RATES_OF_MATRICES` and `ALL_COORDINATES` in `pkmodes.core.compiled.lanes`; of the
+            last only with others.
 
         Returns
         -------
-        Along or None
-            None if a pose cannot be evaluated.
+        dict of str to ndarray, or None
+            By field; None if a pose cannot be evaluated.
         """
         count, m, n = shapes.shape
         request = Request.from_buffer_copy(self._with(terms))
-        request.effects = self._request.effects
         given = np.ascontiguousarray(eigenvalues), np.ascontiguousarray(shapes)
         request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in given)
         request.modes, request.path_count = m, terms.first.shape[-1] - 1
         request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0
-        tails = {"changes": (m, n), "mode_rates": (m,), "norms": (m,), "motions": (m, self._components)}
-        arrays = {name: np.empty((count, request.path_count, *tail)) for name, tail in tails.items()}
+        paths, every = (count, request.path_count), (count, self._size, self._size)
+        of_all = {
+            "changes": (*paths, m, n),
+            "mode_rates": (*paths, m),
+            "norms": (*paths, m),
+            "motions": (*paths, m, self._components),
+            "mass_rates": (*paths, n, n),
+            "stiffness_rates": (*paths, n, n),
+            "mass_of_all": every,
+            "stiffness_of_all": every,
+        }
+        arrays = {name: np.empty(of_all[name]) for name in fields}
         codes = np.empty(count, dtype=np.int8)
         self._part(request, points, arrays, codes, None)
-        return None if codes.any() else Along(**arrays)
+        return None if codes.any() else arrays
 
     def _with(self, terms: Terms | None) -> Request:
         """Return the request with paths."""

@@ -26,6 +26,14 @@ FIELDS = (
 )
 #: The fields that it writes if it is given paths.
 RATES = ("eigenvalue_rates", "frequency_rates")
+#: What it writes of m given modes at N poses along T paths: (dK - lambda dM) phi, (N, T, m, n), without terms of
+#: locked joints; phi^T (dK - lambda dM) phi and phi^T dM phi, (N, T, m); dJ phi, (N, T, m, components), J the motion
+#: of the platform.
+ALONG_OF_MODES = ("changes", "mode_rates", "norms", "motions")
+#: What else it writes along paths: dM and dK, (N, T, n, n), without terms of locked joints.
+RATES_OF_MATRICES = ("mass_rates", "stiffness_rates")
+#: What it writes besides: M and K in all coordinates, (N, e, e), without the springs of released joints.
+ALL_COORDINATES = ("mass_of_all", "stiffness_of_all")
 #: The code of a pose whose eigenproblem needs another solver.
 UNSOLVED = -1
 
@@ -109,27 +117,6 @@ class Terms(NamedTuple):
     effects: Array
     all_coordinates: bool
     locked_joints: bool
-
-
-class Along(NamedTuple):
-    """Derivatives along T paths that the derivatives of m given modes need, at N poses.
-
-    Attributes
-    ----------
-    changes : ndarray, shape (N, T, m, n)
-        (dK - lambda dM) phi, without terms of locked joints.
-    mode_rates : ndarray, shape (N, T, m)
-        phi^T (dK - lambda dM) phi.
-    norms : ndarray, shape (N, T, m)
-        phi^T dM phi.
-    motions : ndarray, shape (N, T, m, components)
-        dJ phi, J the motion of the platform.
-    """
-
-    changes: Array
-    mode_rates: Array
-    norms: Array
-    motions: Array
 
 
 def flat(values: Any) -> Array:

@@ -25,7 +25,7 @@ from pkmodes.core.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 6
+LAYOUT = 7
 #: The function that was last added to the generated headers.
 NEWEST = "lanes_extended_statics("
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
@@ -123,6 +123,10 @@ class Request(ctypes.Structure):
         ("mode_rates", ctypes.c_void_p),
         ("norms", ctypes.c_void_p),
         ("motions", ctypes.c_void_p),
+        ("mass_rates", ctypes.c_void_p),
+        ("stiffness_rates", ctypes.c_void_p),
+        ("mass_of_all", ctypes.c_void_p),
+        ("stiffness_of_all", ctypes.c_void_p),
         ("codes", ctypes.c_void_p),
     )
 

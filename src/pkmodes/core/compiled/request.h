@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* Version of the layout below; a library with another version is not used. */
-#define PKMODES_LAYOUT 6
+#define PKMODES_LAYOUT 7
 
 struct pkmodes_request {
     /* N poses, row-major. */
@@ -36,7 +36,7 @@ struct pkmodes_request {
     long long all_coordinates, locked_joints;
     /* Several robots: row r of `first_term`, so long, or 0 if all have the same paths. */
     long long term_count;
-    /* Modes whose derivatives are wanted, m at each pose: with effects, the last four results together. */
+    /* Modes whose derivatives along the paths are wanted, m at each pose; m may be 0. */
     const double *given_eigenvalues, *given_shapes; /* (N, m), (N, m, n) */
     long long modes;
     long long rigid_modes;
@@ -61,6 +61,8 @@ struct pkmodes_request {
     double *mode_rates;       /* (N, T, m): phi^T (dK - lambda dM) phi */
     double *norms;            /* (N, T, m): phi^T dM phi */
     double *motions;          /* (N, T, m, directions): dJ phi, J the motion of the platform */
+    double *mass_rates, *stiffness_rates; /* (N, T, n, n): dM and dK, without terms of locked joints */
+    double *mass_of_all, *stiffness_of_all; /* (N, e, e): M and K in all coordinates, without the springs of joints */
     /* Always written: 0 where a pose was evaluated, 1 where it is not finite, from 2 on the violated margin, and -1
      * where the eigenproblem needs another solver. */
     signed char *codes; /* (N) */

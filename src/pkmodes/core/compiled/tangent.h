@@ -4,36 +4,65 @@
 
 #include "rows.h"
 
-/* A block of poses with their modes, whose derivatives along the paths are wanted. */
+/* A block of poses with their modes, whose derivatives along the paths are wanted: path by path, or where there is only
+ * one pose, as many paths at once as there are lanes. */
 struct lanes_paths {
     struct lanes_block block;
     lane eigenvalues[LANES_ALL], shapes[LANES_ALL * LANES_ALL];
-    int m;
+    int n, m, at_once;
 };
 
-/* The change of every quantity along a path; the pose and the joints are not quantities, but change in the same way. */
-static void lanes_direction(const struct lanes_paths *paths, int path, lane *restrict direction)
+/* The path in lane w of a group; the last one fills up the last group. */
+INLINE int lanes_path_of(const struct lanes_paths *paths, int group, int w)
 {
-    const struct pkmodes_request *request = paths->block.request;
-    lanes_clear(direction, LANES_GRADIENT);
-    for (int i = request->first_term[path]; i < request->first_term[path + 1]; i++)
-        if (request->places[i] < LANES_GRADIENT)
-            direction[request->places[i]] += request->weights[i];
+    const int last = (int)paths->block.request->path_count - 1;
+    const int path = paths->at_once > 1 ? group * paths->at_once + w : group;
+    return path < last ? path : last;
 }
 
-/* Row `t` of the results of each pose, of `size` numbers. */
-INLINE void lanes_put_path(const struct lanes_block *block, double *restrict out, const lane *restrict x, int t, int size)
+/* Add the terms of a group of paths from a place in the gradient on, up to another. */
+static void lanes_terms(const struct lanes_paths *paths, int group, int from, int to, lane *restrict sums)
 {
+    const struct pkmodes_request *request = paths->block.request;
+    lanes_clear(sums, to - from);
+    for (int w = 0; w < (paths->at_once > 1 ? LANES_WIDTH : 1); w++) {
+        const int path = lanes_path_of(paths, group, w);
+        for (int i = request->first_term[path]; i < request->first_term[path + 1]; i++) {
+            const int place = request->places[i];
+            if (place < from || place >= to)
+                continue;
+            if (paths->at_once > 1)
+                sums[place - from][w] += request->weights[i];
+            else
+                sums[place - from] += request->weights[i];
+        }
+    }
+}
+
+/* The change of every quantity along a path; the pose and the joints are not quantities, but change in the same way. */
+static void lanes_direction(const struct lanes_paths *paths, int group, lane *restrict direction)
+{
+    lanes_terms(paths, group, 0, LANES_GRADIENT, direction);
+}
+
+/* The results of a group of paths, of `size` numbers for each path of a pose. */
+INLINE void lanes_put_path(
+    const struct lanes_paths *paths, double *restrict out, const lane *restrict x, int group, int size)
+{
+    struct lanes_block block = paths->block;
     double *row[LANES_WIDTH];
-    for (int w = 0; w < LANES_WIDTH; w++)
-        row[w] = out + ((block->start + w) * block->request->path_count + t) * size;
-    lanes_put_at(block, row, x, size);
+    for (int w = 0; w < LANES_WIDTH; w++) {
+        const long long pose = block.start + (paths->at_once > 1 ? 0 : w);
+        row[w] = out + (pose * block.request->path_count + lanes_path_of(paths, group, w)) * size;
+    }
+    if (paths->at_once > 1)
+        block.count = lanes_path_of(paths, group, LANES_WIDTH - 1) - group * LANES_WIDTH + 1;
+    lanes_put_at(&block, row, x, size);
 }
 
 /* The coordinates that follow free ones, after these in x: `at` says which of all coordinates each is. */
-INLINE void lanes_follow(const struct pkmodes_request *restrict request, const int *restrict at, lane *restrict x)
+INLINE void lanes_follow(const struct pkmodes_request *restrict request, int n, const int *restrict at, lane *restrict x)
 {
-    const int n = (int)request->free_count;
     for (int f = 0; f < request->fold_count; f++) {
         x[n + f] = (lane){0};
         for (int k = 0; k < n; k++)
@@ -43,45 +72,82 @@ INLINE void lanes_follow(const struct pkmodes_request *restrict request, const i
 }
 
 /* The forces on free coordinates, with those on the coordinates that follow them. */
-INLINE void lanes_lead(const struct pkmodes_request *restrict request, const int *restrict at, lane *restrict force)
+INLINE void lanes_lead(const struct pkmodes_request *restrict request, int n, const int *restrict at, lane *restrict force)
 {
-    const int n = (int)request->free_count;
     for (int f = 0; f < request->fold_count; f++)
         for (int k = 0; k < n; k++)
             if (at[k] == request->leading[f])
                 force[k] += request->fold_weights[f] * force[n + f];
 }
 
-/* Write (dK - lambda dM) phi, phi^T (dK - lambda dM) phi, phi^T dM phi and dJ phi of each mode. */
-static void lanes_take(const struct lanes_paths *paths, int path, const lane *restrict mass_rate,
+/* The coordinates that are not locked, and after them those that follow. */
+INLINE void lanes_coordinates(const struct lanes_paths *paths, int *restrict at)
+{
+    const struct pkmodes_request *request = paths->block.request;
+    for (int k = 0; k < paths->n; k++)
+        at[k] = request->free_count ? request->free[k] : k;
+    for (int f = 0; f < request->fold_count; f++)
+        at[paths->n + f] = request->following[f];
+}
+
+/* Write the derivative of a matrix along a path, in the coordinates that are not locked. */
+INLINE void lanes_put_matrix(const struct lanes_paths *paths, int group, const int *restrict at,
+    const lane *restrict rate, const lane *restrict spring, double *restrict out)
+{
+    const struct pkmodes_request *request = paths->block.request;
+    const int n = paths->n, size = n + (int)request->fold_count;
+    lane A[LANES_ALL * LANES_ALL];
+    for (int k = 0; k < size; k++)
+        for (int l = 0; l < size; l++)
+            A[k * size + l] = rate[at[k] * LANES_ALL + at[l]];
+    for (int l = 0; l < size; l++) { /* column by column the rows of those that lead, then the other way round */
+        lane column[LANES_ALL];
+        for (int k = 0; k < size; k++)
+            column[k] = A[k * size + l];
+        lanes_lead(request, n, at, column);
+        for (int k = 0; k < n; k++)
+            A[k * size + l] = column[k];
+    }
+    for (int k = 0; k < n; k++) {
+        lane row[LANES_ALL];
+        for (int l = 0; l < size; l++)
+            row[l] = A[k * size + l];
+        lanes_lead(request, n, at, row);
+        for (int l = 0; l < n; l++)
+            A[k * n + l] = row[l];
+        A[k * n + k] += spring[at[k]];
+    }
+    lanes_put_path(paths, out, A, group, n * n);
+}
+
+/* Write (dK - lambda dM) phi, phi^T (dK - lambda dM) phi, phi^T dM phi and dJ phi of each mode, and dM and dK. */
+static void lanes_take(const struct lanes_paths *paths, int group, const lane *restrict mass_rate,
     const lane *restrict stiffness_rate, const lane *restrict motion_rate)
 {
     const struct pkmodes_request *request = paths->block.request;
-    const int n = (int)request->free_count, m = paths->m, followers = (int)request->fold_count;
+    const int n = paths->n, m = paths->m, size = n + (int)request->fold_count;
     int at[LANES_ALL];
-    for (int k = 0; k < n + followers; k++)
-        at[k] = k < n ? request->free[k] : request->following[k - n];
+    lanes_coordinates(paths, at);
     lane changes[LANES_ALL * LANES_ALL], rates[LANES_ALL], norms[LANES_ALL], motions[LANES_ALL * LANES_DIRECTIONS];
-    double spring[LANES_ALL] = {0.0};
-    for (int i = request->first_term[path]; i < request->first_term[path + 1]; i++)
-        if (request->places[i] >= LANES_GRADIENT)
-            spring[request->places[i] - LANES_GRADIENT] += request->weights[i];
+    lane spring[LANES_ALL], no_spring[LANES_ALL];
+    lanes_terms(paths, group, LANES_GRADIENT, LANES_GRADIENT + LANES_ALL, spring);
+    lanes_clear(no_spring, LANES_ALL);
     for (int i = 0; i < m; i++) {
         const lane eigenvalue = paths->eigenvalues[i];
         lane x[LANES_ALL], force[LANES_ALL], momentum[LANES_ALL];
         for (int k = 0; k < n; k++)
             x[k] = paths->shapes[i * n + k];
-        lanes_follow(request, at, x);
-        for (int k = 0; k < n + followers; k++) {
+        lanes_follow(request, n, at, x);
+        for (int k = 0; k < size; k++) {
             force[k] = k < n ? spring[at[k]] * x[k] : (lane){0};
             momentum[k] = (lane){0};
-            for (int l = 0; l < n + followers; l++) {
+            for (int l = 0; l < size; l++) {
                 force[k] += stiffness_rate[at[k] * LANES_ALL + at[l]] * x[l];
                 momentum[k] += mass_rate[at[k] * LANES_ALL + at[l]] * x[l];
             }
         }
-        lanes_lead(request, at, force);
-        lanes_lead(request, at, momentum);
+        lanes_lead(request, n, at, force);
+        lanes_lead(request, n, at, momentum);
         rates[i] = norms[i] = (lane){0};
         for (int k = 0; k < n; k++) {
             changes[i * n + k] = force[k] - eigenvalue * momentum[k];
@@ -90,15 +156,23 @@ static void lanes_take(const struct lanes_paths *paths, int path, const lane *re
         }
         for (int a = 0; a < LANES_DIRECTIONS; a++) {
             lane motion = (lane){0};
-            for (int l = 0; l < n + followers; l++)
+            for (int l = 0; l < size; l++)
                 motion += motion_rate[a * LANES_ALL + at[l]] * x[l];
             motions[i * LANES_DIRECTIONS + a] = motion;
         }
     }
-    lanes_put_path(&paths->block, request->changes, changes, path, m * n);
-    lanes_put_path(&paths->block, request->mode_rates, rates, path, m);
-    lanes_put_path(&paths->block, request->norms, norms, path, m);
-    lanes_put_path(&paths->block, request->motions, motions, path, m * LANES_DIRECTIONS);
+    if (request->changes)
+        lanes_put_path(paths, request->changes, changes, group, m * n);
+    if (request->mode_rates)
+        lanes_put_path(paths, request->mode_rates, rates, group, m);
+    if (request->norms)
+        lanes_put_path(paths, request->norms, norms, group, m);
+    if (request->motions)
+        lanes_put_path(paths, request->motions, motions, group, m * LANES_DIRECTIONS);
+    if (request->mass_rates)
+        lanes_put_matrix(paths, group, at, mass_rate, no_spring, request->mass_rates);
+    if (request->stiffness_rates)
+        lanes_put_matrix(paths, group, at, stiffness_rate, spring, request->stiffness_rates);
 }
 
 /* Read a row of each pose of a block, the last one for lanes that are not filled. */
@@ -111,16 +185,25 @@ INLINE void lanes_get(const struct lanes_block *block, const double *restrict in
     }
 }
 
-/* The derivatives that the modes of a block need, along all paths. */
+/* The derivatives that the modes of a block need, along all paths, with the matrices of all coordinates. */
 static __attribute__((noinline)) void lanes_along_paths(const struct lanes_block *block, const lane *restrict pose)
 {
     const struct pkmodes_request *request = block->request;
     struct lanes_paths paths;
     paths.block = *block;
+    paths.n = request->free_count ? (int)request->free_count : LANES_BASE;
     paths.m = (int)request->modes;
+    paths.at_once = block->count == 1 ? LANES_WIDTH : 1;
     lanes_get(block, request->given_eigenvalues, paths.eigenvalues, paths.m);
-    lanes_get(block, request->given_shapes, paths.shapes, paths.m * (int)request->free_count);
-    lanes_extended_tangent(pose, request->parameters, request->effects, (int)request->path_count, &paths);
+    lanes_get(block, request->given_shapes, paths.shapes, paths.m * paths.n);
+    if (request->mass_of_all && request->stiffness_of_all) {
+        lane M[LANES_ALL * LANES_ALL], K[LANES_ALL * LANES_ALL], J_p[LANES_DIRECTIONS * LANES_ALL];
+        lanes_extended(pose, request->parameters, request->effects, M, K, J_p);
+        lanes_put(block, request->mass_of_all, M, LANES_ALL * LANES_ALL);
+        lanes_put(block, request->stiffness_of_all, K, LANES_ALL * LANES_ALL);
+    }
+    lanes_extended_tangent(pose, request->parameters, request->effects,
+        ((int)request->path_count + paths.at_once - 1) / paths.at_once, &paths);
 }
 
 #endif

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import FIELDS, UNSOLVED, Along, Terms
+from pkmodes.core.compiled.lanes import ALONG_OF_MODES, FIELDS, UNSOLVED, Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, held_softly
 from pkmodes.core.mechanism.poses import CHUNK
 from pkmodes.core.solve.at_poses import RobotAtPoses
@@ -74,6 +74,7 @@ class CompiledSolver(Solver):
             len(system.coordinates),
             largest_condition,
             components=len(mechanism.platform),
+            size=len(mechanism.extended.COORDINATES),
             rigid_modes=system.rigid_modes,
         )
         return cls(evaluator, system)
@@ -119,9 +120,16 @@ class CompiledSolver(Solver):
         """Fill arrays, also with derivatives."""
         return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
 
-    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+    def along(
+        self,
+        at: RobotAtPoses,
+        eigenvalues: Array,
+        shapes: Array,
+        terms: Terms,
+        fields: Sequence[str] = ALONG_OF_MODES,
+    ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
-        return self.evaluator.along(at.points, eigenvalues, shapes, terms)
+        return self.evaluator.along(at.points, eigenvalues, shapes, terms, fields)
 
     def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
         """Mark the poses at which the kernel cannot resolve a vibration."""

@@ -6,14 +6,14 @@ A further back end is a subclass of `Solver` and a line in `pkmodes.core.solve.b
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.compiled.lanes import UNSOLVED, Along, Terms
+from pkmodes.core.compiled.lanes import ALONG_OF_MODES, UNSOLVED, Terms
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.system.evaluation import Evaluation
 
@@ -118,7 +118,14 @@ class Solver(ABC):
         """Fill arrays as `compute` does, also with derivatives along paths, by the names of `Evaluator.run`."""
         raise NotImplementedError
 
-    def along(self, at: RobotAtPoses, eigenvalues: Array, shapes: Array, terms: Terms) -> Along | None:
+    def along(
+        self,
+        at: RobotAtPoses,
+        eigenvalues: Array,
+        shapes: Array,
+        terms: Terms,
+        fields: Sequence[str] = ALONG_OF_MODES,
+    ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
 
         Parameters
@@ -126,5 +133,7 @@ class Solver(ABC):
         eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
         terms : Terms
             Of each robot.
+        fields : sequence of str
+            As of `pkmodes.core.compiled.evaluator.Evaluator.along`.
         """
         return None
