@@ -168,7 +168,6 @@ LONG = {
     "src/pkmodes/core/model.py": 690,
     "src/pkmodes/core/solve/fields.py": 440,
     "src/pkmodes/diagnosis/problem.py": 420,
-    "src/pkmodes/sensitivity/matrices.py": 430,
     "src/pkmodes_description/structure.py": 450,
     "derive/pkmodes_derive/machine.py": 630,
     "derive/pkmodes_derive/parts.py": 440,

@@ -19,7 +19,8 @@ from pkmodes.core.solve.compiled_solver import CompiledSolver
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import solved_system
 from pkmodes.sensitivity.compiled import CompiledDerivatives, along_paths, derivatives_of, terms_of
-from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives, locked_joints
+from pkmodes.sensitivity.locked import locked_joints
+from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes.updating.modes_of_systems import ModesOfSystems, modes_of_systems

@@ -17,10 +17,13 @@ from hypothesis import strategies as st
 import pkmodes
 from helpers.robots.robot_text import PUBLISHED, edited, published
 from pkmodes.core.base.errors import PoseError, RobotFileError
+from pkmodes.core.robot.reading import robot_from_document
 from pkmodes.core.robot.units import Quantity
+from pkmodes.core.robot.variants import document_of, raw_values
 from pkmodes.sensitivity.paths import moved, paths, resolve
 
 POSE = [0.6, 0.03, -0.245]
+ROBOTS = PUBLISHED.parent
 #: Joints off the centre, overrides, standard deviations, effects, a direction that changes when normalised twice.
 RICH = (
     published()
@@ -376,3 +379,39 @@ def test_every_path_that_has_derivatives_can_be_changed(
     for path in paths(pkmodes.read_robot(PUBLISHED)):
         with subtests.test(path=path):
             assert_changed(by_direction if path in by_direction.quantities else rich, path)
+
+
+@pytest.mark.parametrize("path", sorted(ROBOTS.glob("*.toml")), ids=lambda path: path.stem)
+def test_numbers_that_take_the_place_of_others_are_those_of_the_whole_document(path: Path) -> None:
+    robot = pkmodes.read_robot(path)
+    declared = raw_values(robot)
+    every = {
+        own: quantity.value * 1.0625 for own, quantity in robot.quantities.items() if quantity.value != 0.0
+    }
+    changes = [{own: value} for own, value in every.items()] + [dict(list(every.items())[::7])]
+    changed = 0
+    for change in changes:
+        values = {
+            **declared,
+            **{own: {**raw(declared[own]), "value": value} for own, value in change.items()},
+        }
+        document = document_of(
+            robot.mechanism, robot.name, values, robot.usable, robot.report, robot.covariance
+        )
+        try:
+            expected = robot_from_document(document, "")
+        except RobotFileError as error:
+            with pytest.raises(RobotFileError) as found:
+                robot.with_values(change)
+            assert [p.what for p in found.value.problems] == [p.what for p in error.problems]
+            continue
+        found_robot = robot.with_values(change)
+        same_to_the_last_digit(found_robot, expected)
+        assert not any(np.asarray(v).flags.writeable for v in found_robot.parameters if np.ndim(v))
+        changed += 1
+    assert changed > len(changes) / 2
+
+
+def raw(value: object) -> dict[str, object]:
+    """Return a value of a robot file as a table."""
+    return dict(value) if isinstance(value, dict) else {"value": value}

@@ -21,7 +21,8 @@ from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.batch import Job
 from pkmodes.core.solve.solver import EIGENVALUES, Codes, Solver
 from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, may_be_refused, number_of_modes
-from pkmodes.sensitivity.matrices import POSE, Locked, MatrixDerivatives, effect_fields, joints_of
+from pkmodes.sensitivity.locked import Locked, joints_of
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields
 from pkmodes.sensitivity.modes import ROUNDING, separate
 from pkmodes.sensitivity.paths import ParameterPath
 

@@ -28,7 +28,8 @@ from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
 from pkmodes.sensitivity.compiled import RATES, along_paths, rates_job, terms_of
-from pkmodes.sensitivity.matrices import Locked, MatrixDerivatives, locked_joints
+from pkmodes.sensitivity.locked import Locked, locked_joints
+from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
 from pkmodes.support.solutions import solved

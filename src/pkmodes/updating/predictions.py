@@ -19,13 +19,8 @@ from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Prediction
 from pkmodes.sensitivity.compiled import derivatives_of
-from pkmodes.sensitivity.matrices import (
-    POSE,
-    MatrixDerivatives,
-    effect_fields,
-    geometry_of,
-    locked_joints,
-)
+from pkmodes.sensitivity.locked import locked_joints
+from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields, geometry_of
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.shapes import shape_derivatives
 from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reached, together

@@ -20,7 +20,8 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import springs_among
 from pkmodes.diagnosis.problem import Batch, Candidate, Loss, Parameter, Prediction, Sensor
 from pkmodes.maps.workspace import inside, limits_of
-from pkmodes.sensitivity.matrices import POSE, locked_joints
+from pkmodes.sensitivity.locked import locked_joints
+from pkmodes.sensitivity.matrices import POSE
 from pkmodes.sensitivity.paths import ParameterPath, moved
 from pkmodes.support.motors import motors_give_way
 from pkmodes.updating import frame

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.sensitivity.matrices import MatrixDerivatives, released
+from pkmodes.sensitivity.locked import released
+from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.support.expansion import modal_expansion
 from pkmodes.updating.predictions import Moves

@@ -51,6 +51,8 @@ class Declaration:
         What the head of reports says of the machine, by key of the table ``[report]``.
     covariance : tuple of Covariance
         Values whose errors belong together; all others are independent.
+    kept : dict
+        What need not be worked out again for this robot.
     """
 
     name: str
@@ -63,13 +65,14 @@ class Declaration:
     usable: Mapping[str, Bound] = field(default_factory=dict)
     report: Mapping[str, str] = field(default_factory=dict)
     covariance: tuple[Covariance, ...] = ()
+    kept: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
 
     def __eq__(self, other: object) -> bool:
         return self._content == other._content if isinstance(other, Declaration) else NotImplemented
 
     def __getstate__(self) -> dict[str, Any]:
         # The mechanism comes first: unpickling it registers it, and the parameters need its generated module.
-        return {"mechanism": self.mechanism, **vars(self)}
+        return {"mechanism": self.mechanism, **vars(self), "kept": {}}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         # Pickling and copying lose the read-only flag.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import fields
 from typing import Any
 
 from pkmodes.core.base.attached import Attached
@@ -73,4 +74,6 @@ class Robot(Declaration):
         Robot
             With the same content.
         """
-        return cls(**vars(declaration))
+        robot = cls(**{one.name: getattr(declaration, one.name) for one in fields(declaration) if one.init})
+        robot.kept.update(declaration.kept)
+        return robot

@@ -193,7 +193,7 @@ class Tables:
             path = f"{EFFECTS}.{effect.name}.{parameter.name}"
             others = [p.name for p in effect.excluded(parameter.name) if p.name in table]
             if parameter.name in table:
-                value = self._read(table[parameter.name], path, partial(_of_effect, parameter=parameter))
+                value = self._read(table[parameter.name], path, partial(of_effect, parameter=parameter))
                 if value is not None:
                     quantities[path] = value
                 if others and not parameter.in_place_of:
@@ -264,7 +264,7 @@ def default_of(key: Key) -> schema.Value | None:
     return one if key.kind == "quantity" else (one,) * len(key.elements)
 
 
-def _of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
+def of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
     """Read a parameter of an effect; zero, its null value, is always allowed, otherwise the physical bounds apply."""
     dimension = dimension_of_effect(parameter.unit)
     quantity = schema.quantity(raw, dimension)

@@ -158,9 +158,17 @@ def _check(
     tables: Tables,
 ) -> None:
     """Add a problem for each place where a requirement is violated."""
-    for place, margin in zip(requirement.places, np.ravel(margins).tolist(), strict=True):
-        if not (margin > 0.0 or (margin == 0.0 and requirement.rule == "at_least_zero")):
-            tables.problem(place, _sentence(requirement, place, margin, numbers), requirement.remedy)
+    for place, margin in violated(requirement, margins).items():
+        tables.problem(place, _sentence(requirement, place, margin, numbers), requirement.remedy)
+
+
+def violated(requirement: Requirement, margins: Any) -> dict[str, float]:
+    """Return the margins of a requirement that violate it, by place."""
+    return {
+        place: margin
+        for place, margin in zip(requirement.places, np.ravel(margins).tolist(), strict=True)
+        if not (margin > 0.0 or (margin == 0.0 and requirement.rule == "at_least_zero"))
+    }
 
 
 def _sentence(requirement: Requirement, place: str, margin: float, numbers: Mapping[str, Quantity]) -> str:

@@ -5,27 +5,31 @@ This way one set of rules applies, and values that a file could not have are rej
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from functools import cache, partial
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
 from pkmodes.core.robot.declaration import Declaration, changeable
-from pkmodes.core.robot.layout import EFFECTS, by_path, items, lent, takers
+from pkmodes.core.robot.layout import EFFECTS, Slot, by_path, items, lent, takers
 from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path, items_of
 from pkmodes.core.robot.report_fields import REPORT
-from pkmodes.core.robot.tables import FORMAT
+from pkmodes.core.robot.tables import FORMAT, of_effect
 from pkmodes.core.robot.units import Quantity
 from pkmodes.core.robot.usable import USABLE, Bound, raw_of
-from pkmodes.core.robot.validation import declaration
+from pkmodes.core.robot.validation import declaration, violated
 from pkmodes_description import ParameterGroup
 
 OTHER_VALUES = " with other values"
+#: Of a robot that is known to have the parameters that it declares.
+CONSISTENT = "consistent"
 
 
 def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
@@ -38,15 +42,99 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
         )
     source = robot.source.removesuffix(OTHER_VALUES) + OTHER_VALUES
     changes = _changes(robot, values, source)
-    declared = raw_values(robot)
-    if _read(robot, declared, source, robot.covariance) != robot:
-        raise PkmodesError(
-            "the robot's parameters differ from those that it declares",
-            robot.source,
-            "start from a robot that was read from a file",
-        )
-    changed = _read(robot, {**declared, **changes}, source)
-    return replace(changed, covariance=_covariance(robot, changed))
+    if not robot.kept.get(CONSISTENT):
+        if _read(robot, raw_values(robot), source, robot.covariance) != robot:
+            raise PkmodesError(
+                "the robot's parameters differ from those that it declares",
+                robot.source,
+                "start from a robot that was read from a file",
+            )
+        robot.kept[CONSISTENT] = True
+    changed = _with_numbers(robot, changes, source)
+    if changed is None:
+        changed = _read(robot, {**raw_values(robot), **changes}, source)
+    return replace(changed, covariance=_covariance(robot, changed)) if robot.covariance else changed
+
+
+def _with_numbers(robot: Declaration, changes: Mapping[str, Any], source: str) -> Declaration | None:
+    """Return the declaration with values that only take the place of others, which are not read again.
+
+    None if other rules apply than those of each value and of the machine as a whole, or if one of these refuses: only
+    the whole document says what is wrong.
+    """
+    mechanism = robot.mechanism
+    quantities, effects = dict(robot.quantities), dict(robot.effects)
+    arrays: dict[str, NDArray[np.float64]] = {}
+    for path, raw in changes.items():
+        number = _number(mechanism, path)
+        if number is None or path not in quantities:
+            return None
+        try:
+            quantities[path] = number.read(raw)
+        except schema.RefusedError:
+            return None
+        for field, index in (slot for own, slot in number.slots if own == path or own not in quantities):
+            if field in effects:
+                effects[field] = quantities[path].value
+                continue
+            if field not in arrays:
+                arrays[field] = np.array(getattr(robot.parameters, field), dtype=float)
+            arrays[field][index] = quantities[path].value
+    for array in arrays.values():
+        array.flags.writeable = False
+    parameters = robot.parameters._replace(
+        **{field: array if array.shape else float(array) for field, array in arrays.items()}
+    )
+    for requirement in mechanism.requirements:
+        if violated(requirement, getattr(mechanism.model, requirement.function)(parameters)):
+            return None
+    changed = replace(
+        robot, source=source, parameters=parameters, quantities=quantities, effects=effects, covariance=()
+    )
+    changed.kept[CONSISTENT] = True
+    return changed
+
+
+class _Number(NamedTuple):
+    """How a number is read, and where it goes.
+
+    Attributes
+    ----------
+    read : callable
+        From what a robot file may contain.
+    slots : list of (str, Slot)
+        In the generated parameters or effects, each with the path that would give it another value.
+    """
+
+    read: Callable[[Any], Quantity]
+    slots: list[tuple[str, Slot]]
+
+
+@cache
+def _number(mechanism: Mechanism, path: str) -> _Number | None:
+    """Return how the number at a path is read; None if other values depend on it."""
+    item = by_path(mechanism).get(path)
+    if item is None:
+        _, effect, name = path.split(".") if path.startswith(f"{EFFECTS}.") else ("", "", "")
+        if (
+            effect not in mechanism.effects
+            or path in lent(mechanism)
+            or mechanism.effects[effect].requirements
+        ):
+            return None
+        (parameter,) = (one for one in mechanism.effects[effect].parameters if one.name == name)
+        return _Number(partial(of_effect, parameter=parameter), [(path, (f"{effect}.{name}", ()))])
+    key = item.key
+    if key.kind not in ("quantity", "vector") or key.effect or key.middle_of:
+        return None
+    place = [number.path for number in item.numbers].index(path)
+    own = [one.numbers[place] for one in (item, *takers(mechanism).get(item.path, ()))]
+    bounds = (key.at_least, key.above, key.at_most, *((key.below,) if key.kind == "quantity" else ()))
+
+    def read(raw: Any) -> Quantity:
+        return schema.quantity(raw, key.dimension, *bounds)
+
+    return _Number(read, [(number.path, number.slot) for number in own if number.slot is not None])
 
 
 def document_of(
