@@ -6,12 +6,13 @@ parameters alone is a double; the rest is a `lane`.  `pkmodes.core.compiled` has
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from pkmodes_derive.emit import commentary, layout
 from pkmodes_derive.emit.lanes import functions
 from pkmodes_derive.emit.lanes.adjoint import gradient
+from pkmodes_derive.emit.lanes.pieces import LONG, Pieces, Statement, in_pieces
 from pkmodes_derive.emit.lanes.printer import expression
 from pkmodes_derive.emit.lanes.tangent import tangent
 from pkmodes_derive.emit.program import Entry, Program, Result, arrange
@@ -32,7 +33,10 @@ INDENT = "    "
 
 @dataclass(frozen=True)
 class _Block:
-    """One function as the template sees it: text only; `each` is evaluated for every mode or path."""
+    """One function as the template sees it: text only; `each` is evaluated for every mode or path.
+
+    A long one also has `pieces`, which take the place of `body` and `each`.
+    """
 
     comment: list[str]
     name: str
@@ -40,6 +44,7 @@ class _Block:
     body: list[str]
     each: list[str]
     coordinates: int
+    pieces: Pieces | None
 
 
 def files(
@@ -106,31 +111,41 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
     ]
     arguments = layout.listing(names, INDENT)
     arguments[-1] = arguments[-1].removesuffix(",") + ")"
-    body, each = _statements(function, program, groups)
+    of_pose, of_each, statements = _statements(function, program, groups)
     (_, *of_mode) = function.arguments
-    return _Block(comment, function.name, arguments, body, each, len(of_mode[0].symbols) if of_mode else 0)
+    count = len(of_mode[0].symbols) if of_mode else 0
+    body = [f"{INDENT}{text};" for text in of_pose.values()]
+    each = [f"{2 * INDENT}{text};" for text in of_each.values()]
+    for one in statements:
+        body += [] if one.each else one.lines(INDENT)
+        each += one.lines(2 * INDENT) if one.each else []
+    pieces = None
+    if of_mode and len(body) + len(each) > LONG:
+        pieces = in_pieces(statements, {**of_pose, **of_each})
+    return _Block(comment, function.name, arguments, body, each, count, pieces)
 
 
 def _statements(
     function: Function, program: Program, groups: Sequence[FieldGroup]
-) -> tuple[list[str], list[str]]:
-    """Return the statements for a pose, and those for each mode or path, of which the later arguments are."""
+) -> tuple[dict[str, str], dict[str, str], list[Statement]]:
+    """Return the declarations of arguments, for a pose and for each mode or path, and all statements, these last."""
     pose, *of_mode = function.arguments
-    inputs, body, each = set(program.inputs), [], []
-    for i, symbol in enumerate(pose.symbols):
-        if symbol in inputs:
-            body.append(f"{INDENT}const lane {symbol.name} = pose[{i}];")
+    inputs = set(program.inputs)
+    of_pose = {s.name: f"const lane {s.name} = pose[{i}]" for i, s in enumerate(pose.symbols) if s in inputs}
     for group in groups:
         places = (symbol for field in group.fields for symbol in field.symbols)
         for i, symbol in enumerate(places):
             if symbol in inputs:
-                body.append(f"{INDENT}const double {symbol.name} = {group.argument}[{i}];")
-    for argument in of_mode:
-        for i, symbol in enumerate(argument.symbols):
-            if symbol in inputs and not argument.scalar:
-                each.append(f"{2 * INDENT}const lane {symbol.name} = {argument.name}[{i}];")
+                of_pose[symbol.name] = f"const double {symbol.name} = {group.argument}[{i}]"
+    of_each = {
+        symbol.name: f"const lane {symbol.name} = {argument.name}[{i}]"
+        for argument in of_mode
+        for i, symbol in enumerate(argument.symbols)
+        if symbol in inputs and not argument.scalar
+    }
     by_pose = set(pose.symbols)
     by_mode = {symbol for argument in of_mode for symbol in argument.symbols}
+    statements = []
     for symbol, value in program.steps:
         names = value.free_symbols
         if names & by_mode:
@@ -138,23 +153,22 @@ def _statements(
         elif names & by_pose:
             by_pose.add(symbol)
         kind = "lane" if symbol in by_mode | by_pose else "double"
-        lines, indent = (each, 2 * INDENT) if symbol in by_mode else (body, INDENT)
-        lines += layout.assignment(f"const {kind} {symbol.name}", expression(value), indent, end=";")
+        text = f"const {kind} {symbol.name}", expression(value)
+        uses = frozenset(one.name for one in names)
+        statements.append(Statement(symbol.name, kind, (text,), uses, symbol in by_mode))
     for result in program.results:
-        if of_mode:
-            each += _result(result, 2 * INDENT)
-        else:
-            body += _result(result, INDENT)
-    return body, each
+        statements += _result(result, bool(of_mode))
+    return of_pose, of_each, sorted(statements, key=lambda one: one.each)
 
 
-def _result(result: Result, indent: str) -> list[str]:
-    clear = f"{indent}lanes_clear({result.output.name}, {len(result.output.entries)});"
-    lines = [clear] if result.has_zeros else []
+def _result(result: Result, each: bool) -> Iterator[Statement]:
+    if result.has_zeros:
+        clear = f"lanes_clear({result.output.name}, {len(result.output.entries)})"
+        yield Statement("", "", (("", clear),), frozenset(), each)
     for entry in result.entries:
-        text = " = ".join(_places(result, entry))
-        lines += layout.assignment(text, f"LANES({expression(entry.value)})", indent, end=";")
-    return lines
+        target = " = ".join(_places(result, entry))
+        uses = frozenset(one.name for one in entry.value.free_symbols)
+        yield Statement("", "", ((target, f"LANES({expression(entry.value)})"),), uses, each)
 
 
 def _places(result: Result, entry: Entry) -> Iterable[str]:

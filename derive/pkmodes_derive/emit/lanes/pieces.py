@@ -1,0 +1,125 @@
+"""A long function in pieces: the time that compilers take for one grows with the square of its length.
+
+Each piece is a function of its own.  It reads what it needs of the arguments, and of what earlier pieces found from
+two arrays, to which it adds what later ones need.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from pkmodes_derive.emit import layout
+
+INDENT = "    "
+#: Lines from which a function is written in pieces, and after which each of them ends.
+LONG, ENOUGH = 2400, 250
+#: The arrays by the type of their elements.
+ARRAYS = {"double": "numbers", "lane": "kept"}
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement of a function.
+
+    Attributes
+    ----------
+    name, kind : str
+        What it defines, and its type; empty for a result.
+    text : tuple of (str, str)
+        Targets and expressions of assignments; a call, without target.
+    uses : frozenset of str
+        Names in them.
+    each : bool
+        Whether it depends on the mode or path.
+    """
+
+    name: str
+    kind: str
+    text: tuple[tuple[str, str], ...]
+    uses: frozenset[str]
+    each: bool
+
+    def lines(self, indent: str) -> list[str]:
+        """Return its lines."""
+        written: list[str] = []
+        for target, expression in self.text:
+            if target:
+                written += layout.assignment(target, expression, indent, end=";")
+            else:
+                written.append(f"{indent}{expression};")
+        return written
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A part of a function."""
+
+    lines: list[str]
+    each: bool
+
+
+@dataclass(frozen=True)
+class Pieces:
+    """A function in pieces, and the lengths of the arrays that they share.
+
+    Attributes
+    ----------
+    numbers, kept : int
+        How many doubles and lanes.
+    """
+
+    pieces: list[Piece]
+    numbers: int
+    kept: int
+
+
+def in_pieces(statements: Sequence[Statement], inputs: Mapping[str, str]) -> Pieces:
+    """Divide statements, those for each mode or path last.
+
+    Parameters
+    ----------
+    inputs : mapping of str to str
+        The declaration of each argument by its name, without the end of the statement.
+    """
+    parts = list(_parts(statements))
+    last = {name: i for i, part in enumerate(parts) for one in part for name in one.uses}
+    slots: dict[str, tuple[str, str]] = {}
+    counts = dict.fromkeys(ARRAYS, 0)
+    for i, part in enumerate(parts):
+        for one in part:
+            if one.name and last.get(one.name, i) > i:
+                slots[one.name] = one.kind, f"{ARRAYS[one.kind]}[{counts[one.kind]}]"
+                counts[one.kind] += 1
+    known = {**inputs, **{name: f"const {kind} {name} = {slot}" for name, (kind, slot) in slots.items()}}
+    pieces = [Piece(list(_lines(part, known, slots)), part[0].each) for part in parts]
+    return Pieces(pieces, counts["double"], counts["lane"])
+
+
+def _lines(
+    part: Sequence[Statement], known: Mapping[str, str], slots: Mapping[str, tuple[str, str]]
+) -> Iterator[str]:
+    """Yield the lines of a piece, each value read before its first use, and kept where it is found."""
+    own: set[str] = set()
+    for one in part:
+        for name in sorted(one.uses - own):
+            if name in known:
+                yield f"{INDENT}{known[name]};"
+        own |= {one.name, *one.uses}
+        yield from one.lines(INDENT)
+        if one.name in slots:
+            yield f"{INDENT}{slots[one.name][1]} = {one.name};"
+
+
+def _parts(statements: Sequence[Statement]) -> Iterator[list[Statement]]:
+    """Yield statements until there are enough lines, or those for each mode or path begin."""
+    part: list[Statement] = []
+    lines = 0
+    for one in statements:
+        if part and (lines >= ENOUGH or one.each != part[0].each):
+            yield part
+            part, lines = [], 0
+        part.append(one)
+        lines += len(one.lines(INDENT))
+    if part:
+        yield part
