@@ -52,15 +52,15 @@ def test_pieces_compute_what_the_whole_does(monkeypatch: pytest.MonkeyPatch, see
     declared = [f"{text};" for text in INPUTS.values()]
     run([*declared, *(line for one in statements for line in one.lines(""))], {**given, "out": whole})
     monkeypatch.setattr(pieces, "ENOUGH", 4)
-    found = in_pieces(statements, INPUTS)
-    kept = {"numbers": [np.nan] * found.numbers, "kept": [np.nan] * found.kept}
-    assert len(found.pieces) > 8
-    assert [piece.each for piece in found.pieces] == sorted(piece.each for piece in found.pieces)
-    for piece in found.pieces:
-        own = {**given, **kept, "out": divided}
-        if not piece.each:
-            own.pop("shape"), own.pop("out")
-        run(piece.lines, own)
+    parts, body, each = in_pieces("f", statements, INPUTS, {"shape": "const lane *", "out": "lane *"})
+    sizes = [int(line.split("[")[1].removesuffix("];")) for line in body[:2]]
+    kept = {name: [np.nan] * size for name, size in zip(("numbers", "kept"), sizes, strict=True)}
+    assert len(parts) > 8
+    for piece, call in zip(parts, [*body[2:], *each], strict=True):
+        name, arguments = call.strip().removesuffix(");").split("(")
+        assert name == f"lanes_f_{piece.number}"
+        own = {**given, **kept, "out": divided, "effects": []}
+        run(piece.lines, {one: own[one] for one in arguments.split(", ")})
     assert divided == whole
     assert np.isfinite(whole).all()
     assert len(set(whole)) > 3
@@ -70,5 +70,7 @@ def test_what_no_later_piece_needs_is_not_kept(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(pieces, "ENOUGH", 1)
     first = Statement("v", "lane", (("const lane v", "p0 + p1"),), frozenset({"p0", "p1"}), False)
     last = Statement("", "", (("out[0]", "p1"),), frozenset({"p1"}), False)
-    found = in_pieces([first, last], INPUTS)
-    assert (found.numbers, found.kept, len(found.pieces)) == (0, 0, 2)
+    parts, body, each = in_pieces("f", [first, last], INPUTS, {})
+    assert len(parts) == 2
+    assert body[:2] == ["    double numbers[1];", "    lane kept[1];"]
+    assert not each

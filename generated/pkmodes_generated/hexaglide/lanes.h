@@ -6578,9 +6578,9 @@ static inline void lanes_extended_statics(const lane *restrict pose, const doubl
 }
 
 /* Piece 1 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_1(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_1(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -7119,9 +7119,9 @@ static __attribute__((noinline)) void lanes_base_gradient_1(const lane *restrict
 }
 
 /* Piece 2 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_2(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_2(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -7580,9 +7580,9 @@ static __attribute__((noinline)) void lanes_base_gradient_2(const lane *restrict
 }
 
 /* Piece 3 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_3(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_3(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -8197,9 +8197,9 @@ static __attribute__((noinline)) void lanes_base_gradient_3(const lane *restrict
 }
 
 /* Piece 4 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_4(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_4(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -8791,9 +8791,9 @@ static __attribute__((noinline)) void lanes_base_gradient_4(const lane *restrict
 }
 
 /* Piece 5 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_5(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_5(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -9212,9 +9212,9 @@ static __attribute__((noinline)) void lanes_base_gradient_5(const lane *restrict
 }
 
 /* Piece 6 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_6(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_6(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -9713,9 +9713,9 @@ static __attribute__((noinline)) void lanes_base_gradient_6(const lane *restrict
 }
 
 /* Piece 7 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_7(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_7(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -10254,9 +10254,9 @@ static __attribute__((noinline)) void lanes_base_gradient_7(const lane *restrict
 }
 
 /* Piece 8 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_8(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_8(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -11010,9 +11010,9 @@ static __attribute__((noinline)) void lanes_base_gradient_8(const lane *restrict
 }
 
 /* Piece 9 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_9(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_9(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -11725,9 +11725,9 @@ static __attribute__((noinline)) void lanes_base_gradient_9(const lane *restrict
 }
 
 /* Piece 10 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_10(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_10(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -12312,9 +12312,9 @@ static __attribute__((noinline)) void lanes_base_gradient_10(const lane *restric
 }
 
 /* Piece 11 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_11(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_11(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -12935,9 +12935,9 @@ static __attribute__((noinline)) void lanes_base_gradient_11(const lane *restric
 }
 
 /* Piece 12 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_12(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_12(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -13475,9 +13475,9 @@ static __attribute__((noinline)) void lanes_base_gradient_12(const lane *restric
 }
 
 /* Piece 13 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_13(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_13(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -14100,9 +14100,9 @@ static __attribute__((noinline)) void lanes_base_gradient_13(const lane *restric
 }
 
 /* Piece 14 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_14(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_14(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -14823,9 +14823,9 @@ static __attribute__((noinline)) void lanes_base_gradient_14(const lane *restric
 }
 
 /* Piece 15 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_15(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_15(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -15510,9 +15510,9 @@ static __attribute__((noinline)) void lanes_base_gradient_15(const lane *restric
 }
 
 /* Piece 16 of 16 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_16(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_16(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -15755,8 +15755,8 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
     const lane *restrict eigenvalues, lane *restrict gradients, int stride)
 {
     (void)effects;
-    double numbers[92];
-    lane kept[1643];
+    double numbers[91];
+    lane kept[1642];
     lanes_base_gradient_1(pose, parameters, effects, numbers, kept);
     lanes_base_gradient_2(pose, parameters, effects, numbers, kept);
     lanes_base_gradient_3(pose, parameters, effects, numbers, kept);
@@ -15781,9 +15781,9 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
 }
 
 /* Piece 1 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_1(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_1(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -16325,9 +16325,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_1(const lane *rest
 }
 
 /* Piece 2 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_2(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_2(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -16789,9 +16789,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_2(const lane *rest
 }
 
 /* Piece 3 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_3(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_3(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -17414,9 +17414,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_3(const lane *rest
 }
 
 /* Piece 4 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_4(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_4(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -18071,9 +18071,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_4(const lane *rest
 }
 
 /* Piece 5 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_5(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_5(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -18649,9 +18649,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_5(const lane *rest
 }
 
 /* Piece 6 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_6(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_6(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -19244,9 +19244,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_6(const lane *rest
 }
 
 /* Piece 7 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_7(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_7(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -19386,9 +19386,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_7(const lane *rest
 }
 
 /* Piece 8 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_8(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_8(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -19948,9 +19948,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_8(const lane *rest
 }
 
 /* Piece 9 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_9(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_9(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -20539,9 +20539,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_9(const lane *rest
 }
 
 /* Piece 10 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_10(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_10(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -21244,9 +21244,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_10(const lane *res
 }
 
 /* Piece 11 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_11(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_11(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -21885,9 +21885,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_11(const lane *res
 }
 
 /* Piece 12 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_12(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_12(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -22488,9 +22488,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_12(const lane *res
 }
 
 /* Piece 13 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_13(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_13(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -23173,9 +23173,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_13(const lane *res
 }
 
 /* Piece 14 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_14(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_14(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -23887,9 +23887,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_14(const lane *res
 }
 
 /* Piece 15 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_15(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_15(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -25020,9 +25020,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_15(const lane *res
 }
 
 /* Piece 16 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_16(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_16(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -25649,9 +25649,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_16(const lane *res
 }
 
 /* Piece 17 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_17(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_17(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -26381,9 +26381,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_17(const lane *res
 }
 
 /* Piece 18 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_18(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_18(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -27075,9 +27075,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_18(const lane *res
 }
 
 /* Piece 19 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_19(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_19(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -27798,9 +27798,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_19(const lane *res
 }
 
 /* Piece 20 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_20(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_20(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -28555,9 +28555,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_20(const lane *res
 }
 
 /* Piece 21 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_21(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_21(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -29129,9 +29129,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_21(const lane *res
 }
 
 /* Piece 22 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_22(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_22(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -29618,9 +29618,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_22(const lane *res
 }
 
 /* Piece 23 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_23(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_23(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -30326,9 +30326,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_23(const lane *res
 }
 
 /* Piece 24 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_24(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_24(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -31076,9 +31076,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_24(const lane *res
 }
 
 /* Piece 25 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_25(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_25(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -31813,9 +31813,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_25(const lane *res
 }
 
 /* Piece 26 of 26 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_26(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_26(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -32282,8 +32282,8 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane *restrict eigenvalues, lane *restrict gradients, int stride)
 {
     (void)effects;
-    double numbers[149];
-    lane kept[3009];
+    double numbers[148];
+    lane kept[3008];
     lanes_extended_gradient_1(pose, parameters, effects, numbers, kept);
     lanes_extended_gradient_2(pose, parameters, effects, numbers, kept);
     lanes_extended_gradient_3(pose, parameters, effects, numbers, kept);
@@ -32324,9 +32324,9 @@ static void lanes_take(const struct lanes_paths *paths, int path, const lane *re
     const lane *restrict stiffness_rate, const lane *restrict motion_rate);
 
 /* Piece 1 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_1(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_1(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -32868,9 +32868,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_1(const lane *restr
 }
 
 /* Piece 2 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_2(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_2(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -33332,9 +33332,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_2(const lane *restr
 }
 
 /* Piece 3 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_3(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_3(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -33957,9 +33957,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_3(const lane *restr
 }
 
 /* Piece 4 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_4(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_4(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -34614,9 +34614,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_4(const lane *restr
 }
 
 /* Piece 5 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_5(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_5(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -35192,9 +35192,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_5(const lane *restr
 }
 
 /* Piece 6 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_6(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_6(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -35787,9 +35787,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_6(const lane *restr
 }
 
 /* Piece 7 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_7(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_7(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -36009,10 +36009,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_7(const lane *restr
 }
 
 /* Piece 8 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_8(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_8(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -36560,10 +36560,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_8(const lane *restr
 }
 
 /* Piece 9 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_9(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_9(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -37063,10 +37063,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_9(const lane *restr
 }
 
 /* Piece 10 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_10(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_10(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -37551,10 +37551,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_10(const lane *rest
 }
 
 /* Piece 11 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_11(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_11(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -38021,10 +38021,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_11(const lane *rest
 }
 
 /* Piece 12 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_12(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_12(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -38757,10 +38757,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_12(const lane *rest
 }
 
 /* Piece 13 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_13(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_13(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -39402,10 +39402,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_13(const lane *rest
 }
 
 /* Piece 14 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_14(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_14(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -39970,10 +39970,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_14(const lane *rest
 }
 
 /* Piece 15 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_15(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_15(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -40608,10 +40608,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_15(const lane *rest
 }
 
 /* Piece 16 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_16(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_16(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -41201,10 +41201,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_16(const lane *rest
 }
 
 /* Piece 17 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_17(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_17(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -42019,10 +42019,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_17(const lane *rest
 }
 
 /* Piece 18 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_18(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_18(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -42629,10 +42629,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_18(const lane *rest
 }
 
 /* Piece 19 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_19(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_19(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -43201,10 +43201,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_19(const lane *rest
 }
 
 /* Piece 20 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_20(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_20(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -43792,10 +43792,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_20(const lane *rest
 }
 
 /* Piece 21 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_21(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_21(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -44410,10 +44410,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_21(const lane *rest
 }
 
 /* Piece 22 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_22(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_22(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -45031,10 +45031,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_22(const lane *rest
 }
 
 /* Piece 23 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_23(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_23(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -45623,10 +45623,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_23(const lane *rest
 }
 
 /* Piece 24 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_24(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_24(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -46139,10 +46139,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_24(const lane *rest
 }
 
 /* Piece 25 of 25 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_25(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_25(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -46550,8 +46550,8 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const struct lanes_paths *paths)
 {
     (void)effects;
-    double numbers[157];
-    lane kept[1778];
+    double numbers[156];
+    lane kept[1777];
     lanes_extended_tangent_1(pose, parameters, effects, numbers, kept);
     lanes_extended_tangent_2(pose, parameters, effects, numbers, kept);
     lanes_extended_tangent_3(pose, parameters, effects, numbers, kept);

@@ -4442,9 +4442,9 @@ static inline void lanes_extended_statics(const lane *restrict pose, const doubl
 }
 
 /* Piece 1 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_1(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_1(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -5019,9 +5019,9 @@ static __attribute__((noinline)) void lanes_base_gradient_1(const lane *restrict
 }
 
 /* Piece 2 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_2(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_2(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -5480,9 +5480,9 @@ static __attribute__((noinline)) void lanes_base_gradient_2(const lane *restrict
 }
 
 /* Piece 3 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_3(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_3(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -6077,9 +6077,9 @@ static __attribute__((noinline)) void lanes_base_gradient_3(const lane *restrict
 }
 
 /* Piece 4 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_4(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_4(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -6609,9 +6609,9 @@ static __attribute__((noinline)) void lanes_base_gradient_4(const lane *restrict
 }
 
 /* Piece 5 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_5(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_base_gradient_5(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -6762,9 +6762,9 @@ static __attribute__((noinline)) void lanes_base_gradient_5(const lane *restrict
 }
 
 /* Piece 6 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_6(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_6(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -7311,9 +7311,9 @@ static __attribute__((noinline)) void lanes_base_gradient_6(const lane *restrict
 }
 
 /* Piece 7 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_7(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_7(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -7969,9 +7969,9 @@ static __attribute__((noinline)) void lanes_base_gradient_7(const lane *restrict
 }
 
 /* Piece 8 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_8(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_8(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -8640,9 +8640,9 @@ static __attribute__((noinline)) void lanes_base_gradient_8(const lane *restrict
 }
 
 /* Piece 9 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_9(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_9(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -9233,9 +9233,9 @@ static __attribute__((noinline)) void lanes_base_gradient_9(const lane *restrict
 }
 
 /* Piece 10 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_10(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_10(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -9711,9 +9711,9 @@ static __attribute__((noinline)) void lanes_base_gradient_10(const lane *restric
 }
 
 /* Piece 11 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_11(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_11(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -10207,9 +10207,9 @@ static __attribute__((noinline)) void lanes_base_gradient_11(const lane *restric
 }
 
 /* Piece 12 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_12(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_12(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -10948,9 +10948,9 @@ static __attribute__((noinline)) void lanes_base_gradient_12(const lane *restric
 }
 
 /* Piece 13 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_13(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_13(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -11746,9 +11746,9 @@ static __attribute__((noinline)) void lanes_base_gradient_13(const lane *restric
 }
 
 /* Piece 14 of 14 of lanes_base_gradient. */
-static __attribute__((noinline)) void lanes_base_gradient_14(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_base_gradient_14(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -12462,8 +12462,8 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
     const lane *restrict eigenvalues, lane *restrict gradients, int stride)
 {
     (void)effects;
-    double numbers[46];
-    lane kept[1460];
+    double numbers[45];
+    lane kept[1459];
     lanes_base_gradient_1(pose, parameters, effects, numbers, kept);
     lanes_base_gradient_2(pose, parameters, effects, numbers, kept);
     lanes_base_gradient_3(pose, parameters, effects, numbers, kept);
@@ -12486,9 +12486,9 @@ static __attribute__((noinline)) void lanes_base_gradient(const lane *restrict p
 }
 
 /* Piece 1 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_1(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_1(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -13068,9 +13068,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_1(const lane *rest
 }
 
 /* Piece 2 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_2(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_2(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -13529,9 +13529,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_2(const lane *rest
 }
 
 /* Piece 3 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_3(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_3(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -14111,9 +14111,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_3(const lane *rest
 }
 
 /* Piece 4 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_4(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_4(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -14667,9 +14667,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_4(const lane *rest
 }
 
 /* Piece 5 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_5(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_gradient_5(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -15045,9 +15045,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_5(const lane *rest
 }
 
 /* Piece 6 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_6(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_6(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -15603,9 +15603,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_6(const lane *rest
 }
 
 /* Piece 7 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_7(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_7(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -16190,9 +16190,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_7(const lane *rest
 }
 
 /* Piece 8 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_8(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_8(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -16924,9 +16924,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_8(const lane *rest
 }
 
 /* Piece 9 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_9(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_9(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -17653,9 +17653,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_9(const lane *rest
 }
 
 /* Piece 10 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_10(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_10(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -18322,9 +18322,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_10(const lane *res
 }
 
 /* Piece 11 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_11(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_11(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -18848,9 +18848,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_11(const lane *res
 }
 
 /* Piece 12 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_12(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_12(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -19494,9 +19494,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_12(const lane *res
 }
 
 /* Piece 13 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_13(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_13(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -20239,9 +20239,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_13(const lane *res
 }
 
 /* Piece 14 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_14(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_14(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -20994,9 +20994,9 @@ static __attribute__((noinline)) void lanes_extended_gradient_14(const lane *res
 }
 
 /* Piece 15 of 15 of lanes_extended_gradient. */
-static __attribute__((noinline)) void lanes_extended_gradient_15(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict shape, lane eigenvalue,
+static __attribute__((noinline)) void lanes_extended_gradient_15(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict shape, lane eigenvalue,
     lane *restrict gradient)
 {
     (void)pose;
@@ -21544,8 +21544,8 @@ static __attribute__((noinline)) void lanes_extended_gradient(const lane *restri
     const lane *restrict eigenvalues, lane *restrict gradients, int stride)
 {
     (void)effects;
-    double numbers[56];
-    lane kept[1662];
+    double numbers[55];
+    lane kept[1661];
     lanes_extended_gradient_1(pose, parameters, effects, numbers, kept);
     lanes_extended_gradient_2(pose, parameters, effects, numbers, kept);
     lanes_extended_gradient_3(pose, parameters, effects, numbers, kept);
@@ -21575,9 +21575,9 @@ static void lanes_take(const struct lanes_paths *paths, int path, const lane *re
     const lane *restrict stiffness_rate, const lane *restrict motion_rate);
 
 /* Piece 1 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_1(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_1(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -22157,9 +22157,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_1(const lane *restr
 }
 
 /* Piece 2 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_2(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_2(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -22618,9 +22618,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_2(const lane *restr
 }
 
 /* Piece 3 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_3(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_3(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -23200,9 +23200,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_3(const lane *restr
 }
 
 /* Piece 4 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_4(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_4(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -23756,9 +23756,9 @@ static __attribute__((noinline)) void lanes_extended_tangent_4(const lane *restr
 }
 
 /* Piece 5 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_5(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept)
+static __attribute__((noinline)) void lanes_extended_tangent_5(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept)
 {
     (void)pose;
     (void)parameters;
@@ -24223,10 +24223,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_5(const lane *restr
 }
 
 /* Piece 6 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_6(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_6(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -24876,10 +24876,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_6(const lane *restr
 }
 
 /* Piece 7 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_7(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_7(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -25365,10 +25365,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_7(const lane *restr
 }
 
 /* Piece 8 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_8(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_8(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -25859,10 +25859,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_8(const lane *restr
 }
 
 /* Piece 9 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_9(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_9(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -26338,10 +26338,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_9(const lane *restr
 }
 
 /* Piece 10 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_10(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_10(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -27033,10 +27033,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_10(const lane *rest
 }
 
 /* Piece 11 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_11(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_11(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -27722,10 +27722,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_11(const lane *rest
 }
 
 /* Piece 12 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_12(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_12(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -28317,10 +28317,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_12(const lane *rest
 }
 
 /* Piece 13 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_13(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_13(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -28887,10 +28887,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_13(const lane *rest
 }
 
 /* Piece 14 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_14(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_14(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -29543,10 +29543,10 @@ static __attribute__((noinline)) void lanes_extended_tangent_14(const lane *rest
 }
 
 /* Piece 15 of 15 of lanes_extended_tangent. */
-static __attribute__((noinline)) void lanes_extended_tangent_15(const lane *restrict pose,
-    const double *restrict parameters, const double *restrict effects, double *restrict numbers,
-    lane *restrict kept, const lane *restrict direction,
-    lane *restrict mass_rate, lane *restrict stiffness_rate, lane *restrict motion_rate)
+static __attribute__((noinline)) void lanes_extended_tangent_15(
+    const lane *restrict pose, const double *restrict parameters, const double *restrict effects,
+    double *restrict numbers, lane *restrict kept, const lane *restrict direction, lane *restrict mass_rate,
+    lane *restrict stiffness_rate, lane *restrict motion_rate)
 {
     (void)pose;
     (void)parameters;
@@ -29761,8 +29761,8 @@ static __attribute__((noinline)) void lanes_extended_tangent(const lane *restric
     const struct lanes_paths *paths)
 {
     (void)effects;
-    double numbers[57];
-    lane kept[1304];
+    double numbers[56];
+    lane kept[1303];
     lanes_extended_tangent_1(pose, parameters, effects, numbers, kept);
     lanes_extended_tangent_2(pose, parameters, effects, numbers, kept);
     lanes_extended_tangent_3(pose, parameters, effects, numbers, kept);

@@ -16,6 +16,14 @@ INDENT = "    "
 LONG, ENOUGH = 2400, 250
 #: The arrays by the type of their elements.
 ARRAYS = {"double": "numbers", "lane": "kept"}
+#: The types of what every piece takes, by name.
+TAKEN = {
+    "pose": "const lane *restrict ",
+    "parameters": "const double *restrict ",
+    "effects": "const double *restrict ",
+    "numbers": "double *restrict ",
+    "kept": "lane *restrict ",
+}
 
 
 @dataclass(frozen=True)
@@ -53,37 +61,37 @@ class Statement:
 
 @dataclass(frozen=True)
 class Piece:
-    """A part of a function."""
+    """A part of a function, counted from 1, as the template sees it."""
 
+    number: int
+    arguments: list[str]
     lines: list[str]
-    each: bool
 
 
-@dataclass(frozen=True)
-class Pieces:
-    """A function in pieces, and the lengths of the arrays that they share.
-
-    Attributes
-    ----------
-    numbers, kept : int
-        How many doubles and lanes.
-    """
-
-    pieces: list[Piece]
-    numbers: int
-    kept: int
-
-
-def in_pieces(statements: Sequence[Statement], inputs: Mapping[str, str]) -> Pieces:
-    """Divide statements, those for each mode or path last.
+def in_pieces(
+    name: str, statements: Sequence[Statement], inputs: Mapping[str, str], given: Mapping[str, str]
+) -> tuple[list[Piece], list[str], list[str]]:
+    """Divide a function.
 
     Parameters
     ----------
+    name : str
+        Of the function.
+    statements : sequence of Statement
+        Those for each mode or path last.
     inputs : mapping of str to str
-        The declaration of each argument by its name, without the end of the statement.
+        The declaration of each number by its name, without the end of the statement.
+    given : mapping of str to str
+        The types of what pieces for each mode or path take besides, by name.
+
+    Returns
+    -------
+    pieces : list of Piece
+    body, each : list of str
+        The lines that call them.
     """
     parts = list(_parts(statements))
-    last = {name: i for i, part in enumerate(parts) for one in part for name in one.uses}
+    last = {used: i for i, part in enumerate(parts) for one in part for used in one.uses}
     slots: dict[str, tuple[str, str]] = {}
     counts = dict.fromkeys(ARRAYS, 0)
     for i, part in enumerate(parts):
@@ -91,9 +99,19 @@ def in_pieces(statements: Sequence[Statement], inputs: Mapping[str, str]) -> Pie
             if one.name and last.get(one.name, i) > i:
                 slots[one.name] = one.kind, f"{ARRAYS[one.kind]}[{counts[one.kind]}]"
                 counts[one.kind] += 1
-    known = {**inputs, **{name: f"const {kind} {name} = {slot}" for name, (kind, slot) in slots.items()}}
-    pieces = [Piece(list(_lines(part, known, slots)), part[0].each) for part in parts]
-    return Pieces(pieces, counts["double"], counts["lane"])
+    known = {**inputs, **{own: f"const {kind} {own} = {slot}" for own, (kind, slot) in slots.items()}}
+    pieces = []
+    body = [f"{INDENT}{kind} {array}[{max(counts[kind], 1)}];" for kind, array in ARRAYS.items()]
+    calls: tuple[list[str], list[str]] = body, []
+    for number, part in enumerate(parts, start=1):
+        of_each = part[0].each
+        taken = {**TAKEN, **(given if of_each else {})}
+        arguments = layout.listing((f"{kind}{own}" for own, kind in taken.items()), INDENT)
+        arguments[-1] = arguments[-1].removesuffix(",") + ")"
+        pieces.append(Piece(number, arguments, list(_lines(part, known, slots))))
+        indent = INDENT * (2 if of_each else 1)
+        calls[of_each].append(f"{indent}lanes_{name}_{number}({', '.join(taken)});")
+    return pieces, *calls
 
 
 def _lines(

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pkmodes_derive.emit import commentary, layout
 from pkmodes_derive.emit.lanes import functions
 from pkmodes_derive.emit.lanes.adjoint import gradient
-from pkmodes_derive.emit.lanes.pieces import LONG, Pieces, Statement, in_pieces
+from pkmodes_derive.emit.lanes.pieces import LONG, Piece, Statement, in_pieces
 from pkmodes_derive.emit.lanes.printer import expression
 from pkmodes_derive.emit.lanes.tangent import tangent
 from pkmodes_derive.emit.program import Entry, Program, Result, arrange
@@ -35,7 +35,7 @@ INDENT = "    "
 class _Block:
     """One function as the template sees it: text only; `each` is evaluated for every mode or path.
 
-    A long one also has `pieces`, which take the place of `body` and `each`.
+    Of a long one, these call its `pieces`.
     """
 
     comment: list[str]
@@ -44,7 +44,7 @@ class _Block:
     body: list[str]
     each: list[str]
     coordinates: int
-    pieces: Pieces | None
+    pieces: list[Piece]
 
 
 def files(
@@ -119,9 +119,11 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
     for one in statements:
         body += [] if one.each else one.lines(INDENT)
         each += one.lines(2 * INDENT) if one.each else []
-    pieces = None
+    pieces: list[Piece] = []
     if of_mode and len(body) + len(each) > LONG:
-        pieces = in_pieces(statements, {**of_pose, **of_each})
+        given = {one.name: "lane " if one.scalar else "const lane *restrict " for one in of_mode}
+        given |= {output.name: "lane *restrict " for output in function.outputs}
+        pieces, body, each = in_pieces(function.name, statements, {**of_pose, **of_each}, given)
     return _Block(comment, function.name, arguments, body, each, count, pieces)
 
 
