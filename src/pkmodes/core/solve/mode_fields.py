@@ -31,6 +31,8 @@ from pkmodes.core.system.strain_free import StrainFreeMotions
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
 PART = 4800
+#: Fields that are evaluated together and mostly read together.
+MATRICES = ("mass_matrix", "stiffness_matrix")
 
 
 class ModeFields:
@@ -221,6 +223,8 @@ class Plan:
         Those that share the array of another one, by name.
     later : mapping of str to ModeFields
         Those that are evaluated when they are read, each alone.
+    matrices : ModeFields, optional
+        M and K, if they are among these: at few poses both are evaluated when one of them is read.
     rigid_modes : int
     backend : str
         Of the result.
@@ -229,6 +233,7 @@ class Plan:
     fields: ModeFields
     shared: Mapping[str, str]
     later: Mapping[str, ModeFields]
+    matrices: ModeFields | None
     rigid_modes: int
     backend: str
 
@@ -238,8 +243,8 @@ class Later:
 
     Parameters
     ----------
-    fields : mapping of str to ModeFields
-        For each of them.
+    plan : Plan
+        Of the result.
     robot : Robot
     max_condition : float
         As for the result.
@@ -249,17 +254,24 @@ class Later:
         As for the result.
     """
 
-    __slots__ = ("_checked", "_fields", "_max_condition", "_robot", "_threads")
+    __slots__ = ("_checked", "_fields", "_found", "_matrices", "_max_condition", "_robot", "_threads")
 
     def __init__(
         self,
-        fields: Mapping[str, ModeFields],
+        plan: Plan,
         robot: Robot,
         max_condition: float,
         checked: CheckedPoses,
         threads: int,
     ) -> None:
-        self._fields, self._robot, self._max_condition, self._threads = fields, robot, max_condition, threads
+        self._fields, self._robot, self._max_condition, self._threads = (
+            plan.later,
+            robot,
+            max_condition,
+            threads,
+        )
+        self._matrices = plan.matrices if len(checked.points) <= CHUNK else None
+        self._found: dict[str, NDArray[Any]] = {}
         self._checked = CheckedPoses(
             checked.points.copy(), checked.codes.copy(), checked.batch, checked.known, checked.left
         )
@@ -273,8 +285,15 @@ class Later:
 
     def __call__(self, name: str) -> NDArray[Any]:
         """Evaluate a field."""
-        rows = self._fields[name].again(self._robot, self._max_condition, self._checked, self._threads)
-        return rows[name].reshape(self.shape(name))
+        found = self._found.pop(name, None)
+        if found is None:
+            fields = self._fields[name]
+            if self._matrices is not None and name in MATRICES:
+                fields = self._matrices
+            rows = fields.again(self._robot, self._max_condition, self._checked, self._threads)
+            found = rows.pop(name)
+            self._found.update(rows)
+        return found.reshape(self.shape(name))
 
 
 def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
