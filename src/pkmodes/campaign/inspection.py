@@ -50,7 +50,10 @@ class Inspection:
     Attributes
     ----------
     setup, file : str
-        Name of the file without its folder.
+        Name of the file without its folder; of files of all setups that were fitted together, which they are, and no
+        setup.
+    others : int
+        Of how many further files of the setup, or of each setup, nothing is drawn.
     stabilisation : Stabilisation
     frequencies, total : ndarray, shape (f,)
         Sum of the magnitudes of all measured functions, each relative to its rms.
@@ -64,6 +67,7 @@ class Inspection:
 
     setup: str
     file: str
+    others: int
     stabilisation: Stabilisation
     frequencies: Array
     total: Array
@@ -90,8 +94,8 @@ class Repeats:
     modes: tuple[Mapping[int, float], ...]
 
 
-def inspection(setup: str, file: str, fit: Fit) -> Inspection:
-    """Return what is drawn of a fit."""
+def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
+    """Return what is drawn of a fit, of one of several files."""
     estimate = fit.estimate
     f, (F, S, R) = estimate.frequencies, estimate.measured.shape
     places = [
@@ -112,6 +116,7 @@ def inspection(setup: str, file: str, fit: Fit) -> Inspection:
     return Inspection(
         setup,
         file,
+        others,
         estimate.stabilisation,
         f[shown],
         total[shown],

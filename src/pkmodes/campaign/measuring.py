@@ -246,7 +246,7 @@ def _read(
             left_out.append(LeftOut(name, f"{error.what} ({error.where})"))
             continue
         if inspect and found.fit is not None and not every:
-            drawn = inspection(setup, Path(name).name, found.fit)
+            drawn = inspection(setup, Path(name).name, len(files) - 1, found.fit)
         added = tuple(_added(one, record) for one in found.added)
         modes = [*found.modes, *(one for one in added if not isinstance(one, str))]
         messages += [*found.messages, *_beside_tones(modes, name, campaign.tones)]

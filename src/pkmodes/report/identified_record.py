@@ -152,10 +152,12 @@ def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
 def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
     """Return the figures of the fit of a file."""
     record = result.record
-    setup = f"setup {shortened(one.setup)}, " if one.setup else ""
-    which = f"{setup}file {shortened(one.file)}"
+    which, whole = f"file {shortened(one.file)}", "the record"
+    if one.setup:
+        which, whole = f"setup {shortened(one.setup)}, {which}", "the setup"
+    elif "" not in record.setups:  # of all setups together
+        which, whole = shortened(one.file), "each setup"
     begin = which[:1].upper() + which[1:]
-    others = len(record.setups[one.setup]) - 1
     low, high = record.band
     multiples = [
         tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
@@ -167,9 +169,9 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
     )
     blocks: list[Block] = []
     rest = ""
-    if others:
-        files, are = ("other file", "is") if others == 1 else (plural(others, "other file"), "are")
-        rest = f" The {files} of the {'setup' if one.setup else 'record'} {are} not drawn."
+    if one.others:
+        files, are = ("other file", "is") if one.others == 1 else (plural(one.others, "other file"), "are")
+        rest = f" The {files} of {whole} {are} not drawn."
     if len(one.stabilisation.orders):
         count = sum(map(len, one.stabilisation.poles))
         lines = ["lines with a number are the modes of the record, as in the table"]

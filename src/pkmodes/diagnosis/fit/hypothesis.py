@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import stats
 
+from pkmodes.core.linalg.decomposition import thin_svd
 from pkmodes.diagnosis.fit.solver import correlation, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
@@ -190,6 +191,6 @@ def orthonormal(columns: Array) -> Array:
     columns = columns[:, size > 0.0] / size[size > 0.0]
     if not columns.shape[1]:
         return np.zeros((len(columns), 0))
-    u, s, _ = np.linalg.svd(columns, full_matrices=False)
+    u, s, _ = thin_svd(columns)
     basis: Array = u[:, s > 1e-9]
     return basis

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from scipy.optimize import least_squares
 
+from pkmodes.core.linalg.decomposition import thin_svd
 from pkmodes.diagnosis.problem import Array
 
 #: Largest unit of a variable, in widths of its range: beyond it both bounds would be one number in these units.
@@ -100,7 +101,7 @@ def inverse_of_square(jacobian: Array) -> Array:
         return np.zeros((0, 0))
     size = np.linalg.norm(jacobian, axis=0)
     scale = np.where(size > 0.0, 1.0 / np.where(size > 0.0, size, 1.0), 1.0)
-    _, s, vt = np.linalg.svd(jacobian * scale, full_matrices=False)
+    _, s, vt = thin_svd(jacobian * scale)
     weights = 1.0 / np.maximum(s, 1e-8) ** 2
     inverse: Array = (vt.T * weights) @ vt * scale[:, None] * scale
     return inverse

@@ -20,6 +20,7 @@ from functools import cached_property
 import numpy as np
 from scipy import stats
 
+from pkmodes.core.linalg.decomposition import thin_svd
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array, Candidate
@@ -119,7 +120,7 @@ def _one(
     if not seen.any():
         return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), left
     # Parameters may have the same effect, or none: the degrees of freedom are the directions that they span.
-    u, s, vt = np.linalg.svd(left[:, seen] / size[seen], full_matrices=False)
+    u, s, vt = thin_svd(left[:, seen] / size[seen])
     axes, s, vt = u[:, s > LEFT], s[s > LEFT], vt[s > LEFT]
     sigma = np.full(len(step), np.inf)
     if len(s) == seen.sum():

@@ -15,6 +15,7 @@ from itertools import combinations
 
 import numpy as np
 
+from pkmodes.core.linalg.decomposition import thin_svd
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, orthonormal
 from pkmodes.diagnosis.problem import Array, Prediction
@@ -69,7 +70,7 @@ class Plausible:
             Norm of their effect on the whitened data.
         """
         signatures = np.hstack([axes for axes, _ in directions])
-        axes, s, _ = np.linalg.svd(signatures, full_matrices=False)
+        axes, s, _ = thin_svd(signatures)
         variance = (size * s) ** 2 / signatures.shape[1]
         return cls(axes, variance / (1.0 + variance), int((s > SAME * s.max(initial=0.0)).sum()))
 
