@@ -200,10 +200,11 @@ def costs(run: Callable[[int], None], most: int, patience: float) -> Iterator[tu
 
 
 def print_ratios(arguments: list[str]) -> None:
-    found = ratios.times(3 if "--quick" in arguments else ratios.REPETITIONS)
-    print("\n".join(ratios.lines(found)))
-    if "--keep" in arguments:
-        ratios.keep(found, ratios.ROOT / "docs" / "compiled.md")
+    for name, (model, poses) in ratios.machines().items():
+        found = ratios.times(model, poses, 3 if "--quick" in arguments else ratios.REPETITIONS)
+        print(f"{model.robot.name}:", *ratios.lines(found), "", sep="\n")
+        if "--keep" in arguments:
+            ratios.keep(found, ratios.ROOT / "docs" / "compiled.md", name)
 
 
 if __name__ == "__main__":

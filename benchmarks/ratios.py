@@ -12,7 +12,8 @@ from pathlib import Path
 import numpy as np
 
 import backends_report
-from published import published, valid_poses
+import pkmodes
+from published import hexapod, published, valid_poses
 from timing import interleaved
 
 WRITER = "benchmarks/one_core.py"
@@ -81,9 +82,14 @@ OF_POSE = ("matrices", "statics", "platform_jacobian", "inverse_kinematics", "co
 OF_BATCH = ("matrices", "statics", "condition")
 
 
-def times(repetitions: int = REPETITIONS) -> dict[str, float]:
+def machines() -> dict[str, tuple[pkmodes.Model, np.ndarray]]:
+    """Return the machines, each with its poses, by the name that follows the writer's in the mark of their table."""
+    return {"": (published(), valid_poses(BATCH)), " hexapod": hexapod(BATCH)}
+
+
+def times(model: pkmodes.Model, poses: np.ndarray, repetitions: int = REPETITIONS) -> dict[str, float]:
     """Measure [s]: `eigh` is one `numpy.linalg.eigh` of the standard problem at a pose, n by n."""
-    model, (pose, *_), poses = published(), valid_poses(1), valid_poses(BATCH)
+    pose = poses[0]
     M, K = model.matrices(pose)
     inverse = np.linalg.inv(np.linalg.cholesky(M))
     standard = inverse @ K @ inverse.T
@@ -141,9 +147,10 @@ def lines(found: dict[str, float]) -> list[str]:
     return written
 
 
-def keep(found: dict[str, float], document: Path) -> None:
+def keep(found: dict[str, float], document: Path, machine: str = "") -> None:
     """Add a column for the present commit to the table in a document, or replace the column."""
-    begin = backends_report.BEGIN.replace(backends_report.WRITER, WRITER)
+    writer = WRITER + machine
+    begin = backends_report.BEGIN.replace(backends_report.WRITER, writer)
     text = document.read_text(encoding="utf-8").partition(begin)[2].partition(backends_report.END)[0]
     head, _, *rows = [
         [cell.strip() for cell in line.strip("|").split("|")] for line in text.split("\n") if line
@@ -159,7 +166,7 @@ def keep(found: dict[str, float], document: Path) -> None:
         for name, value in new.items()
     ]
     whole = backends_report.table(["call", "asked, at most", *commits], table)
-    backends_report.put(document, whole + "\n", WRITER)
+    backends_report.put(document, whole + "\n", writer)
 
 
 def commit() -> str:

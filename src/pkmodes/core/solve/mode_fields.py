@@ -126,12 +126,9 @@ class ModeFields:
     ) -> dict[str, NDArray[Any]]:
         """Evaluate the fields, (N, *tail), at poses where others were: see `pkmodes.core.solve.batch.run`."""
         if not self._computed:
-            rows: dict[str, NDArray[Any]] = {
-                name: _empty(len(checked.points), *self._tails[name]) for name in self._filled
-            }
-            for name, array in rows.items():
-                self._fill(name, array, checked.codes)
-            return rows
+            if len(checked.codes) == 1 and not checked.codes[0]:
+                return {name: array.copy() for name, array in self._filled_at_a_pose.items()}
+            return self._filled_at(checked.codes)
         left = checked.left is not None and len(checked.left) > 0
         if self.job.alone is not None and len(checked.points) == 1 and not (checked.codes[0] or left):
             found = self.job.alone(checked.points)
@@ -184,6 +181,19 @@ class ModeFields:
             for name in self._filled:
                 self._fill(name, rows[name], codes)
         return codes
+
+    @cached_property
+    def _filled_at_a_pose(self) -> dict[str, NDArray[Any]]:
+        return self._filled_at(np.zeros(1, np.int8))
+
+    def _filled_at(self, codes: Codes) -> dict[str, NDArray[Any]]:
+        """Return the fields that tell nothing of the robot, (N, *tail)."""
+        rows: dict[str, NDArray[Any]] = {
+            name: _empty(len(codes), *self._tails[name]) for name in self._filled
+        }
+        for name, array in rows.items():
+            self._fill(name, array, codes)
+        return rows
 
     def _fill(self, name: str, array: Array, codes: Codes) -> None:
         """Fill a field that tells nothing of the robot; NaN where there is none."""
