@@ -6,7 +6,7 @@ import itertools
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import numpy as np
@@ -169,6 +169,7 @@ def keep(found: dict[str, float], document: Path, machine: str = "") -> None:
     backends_report.put(document, whole + "\n", writer)
 
 
+@cache  # before a document is changed
 def commit() -> str:
     """Return the present commit, with a plus if files were changed since."""
     said = ["git", "-C", str(ROOT), "describe", "--always", "--abbrev=8", "--dirty=+", "--exclude=*"]
