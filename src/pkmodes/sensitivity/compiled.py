@@ -275,7 +275,7 @@ def along_paths(
     terms : Terms
         Of the paths.
     locked : Locked
-        Of the paths, from `pkmodes.sensitivity.matrices.locked_joints`.
+        Of the paths, from `pkmodes.sensitivity.locked.locked_joints`.
     fields : sequence of str
         As of `pkmodes.core.solve.solver.Solver.along`.
     """

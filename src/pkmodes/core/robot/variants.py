@@ -66,8 +66,8 @@ def _with_numbers(robot: Declaration, changes: Mapping[str, Any], source: str) -
     quantities, effects = dict(robot.quantities), dict(robot.effects)
     arrays: dict[str, NDArray[np.float64]] = {}
     for path, raw in changes.items():
-        number = _number(mechanism, path)
-        if number is None or path not in quantities:
+        number = _number(mechanism, path) if path in quantities else None
+        if number is None:
             return None
         try:
             quantities[path] = number.read(raw)

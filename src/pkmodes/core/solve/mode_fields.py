@@ -274,12 +274,8 @@ class Later:
         checked: CheckedPoses,
         threads: int,
     ) -> None:
-        self._fields, self._robot, self._max_condition, self._threads = (
-            plan.later,
-            robot,
-            max_condition,
-            threads,
-        )
+        self._fields = plan.later
+        self._robot, self._max_condition, self._threads = robot, max_condition, threads
         self._matrices = plan.matrices if len(checked.points) <= CHUNK else None
         self._found: dict[str, NDArray[Any]] = {}
         self._checked = CheckedPoses(
