@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,7 +11,9 @@ import pytest
 from helpers.robots import sample_mechanisms
 from helpers.robots.one_of_each import EVERY, ROBOTS
 from pkmodes import Model, PkmodesError, PoseError, read_robot
+from pkmodes.core.mechanism.poses import CHUNK
 from pkmodes.core.mechanism.regular import regular_poses
+from pkmodes.core.solve.mode_fields import ModeFields
 
 pytestmark = pytest.mark.compiler
 
@@ -121,3 +124,31 @@ def test_results_go_where_the_caller_says() -> None:
         of.platform_jacobian(points, out=np.empty(3))
     with pytest.raises(PkmodesError, match='unknown field "mass"'):
         of.matrices(points, out={"mass": own})
+
+
+@pytest.mark.parametrize("drives", ["free", "held"])
+@pytest.mark.parametrize("first", ["mass_matrix", "stiffness_matrix"])
+def test_matrices_that_are_read_of_modes_are_those_that_are_asked_for(
+    monkeypatch: pytest.MonkeyPatch, first: str, drives: str
+) -> None:
+    it = model("linear_delta", True)
+    given = regular_poses(it._generated, it.mechanism, it.robot.parameters)
+    read = list[str]()
+    again = ModeFields.again
+
+    def counted(fields: ModeFields, *arguments: Any) -> dict[str, np.ndarray]:
+        found = again(fields, *arguments)
+        read.extend(found)
+        return found
+
+    monkeypatch.setattr(ModeFields, "again", counted)
+    second = {"mass_matrix": "stiffness_matrix", "stiffness_matrix": "mass_matrix"}[first]
+    for at in (given[0], given, np.repeat(given, CHUNK, axis=0)):
+        asked = it.modes(at, fields=["frequencies", first, second], drives=drives)
+        modes = it.modes(at, drives=drives)
+        read.clear()
+        one = getattr(modes, first)
+        assert set(read) == ({first, second} if len(at) <= CHUNK else {first})
+        np.testing.assert_array_equal(one, getattr(asked, first))
+        np.testing.assert_array_equal(getattr(modes, second), getattr(asked, second))
+        assert sorted(read) == sorted([first, second])  # nothing twice
