@@ -143,7 +143,7 @@ def test_matrices_that_are_read_of_modes_are_those_that_are_asked_for(
 
     monkeypatch.setattr(ModeFields, "again", counted)
     second = {"mass_matrix": "stiffness_matrix", "stiffness_matrix": "mass_matrix"}[first]
-    for at in (given[0], given, np.repeat(given, CHUNK, axis=0)):
+    for at in (given[0], given, np.resize(given, (CHUNK + 1, given.shape[1]))):
         asked = it.modes(at, fields=["frequencies", first, second], drives=drives)
         modes = it.modes(at, drives=drives)
         read.clear()
