@@ -156,8 +156,12 @@ def test_the_library_fills_what_is_shown_and_matrices_when_they_are_read(
     assert filled == [{"frequencies"}]
     filled.clear()
     M = modes.mass_matrix
-    assert filled == [{"mass_matrix"}]
-    np.testing.assert_array_equal(M, model.modes(poses, fields=["mass_matrix"], drives=drives).mass_matrix)
+    assert filled == [{"mass_matrix", "stiffness_matrix"}]  # of a few poses both
+    K = modes.stiffness_matrix
+    assert len(filled) == 1
+    expected = model.modes(poses, fields=["mass_matrix", "stiffness_matrix"], drives=drives)
+    np.testing.assert_array_equal(M, expected.mass_matrix)
+    np.testing.assert_array_equal(K, expected.stiffness_matrix)
 
 
 def test_matrices_that_the_solver_has_are_not_evaluated_again(

@@ -6,6 +6,7 @@ import base64
 import io
 import json
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -291,7 +292,7 @@ def test_a_printed_page_is_light_and_still(pages: dict[str, Path]) -> None:
 def test_a_hostile_name_is_only_text(tmp_path: Path) -> None:
     name = '"></script><script>alert(1)</script><img src=x onerror=alert(2)>&"\''
     model = pkmodes.load(ROBOTS / "corexy-printer.toml")
-    hostile = pkmodes.Model(type(model.robot)(**{**vars(model.robot), "name": name}))
+    hostile = pkmodes.Model(replace(model.robot, name=name))
     file = tmp_path / "hostile.html"
     file.write_text(page(scene(hostile, POSES["corexy-printer"])), encoding="utf-8")
     with opened(file, motion="reduce") as seen:
