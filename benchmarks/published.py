@@ -9,11 +9,7 @@ import numpy as np
 
 import pkmodes
 
-ROBOTS = Path(__file__).parents[1] / "robots"
-ROBOT = ROBOTS / "linear-delta-2022.toml"
-#: The middle of the poses of another robot, and how far they are from it.
-SIX_LEGS = ROBOTS / "hexapod.toml"
-MIDDLE, SPREAD = (0.0, 0.0, 0.25, 0.0, 0.0, 0.0), (0.02, 0.02, 0.01, 0.1, 0.1, 0.1)
+ROBOT = Path(__file__).parents[1] / "robots" / "linear-delta-2022.toml"
 
 
 @cache
@@ -29,15 +25,6 @@ def valid_poses(count: int) -> np.ndarray:
     if len(found) < count:
         raise RuntimeError(f"{len(found)} of {len(drawn)} poses are valid; {count} are needed")
     return found
-
-
-def hexapod(count: int) -> tuple[pkmodes.Model, np.ndarray]:
-    """Return a machine with six legs, and poses in its workspace, (count, 6)."""
-    drawn = np.random.default_rng(2).uniform(-1, 1, (count, 6)) * SPREAD + MIDDLE
-    model = pkmodes.load(SIX_LEGS)
-    if not model.check(drawn).valid.all():
-        raise RuntimeError("some poses are not valid")
-    return model, drawn
 
 
 @cache

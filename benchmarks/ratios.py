@@ -13,8 +13,9 @@ import numpy as np
 
 import backends_report
 import pkmodes
-from published import hexapod, published, valid_poses
+from published import published, valid_poses
 from timing import interleaved
+from turning import machine
 
 WRITER = "benchmarks/one_core.py"
 ROOT = Path(__file__).parents[1]
@@ -84,7 +85,7 @@ OF_BATCH = ("matrices", "statics", "condition")
 
 def machines() -> dict[str, tuple[pkmodes.Model, np.ndarray]]:
     """Return the machines, each with its poses, by the name that follows the writer's in the mark of their table."""
-    return {"": (published(), valid_poses(BATCH)), " hexapod": hexapod(BATCH)}
+    return {"": (published(), valid_poses(BATCH)), " hexapod": machine("hexapod", BATCH)}
 
 
 def times(model: pkmodes.Model, poses: np.ndarray, repetitions: int = REPETITIONS) -> dict[str, float]:
@@ -147,9 +148,15 @@ def lines(found: dict[str, float]) -> list[str]:
     return written
 
 
-def keep(found: dict[str, float], document: Path, machine: str = "") -> None:
-    """Add a column for the present commit to the table in a document, or replace the column."""
-    writer = WRITER + machine
+def keep(found: dict[str, float], document: Path, suffix: str) -> None:
+    """Add a column for the present commit to the table in a document, or replace the column.
+
+    Parameters
+    ----------
+    suffix : str
+        Of the writer in the mark of the table: a key of `machines`.
+    """
+    writer = WRITER + suffix
     begin = backends_report.BEGIN.replace(backends_report.WRITER, writer)
     text = document.read_text(encoding="utf-8").partition(begin)[2].partition(backends_report.END)[0]
     head, _, *rows = [

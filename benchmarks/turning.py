@@ -45,14 +45,19 @@ def main() -> None:
         print(f"| {kind} | {' | '.join(cells)} |")
 
 
-def calls_of(name: str) -> dict[str, Callable[[], object]]:
+def machine(name: str, count: int) -> tuple[pkmodes.Model, np.ndarray]:
+    """Return a machine of `MACHINES`, and poses of it, (count, d): always the same ones."""
     file, middle, around = MACHINES[name]
     model = pkmodes.load(ROBOTS / f"{file}.toml")
-    poses = np.array(middle) + np.array(around) * np.random.default_rng(1).uniform(
-        -1, 1, (POSES, len(middle))
-    )
+    drawn = np.random.default_rng(1).uniform(-1, 1, (count, len(middle)))
+    poses = np.array(middle) + np.array(around) * drawn
     if not model.check(poses).valid.all():
         raise RuntimeError(f"{name}: some poses cannot be evaluated")
+    return model, poses
+
+
+def calls_of(name: str) -> dict[str, Callable[[], object]]:
+    model, poses = machine(name, POSES)
     n = len(model.coordinates)
     evaluator = model.solver("compiled").evaluator
     frequencies, shapes = np.zeros((POSES, n)), np.zeros((POSES, n, n))

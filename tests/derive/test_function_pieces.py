@@ -26,13 +26,12 @@ def program(rng: np.random.Generator) -> list[Statement]:
         left, right = rng.choice(among, 2)
         name = f"v{i}"
         {"double": doubles, "lane": lanes, "mode": of_mode}[kind].append(name)
-        text = f"const {'lane' if kind == 'mode' else kind} {name}", f"0.5*{left} - {right}"
+        of_type = "double" if kind == "double" else "lane"
         uses = frozenset({str(left), str(right)})
-        statements.append(
-            Statement(name, "double" if kind == "double" else "lane", (text,), uses, kind == "mode")
-        )
+        target, expression = f"const {of_type} {name}", f"0.5*{left} - {right}"
+        statements.append(Statement(name, of_type, target, expression, uses, kind == "mode"))
     for k, name in enumerate(rng.choice(of_mode + lanes, 6)):
-        statements.append(Statement("", "", ((f"out[{k}]", str(name)),), frozenset({str(name)}), True))
+        statements.append(Statement("", "", f"out[{k}]", str(name), frozenset({str(name)}), True))
     return sorted(statements, key=lambda one: one.each)
 
 
@@ -68,8 +67,8 @@ def test_pieces_compute_what_the_whole_does(monkeypatch: pytest.MonkeyPatch, see
 
 def test_what_no_later_piece_needs_is_not_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(pieces, "ENOUGH", 1)
-    first = Statement("v", "lane", (("const lane v", "p0 + p1"),), frozenset({"p0", "p1"}), False)
-    last = Statement("", "", (("out[0]", "p1"),), frozenset({"p1"}), False)
+    first = Statement("v", "lane", "const lane v", "p0 + p1", frozenset({"p0", "p1"}), False)
+    last = Statement("", "", "out[0]", "p1", frozenset({"p1"}), False)
     parts, body, each = in_pieces("f", [first, last], INPUTS, {})
     assert len(parts) == 2
     assert body[:2] == ["    double numbers[1];", "    lane kept[1];"]

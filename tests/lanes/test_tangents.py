@@ -11,14 +11,14 @@ import pytest
 
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, SIX_LEGGED, case, robot_of
 from pkmodes.core.compiled import build
-from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, ALONG_OF_MODES, RATES_OF_MATRICES
 from pkmodes.core.compiled.loader import UnavailableError, load
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.compiled_solver import CompiledSolver
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.core.system.motors import solved_system
-from pkmodes.sensitivity.compiled import CompiledDerivatives, along_paths, derivatives_of, terms_of
+from pkmodes.sensitivity.compiled import CompiledDerivatives, derivatives_of, terms_of, terms_of_all
 from pkmodes.sensitivity.locked import locked_joints
 from pkmodes.sensitivity.matrices import POSE, STEP, MatrixDerivatives
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve_all
@@ -44,8 +44,9 @@ class Robots(NamedTuple):
     def derivatives(self) -> tuple[MatrixDerivatives, MatrixDerivatives]:
         """From the library, and from NumPy."""
         of_each, (system, eigenvalues, shapes, _, _, solver) = [self.paths] * len(self.systems), self.modes
+        terms = terms_of_all(self.systems, of_each)
         found = derivatives_of(
-            solver, self.systems, system, self.points, of_each, (eigenvalues, shapes), None
+            solver, system, self.points, of_each, (eigenvalues, shapes), terms, ALONG_OF_MODES
         )
         assert isinstance(found, CompiledDerivatives)
         return found, MatrixDerivatives(system, self.points, of_each)
@@ -137,7 +138,7 @@ def assert_matrices(name: str, effects: str, drives: str) -> None:
     fields = (*RATES_OF_MATRICES, *ALL_COORDINATES)
     none = np.empty((EACH, 0)), np.empty((EACH, 0, len(system.coordinates)))
     at = RobotAtPoses(system, given.poses, "", {})
-    found = along_paths(solver, at, moves, none, terms, locked, fields)
+    found = derivatives_of(solver, system, given.poses, [moves], none, terms, fields)
     assert isinstance(found, CompiledDerivatives)
     expected = MatrixDerivatives(system, given.poses, [moves])
     evaluated = np.setdiff1d(np.arange(len(moves)), locked.paths)
@@ -149,10 +150,10 @@ def assert_matrices(name: str, effects: str, drives: str) -> None:
         assert np.any(other[:, evaluated])
     for one, other in ((found.mass, expected.mass), (found.stiffness, expected.stiffness)):
         np.testing.assert_allclose(one, other, rtol=0, atol=EXACT * np.abs(other).max())
-    together = solver.along(at, *none, terms, fields)
+    together = solver.along(at, none, terms, fields)
     for i in (0, EACH - 1):
         at = RobotAtPoses(system, given.poses[i : i + 1], "", {})
-        alone = solver.along(at, *(a[:1] for a in none), terms, fields)
+        alone = solver.along(at, (none[0][:1], none[1][:1]), terms, fields)
         assert together is not None
         assert alone is not None
         for field in fields:
@@ -173,9 +174,9 @@ def test_numpy_evaluates_poses_that_the_library_refuses() -> None:
     given = robots("linear_delta", "none", 1)
     _, eigenvalues, shapes, _, _, solver = given.modes
     assert solver is not None
-    far = given.points + 5.0
+    far, terms = given.points + 5.0, terms_of(given.systems[0], given.paths)
     found = derivatives_of(
-        solver, given.systems, given.systems[0], far, [given.paths], (eigenvalues, shapes), None
+        solver, given.systems[0], far, [given.paths], (eigenvalues, shapes), terms, ALONG_OF_MODES
     )
     assert type(found) is MatrixDerivatives
 

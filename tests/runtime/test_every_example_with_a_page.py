@@ -29,6 +29,7 @@ def test_it_writes_its_page(name: str, tmp_path: Path, monkeypatch: pytest.Monke
     words = [str(tmp_path / word) if word == "modes.csv" else word for word in COMMANDS[name]]
     page = tmp_path / "page.html"
     found = answer(*words, "--report", page, "--json", tmp_path / "result.json")
+    assert found.code == 0, found.err
     assert str(page) in found.out + found.err
     text = page.read_text(encoding="utf-8")
     assert text.count("<svg") >= 1

@@ -50,10 +50,10 @@ class Inspection:
     Attributes
     ----------
     setup, file : str
-        Name of the file without its folder; of files of all setups that were fitted together, which they are, and no
-        setup.
+        Name of the file without its folder.  Where files of all setups were fitted together, what they are called
+        together, and no setup.
     others : int
-        Of how many further files of the setup, or of each setup, nothing is drawn.
+        Number of further files of the setup, or of each setup, of which nothing is drawn.
     stabilisation : Stabilisation
     frequencies, total : ndarray, shape (f,)
         Sum of the magnitudes of all measured functions, each relative to its rms.

@@ -32,7 +32,7 @@ from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
-from pkmodes.core.solve.mode_fields import MATRICES, Later, ModeFields, Plan
+from pkmodes.core.solve.mode_fields import Later, ModeFields, Plan
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
@@ -597,7 +597,10 @@ class Model:
             fields=self._fields(at_once, solver, drives),
             shared=shared,
             later={name: self._fields([name], solver, drives) for name in later},
-            matrices=self._fields(MATRICES, solver, drives) if set(MATRICES) <= set(later) else None,
+            together={
+                name: self._fields(sorted({name, FIELDS[name].read_with} & set(later)), solver, drives)
+                for name in later
+            },
             rigid_modes=self.solved(drives).rigid_modes,
             backend=solver.name,
         )

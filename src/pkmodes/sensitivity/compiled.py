@@ -41,11 +41,11 @@ def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
         Of the robot, with or without effects.
     paths : sequence of ParameterPath
     """
-    terms = _terms_of_all([system], [paths])
+    terms = terms_of_all([system], [paths])
     return terms._replace(first=terms.first[0], effects=terms.effects[0])
 
 
-def _terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
+def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[ParameterPath]]) -> Terms:
     """Return the terms of several robots with the same free coordinates, each with equally many paths."""
     system = systems[0]
     values, parameters = _places(system.mechanism)
@@ -173,7 +173,7 @@ class CompiledDerivatives(MatrixDerivatives):
         As for `MatrixDerivatives`.
     along : mapping of str to ndarray
         What the kernel evaluated of the modes for which derivatives will be requested
-        (`pkmodes.core.compiled.evaluator.Evaluator.along`): at least what belongs to modes.
+        (`pkmodes.core.compiled.evaluator.Evaluator.along`).  NumPy evaluates other fields where they are read.
     """
 
     def __init__(
@@ -181,106 +181,78 @@ class CompiledDerivatives(MatrixDerivatives):
         system: ExtendedSystem,
         p: Array,
         paths: Sequence[Sequence[ParameterPath]],
-        matrices: tuple[Array, Array] | None,
         along: Mapping[str, Array],
+        matrices: tuple[Array, Array] | None = None,
         locked: Locked | None = None,
     ) -> None:
         super().__init__(system, p, paths, matrices, locked)
-        self._along_paths = along
+        self._compiled = along
 
     @cached_property
     def _all_coordinates(self) -> tuple[Array, Array]:
-        if not self._along_paths.keys() >= set(ALL_COORDINATES):
+        if not self._compiled.keys() >= set(ALL_COORDINATES):
             return super()._all_coordinates
-        M, K = (self.system.in_basis(self._along_paths[name]) for name in ALL_COORDINATES)
+        M, K = (self.system.in_basis(self._compiled[name]) for name in ALL_COORDINATES)
         K[..., np.arange(self.size), np.arange(self.size)] += self.system.joints
         return M, K
 
     @cached_property
     def _dense(self) -> tuple[Array, Array]:
-        if not self._along_paths.keys() >= set(RATES_OF_MATRICES):
+        if not self._compiled.keys() >= set(RATES_OF_MATRICES):
             return super()._dense
-        dM, dK = (self._along_paths[name] for name in RATES_OF_MATRICES)
+        dM, dK = (self._compiled[name] for name in RATES_OF_MATRICES)
         for matrix in (dM, dK):
             matrix[:, list(self.locked)] = np.nan
         return dM, dK
 
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
         """Return derivatives of simple eigenvalues, (N, m, T)."""
-        rates = np.ascontiguousarray(np.swapaxes(self._along_paths["mode_rates"], 1, 2))
+        rates = np.ascontiguousarray(np.swapaxes(self._compiled["mode_rates"], 1, 2))
         self._add_locked(rates, eigenvalues, shapes)
         return rates
 
     def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
         """Return (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path."""
-        if poses is not None or "changes" not in self._along_paths:
+        if poses is not None or "changes" not in self._compiled:
             return super().changes(eigenvalues, shapes, poses)
-        change, norm = self._along_paths["changes"], self._along_paths["norms"]
+        change, norm = self._compiled["changes"], self._compiled["norms"]
         return self._with_locked(change, norm, eigenvalues, shapes)
 
     def motions(self, shapes: Array) -> Array | None:
         """Return the derivatives of the platform's motion in fixed shapes, (N, T, m, components)."""
-        return self._along_paths["motions"]
+        return self._compiled["motions"]
 
 
 def derivatives_of(
     solver: Solver | None,
-    systems: Sequence[ExtendedSystem],
     system: ExtendedSystem,
     p: Array,
     paths: Sequence[Sequence[ParameterPath]],
     modes: tuple[Array, Array],
-    matrices: tuple[Array, Array] | None,
+    terms: Terms | None,
+    fields: Sequence[str],
+    *,
+    matrices: tuple[Array, Array] | None = None,
+    locked: Locked | None = None,
 ) -> MatrixDerivatives:
-    """Return the derivatives of modes along paths, from a solver if it has them.
+    """Return the derivatives of modes along paths, from one call of a compiled solver if it has them.
 
     Parameters
     ----------
     solver : Solver, optional
         Of the robots.
-    systems : sequence of ExtendedSystem, length B
-        The robots.
-    system : ExtendedSystem
-        The robots as one.
-    p, paths, matrices
+    system, p, paths, matrices, locked
         As for `MatrixDerivatives`.
     modes : tuple of ndarray, shapes (N, m) and (N, m, n)
-        Eigenvalues and shapes.
+        Eigenvalues and shapes; m may be 0.
+    terms : Terms, optional
+        Of the paths, if there is a solver.
+    fields : sequence of str
+        What the solver evaluates, as of `pkmodes.core.solve.solver.Solver.along`; nothing, if empty.
     """
     along = None
-    if solver is not None:
-        along = solver.along(RobotAtPoses(system, p, "", {}), *modes, _terms_of_all(systems, paths))
+    if solver is not None and terms is not None and fields:
+        along = solver.along(RobotAtPoses(system, p, "", {}), modes, terms, fields)
     if along is None:
-        return MatrixDerivatives(system, p, paths, matrices)
-    return CompiledDerivatives(system, p, paths, matrices, along)
-
-
-def along_paths(
-    solver: Solver,
-    at: RobotAtPoses,
-    paths: Sequence[ParameterPath],
-    modes: tuple[Array, Array],
-    terms: Terms,
-    locked: Locked,
-    fields: Sequence[str],
-) -> MatrixDerivatives:
-    """Return the derivatives of one robot along paths, what a compiled solver has of them from one call.
-
-    Parameters
-    ----------
-    at : RobotAtPoses
-        The extended system at N poses; perhaps with its matrices.
-    modes : tuple of ndarray, shapes (N, m) and (N, m, n)
-        Eigenvalues and shapes; m may be 0.
-    terms : Terms
-        Of the paths.
-    locked : Locked
-        Of the paths, from `pkmodes.sensitivity.locked.locked_joints`.
-    fields : sequence of str
-        As of `pkmodes.core.solve.solver.Solver.along`.
-    """
-    assert isinstance(at.system, ExtendedSystem)
-    along = solver.along(at, *modes, terms, fields) if fields else None
-    if along is None:
-        return MatrixDerivatives(at.system, at.points, [paths], vars(at).get("all_coordinates"), locked)
-    return CompiledDerivatives(at.system, at.points, [paths], None, along, locked)
+        return MatrixDerivatives(system, p, paths, matrices, locked)
+    return CompiledDerivatives(system, p, paths, along, matrices, locked)

@@ -132,10 +132,8 @@ class MatrixDerivatives:
         shape = len(paths), len(paths[0])
         springs, shift = np.zeros((*shape, self.size)), np.zeros((*shape, self._p.shape[-1]))
         slots, joints = _slots(system.mechanism), joints_of(system.mechanism)
-        rates, free = (
-            np.atleast_2d(system.joint_rates)[:: self._each[1] or 1],
-            frozenset(system.free.tolist()),
-        )
+        rates = np.atleast_2d(system.joint_rates)[:: self._each[1] or 1]
+        free = frozenset(system.free.tolist())
         along = np.zeros((shape[0], len(slots), shape[1]))
         for b, t in np.ndindex(shape):
             springs[b, t] = springs_along(paths[b][t], joints, free, rates[b])

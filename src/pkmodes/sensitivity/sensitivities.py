@@ -27,7 +27,7 @@ from pkmodes.core.solve.results import ChosenFields
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem, evaluation
 from pkmodes.core.system.motors import MotorsHeld, solved_system
-from pkmodes.sensitivity.compiled import RATES, along_paths, rates_job, terms_of
+from pkmodes.sensitivity.compiled import RATES, derivatives_of, rates_job, terms_of
 from pkmodes.sensitivity.locked import Locked, locked_joints
 from pkmodes.sensitivity.matrices import MatrixDerivatives
 from pkmodes.sensitivity.modes import ROUNDING, branches, groups, mode_derivatives
@@ -316,10 +316,11 @@ def _at(
 
 def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDerivatives:
     """Return the derivatives of M and K with free motors."""
-    at = RobotAtPoses(resolved.listed, p, "", {})
-    modes = np.empty((len(p), 0)), np.empty((len(p), 0, len(at.system.coordinates)))
-    terms, locked = resolved.terms_of_listed, locked_joints(resolved.listed, resolved.paths)
-    return along_paths(solver, at, resolved.paths, modes, terms, locked, RATES_OF_MATRICES)
+    system = resolved.listed
+    modes = np.empty((len(p), 0)), np.empty((len(p), 0, len(system.coordinates)))
+    return derivatives_of(
+        solver, system, p, [resolved.paths], modes, resolved.terms_of_listed, RATES_OF_MATRICES
+    )
 
 
 def _of_modes(
@@ -336,9 +337,16 @@ def _of_modes(
         wanted += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
         if not (isinstance(extended, MotorsHeld) or MATRICES.isdisjoint(asked)):
             wanted += RATES_OF_MATRICES
-    known = at if extended is system else RobotAtPoses(extended, at.points, robot.source, {})
-    derivatives = along_paths(
-        solver, known, resolved.paths, (eigenvalues, shapes), resolved.terms, resolved.locked, wanted
+    derivatives = derivatives_of(
+        solver,
+        extended,
+        at.points,
+        [resolved.paths],
+        (eigenvalues, shapes),
+        resolved.terms,
+        wanted,
+        matrices=at.evaluated("all_coordinates") if extended is system else None,
+        locked=resolved.locked,
     )
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
     group = groups(eigenvalues, close, sizes)

@@ -12,13 +12,14 @@ from typing import Any, NamedTuple, overload
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.compiled.lanes import ALONG_OF_MODES
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.mechanism.stepped import STEP
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes.diagnosis.problem import Prediction
-from pkmodes.sensitivity.compiled import derivatives_of
+from pkmodes.sensitivity.compiled import derivatives_of, terms_of_all
 from pkmodes.sensitivity.locked import locked_joints
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields, geometry_of
 from pkmodes.sensitivity.paths import ParameterPath
@@ -114,7 +115,10 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
     along = np.zeros((*at.channels.shape, most)) if shape_rates else None
     if most and np.isfinite(at.eigenvalues).all():
         modes = at.eigenvalues, at.shapes
-        derivatives = derivatives_of(at.solver, at.systems, at.system, at.points, paths, modes, at.matrices)
+        terms = None if at.solver is None else terms_of_all(at.systems, paths)
+        derivatives = derivatives_of(
+            at.solver, at.system, at.points, paths, modes, terms, ALONG_OF_MODES, matrices=at.matrices
+        )
         rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
         if along is not None:
             along = _channel_rates(at, derivatives, paths)

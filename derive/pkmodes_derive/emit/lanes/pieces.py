@@ -1,7 +1,7 @@
-"""A long function in pieces: the time that compilers take for one grows with the square of its length.
+"""A long function in pieces, because the time that compilers take for a function grows with the square of its length.
 
-Each piece is a function of its own.  It reads what it needs of the arguments, and of what earlier pieces found from
-two arrays, to which it adds what later ones need.
+Each piece is a function of its own.  It reads its arguments, and the values of earlier pieces from two arrays, in
+which it stores the values that later pieces need.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pkmodes_derive.emit import layout
 
 INDENT = "    "
-#: Lines from which a function is written in pieces, and after which each of them ends.
+#: Longest function that is written in one piece, and shortest piece of the others [lines].
 LONG, ENOUGH = 2400, 250
 #: The arrays by the type of their elements.
 ARRAYS = {"double": "numbers", "lane": "kept"}
@@ -34,29 +34,26 @@ class Statement:
     ----------
     name, kind : str
         What it defines, and its type; empty for a result.
-    text : tuple of (str, str)
-        Targets and expressions of assignments; a call, without target.
+    target, expression : str
+        What is assigned to what; a call has no target.
     uses : frozenset of str
-        Names in them.
+        Names in the expression.
     each : bool
         Whether it depends on the mode or path.
     """
 
     name: str
     kind: str
-    text: tuple[tuple[str, str], ...]
+    target: str
+    expression: str
     uses: frozenset[str]
     each: bool
 
     def lines(self, indent: str) -> list[str]:
         """Return its lines."""
-        written: list[str] = []
-        for target, expression in self.text:
-            if target:
-                written += layout.assignment(target, expression, indent, end=";")
-            else:
-                written.append(f"{indent}{expression};")
-        return written
+        if not self.target:
+            return [f"{indent}{self.expression};"]
+        return layout.assignment(self.target, self.expression, indent, end=";")
 
 
 @dataclass(frozen=True)

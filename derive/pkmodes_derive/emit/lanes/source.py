@@ -35,7 +35,7 @@ INDENT = "    "
 class _Block:
     """One function as the template sees it: text only; `each` is evaluated for every mode or path.
 
-    Of a long one, these call its `pieces`.
+    In a long function, `body` and `each` call its `pieces`.
     """
 
     comment: list[str]
@@ -130,7 +130,10 @@ def _function(function: Function, program: Program, groups: Sequence[FieldGroup]
 def _statements(
     function: Function, program: Program, groups: Sequence[FieldGroup]
 ) -> tuple[dict[str, str], dict[str, str], list[Statement]]:
-    """Return the declarations of arguments, for a pose and for each mode or path, and all statements, these last."""
+    """Return the declarations of the arguments of a pose and of each mode or path, and all statements.
+
+    Those for each mode or path come last.
+    """
     pose, *of_mode = function.arguments
     inputs = set(program.inputs)
     of_pose = {s.name: f"const lane {s.name} = pose[{i}]" for i, s in enumerate(pose.symbols) if s in inputs}
@@ -155,9 +158,9 @@ def _statements(
         elif names & by_pose:
             by_pose.add(symbol)
         kind = "lane" if symbol in by_mode | by_pose else "double"
-        text = f"const {kind} {symbol.name}", expression(value)
         uses = frozenset(one.name for one in names)
-        statements.append(Statement(symbol.name, kind, (text,), uses, symbol in by_mode))
+        target = f"const {kind} {symbol.name}"
+        statements.append(Statement(symbol.name, kind, target, expression(value), uses, symbol in by_mode))
     for result in program.results:
         statements += _result(result, bool(of_mode))
     return of_pose, of_each, sorted(statements, key=lambda one: one.each)
@@ -166,11 +169,11 @@ def _statements(
 def _result(result: Result, each: bool) -> Iterator[Statement]:
     if result.has_zeros:
         clear = f"lanes_clear({result.output.name}, {len(result.output.entries)})"
-        yield Statement("", "", (("", clear),), frozenset(), each)
+        yield Statement("", "", "", clear, frozenset(), each)
     for entry in result.entries:
         target = " = ".join(_places(result, entry))
         uses = frozenset(one.name for one in entry.value.free_symbols)
-        yield Statement("", "", ((target, f"LANES({expression(entry.value)})"),), uses, each)
+        yield Statement("", "", target, f"LANES({expression(entry.value)})", uses, each)
 
 
 def _places(result: Result, entry: Entry) -> Iterable[str]:

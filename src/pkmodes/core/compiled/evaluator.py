@@ -14,7 +14,7 @@ from threading import Lock
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALONG_OF_MODES, Lanes, Terms
+from pkmodes.core.compiled.lanes import Lanes, Terms
 from pkmodes.core.compiled.loader import Library, Request
 
 Array = NDArray[np.float64]
@@ -138,12 +138,7 @@ class Evaluator:
         return Room(self._library, self._request, size, tails)
 
     def along(
-        self,
-        points: Array,
-        eigenvalues: Array,
-        shapes: Array,
-        terms: Terms,
-        fields: Sequence[str] = ALONG_OF_MODES,
+        self, points: Array, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Evaluate along paths what the derivatives of given modes need.
 
@@ -151,8 +146,8 @@ class Evaluator:
         ----------
         points : ndarray, shape (N, d)
             As for `run`.
-        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
-            The modes, with n coordinates that are not locked.
+        modes : tuple of ndarray, shapes (N, m) and (N, m, n)
+            Eigenvalues and shapes, with n coordinates that are not locked; m may be 0.
         terms : Terms
             Of T paths; for several robots those of each.
         fields : sequence of str
@@ -164,9 +159,9 @@ class Evaluator:
         dict of str to ndarray, or None
             By field; None if a pose cannot be evaluated.
         """
-        count, m, n = shapes.shape
+        count, m, n = modes[1].shape
         request = Request.from_buffer_copy(self._with(terms))
-        given = np.ascontiguousarray(eigenvalues), np.ascontiguousarray(shapes)
+        given = [np.ascontiguousarray(array) for array in modes]
         request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in given)
         request.modes, request.path_count = m, terms.first.shape[-1] - 1
         request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0

@@ -4,8 +4,8 @@
 
 #include "rows.h"
 
-/* A block of poses with their modes, whose derivatives along the paths are wanted: path by path, or where there is only
- * one pose, as many paths at once as there are lanes. */
+/* A block of poses with their modes, whose derivatives along the paths are wanted: path by path, or with a single pose
+ * as many paths at once as there are lanes. */
 struct lanes_paths {
     struct lanes_block block;
     lane eigenvalues[LANES_ALL], shapes[LANES_ALL * LANES_ALL];
@@ -16,11 +16,11 @@ struct lanes_paths {
 INLINE int lanes_path_of(const struct lanes_paths *paths, int group, int w)
 {
     const int last = (int)paths->block.request->path_count - 1;
-    const int path = paths->at_once > 1 ? group * paths->at_once + w : group;
+    const int path = group * paths->at_once + (paths->at_once > 1 ? w : 0);
     return path < last ? path : last;
 }
 
-/* Add the terms of a group of paths from a place in the gradient on, up to another. */
+/* Sum the weights of a group of paths at each place in the gradient from one on, up to another. */
 static void lanes_terms(const struct lanes_paths *paths, int group, int from, int to, lane *restrict sums)
 {
     const struct pkmodes_request *request = paths->block.request;
@@ -39,7 +39,7 @@ static void lanes_terms(const struct lanes_paths *paths, int group, int from, in
     }
 }
 
-/* The change of every quantity along a path; the pose and the joints are not quantities, but change in the same way. */
+/* The change of every quantity, and of the pose, along a path. */
 static void lanes_direction(const struct lanes_paths *paths, int group, lane *restrict direction)
 {
     lanes_terms(paths, group, 0, LANES_GRADIENT, direction);
@@ -71,13 +71,14 @@ INLINE void lanes_follow(const struct pkmodes_request *restrict request, int n, 
     }
 }
 
-/* The forces on free coordinates, with those on the coordinates that follow them. */
-INLINE void lanes_lead(const struct pkmodes_request *restrict request, int n, const int *restrict at, lane *restrict force)
+/* The forces on free coordinates, with those on the coordinates that follow them, each `stride` after the one before. */
+INLINE void lanes_lead(
+    const struct pkmodes_request *restrict request, int n, const int *restrict at, lane *restrict force, int stride)
 {
     for (int f = 0; f < request->fold_count; f++)
         for (int k = 0; k < n; k++)
             if (at[k] == request->leading[f])
-                force[k] += request->fold_weights[f] * force[n + f];
+                force[k * stride] += request->fold_weights[f] * force[(n + f) * stride];
 }
 
 /* The coordinates that are not locked, and after them those that follow. */
@@ -90,7 +91,7 @@ INLINE void lanes_coordinates(const struct lanes_paths *paths, int *restrict at)
         at[paths->n + f] = request->following[f];
 }
 
-/* Write the derivative of a matrix along a path, in the coordinates that are not locked. */
+/* Write the derivative of a matrix along a path, in the coordinates that are not locked, perhaps with springs. */
 INLINE void lanes_put_matrix(const struct lanes_paths *paths, int group, const int *restrict at,
     const lane *restrict rate, const lane *restrict spring, double *restrict out)
 {
@@ -100,22 +101,14 @@ INLINE void lanes_put_matrix(const struct lanes_paths *paths, int group, const i
     for (int k = 0; k < size; k++)
         for (int l = 0; l < size; l++)
             A[k * size + l] = rate[at[k] * LANES_ALL + at[l]];
-    for (int l = 0; l < size; l++) { /* column by column the rows of those that lead, then the other way round */
-        lane column[LANES_ALL];
-        for (int k = 0; k < size; k++)
-            column[k] = A[k * size + l];
-        lanes_lead(request, n, at, column);
-        for (int k = 0; k < n; k++)
-            A[k * size + l] = column[k];
-    }
+    for (int l = 0; l < size; l++) /* columns, then rows */
+        lanes_lead(request, n, at, A + l, size);
     for (int k = 0; k < n; k++) {
-        lane row[LANES_ALL];
-        for (int l = 0; l < size; l++)
-            row[l] = A[k * size + l];
-        lanes_lead(request, n, at, row);
+        lanes_lead(request, n, at, A + k * size, 1);
         for (int l = 0; l < n; l++)
-            A[k * n + l] = row[l];
-        A[k * n + k] += spring[at[k]];
+            A[k * n + l] = A[k * size + l];
+        if (spring)
+            A[k * n + k] += spring[at[k]];
     }
     lanes_put_path(paths, out, A, group, n * n);
 }
@@ -129,9 +122,8 @@ static void lanes_take(const struct lanes_paths *paths, int group, const lane *r
     int at[LANES_ALL];
     lanes_coordinates(paths, at);
     lane changes[LANES_ALL * LANES_ALL], rates[LANES_ALL], norms[LANES_ALL], motions[LANES_ALL * LANES_DIRECTIONS];
-    lane spring[LANES_ALL], no_spring[LANES_ALL];
+    lane spring[LANES_ALL];
     lanes_terms(paths, group, LANES_GRADIENT, LANES_GRADIENT + LANES_ALL, spring);
-    lanes_clear(no_spring, LANES_ALL);
     for (int i = 0; i < m; i++) {
         const lane eigenvalue = paths->eigenvalues[i];
         lane x[LANES_ALL], force[LANES_ALL], momentum[LANES_ALL];
@@ -146,8 +138,8 @@ static void lanes_take(const struct lanes_paths *paths, int group, const lane *r
                 momentum[k] += mass_rate[at[k] * LANES_ALL + at[l]] * x[l];
             }
         }
-        lanes_lead(request, n, at, force);
-        lanes_lead(request, n, at, momentum);
+        lanes_lead(request, n, at, force, 1);
+        lanes_lead(request, n, at, momentum, 1);
         rates[i] = norms[i] = (lane){0};
         for (int k = 0; k < n; k++) {
             changes[i * n + k] = force[k] - eigenvalue * momentum[k];
@@ -170,7 +162,7 @@ static void lanes_take(const struct lanes_paths *paths, int group, const lane *r
     if (request->motions)
         lanes_put_path(paths, request->motions, motions, group, m * LANES_DIRECTIONS);
     if (request->mass_rates)
-        lanes_put_matrix(paths, group, at, mass_rate, no_spring, request->mass_rates);
+        lanes_put_matrix(paths, group, at, mass_rate, 0, request->mass_rates);
     if (request->stiffness_rates)
         lanes_put_matrix(paths, group, at, stiffness_rate, spring, request->stiffness_rates);
 }

@@ -1,4 +1,4 @@
-"""Singular value decompositions that do not fail."""
+"""The singular value decomposition, also where LAPACK's divide and conquer does not converge."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ Array = NDArray[np.float64]
 
 
 def thin_svd(matrix: Array) -> tuple[Array, Array, Array]:
-    """Return the thin singular value decomposition of a matrix, by another algorithm where NumPy's fails.
+    """Return the thin singular value decomposition of a matrix.
 
-    LAPACK's divide and conquer (gesdd) does not converge for a few matrices of low rank, such as signatures of causes
-    of which many act alike; its QR iteration (gesvd) does, in several times as long.
+    LAPACK's divide and conquer (gesdd), which NumPy calls, does not converge for a few matrices of low rank, such as
+    the signatures of causes of which many act alike.  The slower QR iteration (gesvd) takes its place there.
 
     Parameters
     ----------
@@ -33,7 +33,7 @@ def thin_svd(matrix: Array) -> tuple[Array, Array, Array]:
     except np.linalg.LinAlgError:
         if not np.isfinite(matrix).all():
             raise
-        import scipy.linalg  # takes a tenth of a second, and is rarely needed
+        import scipy.linalg  # slow to import, and rarely needed
 
         U, s, Vh = scipy.linalg.svd(matrix, full_matrices=False, lapack_driver="gesvd")
     return U, s, Vh

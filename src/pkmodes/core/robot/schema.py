@@ -61,19 +61,34 @@ def value_of(raw: Any, key: Key) -> Value:
         If the key does not accept the value.
     """
     if key.kind == "quantity":
-        return quantity(raw, key.dimension, key.at_least, key.above, key.at_most, key.below)
+        return number_of(raw, key)
     if key.kind == "direction":
         return _direction(raw, key.elements or XYZ)
     if key.kind == "signs":
         return _signs(raw, len(key.elements))
     if key.kind in ("choice", "one_of"):
         return choice(raw, key.choices)
-    elements = _vector(raw, key.elements, key.dimension, key.at_least, key.above, key.at_most)
+    elements = _vector(raw, key.elements, key.dimension, *_bounds(key))
     if key.kind == "pair" and elements[0].value >= elements[1].value:
         low, high = (with_unit(element.value, element.unit) for element in elements)
         what = f"expected the lower limit first, found {low} before {high}"
         raise RefusedError(what, f"write {key.name} = [{', '.join(key.elements)}]")
     return elements
+
+
+def number_of(raw: Any, key: Key) -> Quantity:
+    """Read the quantity of a key, or one element of a vector of them.
+
+    Raises
+    ------
+    RefusedError
+        If the key does not accept it.
+    """
+    return quantity(raw, key.dimension, *_bounds(key))
+
+
+def _bounds(key: Key) -> tuple[float | None, ...]:
+    return key.at_least, key.above, key.at_most, key.below
 
 
 def quantity(

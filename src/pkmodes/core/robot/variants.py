@@ -1,6 +1,7 @@
 """A robot with other values: the document that declares it is changed and then read like a robot file.
 
-This way one set of rules applies, and values that a file could not have are rejected here too.
+This way one set of rules applies, and values that a file could not have are rejected here too.  Numbers that only
+replace others are checked by the same rules, but the rest of the document is not read again.
 """
 
 from __future__ import annotations
@@ -50,23 +51,23 @@ def with_values(robot: Declaration, values: Mapping[str, Any]) -> Declaration:
                 "start from a robot that was read from a file",
             )
         robot.kept[CONSISTENT] = True
-    changed = _with_numbers(robot, changes, source)
+    changed = _with_replaced(robot, changes, source)
     if changed is None:
         changed = _read(robot, {**raw_values(robot), **changes}, source)
     return replace(changed, covariance=_covariance(robot, changed)) if robot.covariance else changed
 
 
-def _with_numbers(robot: Declaration, changes: Mapping[str, Any], source: str) -> Declaration | None:
-    """Return the declaration with values that only take the place of others, which are not read again.
+def _with_replaced(robot: Declaration, changes: Mapping[str, Any], source: str) -> Declaration | None:
+    """Return the declaration with numbers that replace others, without reading the rest of the document.
 
-    None if other rules apply than those of each value and of the machine as a whole, or if one of these refuses: only
-    the whole document says what is wrong.
+    None if further rules apply than those of each number and of the machine as a whole, or if one of these is
+    violated: reading the document reports what is wrong.
     """
     mechanism = robot.mechanism
     quantities, effects = dict(robot.quantities), dict(robot.effects)
     arrays: dict[str, NDArray[np.float64]] = {}
     for path, raw in changes.items():
-        number = _number(mechanism, path) if path in quantities else None
+        number = _replaceable(mechanism, path) if path in quantities else None
         if number is None:
             return None
         try:
@@ -95,8 +96,8 @@ def _with_numbers(robot: Declaration, changes: Mapping[str, Any], source: str) -
     return changed
 
 
-class _Number(NamedTuple):
-    """How a number is read, and where it goes.
+class _Replaceable(NamedTuple):
+    """A number that another one may replace: how that is read, and where it goes.
 
     Attributes
     ----------
@@ -111,8 +112,8 @@ class _Number(NamedTuple):
 
 
 @cache
-def _number(mechanism: Mechanism, path: str) -> _Number | None:
-    """Return how the number at a path is read; None if other values depend on it."""
+def _replaceable(mechanism: Mechanism, path: str) -> _Replaceable | None:
+    """Return how the number at a path is replaced; None if other values depend on it."""
     item = by_path(mechanism).get(path)
     if item is None:
         _, effect, name = path.split(".") if path.startswith(f"{EFFECTS}.") else ("", "", "")
@@ -123,18 +124,14 @@ def _number(mechanism: Mechanism, path: str) -> _Number | None:
         ):
             return None
         (parameter,) = (one for one in mechanism.effects[effect].parameters if one.name == name)
-        return _Number(partial(of_effect, parameter=parameter), [(path, (f"{effect}.{name}", ()))])
+        return _Replaceable(partial(of_effect, parameter=parameter), [(path, (f"{effect}.{name}", ()))])
     key = item.key
     if key.kind not in ("quantity", "vector") or key.effect or key.middle_of:
         return None
     place = [number.path for number in item.numbers].index(path)
     own = [one.numbers[place] for one in (item, *takers(mechanism).get(item.path, ()))]
-    bounds = (key.at_least, key.above, key.at_most, *((key.below,) if key.kind == "quantity" else ()))
-
-    def read(raw: Any) -> Quantity:
-        return schema.quantity(raw, key.dimension, *bounds)
-
-    return _Number(read, [(number.path, number.slot) for number in own if number.slot is not None])
+    slots = [(number.path, number.slot) for number in own if number.slot is not None]
+    return _Replaceable(partial(schema.number_of, key=key), slots)
 
 
 def document_of(

@@ -43,6 +43,10 @@ class RobotAtPoses:
             self.known[name] = field.of(*(self[needed] for needed in field.needs))
         return self.known[name]
 
+    def evaluated(self, name: str) -> Any:
+        """Return a quantity that has been evaluated, or is known; else None."""
+        return self.known.get(name, vars(self).get(name))
+
     @cached_property
     def all_coordinates(self) -> tuple[Array, Array]:
         """M and K including the coordinates of locked joints, each (N, e, e)."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.compiled.lanes import ALONG_OF_MODES, FIELDS, UNSOLVED, Terms
+from pkmodes.core.compiled.lanes import FIELDS, UNSOLVED, Terms
 from pkmodes.core.linalg.eigen import has_stiff_joint, held_softly
 from pkmodes.core.mechanism.poses import CHUNK
 from pkmodes.core.solve.at_poses import RobotAtPoses
@@ -121,15 +121,10 @@ class CompiledSolver(Solver):
         return self._marked(self.evaluator.run(at.points, arrays, threads, terms=terms), arrays)
 
     def along(
-        self,
-        at: RobotAtPoses,
-        eigenvalues: Array,
-        shapes: Array,
-        terms: Terms,
-        fields: Sequence[str] = ALONG_OF_MODES,
+        self, at: RobotAtPoses, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if a pose cannot be evaluated."""
-        return self.evaluator.along(at.points, eigenvalues, shapes, terms, fields)
+        return self.evaluator.along(at.points, modes, terms, fields)
 
     def _marked(self, codes: Codes, arrays: Mapping[str, Array]) -> Codes:
         """Mark the poses at which the kernel cannot resolve a vibration."""

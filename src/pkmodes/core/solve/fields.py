@@ -75,6 +75,8 @@ class Field:
         case; NaN for rigid modes.
     on_demand : bool
         Whether results evaluate it only when it is read, unless it was asked for by name.
+    read_with : str
+        Another such field that is mostly read too: at few poses reading one of them evaluates both.
     """
 
     name: str
@@ -96,6 +98,7 @@ class Field:
     nullable: bool = False
     otherwise: float = np.nan
     on_demand: bool = False
+    read_with: str = ""
 
     def is_of(self, mechanism: Mechanism) -> bool:
         """Return whether results of a mechanism have it."""
@@ -301,6 +304,7 @@ FIELDS: dict[str, Field] = {
             key="mass_matrix",
             key_text="n by n, SI units.",
             on_demand=True,
+            read_with="stiffness_matrix",
         ),
         Field(
             name="stiffness_matrix",
@@ -309,6 +313,7 @@ FIELDS: dict[str, Field] = {
             key="stiffness_matrix",
             key_text="n by n, SI units.",
             on_demand=True,
+            read_with="mass_matrix",
         ),
         Field(
             name="platform_motion",

@@ -31,8 +31,6 @@ from pkmodes.core.system.strain_free import StrainFreeMotions
 Array = NDArray[np.float64]
 #: Poses for which quantities are kept that are not among the fields, for each thread.
 PART = 4800
-#: Fields that are evaluated together and mostly read together.
-MATRICES = ("mass_matrix", "stiffness_matrix")
 
 
 class ModeFields:
@@ -233,8 +231,8 @@ class Plan:
         Those that share the array of another one, by name.
     later : mapping of str to ModeFields
         Those that are evaluated when they are read, each alone.
-    matrices : ModeFields, optional
-        M and K, if they are among these: at few poses both are evaluated when one of them is read.
+    together : mapping of str to ModeFields
+        The same at few poses, where some are evaluated together.
     rigid_modes : int
     backend : str
         Of the result.
@@ -243,7 +241,7 @@ class Plan:
     fields: ModeFields
     shared: Mapping[str, str]
     later: Mapping[str, ModeFields]
-    matrices: ModeFields | None
+    together: Mapping[str, ModeFields]
     rigid_modes: int
     backend: str
 
@@ -264,7 +262,7 @@ class Later:
         As for the result.
     """
 
-    __slots__ = ("_checked", "_fields", "_found", "_matrices", "_max_condition", "_robot", "_threads")
+    __slots__ = ("_checked", "_fields", "_max_condition", "_robot", "_threads", "_unread")
 
     def __init__(
         self,
@@ -274,10 +272,9 @@ class Later:
         checked: CheckedPoses,
         threads: int,
     ) -> None:
-        self._fields = plan.later
+        self._fields = plan.together if len(checked.points) <= CHUNK else plan.later
         self._robot, self._max_condition, self._threads = robot, max_condition, threads
-        self._matrices = plan.matrices if len(checked.points) <= CHUNK else None
-        self._found: dict[str, NDArray[Any]] = {}
+        self._unread: dict[str, NDArray[Any]] = {}
         self._checked = CheckedPoses(
             checked.points.copy(), checked.codes.copy(), checked.batch, checked.known, checked.left
         )
@@ -291,14 +288,11 @@ class Later:
 
     def __call__(self, name: str) -> NDArray[Any]:
         """Evaluate a field."""
-        found = self._found.pop(name, None)
+        found = self._unread.pop(name, None)
         if found is None:
-            fields = self._fields[name]
-            if self._matrices is not None and name in MATRICES:
-                fields = self._matrices
-            rows = fields.again(self._robot, self._max_condition, self._checked, self._threads)
+            rows = self._fields[name].again(self._robot, self._max_condition, self._checked, self._threads)
             found = rows.pop(name)
-            self._found.update(rows)
+            self._unread.update(rows)
         return found.reshape(self.shape(name))
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import PkmodesError
-from pkmodes.core.compiled.lanes import ALONG_OF_MODES, UNSOLVED, Terms
+from pkmodes.core.compiled.lanes import UNSOLVED, Terms
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.system.evaluation import Evaluation
 
@@ -119,18 +119,14 @@ class Solver(ABC):
         raise NotImplementedError
 
     def along(
-        self,
-        at: RobotAtPoses,
-        eigenvalues: Array,
-        shapes: Array,
-        terms: Terms,
-        fields: Sequence[str] = ALONG_OF_MODES,
+        self, at: RobotAtPoses, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
 
         Parameters
         ----------
-        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+        modes : tuple of ndarray, shapes (N, m) and (N, m, n)
+            Eigenvalues and shapes.
         terms : Terms
             Of each robot.
         fields : sequence of str
