@@ -147,7 +147,7 @@ class ResolvedPaths:
 
     @cached_property
     def listed(self) -> ExtendedSystem:
-        """The same with free motors, whose matrices and shapes are the results."""
+        """The extended system with free motors, in whose coordinates the results are given."""
         return ExtendedSystem.of(self.robot) if isinstance(self.system, MotorsHeld) else self.extended
 
     @cached_property
@@ -162,7 +162,7 @@ class ResolvedPaths:
 
     @cached_property
     def terms_of_listed(self) -> Terms:
-        """The same with free motors."""
+        """The paths as the compiled evaluator takes them with free motors."""
         return self.terms if self.listed is self.extended else terms_of(self.listed, self.paths)
 
 
@@ -326,7 +326,7 @@ def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDer
 def _of_modes(
     resolved: ResolvedPaths, p: Array, close: float, asked: Collection[str], solver: Solver
 ) -> tuple[MatrixDerivatives, dict[str, NDArray[Any]]]:
-    """Compute the fields that belong to modes; the derivatives that they follow from come first."""
+    """Return the derivatives of M and K at the modes, and the fields that follow from them."""
     robot, system, extended = resolved.robot, resolved.system, resolved.extended
     shapes_asked = "shapes" in asked
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
