@@ -19,8 +19,9 @@ pytestmark = pytest.mark.compiler
 
 
 def widths(name: str) -> list[int]:
-    most = load(f"pkmodes_generated.{name}", name).width
-    return [width for width in build.WIDTHS.get(build.machine(), {2: ()}) if width <= most]
+    library = load(f"pkmodes_generated.{name}", name)
+    widths = build.WIDTHS.get(build.machine(), {2: ()})
+    return [width for width in widths if width <= library.width and library.has(width)]
 
 
 def same_bits(a: np.ndarray, b: np.ndarray) -> bool:

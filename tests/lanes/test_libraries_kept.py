@@ -13,6 +13,7 @@ from helpers.generated.libraries import POSE, ROBOT, ROOT, frequencies, librarie
 from pkmodes.core.compiled import build, loader
 
 pytestmark = pytest.mark.compiler
+ALL_WIDTHS = build.WIDTHS
 
 
 def test_a_library_is_built_once_and_kept(fresh: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -43,7 +44,7 @@ def test_a_damaged_library_is_built_again_and_never_loaded(
         loaded.append(path.read_bytes())
         return real(path)
 
-    def built(header: str, folder: Path, stem: str, cc: tuple[str, ...]) -> Path:
+    def built(*_: object) -> Path:
         kept.write_bytes(content)
         return kept
 
@@ -87,6 +88,36 @@ def test_a_damaged_library_of_the_package_is_built_again(
     loader.load.cache_clear()
     assert frequencies("compiled").backend == "compiled"
     assert len(libraries(fresh)) == 1
+
+
+def test_a_library_for_a_lesser_processor_is_not_used_and_stays(
+    fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Machines may share a folder: each has a library with its own widest lanes."""
+    monkeypatch.setattr(build, "WIDTHS", ALL_WIDTHS)
+    frequencies("compiled")
+    (kept,) = libraries(fresh)
+    if loader.Library(kept).width == 2:
+        pytest.skip("this processor is the least")
+    cc = build.compiler()
+    assert cc is not None
+    assert build.widths_here(cc) == (loader.Library(kept).width, 2)
+    kept.unlink()
+    header = (ROOT / "generated/pkmodes_generated/corexy/lanes.h").read_text(encoding="utf-8")
+    lesser = build.build(header, fresh, kept.name.split(".")[0], cc, [2])
+    assert not loader.Library(lesser).is_widest
+    loader.load.cache_clear()
+    assert frequencies("compiled").backend == "compiled"
+    assert len(libraries(fresh)) == 2
+    loader.load.cache_clear()
+    assert loader.load("pkmodes_generated.corexy", "corexy").is_widest
+
+
+def test_all_lanes_are_built_where_the_processor_cannot_be_asked(tmp_path: Path) -> None:
+    says_nothing = tmp_path / "cc"
+    says_nothing.write_text("#!/bin/sh\nexit 1\n", encoding="utf-8")
+    says_nothing.chmod(0o755)
+    assert build.widths_here([str(says_nothing)]) == tuple(build.WIDTHS.get(build.machine(), {2: ()}))
 
 
 def test_a_library_reaches_the_disk_before_it_has_its_name(

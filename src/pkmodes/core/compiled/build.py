@@ -25,6 +25,7 @@ SOURCES = (
     "eigen.h",
     "gradient.h",
     "lane.h",
+    "processor.h",
     "request.h",
     "rows.h",
     "strain_free.h",
@@ -58,6 +59,8 @@ WIDTHS = {
         2: (),
     }
 }
+#: A program that ends with the widest lanes of its processor as its status.
+WIDEST = '#include "processor.h"\nint main(void) { return processor_lanes(); }\n'
 #: Why nothing is compiled on Windows: GCC's code would end the process at a misaligned vector.
 WINDOWS = "GCC does not align vectors on the stack there (its bug 54412)"
 #: Seconds after which a compiler that says nothing is given up.
@@ -128,7 +131,40 @@ def is_whole(library: Path) -> bool:
     return library.name.split(".")[-2] == checksum(library)
 
 
-def build(header: str, folder: Path, stem: str, cc: Sequence[str]) -> Path:
+def widths_here(cc: Sequence[str]) -> tuple[int, ...]:
+    """Find the widths that this processor uses: its widest, and 2 for a single pose.
+
+    Parameters
+    ----------
+    cc : sequence of str
+        The compiler, from `compiler`.
+
+    Returns
+    -------
+    tuple of int
+        Of `WIDTHS`; all of this architecture where a program cannot be compiled or run.
+    """
+    every = tuple(WIDTHS.get(machine(), {2: ()}))
+    with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
+        place = Path(name)
+        (place / "widest.c").write_text(WIDEST, encoding="utf-8")
+        shutil.copyfile(FOLDER / "processor.h", place / "processor.h")
+        try:
+            _run([*cc, "widest.c", "-o", "widest"], place)
+            widest = subprocess.run([place / "widest"], timeout=PATIENCE, check=False).returncode
+        except (BuildError, OSError, subprocess.TimeoutExpired):
+            return every
+    return tuple(sorted({widest_of(widest), 2}, reverse=True)) if widest > 1 else every
+
+
+def widest_of(lanes: int) -> int:
+    """Return the widest of `WIDTHS` for this architecture that a processor with lanes has."""
+    return max(width for width in WIDTHS.get(machine(), {2: ()}) if width <= lanes)
+
+
+def build(
+    header: str, folder: Path, stem: str, cc: Sequence[str], widths: Sequence[int] | None = None
+) -> Path:
     """Compile and link a library, and put it in place whole or not at all.
 
     Parameters
@@ -141,6 +177,8 @@ def build(header: str, folder: Path, stem: str, cc: Sequence[str]) -> Path:
         Begin of the library's name; the checksum of the library and ``.so`` follow.
     cc : sequence of str
         The compiler, from `compiler`.
+    widths : sequence of int, optional
+        Lanes that the library will have, 2 among them; by default all of `WIDTHS` for this architecture.
 
     Returns
     -------
@@ -159,13 +197,21 @@ def build(header: str, folder: Path, stem: str, cc: Sequence[str]) -> Path:
         (place / HEADER).write_text(header, encoding="utf-8")
         for source in SOURCES:
             shutil.copyfile(FOLDER / source, place / source)
-        widths = WIDTHS.get(machine(), {2: ()})
+        options_of = WIDTHS.get(machine(), {2: ()})
+        chosen = tuple(options_of) if widths is None else tuple(widths)
         jobs = [
-            [*FLAGS, *options, f"-DLANES_WIDTH={width}", f"-DLANES_RUN=pkmodes_run_{width}", "-c", "kernel.c"]
+            [
+                *FLAGS,
+                *options_of[width],
+                f"-DLANES_WIDTH={width}",
+                f"-DLANES_RUN=pkmodes_run_{width}",
+                "-c",
+                "kernel.c",
+            ]
             + ["-o", f"kernel_{width}.o"]
-            for width, options in widths.items()
+            for width in chosen
         ]
-        has = [f"-DPKMODES_HAS_{width}" for width in widths]
+        has = [f"-DPKMODES_HAS_{width}" for width in chosen]
         digested = f'-DPKMODES_DIGEST="{digest(header)}"'
         jobs.append([*FLAGS, *has, digested, "-c", "dispatch.c", "-o", "dispatch.o"])
         with ThreadPoolExecutor(os.cpu_count()) as pool:

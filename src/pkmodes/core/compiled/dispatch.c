@@ -1,4 +1,5 @@
 /* The entry points of a library: which of its evaluators this processor can run, and what it was built from. */
+#include "processor.h"
 #include "request.h"
 
 #define EXPORT __attribute__((visibility("default")))
@@ -19,20 +20,33 @@ EXPORT const char *pkmodes_digest(void)
     return PKMODES_DIGEST;
 }
 
-/* The widest lanes that this processor has. */
-EXPORT int pkmodes_width(void)
+/* The widest lanes that this processor has, whether the library has them or not. */
+EXPORT int pkmodes_processor(void)
+{
+    return processor_lanes();
+}
+
+/* Whether the library has lanes of a width. */
+EXPORT int pkmodes_has(int width)
 {
 #ifdef PKMODES_HAS_8
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-        return 8;
+    if (width == 8)
+        return 1;
 #endif
 #ifdef PKMODES_HAS_4
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-        return 4;
+    if (width == 4)
+        return 1;
 #endif
-    return 2;
+    return width == 2;
+}
+
+/* The widest lanes that both have. */
+EXPORT int pkmodes_width(void)
+{
+    int width = processor_lanes();
+    while (!pkmodes_has(width))
+        width /= 2;
+    return width;
 }
 
 /* Evaluate with lanes of a width that `pkmodes_width` allows. */

@@ -119,6 +119,12 @@ class Terms(NamedTuple):
     locked_joints: bool
 
 
+def no_paths(effects: Array) -> Terms:
+    """Return the terms of no path of a robot with effects."""
+    none = np.empty(0)
+    return Terms(np.zeros(1, dtype=np.int32), none.astype(np.int32), none, effects, False, False)
+
+
 def flat(values: Any) -> Array:
     """The fields of a named tuple, one after the other."""
     return np.concatenate(values, axis=None, dtype=float)

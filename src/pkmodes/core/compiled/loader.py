@@ -25,7 +25,7 @@ from pkmodes.core.compiled import build
 SHIPPED = Path(__file__).parent / "libraries"
 #: Folder for libraries built at first use, instead of the user's cache.
 CACHE_VARIABLE = "PKMODES_CACHE"
-LAYOUT = 7
+LAYOUT = 8
 #: The function that was last added to the generated headers.
 NEWEST = "lanes_extended_statics("
 INSTALL = "install a C compiler (gcc or clang), or name one in the environment variable CC"
@@ -50,7 +50,7 @@ class Library:
     Attributes
     ----------
     width : int
-        Lanes in the widest vectors of this processor.
+        Lanes in the widest vectors that this processor and the library have.
     """
 
     def __init__(self, path: Path) -> None:
@@ -65,6 +65,15 @@ class Library:
     def digest(self) -> str:
         """Digest of the sources it was built from."""
         return str(self._library.pkmodes_digest().decode("ascii"))
+
+    def has(self, width: int) -> bool:
+        """Return whether it has lanes of a width."""
+        return bool(self._library.pkmodes_has(width))
+
+    @property
+    def is_widest(self) -> bool:
+        """Whether it has the widest lanes that are built for this processor."""
+        return self.has(build.widest_of(int(self._library.pkmodes_processor())))
 
     @property
     def layout(self) -> int:
@@ -212,8 +221,9 @@ def _built(name: str, header: str, wanted: str) -> Library:
             with _alone(folder / f".{stem}.lock"):
                 library = _kept(folder, stem, wanted)  # another process may have built it meanwhile
                 if library is None:
-                    damaged = list(folder.glob(f"{stem}.*.so"))
-                    built = build.build(header, folder, stem, cc)
+                    # Those that are whole are for other processors, which share the folder.
+                    damaged = [path for path in folder.glob(f"{stem}.*.so") if not build.is_whole(path)]
+                    built = build.build(header, folder, stem, cc, build.widths_here(cc))
                     for path in damaged:
                         if path != built:
                             path.unlink(missing_ok=True)
@@ -241,7 +251,7 @@ def _kept(folder: Path, stem: str, wanted: str) -> Library | None:
         except OSError as error:
             remedy = f"{_elsewhere()} from which programs can be run, or delete that file to build it again"
             raise UnavailableError(f"the compiled library cannot be loaded: {error}", remedy) from None
-        if library is not None:
+        if library is not None and library.is_widest:
             return library
     return None
 

@@ -3,7 +3,7 @@
 #define PKMODES_REQUEST_H
 
 /* Version of the layout below; a library with another version is not used. */
-#define PKMODES_LAYOUT 7
+#define PKMODES_LAYOUT 8
 
 struct pkmodes_request {
     /* N poses, row-major. */
