@@ -32,12 +32,13 @@ from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
 from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
+from pkmodes.core.solve.gravity import gravitational_stiffness
 from pkmodes.core.solve.mode_fields import Later, ModeFields, Plan
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
 from pkmodes.core.system.evaluation import Evaluation, evaluation
-from pkmodes.core.system.motors import solved_system
+from pkmodes.core.system.motors import extended_system, solved_system
 
 Array = NDArray[np.float64]
 
@@ -288,6 +289,45 @@ class Model:
         names = "mass_matrix", "stiffness_matrix"
         _, arrays = self._into(out, names, poses, on_error, backend, threads)
         return arrays["mass_matrix"], arrays["stiffness_matrix"]
+
+    def gravitational_stiffness(
+        self, poses: ArrayLike, on_error: OnError = "raise", *, backend: str = AUTO
+    ) -> Array:
+        """Compute the part of the stiffness matrix that is due to gravity (equation 48), motors free.
+
+        The elastic part is ``K - K_g``: belts, reducers, springs to ground and released joints.  Gravity is often
+        ten thousand times less: K alone does not have it to many digits.
+
+        Parameters
+        ----------
+        poses : array_like, shape (d,) or (..., d)
+            In SI units.
+        on_error : {"raise", "nan"}
+            With "nan", a pose that cannot be evaluated gives NaN.
+        backend : {"auto", "numpy", "compiled"}
+            As for `modes`.
+
+        Returns
+        -------
+        ndarray, shape (..., n, n)
+            K_g in SI units, in the order of `coordinates`.
+
+        Raises
+        ------
+        PkmodesError
+            As for `modes`.
+
+        Examples
+        --------
+        >>> import pkmodes
+        >>> model = pkmodes.load("robots/clavel-delta.toml")
+        >>> float(model.gravitational_stiffness([0.03, 0.02, -0.45]).max().round(2))  # N m/rad
+        0.29
+        """
+        solver, system = self.solver(backend), extended_system(self.system)
+        checked = self.checked(poses, on_error)
+        (values,) = self.evaluated(lambda p: gravitational_stiffness(solver, system, p), checked)
+        return values
 
     def statics(self, poses: ArrayLike, on_error: OnError = "raise") -> Statics:
         """Compute the torques and rotations that hold the pose (equation 44).

@@ -79,17 +79,24 @@ class EquationsOfMotion:
         r = self.massless
         if (self.C[r] != 0.0).any():
             return self.by_frequency(omega)
-        s = 1j * omega[:, None, None]
         Z, shapes, motion, forces, direct = self._condensed()
         D = shapes @ self.C[np.ix_(~r, ~r)] @ shapes.T + np.diag(self.rates)
         moving = [(force != 0.0).any(axis=0) for force in forces]  # prescribed motions act at all three
-        b = np.hstack([shapes @ force[:, some] for force, some in zip(forces, moving, strict=True)])
+        b = np.hstack([shapes @ force[:, acting] for force, acting in zip(forces, moving, strict=True)])
         summands = _receptance(Z, D, b, motion @ shapes.T, omega)
-        H = np.zeros((len(omega), *direct.shape), dtype=complex) + (direct + self.prescribed)
-        ends = np.cumsum([some.sum() for some in moving])[:-1]
-        for power, (some, part) in enumerate(zip(moving, np.split(summands, ends, axis=2), strict=True)):
-            if some.any():
-                H[:, :, some] += part if power == 0 else s**power * part
+        at_rest = direct + self.prescribed
+        if moving[0].all() and not (moving[1].any() or moving[2].any()):
+            if at_rest.any():
+                summands += at_rest
+            return summands
+        H = np.empty((len(omega), *direct.shape), dtype=complex)
+        H[...] = at_rest
+        powers: tuple[Any, ...] = (1.0, 1j * omega[:, None], -(omega[:, None] ** 2))
+        column = 0
+        for power, acting in zip(powers, moving, strict=True):
+            for i in np.flatnonzero(acting):
+                H[:, :, i] += power * summands[:, :, column]
+                column += 1
         return H
 
     def by_frequency(self, omega: Array) -> Complex:
@@ -99,25 +106,30 @@ class EquationsOfMotion:
         forces = self.forces[0] + s * self.forces[1] + s**2 * self.forces[2]
         return np.asarray(self.motion @ np.linalg.solve(dynamic, forces) + self.prescribed)
 
-    def _condensed(self) -> tuple[Complex, Array, Complex, list[Complex], Complex]:
-        """Return Z, and shapes, motion, forces and direct response without the coordinates that have no inertia."""
+    def _condensed(self) -> tuple[Any, Array, Any, list[Any], Any]:
+        """Return Z, and shapes, motion, forces and direct response without the coordinates that have no inertia.
+
+        Real where nothing has a loss factor.
+        """
         r, q = self.massless, ~self.massless
-        K, loss = self.K, self.K.imag
-        motion: Complex = self.motion[:, q].astype(complex)
-        forces = [force[q] for force in self.forces]
-        direct: Complex = np.zeros((len(self.motion), self.forces[0].shape[1]), dtype=complex)
-        change: Any = 1j * loss[np.ix_(q, q)]
+        lossless = not self.K.imag.any()
+        K: Any = self.K.real if lossless else self.K
+        motion: Any = self.motion[:, q]
+        forces: list[Any] = [force[q] for force in self.forces]
+        direct: Any = np.zeros((len(self.motion), self.forces[0].shape[1]))
+        change: Any = None if lossless else 1j * K.imag[np.ix_(q, q)]
         if r.any():
             follow = -np.linalg.solve(K[np.ix_(r, r)], np.hstack([K[np.ix_(r, q)], -self.forces[0][r]]))
-            by_others, by_forces = np.split(follow, [int(q.sum())], axis=1)
-            static = -np.linalg.solve(K.real[np.ix_(r, r)], K.real[np.ix_(r, q)])
-            change = change + K[np.ix_(q, r)] @ by_others - K.real[np.ix_(q, r)] @ static
-            motion = motion + self.motion[:, r] @ by_others
+            by_coordinates, by_forces = np.split(follow, [int(q.sum())], axis=1)
+            if not lossless:
+                static = -np.linalg.solve(K.real[np.ix_(r, r)], K.real[np.ix_(r, q)])
+                change = change + K[np.ix_(q, r)] @ by_coordinates - K.real[np.ix_(q, r)] @ static
+            motion = motion + self.motion[:, r] @ by_coordinates
             forces[0] = forces[0] - K[np.ix_(q, r)] @ by_forces
             direct = direct + self.motion[:, r] @ by_forces
         shapes = self.shapes[:, q]
-        Z: Complex = np.diag(self.eigenvalues) + shapes @ change @ shapes.T
-        return Z, shapes, motion, forces, direct
+        Z = np.diag(self.eigenvalues)
+        return Z if lossless else Z + shapes @ change @ shapes.T, shapes, motion, forces, direct
 
 
 def equations(
@@ -170,13 +182,14 @@ def _receptance(Z: Complex, D: Array, b: Complex, l: Complex, omega: Array) -> C
         Angular frequencies [rad/s].
     """
     coupled = (_coupling(Z) | _coupling(D)).any(axis=1)
-    uncoupled, some = np.flatnonzero(~coupled), np.flatnonzero(coupled)
-    z, d = np.diagonal(Z)[uncoupled], np.diagonal(D)[uncoupled]
-    with np.errstate(divide="ignore", invalid="ignore"):  # infinite at a resonance without damping
-        gain = 1.0 / (z + 1j * omega[:, None] * d - omega[:, None] ** 2)
-        H = _summed(gain, l[:, uncoupled], b[uncoupled])
-    if len(some):
-        H = H + _of_coupled(Z[np.ix_(some, some)], D[np.ix_(some, some)], b[some], l[:, some], omega)
+    if not coupled.any():
+        return _of_uncoupled(np.diagonal(Z), np.diagonal(D), b, l, omega)
+    H = _of_coupled(
+        Z[np.ix_(coupled, coupled)], D[np.ix_(coupled, coupled)], b[coupled], l[:, coupled], omega
+    )
+    if not coupled.all():
+        z, d = np.diagonal(Z)[~coupled], np.diagonal(D)[~coupled]
+        H += _of_uncoupled(z, d, b[~coupled], l[:, ~coupled], omega)
     return H
 
 
@@ -188,12 +201,41 @@ def _coupling(matrix: NDArray[np.generic]) -> NDArray[np.bool_]:
     return np.asarray(off | off.T)
 
 
-def _summed(gain: Any, l: Any, b: Any) -> Complex:  # noqa: E741
-    """Return sum_k l_k b_k gain_k, (F, outputs, inputs)."""
+def _of_uncoupled(z: Any, d: Array, b: Any, l: Any, omega: Array) -> Complex:  # noqa: E741
+    """Return sum_k l_k b_k / (z_k + i omega d_k - omega^2), infinite or NaN at a resonance without damping."""
+    dynamic = np.empty((len(z), 2, len(omega)))
+    np.subtract(z.real[:, None], omega**2, out=dynamic[:, 0])
+    np.multiply(d[:, None], omega, out=dynamic[:, 1])
+    if z.imag.any():
+        dynamic[:, 1] += z.imag[:, None]
+    return _summed(dynamic, l, b)
+
+
+def _summed(denominators: Array, l: Any, b: Any) -> Complex:  # noqa: E741
+    """Return sum_k l_k b_k / denominator_k, (F, outputs, inputs).
+
+    Parameters
+    ----------
+    denominators : ndarray, shape (m, 2, F)
+        Real and imaginary parts; replaced by those of the reciprocals.
+    """
+    square = denominators[:, 0] ** 2
+    square += denominators[:, 1] ** 2
+    with np.errstate(divide="ignore", invalid="ignore"):
+        denominators[:, 0] /= square
+        denominators[:, 1] /= square
+    reciprocals, (m, _, count) = denominators, denominators.shape
     outputs, inputs = len(l), b.shape[1]
-    residues = (l.T[:, :, None] * b[:, None, :]).reshape(len(b), outputs * inputs)
-    summed: Complex = (gain @ residues).reshape(len(gain), outputs, inputs)
-    return summed
+    residues = (l[:, None, :] * b.T).reshape(outputs * inputs, m)
+    H = np.empty((count, outputs * inputs), dtype=complex)
+    # The imaginary part of a reciprocal is minus that of the denominator over the square.
+    parts = (residues.real @ reciprocals.reshape(m, -1)).reshape(-1, 2, count)
+    H.real, H.imag = parts[:, 0].T, -parts[:, 1].T
+    if residues.imag.any():
+        parts = (residues.imag @ reciprocals.reshape(m, -1)).reshape(-1, 2, count)
+        H.real += parts[:, 1].T
+        H.imag += parts[:, 0].T
+    return H.reshape(count, outputs, inputs)
 
 
 def _of_coupled(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
@@ -235,7 +277,10 @@ def _of_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Compl
     begin = np.linalg.inv(V)[:, m:]
     shapes = V[:m] / size[:, None]
     if size.max() <= WIDE * size.min():
-        return _summed(1.0 / (1j * omega[:, None] - poles), l @ shapes, begin @ b)
+        denominators = np.empty((2 * m, 2, len(omega)))
+        denominators[:, 0] = -poles.real[:, None]
+        np.subtract(omega, poles.imag[:, None], out=denominators[:, 1])
+        return _summed(denominators, l @ shapes, begin @ b)
     gain = (1.0 / (1j * omega - poles[:, None]))[:, None, :]  # 2m, 1, F
     X = _through(shapes, gain, (begin @ b)[:, :, None])  # m, inputs, F
     for _ in range(REFINED):

@@ -258,7 +258,9 @@ def responses(
     values = np.empty((len(at.points), len(omega), len(outputs), len(inputs)), dtype=complex)
     for pose in range(len(at.points)):
         values[pose] = equations(at, pose, B[pose], motors, L[pose]).response(omega)
-    return np.asarray(values * (1j * omega[:, None, None]) ** QUANTITIES[quantity])
+    if QUANTITIES[quantity]:
+        values *= (1j * omega[:, None, None]) ** QUANTITIES[quantity]
+    return values
 
 
 def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Array:

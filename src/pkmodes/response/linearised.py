@@ -17,11 +17,12 @@ from numpy.typing import NDArray
 from pkmodes.core.linalg.damping import ModalDamping, modal_damping, rates_of_ratio
 from pkmodes.core.linalg.eigen import generalised_eigh
 from pkmodes.core.model import Model
-from pkmodes.core.solve.solver import Solver
+from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.system.motors import MotorsHeld, motor_motion
-from pkmodes.support.solutions import solved, with_fields
+from pkmodes.support.solutions import solved, with_all_coordinates, with_fields
 
 Array = NDArray[np.float64]
+MATRICES, PLATFORM_MOTION = ("mass_matrix", "stiffness_matrix"), "platform_motion"
 
 
 class Blocks(NamedTuple):
@@ -60,16 +61,17 @@ class LinearisedRobot:
     def __init__(self, model: Model, points: Array, drives: str, backend: str) -> None:
         self.model, self.points = model, points
         system = self.system = model.solved(drives)
-        solver = model.solver(backend, drives).inner
-        self._at = solved(solver, system, points, model.robot.source)
+        self._solver, self._backend = model.solver(backend, drives).inner, backend
+        read_too = () if isinstance(system, MotorsHeld) else (*MATRICES, PLATFORM_MOTION)
+        self._at = solved(self._solver, system, points, model.robot.source, *read_too)
         self.rigid, self.massless = system.rigid_modes, system.massless
         n, motors = len(model.system.coordinates), len(model.robot.mechanism.drives)
         self.kept, self.prescribed = np.eye(n), np.zeros((n, motors))
         if isinstance(system, MotorsHeld):
             self.kept, self.prescribed = system.motions()
-        self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes(solver)
+        self.eigenvalues, self.own_shapes = self._with_exact_rigid_modes()
 
-    def _with_exact_rigid_modes(self, solver: Solver) -> tuple[Array, Array]:
+    def _with_exact_rigid_modes(self) -> tuple[Array, Array]:
         """Return the modes, the rigid ones from an eigenproblem of their own.
 
         Otherwise they have the rounding of the largest eigenvalue, which shows at low frequencies.
@@ -77,12 +79,9 @@ class LinearisedRobot:
         rigid, at = self.rigid, self._at
         eigenvalues, shapes = at["eigenvalues"], at["shapes"]
         if rigid:
-            with_fields(solver, at, "mass_matrix", "stiffness_matrix")
             eigenvalues, shapes = eigenvalues.copy(), shapes.copy()
             R = shapes[:, :rigid]
-            M, K = (
-                R @ matrix @ np.swapaxes(R, -1, -2) for matrix in (at["mass_matrix"], at["stiffness_matrix"])
-            )
+            M, K = (R @ matrix @ np.swapaxes(R, -1, -2) for matrix in (at[name] for name in MATRICES))
             eigenvalues[:, :rigid], turned = generalised_eigh(M, K)
             shapes[:, :rigid] = turned @ R
         return eigenvalues, shapes
@@ -90,7 +89,11 @@ class LinearisedRobot:
     @cached_property
     def matrices(self) -> tuple[Blocks, Blocks]:
         """M and K."""
-        M, K = (self._blocks(matrix) for matrix in self._at.all_coordinates)
+        if isinstance(self.system, MotorsHeld):
+            at = with_all_coordinates(self._solver, self._at)
+            M, K = (self._blocks(self.system, matrix) for matrix in at["all_coordinates"])
+        else:
+            M, K = (Blocks(self._at[name], self._nothing) for name in MATRICES)
         return M, K
 
     @cached_property
@@ -101,18 +104,19 @@ class LinearisedRobot:
             nothing = Blocks(np.zeros((len(self.points), *2 * self.kept.shape[1:])), self._nothing)
             return nothing, nothing
         if isinstance(system, MotorsHeld):
-            viscous, loss = (self._blocks(system.in_basis(matrix)) for matrix in of.of_model(self.points))
+            viscous, loss = (
+                self._blocks(system, system.in_basis(matrix)) for matrix in of.of_model(self.points)
+            )
         else:
             viscous, loss = (Blocks(matrix, self._nothing) for matrix in of.matrices(self.points))
         return viscous, loss
 
-    def _blocks(self, matrix: Array) -> Blocks:
-        """Return the blocks of a matrix in all coordinates of the system that is solved."""
-        system = self.system
-        if isinstance(system, MotorsHeld):
-            # Without motor inertia and servos, which have no influence: nothing large cancels.
-            return Blocks(system.free_part(matrix), matrix[:, system.free[:, None], system.rotors])
-        return Blocks(system.free_part(matrix), self._nothing)
+    def _blocks(self, system: MotorsHeld, matrix: Array) -> Blocks:
+        """Return the blocks of a matrix in all coordinates of a robot with held motors.
+
+        Without motor inertia and servos, which have no influence: nothing large cancels.
+        """
+        return Blocks(system.free_part(matrix), matrix[:, system.free[:, None], system.rotors])
 
     @property
     def _nothing(self) -> Array:
@@ -138,7 +142,12 @@ class LinearisedRobot:
     @cached_property
     def platform(self) -> Array:
         """Absolute motion of the platform per unit of each of the n coordinates, (N, components, n)."""
-        return self.model.system.platform_motion(self.points)
+        at, model = self._at, self.model
+        if isinstance(self.system, MotorsHeld):
+            at = RobotAtPoses(model.system, at.points, model.robot.source, {})
+            with_fields(model.solver(self._backend), at, PLATFORM_MOTION)
+        motion: Array = at[PLATFORM_MOTION]
+        return motion
 
 
 def nan_in_both_parts(values: NDArray[np.complex128]) -> NDArray[np.complex128]:

@@ -192,9 +192,8 @@ class CompiledDerivatives(MatrixDerivatives):
     def _all_coordinates(self) -> tuple[Array, Array]:
         if not self._compiled.keys() >= set(ALL_COORDINATES):
             return super()._all_coordinates
-        M, K = (self.system.in_basis(self._compiled[name]) for name in ALL_COORDINATES)
-        K[..., np.arange(self.size), np.arange(self.size)] += self.system.joints
-        return M, K
+        M, K = (self._compiled[name] for name in ALL_COORDINATES)
+        return self.system.of_generated(M, K)
 
     @cached_property
     def _dense(self) -> tuple[Array, Array]:

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from pkmodes.core.compiled.lanes import ALL_COORDINATES, RATES_OF_MATRICES, flat, no_paths
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.fields import FIELDS, sizes_of, tail
 from pkmodes.core.solve.numpy_solver import NumpySolver, checked_modes
 from pkmodes.core.solve.solver import EIGENVALUES, SHAPES, UNSOLVED, Solver
-from pkmodes.core.system.evaluation import Evaluation, number_of_modes
+from pkmodes.core.system.evaluation import Evaluation, ExtendedSystem, number_of_modes
 
 Array = NDArray[np.float64]
 
@@ -31,6 +32,28 @@ def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
     if arrays:
         solver.compute(at, arrays)
         at.known.update(arrays)
+    return at
+
+
+def with_all_coordinates(solver: Solver, at: RobotAtPoses) -> RobotAtPoses:
+    """Return a robot at poses with M and K in all coordinates, from one call of a compiled solver if it is one.
+
+    Parameters
+    ----------
+    solver : Solver
+        Of its system.
+    """
+    system = at.system
+    if isinstance(system, ExtendedSystem) and len(at.points):
+        of_no_mode = np.empty((len(at.points), 0)), np.empty((len(at.points), 0, len(system.coordinates)))
+        fields = (
+            *RATES_OF_MATRICES,
+            *ALL_COORDINATES,
+        )  # the kernel writes the latter along with rates: of no path
+        along = solver.along(at, of_no_mode, no_paths(flat(system.effects)), fields)
+        if along is not None:
+            M, K = (along[name] for name in ALL_COORDINATES)
+            at.known["all_coordinates"] = system.of_generated(M, K)
     return at
 
 

@@ -55,12 +55,12 @@ class RobotAtPoses:
     @cached_property
     def mass_matrix(self) -> Array:
         """M, (N, n, n)."""
-        return self.system.free_part(self.all_coordinates[0])
+        return self.system.free_part(self["all_coordinates"][0])
 
     @cached_property
     def stiffness_matrix(self) -> Array:
         """K, (N, n, n)."""
-        return self.system.free_part(self.all_coordinates[1])
+        return self.system.free_part(self["all_coordinates"][1])
 
     @cached_property
     def stiffness_parts(self) -> StiffnessParts:

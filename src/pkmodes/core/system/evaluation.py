@@ -155,7 +155,13 @@ class ExtendedSystem(Evaluation):
 
     def all_coordinates(self, p: Array) -> tuple[Array, Array]:
         """Return M and K in all coordinates, each (N, e, e); here locked joints are free and have no spring."""
-        M, K = self.without_springs(p)
+        return self._with_springs(*self.without_springs(p))
+
+    def of_generated(self, M: Array, K: Array) -> tuple[Array, Array]:
+        """Return M and K in all coordinates from those of the generated model, each (N, e, e)."""
+        return self._with_springs(self.in_basis(M), self.in_basis(K))
+
+    def _with_springs(self, M: Array, K: Array) -> tuple[Array, Array]:
         diagonal = np.arange(K.shape[-1])
         K[..., diagonal, diagonal] += self.joints
         return M, K

@@ -207,7 +207,7 @@ def springs_among(mechanism: Mechanism, names: Iterable[str]) -> tuple[str, ...]
 
 def motor_motion(system: Evaluation) -> Array:
     """Return the angle of each motor per unit of each coordinate with free motors, (drives, n)."""
-    extended = _extended(system)
+    extended = extended_system(system)
     motion: Array = np.asarray(extended.generated.motor_motion())[:, extended.free]
     return motion
 
@@ -227,10 +227,10 @@ def solved_system(system: Evaluation, drives: str) -> Evaluation:
         The robot with free motors.
     drives : {"free", "held"}
     """
-    return system if drives == FREE else MotorsHeld(_extended(system))
+    return system if drives == FREE else MotorsHeld(extended_system(system))
 
 
-def _extended(system: Evaluation) -> ExtendedSystem:
+def extended_system(system: Evaluation) -> ExtendedSystem:
     """Return a system evaluated by the extended model, which alone knows motors."""
     if isinstance(system, ExtendedSystem):
         return system

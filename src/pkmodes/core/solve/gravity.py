@@ -1,0 +1,43 @@
+"""The part of K that is due to gravity, which the library evaluates as a derivative: K is linear in gravity."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pkmodes.core.compiled.lanes import Terms, flat
+from pkmodes.core.solve.at_poses import RobotAtPoses
+from pkmodes.core.solve.solver import Solver
+from pkmodes.core.system.evaluation import ExtendedSystem
+
+Array = NDArray[np.float64]
+
+
+def gravitational_stiffness(solver: Solver, system: ExtendedSystem, p: Array) -> Array:
+    """Return K_g at poses that can be evaluated, (N, n, n): by itself, since little of it is left in K_el + K_g.
+
+    Parameters
+    ----------
+    solver : Solver
+        Of the robot; NumPy evaluates where it does not differentiate.
+    system : ExtendedSystem
+        The robot with free motors.
+    p : ndarray, shape (N, d)
+    """
+    parameters, gravity = system.parameters, np.asarray(system.parameters.gravity, dtype=float)
+    first = flat(parameters[: parameters._fields.index("gravity")]).size
+    along_gravity = Terms(
+        first=np.array([0, gravity.size], dtype=np.int32),
+        places=np.arange(first, first + gravity.size, dtype=np.int32),
+        weights=gravity,
+        effects=flat(system.effects),
+        all_coordinates=False,
+        locked_joints=False,
+    )
+    of_no_mode = np.empty((len(p), 0)), np.empty((len(p), 0, len(system.coordinates)))
+    at = RobotAtPoses(system, np.ascontiguousarray(p), "", {})
+    found = solver.along(at, of_no_mode, along_gravity, ["stiffness_rates"])
+    if found is not None:
+        return found["stiffness_rates"][:, 0]
+    _, _, K_g = system.single("extended_matrices", p)
+    return system.free_part(system.in_basis(K_g))
