@@ -200,8 +200,13 @@ def costs(run: Callable[[int], None], most: int, patience: float) -> Iterator[tu
 
 
 def print_ratios(arguments: list[str]) -> None:
+    repetitions = 3 if "--quick" in arguments else ratios.REPETITIONS
+    of_peers = ratios.peer_times(published(), valid_poses(ratios.BATCH), repetitions)
+    print(ratios.peer_table(of_peers), "", sep="\n")
+    if "--keep" in arguments:
+        ratios.keep_peers(of_peers, ratios.ROOT / "docs" / "compiled.md")
     for name, (model, poses) in ratios.machines().items():
-        found = ratios.times(model, poses, 3 if "--quick" in arguments else ratios.REPETITIONS)
+        found = ratios.times(model, poses, repetitions)
         print(f"{model.robot.name}:", *ratios.lines(found), "", sep="\n")
         if "--keep" in arguments:
             ratios.keep(found, ratios.ROOT / "docs" / "compiled.md", name)

@@ -13,6 +13,7 @@ import numpy as np
 
 import backends_report
 import pkmodes
+from peers import BLOCK, Way, ways
 from published import published, valid_poses
 from timing import interleaved
 from turning import machine
@@ -81,6 +82,11 @@ RATIOS = (
 #: What is evaluated at one pose, and at a batch, with free motors.
 OF_POSE = ("matrices", "statics", "platform_jacobian", "inverse_kinematics", "condition", "check")
 OF_BATCH = ("matrices", "statics", "condition")
+#: What other ways do, too.
+OF_PEERS = ("frequencies of a pose", "modes of a pose", "frequencies of a batch", "modes of a batch")
+OURS = "pkmodes"
+#: Suffix of the writer in the mark of the table of other ways.
+PEERS = " peers"
 
 
 def machines() -> dict[str, tuple[pkmodes.Model, np.ndarray]]:
@@ -120,15 +126,66 @@ def times(model: pkmodes.Model, poses: np.ndarray, repetitions: int = REPETITION
         short[f"{name} of a pose"] = partial(getattr(model, name), pose)
     short["with_values"] = lambda: model.robot.with_values({"platform.mass": next(masses)})
 
-    def many(call: Callable[[], object]) -> None:
-        for _ in range(CALLS):
-            call()
-
-    calls = {name: partial(many, call) for name, call in short.items()} | long
+    calls = {name: partial(_repeated, call) for name, call in short.items()} | long
     for call in calls.values():
         call()
     found = interleaved(calls, repetitions)
     return {name: time / (CALLS if name in short else 1) for name, time in found.items()}
+
+
+def peer_times(
+    model: pkmodes.Model, poses: np.ndarray, repetitions: int = REPETITIONS
+) -> dict[str, dict[str, float]]:
+    """Measure what the ways of others take for a pose and for a batch, in the same run as the library [s].
+
+    Returns
+    -------
+    dict
+        By way, the times of the rows of `OF_PEERS`; those of a batch are for all its poses.  Ways whose packages are
+        missing are left out, and so is MuJoCo, whose pose takes milliseconds.
+    """
+    n, some = len(model.coordinates), poses[:BLOCK]
+    few = [way for way in ways() if isinstance(way, Way) and way.label != "MuJoCo"]
+    room = {count: (np.zeros((count, n)), np.zeros((count, n, n))) for count in (1, len(some))}
+    calls: dict[str, dict[str, Callable[[], object]]] = {}
+    for way in few:
+        (f, shapes), (fs, all_shapes) = room.values()
+        calls[way.label] = {
+            "frequencies of a pose": partial(_repeated, partial(way.run, poses[:1], f, None)),
+            "modes of a pose": partial(_repeated, partial(way.run, poses[:1], f, shapes)),
+            "frequencies of a batch": partial(way.run, some, fs, None),
+            "modes of a batch": partial(way.run, some, fs, all_shapes),
+        }
+    calls[OURS] = {
+        "frequencies of a pose": partial(_repeated, partial(model.frequencies, poses[0])),
+        "modes of a pose": partial(_repeated, partial(model.modes, poses[0])),
+        "frequencies of a batch": partial(model.frequencies, some, threads=1),
+        "modes of a batch": partial(model.modes, some, threads=1),
+    }
+    for of_way in calls.values():
+        for call in of_way.values():
+            call()
+    flat = {(label, row): call for label, of_way in calls.items() for row, call in of_way.items()}
+    taken = interleaved(flat, repetitions)
+    return {
+        label: {row: taken[label, row] / (CALLS if row.endswith("pose") else 1) for row in OF_PEERS}
+        for label in calls
+    }
+
+
+def peer_table(found: dict[str, dict[str, float]]) -> str:
+    """Return the table of the ways of others: multiples of what the library takes."""
+    heads = [OURS, *(label for label in found if label != OURS)]
+    rows = [
+        [row, *(backends_report.digits(found[label][row] / found[OURS][row]) for label in heads)]
+        for row in OF_PEERS
+    ]
+    return backends_report.table(["call", *heads], rows)
+
+
+def _repeated(call: Callable[[], object]) -> None:
+    for _ in range(CALLS):
+        call()
 
 
 def ratios(found: dict[str, float]) -> dict[str, float]:
@@ -174,6 +231,11 @@ def keep(found: dict[str, float], document: Path, suffix: str) -> None:
     ]
     whole = backends_report.table(["call", "asked, at most", *commits], table)
     backends_report.put(document, whole + "\n", writer)
+
+
+def keep_peers(found: dict[str, dict[str, float]], document: Path) -> None:
+    """Replace the table of the ways of others in a document."""
+    backends_report.put(document, peer_table(found) + "\n", WRITER + PEERS)
 
 
 @cache  # before a document is changed
