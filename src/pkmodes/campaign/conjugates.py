@@ -53,33 +53,36 @@ def phase_checked(
     MeasurementError
         If a function is a conjugate, and this is not asked for.
     """
-    shares = [_early(one.abscissa, np.asarray(one.values), band) for one in functions]
+    shares = [_early(function.abscissa, np.asarray(function.values), band) for function in functions]
     lines = int(np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1])))
     surely = [share > _limit(lines) for share in shares]
     mostly = bool(np.mean(shares) > (0.5 if conjugate else _limit(lines * len(shares))))
     clearly = [share < 1.0 - _limit(lines) for share in shares]
     wrong = [bad or (mostly and not good) for bad, good in zip(surely, clearly, strict=True)]
     if conjugate:
-        mended = (computed(one, np.conj) if bad else one for one, bad in zip(functions, wrong, strict=True))
+        mended = (
+            computed(function, np.conj) if bad else function
+            for function, bad in zip(functions, wrong, strict=True)
+        )
         return tuple(mended), ()
     if any(wrong):
-        names = [f"{one.response}/{one.reference}".removesuffix("/") for one in functions]
+        names = [f"{function.response}/{function.reference}".removesuffix("/") for function in functions]
         which = [name for name, bad in zip(names, wrong, strict=True) if bad]
-        some = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
-        suspects = [one for one, bad in zip(functions, wrong, strict=True) if bad]
-        if not _fitted([computed(one, np.conj) for one in suspects], band):
+        examples = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
+        suspects = [function for function, bad in zip(functions, wrong, strict=True) if bad]
+        if not _fitted([computed(function, np.conj) for function in suspects], band):
             remark = (
-                f"{source}: {len(which)} of {len(names)} functions ({some}) hold more vibration before the force "
+                f"{source}: {len(which)} of {len(names)} functions ({examples}) hold more vibration before the force "
                 "than after it, and no modes fit their complex conjugates either: they are mostly no response to "
                 "this force; measure with more force or more averages"
             )
             return tuple(functions), (remark,)
-        what = (
+        problem = (
             "expected vibrations that decay after the force, found ones that grow before it in "
-            f"{len(which)} of {len(names)} functions ({some}): these are complex conjugates, with the phase of "
+            f"{len(which)} of {len(names)} functions ({examples}): these are complex conjugates, with the phase of "
             "exp(-i omega t)"
         )
-        raise MeasurementError(what, source, "write conjugate = true in the record")
+        raise MeasurementError(problem, source, "write conjugate = true in the record")
     return tuple(functions), ()
 
 
@@ -88,11 +91,11 @@ def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
     chosen = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MOST_FITTED))]
     f = chosen[0].abscissa
     inside = (f >= band[0]) & (f <= band[1])
-    values = np.stack([np.asarray(one.values, complex) for one in chosen], axis=1)
+    values = np.stack([np.asarray(function.values, complex) for function in chosen], axis=1)
     size = np.linalg.norm(values[inside], axis=0)
-    known = np.isfinite(size) & (size > 0.0)
+    usable = np.isfinite(size) & (size > 0.0)
     try:
-        estimate = identify_frf(f, (values[:, known] / size[known])[..., None], band=band, power=2)
+        estimate = identify_frf(f, (values[:, usable] / size[usable])[..., None], band=band, power=2)
     except MeasurementError:  # too few lines or functions: nothing can be said
         return False
     if not estimate.modes:

@@ -62,17 +62,17 @@ class Found:
     sigma_size: float = np.nan
 
 
-def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:
+def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
     """Return the modal assurance criterion over the components that both shapes have; 1 for fewer than two.
 
     Notes
     -----
     Allemang and Brown, Proc. 1st Int. Modal Analysis Conf., 1982.
     """
-    common = [name for name in one if name in other]
+    common = [name for name in first if name in second]
     if len(common) < 2:
         return 1.0
-    return alike(*(np.array([shape[name] for name in common]) for shape in (one, other)))
+    return alike(*(np.array([shape[name] for name in common]) for shape in (first, second)))
 
 
 def check_shape(shape: Mapping[str, complex], where: str) -> None:
@@ -84,8 +84,8 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
     """
     size = max((abs(value) for value in shape.values()), default=1.0)
     if not SMALLEST <= size <= LARGEST:
-        what = f"expected a mode shape, found components up to {size:g}"
-        raise MeasurementError(what, where, "leave the shape out where it was not measured")
+        problem = f"expected a mode shape, found components up to {size:g}"
+        raise MeasurementError(problem, where, "leave the shape out where it was not measured")
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +117,7 @@ class FileModes:
     modes : tuple of Found
     messages : tuple of str
         What the user should know.
-    seen : frozenset of str, or None
+    names_in_file : frozenset of str, or None
         Names of the sensors and, without their signs, of the forces in the file; None if it needs none.
     added : tuple of Found or str
         For each frequency from which the user asked for a mode: the mode, or why there is none.
@@ -131,7 +131,7 @@ class FileModes:
 
     modes: tuple[Found, ...]
     messages: tuple[str, ...]
-    seen: frozenset[str] | None
+    names_in_file: frozenset[str] | None
     added: tuple[Found | str, ...] = ()
     fit: Fit | None = None
     unnamed: tuple[str, ...] = ()
@@ -139,7 +139,9 @@ class FileModes:
 
     def changed(self, change: Callable[[Found], Found]) -> FileModes:
         """Return it with another mode for each, also for each that the user asked for."""
-        added = tuple(one if isinstance(one, str) else change(one) for one in self.added)
+        added = tuple(
+            candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
+        )
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
@@ -148,7 +150,7 @@ def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -
     shape = {
         name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
     }
-    known = () if mode.participation is None else zip(references, mode.participation, strict=True)
+    pairs = () if mode.participation is None else zip(references, mode.participation, strict=True)
     return Found(
         mode.frequency,
         mode.damping,
@@ -157,20 +159,25 @@ def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -
         mode.sigma_damping,
         mode.sigma_shape,
         mode.found_in,
-        participation={name: complex(value) for name, value in known if name not in NAMELESS},
+        participation={name: complex(value) for name, value in pairs if name not in NAMELESS},
         sigma_size=mode.sigma_size,
     )
 
 
 def modes_of_fit(
-    fit: Fit, messages: Sequence[str], seen: frozenset[str], found: Callable[[Mode], Found] | None = None
+    fit: Fit,
+    messages: Sequence[str],
+    names_in_file: frozenset[str],
+    convert: Callable[[Mode], Found] | None = None,
 ) -> FileModes:
-    """Return what a file gives by its fit; `found` turns a mode of the fit into one of the file: `found_of`."""
-    made = found or (lambda mode: found_of(mode, fit.responses, fit.references))
+    """Return what a file gives by its fit; `convert` turns a mode of the fit into one of the file: `found_of`."""
+    made = convert or (lambda mode: found_of(mode, fit.responses, fit.references))
     return FileModes(
         tuple(made(mode) for mode in fit.estimate.modes),
         tuple(messages),
-        seen,
-        tuple(one if isinstance(one, str) else made(one) for one in fit.estimate.added),
+        names_in_file,
+        tuple(
+            candidate if isinstance(candidate, str) else made(candidate) for candidate in fit.estimate.added
+        ),
         fit,
     )

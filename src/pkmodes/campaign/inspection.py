@@ -94,7 +94,7 @@ class Repeats:
     modes: tuple[Mapping[int, float], ...]
 
 
-def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
+def inspection(setup: str, file: str, further_files: int, fit: Fit) -> Inspection:
     """Return what is drawn of a fit, of one of several files."""
     estimate = fit.estimate
     f, (F, S, R) = estimate.frequencies, estimate.measured.shape
@@ -108,7 +108,7 @@ def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
     total = np.zeros(F)
     for size in sizes.values():
         total += size / np.sqrt(np.mean(size**2))
-    modes = [*estimate.modes, *(one for one in estimate.added if not isinstance(one, str))]
+    modes = [*estimate.modes, *(mode for mode in estimate.added if not isinstance(mode, str))]
     at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
     heights = np.array([size[at] / np.sqrt(np.mean(size**2)) for size in sizes.values()])
     chosen = [places[k] for k in _chosen(heights)]
@@ -116,7 +116,7 @@ def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
     return Inspection(
         setup,
         file,
-        others,
+        further_files,
         estimate.stabilisation,
         f[shown],
         total[shown],

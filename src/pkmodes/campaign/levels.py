@@ -76,8 +76,8 @@ def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
 
 def widest(shifts: Sequence[LevelShift | None]) -> LevelShift | None:
     """Return the change with the largest spread, None for none."""
-    known = [shift for shift in shifts if shift is not None]
-    return max(known, key=lambda shift: shift.spread, default=None)
+    changes = [shift for shift in shifts if shift is not None]
+    return max(changes, key=lambda shift: shift.spread, default=None)
 
 
 def with_half(sigma: float, shift: LevelShift | None) -> float:

@@ -79,15 +79,17 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
     match = NUMBER.fullmatch(sensitivity)
     value = float(match[1]) if match else 0.0
     if match is None or value == 0.0:
-        what = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
-        raise MeasurementError(what, where, "give the volts per unit of the motion")
+        problem = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
+        raise MeasurementError(problem, where, "give the volts per unit of the motion")
     factor, powers = base(match[2], where)
     volt, of_volt = base_units("V")
-    left = {name: float(str(power)) for name, power in of_volt.items()}
+    remaining = {name: float(str(power)) for name, power in of_volt.items()}
     for name, power in powers.items():
-        left[name] = left.get(name, 0.0) - power
-    found = _of(float(volt) / (value * factor), {n: p for n, p in left.items() if p}, sensitivity, where)
-    return replace(found, of_volts=True)
+        remaining[name] = remaining.get(name, 0.0) - power
+    measured = _of(
+        float(volt) / (value * factor), {n: p for n, p in remaining.items() if p}, sensitivity, where
+    )
+    return replace(measured, of_volts=True)
 
 
 def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
@@ -101,9 +103,9 @@ def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
     try:
         factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit_text(unit) or unit))
     except QuantityError as error:
-        what = str(error).replace(GRAVITY.sub(r"\1gravity", unit), unit)
+        problem = str(error).replace(GRAVITY.sub(r"\1gravity", unit), unit)
         remedy = 'give unit = "V", and this as sensitivity' if "V/" in unit else EXAMPLE
-        raise MeasurementError(what, where, remedy) from None
+        raise MeasurementError(problem, where, remedy) from None
     return float(factor), {name: float(str(power)) for name, power in powers.items()}
 
 
@@ -111,7 +113,7 @@ def _of(factor: float, powers: dict[str, float], text: str, where: str) -> Motio
     kind = next((name for name in ("meter", "radian") if powers.get(name) == 1.0), None)
     derivative = -powers.get("second", 0.0)
     if kind is None or derivative not in (0.0, 1.0, 2.0) or not powers.keys() <= {kind, "second"}:
-        what = f"expected the unit of a motion, found {shown(text)}"
+        problem = f"expected the unit of a motion, found {shown(text)}"
         remedy = 'give unit = "V", and this as sensitivity' if "V/" in text else EXAMPLE
-        raise MeasurementError(what, where, remedy)
+        raise MeasurementError(problem, where, remedy)
     return Motion(factor, int(derivative), kind == "radian", text)

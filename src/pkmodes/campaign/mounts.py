@@ -97,6 +97,6 @@ def spread(mounts: Sequence[Mount]) -> float:
 
     It makes rotations comparable with displacements.
     """
-    places = np.array([one.at for one in mounts if not one.angular] or [ORIGIN])
+    places = np.array([mount.at for mount in mounts if not mount.angular] or [ORIGIN])
     size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
     return size if size > 0.0 else 1.0

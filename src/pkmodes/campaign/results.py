@@ -185,4 +185,6 @@ class Identification:
 
     def as_json(self) -> dict[str, Any]:
         """Return them in the form described in docs/json.md, without NaN."""
-        return IdentifyDocument.of(self, records=tuple(one.document() for one in self.records)).as_json()
+        return IdentifyDocument.of(
+            self, records=tuple(record.document() for record in self.records)
+        ).as_json()

@@ -46,10 +46,10 @@ def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> 
             freedom += len(members) - 1
             modes += 1
     if modes < FEWEST:
-        what = (
+        problem = (
             f'expected at least {FEWEST} modes measured again for repeatability = "revisits", found {modes}'
         )
         remedy = 'measure a pose again under another label, or write a number such as "0.2 %"'
-        raise MeasurementError(what, f"{source}: repeatability", remedy)
+        raise MeasurementError(problem, f"{source}: repeatability", remedy)
     value = float(np.sqrt(max(squares, 0.0) / freedom))
     return value, [f"repeatability {plain(100.0 * value, 2)} %, from {modes} modes that were measured again"]

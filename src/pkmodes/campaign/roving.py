@@ -111,8 +111,12 @@ def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign)
         repeat.
     """
     sensors = [campaign.sensors_in(setup) for setup in files]
-    forces = [_hit(setup, each.values(), campaign) for setup, each in files.items()]
-    if len(set(forces)) < 2 or not all(forces) or any(each != sensors[0] for each in sensors):
+    forces = [_hit(setup, by_path.values(), campaign) for setup, by_path in files.items()]
+    if (
+        len(set(forces)) < 2
+        or not all(forces)
+        or any(setup_sensors != sensors[0] for setup_sensors in sensors)
+    ):
         return []
     return [dict(zip(files, paths, strict=True)) for paths in zip(*files.values(), strict=False)]
 
@@ -132,13 +136,13 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
     Exploratory Data Analysis, 1977, chapter 11) with weights.
     """
     groups = [
-        {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
+        {i: mean.mode for i, mean in group.items() if mean.mode.sigma_frequency < _allowed(mean.mode)}
         for group in grouped_means(list(points.values()))
     ]
     groups = [group for group in groups if len(group) > 1]
     if not groups:
         return Change(0.0, np.inf, dict.fromkeys(points, 1.0))
-    widths = [min(_allowed(one) / one.frequency for one in group.values()) for group in groups]
+    widths = [min(_allowed(mode) / mode.frequency for mode in group.values()) for group in groups]
     logs, sigma = (np.full((len(groups), len(points)), np.nan) for _ in range(2))
     for k, group in enumerate(groups):
         for i, mode in group.items():
@@ -147,14 +151,14 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
     shifts = np.zeros(len(points))
     for _ in range(SWEEPS):
         of_modes = np.array([_median(*row) for row in zip(logs - shifts, sigma, strict=True)])
-        left = logs - of_modes[:, None]
-        shifts = np.array([_median(*column) for column in zip(left.T, sigma.T, strict=True)])
-    errors = [_error(*column) for column in zip((left - shifts).T, sigma.T, strict=True)]
+        residuals = logs - of_modes[:, None]
+        shifts = np.array([_median(*column) for column in zip(residuals.T, sigma.T, strict=True)])
+    errors = [_error(*column) for column in zip((residuals - shifts).T, sigma.T, strict=True)]
     shifts -= np.median(shifts)
     sure = np.where(np.abs(shifts) > SURE * np.array(errors), shifts, 0.0)
     low, high = min(sure), max(sure)
     factors = {
-        setup: float(np.exp(0.5 * (low + high) - one)) for setup, one in zip(points, sure, strict=True)
+        setup: float(np.exp(0.5 * (low + high) - shift)) for setup, shift in zip(points, sure, strict=True)
     }
     return Change(float(-np.expm1(low - high)), float(np.median(widths)), factors)
 
@@ -166,13 +170,13 @@ def _median(values: Array, sigma: Array) -> float:
     return float(values[order[np.searchsorted(weights, 0.5 * weights[-1])]]) if len(order) else 0.0
 
 
-def _error(left: Array, sigma: Array) -> float:
+def _error(residuals: Array, sigma: Array) -> float:
     """Return the standard deviation of a weighted median: as stated, or larger as what is left of its values is."""
-    known = np.isfinite(left)
-    if not known.any():
+    finite = np.isfinite(residuals)
+    if not finite.any():
         return np.inf
-    larger = max(1.0, 1.4826 * float(np.median(np.abs(left[known]) / sigma[known])))
-    return float(larger * np.sqrt(0.5 * np.pi / (sigma[known] ** -2.0).sum()))
+    larger = max(1.0, 1.4826 * float(np.median(np.abs(residuals[finite]) / sigma[finite])))
+    return float(larger * np.sqrt(0.5 * np.pi / (sigma[finite] ** -2.0).sum()))
 
 
 def _allowed(mode: Found) -> float:

@@ -39,21 +39,21 @@ def silent(
     rests : mapping of int to slice
         Where some of the signals keep one value.
     """
-    found, said = set[int](), list[str]()
-    moving = [one for i, one in enumerate(used) if i not in rests]
+    faulty, messages = set[int](), list[str]()
+    moving = [signal for i, signal in enumerate(used) if i not in rests]
     for i, rest in rests.items():
         name = used[i].response
         if rest.stop - rest.start == time.size:
-            found.add(i)
-            said += dead_channels([name], source)
-        elif any(_goes_on(one.values.real, rest) for one in moving):
-            found.add(i)
+            faulty.add(i)
+            messages += dead_channels([name], source)
+        elif any(_goes_on(signal.values.real, rest) for signal in moving):
+            faulty.add(i)
             first, last = time[rest.start], time[rest.stop - 1]
-            said.append(
+            messages.append(
                 f"{source}: {name} keeps one value from {first:.4g} s to {last:.4g} s while others go on: this file "
                 "gives no shape component of it"
             )
-    return found, said
+    return faulty, messages
 
 
 def _goes_on(values: Array, rest: slice) -> bool:

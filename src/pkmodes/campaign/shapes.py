@@ -64,14 +64,16 @@ def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: f
     """
     used = [name for name in shape if places[name].weights]
     order = dict.fromkeys(channel for name in used for channel in places[name].weights)
-    found: dict[str, complex] = {}
+    components: dict[str, complex] = {}
     gains: dict[str, float] = {}
     for names in _together(used, places):
         solved = _solved(names, shape, places)
-        found |= solved[0]
+        components |= solved[0]
         gains |= solved[1]
-    values = {channel: found[channel] for channel in order if channel in found}
-    of_platform = {name for one in used if (mount := places[one].mount) for name in mount.platform.components}
+    values = {channel: components[channel] for channel in order if channel in components}
+    of_platform = {
+        name for sensor in used if (mount := places[sensor].mount) for name in mount.platform.components
+    }
     if not of_platform:
         return Combined(values)
     better, growth = _known(values, gains, shape, sigma)
@@ -84,8 +86,8 @@ def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str
     group_of: dict[str, list[str]] = {}
     for name in used:
         groups = {id(group_of[c]): group_of[c] for c in places[name].weights if c in group_of}
-        merged = [*(one for group in groups.values() for one in group), name]
-        for channel in {c for one in merged for c in places[one].weights}:
+        merged = [*(sensor for group in groups.values() for sensor in group), name]
+        for channel in {c for sensor in merged for c in places[sensor].weights}:
             group_of[channel] = merged
     return list({id(group): group for group in group_of.values()}.values())
 
@@ -101,10 +103,12 @@ def _solved(
     U, s, Vh = np.linalg.svd(A * rows[:, None] / columns)
     rank = int((s > HIDDEN * s[0]).sum())
     hidden = np.abs(Vh[rank:]).max(axis=0, initial=0.0) > HIDDEN
-    found = Vh[:rank].T @ ((U[:, :rank].T @ (values * rows)) / s[:rank]) / columns
+    solution = Vh[:rank].T @ ((U[:, :rank].T @ (values * rows)) / s[:rank]) / columns
     gains = np.linalg.norm(Vh[:rank].T @ (U[:, :rank].T * rows / s[:rank, None]), axis=1) / columns
-    known = [i for i in range(len(channels)) if not hidden[i] and np.isfinite(found[i])]
-    return {channels[i]: complex(found[i]) for i in known}, {channels[i]: float(gains[i]) for i in known}
+    determined = [i for i in range(len(channels)) if not hidden[i] and np.isfinite(solution[i])]
+    return {channels[i]: complex(solution[i]) for i in determined}, {
+        channels[i]: float(gains[i]) for i in determined
+    }
 
 
 def _lengths(
@@ -126,8 +130,8 @@ def _known(
 ) -> tuple[dict[str, complex], float]:
     """Return the components that are known better than to the largest of them, and the growth of their errors."""
     error, size = sigma * _largest(shape), _largest(values)
-    while values and error * (most := max(gains[name] for name in values)) >= size > 0.0:
-        values = {name: value for name, value in values.items() if gains[name] < most}
+    while values and error * (worst := max(gains[name] for name in values)) >= size > 0.0:
+        values = {name: value for name, value in values.items() if gains[name] < worst}
         size = _largest(values)
     return values, max(gains[name] for name in values) * _largest(shape) / size if size > 0.0 else 1.0
 
@@ -141,16 +145,18 @@ def _largest(shape: Mapping[str, complex]) -> float:
 
 def left_blank(where: str, sentence: str, modes: Sequence[tuple[float, Sequence[str]]]) -> list[str]:
     """Return sentences on the components that are blank in modes, each with its frequency [Hz]."""
-    said: dict[tuple[str, ...], list[str]] = {}
+    frequencies_of: dict[tuple[str, ...], list[str]] = {}
     for frequency, names in modes:
-        said.setdefault(tuple(names), []).append(f"{frequency:.4g}")
-    found = []
-    for names, those in said.items():
+        frequencies_of.setdefault(tuple(names), []).append(f"{frequency:.4g}")
+    sentences = []
+    for names, those in frequencies_of.items():
         in_modes = (
-            f" in the mode{'s' if len(those) > 1 else ''} at {', '.join(those)} Hz" if len(said) > 1 else ""
+            f" in the mode{'s' if len(those) > 1 else ''} at {', '.join(those)} Hz"
+            if len(frequencies_of) > 1
+            else ""
         )
-        found += [f"{where}: {sentence.format(joined(names, 'or') + in_modes)}"] if names else []
-    return found
+        sentences += [f"{where}: {sentence.format(joined(names, 'or') + in_modes)}"] if names else []
+    return sentences
 
 
 def turned_shape(shape: Mapping[str, complex]) -> dict[str, complex]:

@@ -38,28 +38,28 @@ class Asked:
 NOTHING = Asked()
 
 
-def nearest(frequencies: Sequence[float] | NDArray[np.float64], wanted: float) -> int | None:
+def nearest(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
     """Return the index of the frequency nearest to a wanted one, None if none is within `NEAR`."""
-    away = np.abs(np.asarray(frequencies, float) / wanted - 1.0)
+    away = np.abs(np.asarray(frequencies, float) / target - 1.0)
     return int(away.argmin()) if away.size and away.min() <= NEAR else None
 
 
-def struck(frequencies: NDArray[np.float64], asked: Asked) -> NDArray[np.bool_]:
+def struck(frequencies: NDArray[np.float64], edits: Asked) -> NDArray[np.bool_]:
     """Return which of the frequencies (N,) are struck out."""
-    found = np.zeros(len(frequencies), bool)
-    for wanted in asked.strike:
-        i = nearest(np.where(found, np.inf, frequencies), wanted)
+    dropped = np.zeros(len(frequencies), bool)
+    for target in edits.strike:
+        i = nearest(np.where(dropped, np.inf, frequencies), target)
         if i is not None:
-            found[i] = True
-    return found
+            dropped[i] = True
+    return dropped
 
 
-def replaced(frequencies: Sequence[float] | NDArray[np.float64], asked: Asked, added: float) -> int | None:
+def replaced(frequencies: Sequence[float] | NDArray[np.float64], edits: Asked, added: float) -> int | None:
     """Return which of the frequencies an added mode replaces, None for none; those struck out stay what they are."""
-    every = np.asarray(frequencies, float)
-    return nearest(np.where(struck(every, asked), np.inf, every), added)
+    candidates = np.asarray(frequencies, float)
+    return nearest(np.where(struck(candidates, edits), np.inf, candidates), added)
 
 
-def within_reach(frequency: float, wanted: float) -> bool:
+def within_reach(frequency: float, target: float) -> bool:
     """Return whether a fit that ended at a frequency is of the mode asked for."""
-    return abs(frequency / wanted - 1.0) <= REACH
+    return abs(frequency / target - 1.0) <= REACH

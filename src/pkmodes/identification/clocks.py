@@ -71,14 +71,14 @@ class Delay:
         return 2.0 * math.pi * frequency * float(np.interp(frequency, self.frequencies, self.sigmas))
 
 
-def rough_delay(step: float, one: Array, other: Array, band: tuple[float, float]) -> float:
+def rough_delay(step: float, first: Array, second: Array, band: tuple[float, float]) -> float:
     """Return how much later the vibration of one record swells and fades than that of another [s].
 
     Parameters
     ----------
     step : float
         Between samples [s].
-    one, other : ndarray, shape (n, S) and (m, R)
+    first, second : ndarray, shape (n, S) and (m, R)
     band : tuple of float
         [Hz].
 
@@ -87,9 +87,9 @@ def rough_delay(step: float, one: Array, other: Array, band: tuple[float, float]
     MeasurementError
         If a record is too short, or the band holds too little.
     """
-    _check_length(step * min(len(one), len(other)), band)
-    alike = correlate(_swell(step, one, band), _swell(step, other, band), method="fft")
-    return float((np.argmax(alike) - (len(other) - 1)) * step)
+    _check_length(step * min(len(first), len(second)), band)
+    alike = correlate(_swell(step, first, band), _swell(step, second, band), method="fft")
+    return float((np.argmax(alike) - (len(second) - 1)) * step)
 
 
 def _check_length(seconds: float, band: tuple[float, float]) -> None:
@@ -135,7 +135,7 @@ def delay(
     MeasurementError
         If the pieces are too short, or nothing in them is common.
     """
-    seconds = sum(len(one) for _, one, _ in pieces) * step
+    seconds = sum(len(signals) for _, signals, _ in pieces) * step
     length = min(max(PERIODS / band[1], DELAYS * within), 2.0 * seconds / (FEWEST + 2))
     _check_length(seconds, band)
     f, times, crossed, coherent = _spectra(step, pieces, band, length)
@@ -150,29 +150,29 @@ def delay(
     drifts = np.asarray(
         np.arange(-steps, steps + 1) * (DRIFT_STEP / (band[1] * max(span, step))), dtype=float
     )
-    weighted = [_squares(f, times, crossed, coherent, each) for each in drifts]
-    best = max(weighted, key=lambda each: float(each[1].sum()))[1]
+    weighted = [_squares(f, times, crossed, coherent, trial) for trial in drifts]
+    best = max(weighted, key=lambda pair: float(pair[1].sum()))[1]
     if not best.any():
         raise MeasurementError("nothing in both files is coherent", "clocks", "measure a hit, or a sweep")
     delays = np.arange(-within, within + DELAY_STEP / band[1], DELAY_STEP / band[1])
     turned = np.exp(-4j * np.pi * f[:, None] * delays)
     cuts = np.searchsorted(np.cumsum(best), best.sum() * np.arange(1, PARTS) / PARTS)
     edges = np.concatenate([[0], cuts, [f.size]])
-    squares = np.array([each for each, _ in weighted])
+    squares = np.array([square for square, _ in weighted])
     # (PARTS, drifts, delays)
     parts = np.array([(squares[:, a:b] @ turned[a:b]).real for a, b in pairwise(edges)])
     whole = parts.sum(axis=0)
-    found, of_drift, where = _peak(whole, delays, drifts)
-    at_lines = found + of_drift * at
+    best_delay, of_drift, where = _peak(whole, delays, drifts)
+    at_lines = best_delay + of_drift * at
     without = [_peak(whole - part, delays, drifts) for part in parts]
-    each = np.array([one + slope * at for one, slope, _ in without])
-    variance = (PARTS - 1) / PARTS * ((each - each.mean(axis=0)) ** 2).sum(axis=0)
+    jackknifed = np.array([offset + slope * at for offset, slope, _ in without])
+    variance = (PARTS - 1) / PARTS * ((jackknifed - jackknifed.mean(axis=0)) ** 2).sum(axis=0)
     sigmas = np.sqrt(variance + (REAL / (2.0 * np.pi * f)) ** 2)
     for i, k in np.argwhere(whole == maximum_filter(whole, size=3, mode="nearest")):
         worse = parts[(slice(None), *where)] - parts[:, i, k]
         if (i, k) != where and worse.sum() < WORSE * math.sqrt(PARTS) * worse.std(ddof=1):
             sigmas = np.maximum(sigmas, np.abs(delays[k] + drifts[i] * at - at_lines))
-    return Delay(found, of_drift, middle, f, sigmas)
+    return Delay(best_delay, of_drift, middle, f, sigmas)
 
 
 def _spectra(
@@ -180,28 +180,28 @@ def _spectra(
 ) -> tuple[Array, Array, Complex, Array]:
     """Return lines, middles of segments, cross spectra (segments, F, S R), and products of mean powers (F, S R)."""
     count = max(round(length / step), 2)
-    rate, every = 1.0 / step, [piece for piece in pieces if len(piece[1]) >= count]
+    rate, usable = 1.0 / step, [piece for piece in pieces if len(piece[1]) >= count]
     f = np.asarray(np.fft.rfftfreq(count, step), dtype=float)
     inside = (f >= band[0]) & (f <= band[1])
-    times, found = [np.zeros(0)], list[list[Complex]]([[], []])
-    for start, *signals in every:
-        for of, one in zip(found, signals, strict=True):
+    times, transforms = [np.zeros(0)], list[list[Complex]]([[], []])
+    for start, *signals in usable:
+        for of, signal in zip(transforms, signals, strict=True):
             _, middles, parts = spectrogram(
-                one, rate, "hann", count, count // 2, detrend="constant", mode="complex", axis=0
+                signal, rate, "hann", count, count // 2, detrend="constant", mode="complex", axis=0
             )
             of.append(np.moveaxis(parts[inside], -1, 0))  # (segments, F, S)
         times.append(start + middles)
-    if not every:
+    if not usable:
         return (
             f[inside],
             times[0],
             np.zeros((0, int(inside.sum()), 1), complex),
             np.zeros((int(inside.sum()), 1)),
         )
-    A, B = (np.concatenate(of) for of in found)
+    A, B = (np.concatenate(of) for of in transforms)
     pairs = (*A.shape[:2], -1)
     crossed = (A.conj()[:, :, :, None] * B[:, :, None, :]).reshape(pairs)
-    powers = [np.mean(np.abs(each) ** 2, axis=0) for each in (A, B)]
+    powers = [np.mean(np.abs(transform) ** 2, axis=0) for transform in (A, B)]
     return (
         f[inside],
         np.concatenate(times),
@@ -218,16 +218,16 @@ def _squares(f: Array, times: Array, crossed: Complex, powers: Array, drift: flo
     size = np.abs(mean)
     coherence = np.divide(size**2, powers, out=np.zeros_like(size), where=powers > 0.0)
     coherence = np.clip((coherence - 1.0 / n) / (1.0 - 1.0 / n), 0.0, 1.0)
-    seen = coherence > 1.0 / n
-    noise = np.divide(1.0 - coherence, 2.0 * n * coherence, out=np.ones_like(size), where=seen)
-    weights = np.where(seen, 1.0 / (noise + REAL**2), 0.0)
+    above_noise = coherence > 1.0 / n
+    noise = np.divide(1.0 - coherence, 2.0 * n * coherence, out=np.ones_like(size), where=above_noise)
+    weights = np.where(above_noise, 1.0 / (noise + REAL**2), 0.0)
     phases = np.divide(mean, size, out=np.zeros_like(mean), where=size > 0.0)
     return (weights * phases**2).sum(axis=1), weights.sum(axis=1)
 
 
 def _peak(heights: Array, delays: Array, drifts: Array) -> tuple[float, float, tuple[int, int]]:
     """Return the delay, by a parabola, and the drift at the highest point (drifts, delays), and its place."""
-    i, k = (int(one) for one in np.unravel_index(int(heights.argmax()), heights.shape))
+    i, k = (int(index) for index in np.unravel_index(int(heights.argmax()), heights.shape))
     moved = 0.0
     if 0 < k < len(delays) - 1:
         before, top, after = heights[i, k - 1 : k + 2]

@@ -47,14 +47,14 @@ class Candidate:
         Of the pole nearest to it, at any scale.
     participation : ndarray of complex128, shape (R,)
         Likewise.
-    found : int
+    order_count : int
         In how many orders.
     """
 
     pole: complex
     shape: Complex
     participation: Complex
-    found: int
+    order_count: int
 
 
 def candidates(by_order: Sequence[OrderPoles], low: float, high: float) -> list[Candidate]:
@@ -70,21 +70,21 @@ def candidates(by_order: Sequence[OrderPoles], low: float, high: float) -> list[
     ----------
     Reynders et al. 2012, sections 4 and 5.
     """
-    usable = [usable_poles(one.poles, low, high) for one in by_order]
-    poles = np.concatenate([one.poles[use] for one, use in zip(by_order, usable, strict=True)])
-    shapes = np.concatenate([one.shapes[use] for one, use in zip(by_order, usable, strict=True)])
-    parts = np.concatenate([one.participation[use] for one, use in zip(by_order, usable, strict=True)])
+    usable = [usable_poles(model.poles, low, high) for model in by_order]
+    poles = np.concatenate([model.poles[use] for model, use in zip(by_order, usable, strict=True)])
+    shapes = np.concatenate([model.shapes[use] for model, use in zip(by_order, usable, strict=True)])
+    parts = np.concatenate([model.participation[use] for model, use in zip(by_order, usable, strict=True)])
     order = np.repeat(np.arange(len(by_order)), [int(use.sum()) for use in usable])
     if not len(poles):
         return []
     labels = _labels(poles, shapes, parts)
-    found = []
+    clusters = []
     for label in range(1, int(labels.max()) + 1):
         members = np.flatnonzero(labels == label)
         count = len(np.unique(order[members]))
         if count >= math.ceil(SHARE * len(by_order)):
-            found.append(_candidate(poles[members], shapes[members], parts[members], count))
-    return sorted(found, key=lambda one: abs(one.pole))
+            clusters.append(_candidate(poles[members], shapes[members], parts[members], count))
+    return sorted(clusters, key=lambda cluster: abs(cluster.pole))
 
 
 def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
@@ -97,7 +97,7 @@ def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
 
 def orders_with(by_order: Sequence[OrderPoles], pole: complex) -> int:
     """Return in how many orders a pole is within the half bandwidth of a mode."""
-    return sum(bool((np.abs(one.poles - pole) < abs(pole.real)).any()) for one in by_order)
+    return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
 
 
 def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32]:

@@ -120,25 +120,27 @@ class Estimate:
 
     def changed(self, change: Callable[[Mode], Mode]) -> Estimate:
         """Return it with another mode for each, also for each that the user asked for."""
-        added = tuple(one if isinstance(one, str) else change(one) for one in self.added)
+        added = tuple(
+            candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
+        )
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
-def alike(one: Complex, other: Complex) -> float:
+def alike(first: Complex, second: Complex) -> float:
     """Return the modal assurance criterion of two complex shapes (S,); 0 where one of them is nothing.
 
     References
     ----------
     Allemang and Brown, Proceedings of the 1st International Modal Analysis Conference, 1982.
     """
-    size = np.vdot(one, one).real * np.vdot(other, other).real
-    return float(abs(np.vdot(one, other)) ** 2 / size) if size > 0.0 else 0.0
+    size = np.vdot(first, first).real * np.vdot(second, second).real
+    return float(abs(np.vdot(first, second)) ** 2 / size) if size > 0.0 else 0.0
 
 
 def collinearity(shape: Complex) -> float:
     """Return the modal phase collinearity of a shape (S,), NaN where undetermined."""
-    known = shape[np.isfinite(shape)]
-    xx, yy, xy = _moments(known)
+    finite = shape[np.isfinite(shape)]
+    xx, yy, xy = _moments(finite)
     total = xx + yy
     return (math.hypot(xx - yy, 2.0 * xy) / total) ** 2 if total > 0.0 else math.nan
 
@@ -148,10 +150,10 @@ def turned_real(shape: Complex) -> Complex:
 
     NaN where undetermined.
     """
-    known = np.isfinite(shape)
-    xx, yy, xy = _moments(shape[known])
+    finite = np.isfinite(shape)
+    xx, yy, xy = _moments(shape[finite])
     turned = shape * np.exp(-0.5j * math.atan2(2.0 * xy, xx - yy))
-    parts = turned.real[known]
+    parts = turned.real[finite]
     largest = parts[np.argmax(np.abs(parts))] if parts.size else 0.0
     return np.asarray(turned / largest) if largest else np.asarray(turned)
 

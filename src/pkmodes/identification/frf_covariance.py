@@ -80,11 +80,11 @@ def removed(at: Window, fit: Fit) -> Complex:
 
 def channel_covariance(at: Window, fit: Fit, place: NDArray[np.int64], correlation: Complex) -> Complex:
     """Return the covariance of the noise between channels, (S R, S R), from the residual."""
-    left = residual(at, fit).reshape(len(at.s), -1)
+    remainder = residual(at, fit).reshape(len(at.s), -1)
     space = removed(at, fit)
     taken = float(np.einsum("fk,fk->", space.conj(), correlated(space, place, correlation)).real)
     lines = max(len(at.s) - taken, 1.0)
-    return np.asarray(left.T @ left.conj() / lines)
+    return np.asarray(remainder.T @ remainder.conj() / lines)
 
 
 def uncertainty(
@@ -174,13 +174,13 @@ def common_sigma(sigmas: Array) -> float:
 def _strength(at: Window, fit: Fit, channels: Complex, gram: Complex, spread: Complex) -> Array:
     """Return the energy of each mode that the others cannot stand in for, over that of noise."""
     N = len(fit.poles)
-    own = gram[:N, :N]
-    size = np.sqrt(own.diagonal().real)
-    inverse = np.linalg.pinv(own / np.outer(size, size), rcond=1e-13, hermitian=True) / np.outer(size, size)
+    block = gram[:N, :N]
+    size = np.sqrt(block.diagonal().real)
+    inverse = np.linalg.pinv(block / np.outer(size, size), rcond=1e-13, hermitian=True) / np.outer(size, size)
     variance = (inverse @ spread[:N, :N] @ inverse).diagonal().real  # of a residue, for unit noise
     noise = channels.diagonal().real.reshape(at.weights.shape)
-    known = at.weights > 0.0
-    energy = (np.abs(fit.residues[:, known]) ** 2 / np.maximum(noise[known], 1e-300)).sum(axis=1)
+    measured = at.weights > 0.0
+    energy = (np.abs(fit.residues[:, measured]) ** 2 / np.maximum(noise[measured], 1e-300)).sum(axis=1)
     return np.asarray(energy / np.maximum(variance, 1e-300) + math.ulp(0.0))
 
 
@@ -191,19 +191,21 @@ def by_reference(at: Window, fit: Fit) -> tuple[Complex, Array]:
     for r in range(R):
         weights = np.zeros((S, R))
         weights[:, r] = at.weights[:, r]
-        alone = replace(at, H=at.H[..., r : r + 1], weights=weights[:, r : r + 1])
+        single = replace(at, H=at.H[..., r : r + 1], weights=weights[:, r : r + 1])
         if not weights.any() or (np.abs(fit.participation[:, r]) < WEAK).any():
             continue
-        one = polish(alone, fit.poles, np.ones((N, 1), complex))
-        if not one.converged or (np.abs(one.poles - fit.poles) > np.abs(fit.poles.real)).any():
+        refit = polish(single, fit.poles, np.ones((N, 1), complex))
+        if not refit.converged or (np.abs(refit.poles - fit.poles) > np.abs(fit.poles.real)).any():
             continue
-        E = basis(at, one.poles)
+        E = basis(at, refit.poles)
         for m in range(N):
-            others = np.delete(E, N + m, axis=1)
-            left = E[:, N + m] - others @ np.linalg.lstsq(others, E[:, N + m], rcond=1e-12)[0]
-            energy = float((weights[:, r] * np.abs(one.shapes[m]) ** 2).sum())
-            variances[r, m] = 0.5 / max(energy * float(np.vdot(left, left).real), 1e-300)
-        poles[r] = one.poles
+            other_columns = np.delete(E, N + m, axis=1)
+            unexplained = (
+                E[:, N + m] - other_columns @ np.linalg.lstsq(other_columns, E[:, N + m], rcond=1e-12)[0]
+            )
+            energy = float((weights[:, r] * np.abs(refit.shapes[m]) ** 2).sum())
+            variances[r, m] = 0.5 / max(energy * float(np.vdot(unexplained, unexplained).real), 1e-300)
+        poles[r] = refit.poles
     return poles, variances
 
 
@@ -219,12 +221,12 @@ def between(values: Sequence[Array], variances: Sequence[Array]) -> float:
     ----------
     Paule and Mandel 1982.
     """
-    freedom = sum(len(one) - 1 for one in values)
+    freedom = sum(len(sample) - 1 for sample in values)
 
-    def excess(more: float) -> float:
+    def excess(extra_variance: float) -> float:
         total = 0.0
         for value, variance in zip(values, variances, strict=True):
-            weights = 1.0 / (variance + more)
+            weights = 1.0 / (variance + extra_variance)
             total += float((weights * (value - (weights @ value) / weights.sum()) ** 2).sum())
         return total - freedom
 

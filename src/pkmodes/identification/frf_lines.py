@@ -55,7 +55,7 @@ class Lines:
     stated: bool
 
     @property
-    def known(self) -> NDArray[np.bool_]:
+    def measured(self) -> NDArray[np.bool_]:
         """Which functions were measured, (S, R)."""
         return np.asarray(np.isfinite(self.H).all(axis=0))
 
@@ -66,8 +66,8 @@ class Lines:
 
     def weights(self) -> Array:
         """Return the inverse standard deviation of each sensor's lines, (F, S), 0 for dead ones."""
-        known = np.isfinite(self.variance)
-        mean = np.where(known, self.variance, 0.0).sum(axis=2) / np.maximum(known.sum(axis=2), 1)
+        finite = np.isfinite(self.variance)
+        mean = np.where(finite, self.variance, 0.0).sum(axis=2) / np.maximum(finite.sum(axis=2), 1)
         return np.where(mean > 0.0, 1.0 / np.sqrt(np.where(mean > 0.0, mean, 1.0)), 0.0)
 
 
@@ -78,28 +78,28 @@ def used_lines(
     averages: int | None,
     exponential: float | None,
     tones: Sequence[float],
-    found: Sequence[float] = (),
+    found_tones: Sequence[float] = (),
 ) -> tuple[Lines, Array]:
     """Return the lines that are used, each sensor relative to its rms, and this.
 
     Neither those at a multiple of a stated tone nor those around a tone that was found are.
     """
-    known = np.isfinite(H).all(axis=0)
-    alive = known & (np.abs(np.where(known, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
+    measured = np.isfinite(H).all(axis=0)
+    alive = measured & (np.abs(np.where(measured, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
     if len(f) < FEWEST_LINES:
-        what = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
-        raise MeasurementError(what, "the band", "measure with a finer line spacing, or use a wider band")
+        problem = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
+        raise MeasurementError(problem, "the band", "measure with a finer line spacing, or use a wider band")
     if not alive.any():
         raise MeasurementError("found no function without gaps", "the band", "check the files")
     squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
     scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
     step = float(np.median(np.diff(f)))
     used = ~at_tones(f, tones, step)
-    for tone in found:
+    for tone in found_tones:
         used &= np.abs(f - tone) > SPREAD * step
     if used.sum() < FEWEST_LINES:
-        what = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
-        raise MeasurementError(what, "tones", "state only tones that the signals have")
+        problem = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
+        raise MeasurementError(problem, "tones", "state only tones that the signals have")
     values = np.where(alive, H, np.nan)[used] / scale[:, None]
     variance = difference_variance(values)
     stated = coherence is not None and averages is not None

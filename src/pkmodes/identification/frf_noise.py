@@ -100,8 +100,8 @@ def line_sigma(residual: Complex, fit: Complex) -> Array:
     A = np.stack([np.ones(len(size)), size / size.max()], axis=1)
     variance = np.full(len(size), squares.mean())
     for _ in range(4):  # each line's square scatters by its own variance
-        found = nnls(A / variance[:, None], squares / variance)[0]
-        variance = np.maximum(A @ found, 1e-3 * squares.mean())
+        coefficients = nnls(A / variance[:, None], squares / variance)[0]
+        variance = np.maximum(A @ coefficients, 1e-3 * squares.mean())
     return np.asarray(np.sqrt(variance / variance.mean()))
 
 

@@ -182,12 +182,12 @@ def _normal(
     gram = E.conj().T @ E
     X = np.tensordot(E.conj(), at.H, (0, 0))
     residues = shapes[:, :, None] * participation[:, None, :]
-    left = X - np.tensordot(gram[:, :N], residues, 1)
-    explained = (residues.conj() * at.weights * (X[:N] + left[:N])).sum().real
+    remainder = X - np.tensordot(gram[:, :N], residues, 1)
+    explained = (residues.conj() * at.weights * (X[:N] + remainder[:N])).sum().real
     functions, channels = columns(shapes, participation)
     P = len(functions)
     weighted = (channels.conj() * at.weights).reshape(P, -1)
-    gradient = (weighted * left[functions].reshape(P, -1)).sum(axis=1)
+    gradient = (weighted * remainder[functions].reshape(P, -1)).sum(axis=1)
     A = (weighted @ channels.reshape(P, -1).T) * gram[np.ix_(functions, functions)]
     idle = A.diagonal().real <= 0.0  # a sensor without data
     A[idle, idle] = 1.0
@@ -200,10 +200,10 @@ def _shapes_given(at: Window, poles: Complex, participation: Complex) -> Complex
     gram, X = E.conj().T @ E, np.tensordot(E.conj(), at.H, (0, 0))
     shapes = np.empty((len(poles), at.H.shape[1]), complex)
     for s, w in enumerate(at.weights):
-        left = gram * ((participation.conj() * w) @ participation.T)
+        matrix = gram * ((participation.conj() * w) @ participation.T)
         right = (participation.conj() * w * X[:, s]).sum(axis=1)
-        size = np.sqrt(np.maximum(left.diagonal().real, 1e-300))
-        solved = np.linalg.lstsq(left / (size[:, None] * size), right / size, rcond=1e-12)[0]
+        size = np.sqrt(np.maximum(matrix.diagonal().real, 1e-300))
+        solved = np.linalg.lstsq(matrix / (size[:, None] * size), right / size, rcond=1e-12)[0]
         shapes[:, s] = solved / size
     return shapes
 

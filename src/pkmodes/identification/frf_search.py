@@ -43,8 +43,8 @@ def hidden(data: Lines, fit: Complex, least: float) -> Complex:
     least : float
         The energy over noise that counts.
     """
-    frequencies, place, known = data.frequencies, data.place, data.known
-    residual, fit = (data.H - fit)[:, known], fit[:, known]
+    frequencies, place, measured = data.frequencies, data.place, data.measured
+    residual, fit = (data.H - fit)[:, measured], fit[:, measured]
     correlation = np.ones(1, complex) if data.correlation is None else data.correlation
     lines = int(place[-1]) + 1
     grid = np.zeros((lines, residual.shape[1]), complex)
@@ -72,11 +72,11 @@ def hidden(data: Lines, fit: Complex, least: float) -> Complex:
     return np.array(poles, complex)
 
 
-def joined(modes: Modes, poles: Complex, frequencies: Array, left: Complex) -> Modes:
+def joined(modes: Modes, poles: Complex, frequencies: Array, remainder: Complex) -> Modes:
     """Return modes with further poles, whose shapes and participations are those of what is left there."""
-    left = np.nan_to_num(left)
+    remainder = np.nan_to_num(remainder)
     nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
-    peaks = left[nearest] * -poles.real[:, None, None]
+    peaks = remainder[nearest] * -poles.real[:, None, None]
     parts = np.linalg.svd(peaks)[2][:, 0]
     return Modes(
         np.concatenate([modes.poles, poles]),

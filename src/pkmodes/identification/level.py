@@ -111,7 +111,7 @@ def levels(
     """
     lost = 1.0 / exponential if exponential else 0.0
     spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
-    found = []
+    mode_levels = []
     for m, pole in enumerate(poles):
         half, along = _half_width(poles, m), along_shape(shapes[m])
         decays: list[Segments] = []
@@ -127,20 +127,20 @@ def levels(
                 for total, power in ((second, 2), (fourth, 4))
             )
         amplitude = math.sqrt(fourth / second) if second > 0.0 else 0.0
-        found.append(Level(amplitude, shift_over(pole.imag / (2.0 * math.pi), decays)))
-    return found
+        mode_levels.append(Level(amplitude, shift_over(pole.imag / (2.0 * math.pi), decays)))
+    return mode_levels
 
 
 def _half_width(poles: Complex, m: int) -> float:
     f = poles.imag / (2.0 * math.pi)
-    others = np.abs(np.delete(f, m) - f[m])
-    return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * others.min(initial=np.inf)))
+    distances = np.abs(np.delete(f, m) - f[m])
+    return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * distances.min(initial=np.inf)))
 
 
 def along_shape(shape: Complex) -> Complex:
     """Return the coefficients of the responses (S,) that follow a shape, of unit length."""
-    known = np.nan_to_num(shape)
-    return np.asarray(known.conj() / max(float(np.linalg.norm(known)), 1e-300))
+    components = np.nan_to_num(shape)
+    return np.asarray(components.conj() / max(float(np.linalg.norm(components)), 1e-300))
 
 
 def followed(
@@ -189,8 +189,8 @@ def _noise(z: Complex, step: float, rate: float) -> float:
     tail = z[-max(len(z) // 8, 6) :]
     decay = np.exp(-rate * step * np.arange(len(tail)))
     basis = np.stack([decay, decay * np.arange(len(tail))], axis=1)
-    left = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
-    return float(np.sqrt((np.abs(left) ** 2).sum() / max(len(tail) - 2, 1)))
+    remainder = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
+    return float(np.sqrt((np.abs(remainder) ** 2).sum() / max(len(tail) - 2, 1)))
 
 
 def _decays_freely(part: Complex, step: float, rate: float) -> bool:
@@ -207,12 +207,12 @@ def _segments(part: Complex, step: float, noise: float, lost: float) -> Segments
     phase = np.unwrap(np.angle(part))
     level = np.log(np.abs(part)) + lost * step * np.arange(len(part))  # without the window
     frequencies, variances, means = [], [], []
-    for some in np.array_split(np.arange(len(part)), count):
-        t = step * (some - some.mean())
+    for indices in np.array_split(np.arange(len(part)), count):
+        t = step * (indices - indices.mean())
         slope = t / (t @ t) / (2.0 * math.pi)
-        frequencies.append(float(slope @ phase[some]))
-        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[some]) ** 2).sum()))
-        means.append(float(level[some].mean()))
+        frequencies.append(float(slope @ phase[indices]))
+        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[indices]) ** 2).sum()))
+        means.append(float(level[indices].mean()))
     return Segments(np.array(frequencies), np.array(variances), np.array(means))
 
 
@@ -262,15 +262,16 @@ def shift_over(f0: float, decays: Sequence[Segments]) -> LevelShift | None:
     if not decays:
         return None
     level, frequency, variance = (
-        np.concatenate([getattr(one, name) for one in decays]) for name in ("level", "frequency", "variance")
+        np.concatenate([getattr(decay, name) for decay in decays])
+        for name in ("level", "frequency", "variance")
     )
     variance = np.maximum(variance, (ROUNDING * f0) ** 2)  # signals without noise
     highest, lowest = float(level.max()), float(level.min())
-    chance, found = _regression(level, frequency, variance, highest)
+    chance, coefficients = _regression(level, frequency, variance, highest)
     later = level < highest - FIRST * (highest - lowest)
     again, of_later = _regression(level[later], frequency[later], variance[later], highest)
     ends = _laws(np.array([highest, highest - FIRST * (highest - lowest), lowest]), highest)
-    high, middle, low = f0 + ends @ found
+    high, middle, low = f0 + ends @ coefficients
     shift = LevelShift(float(high), float(low), math.exp(highest - lowest))
     same = (middle - low) * float(np.diff(ends[[2, 1]] @ of_later)[0]) > 0.0
     sure = chance < FALSE_ALARM and again < LATER and same
@@ -285,8 +286,10 @@ def _regression(level: Array, frequency: Array, variance: Array, highest: float)
         return 1.0, np.zeros(laws.shape[1])
     variance = variance + _excess(laws, frequency, variance)
     constant = _squares(laws[:, :1], frequency, variance)[0]
-    left, found = _squares(laws, frequency, variance)
-    return float(fisher.sf((constant - left) / terms / max(left / freedom, 1e-300), terms, freedom)), found
+    residual_sum, coefficients = _squares(laws, frequency, variance)
+    return float(
+        fisher.sf((constant - residual_sum) / terms / max(residual_sum / freedom, 1e-300), terms, freedom)
+    ), coefficients
 
 
 def _laws(level: Array, highest: float) -> Array:
@@ -298,8 +301,8 @@ def _laws(level: Array, highest: float) -> Array:
 def _squares(A: Array, b: Array, variance: Array) -> tuple[float, Array]:
     """Return the weighted sum of squares that a fit leaves, and its coefficients."""
     scale = 1.0 / np.sqrt(variance)
-    found = np.linalg.lstsq(A * scale[:, None], b * scale, rcond=None)[0]
-    return float((((b - A @ found) * scale) ** 2).sum()), np.asarray(found)
+    coefficients = np.linalg.lstsq(A * scale[:, None], b * scale, rcond=None)[0]
+    return float((((b - A @ coefficients) * scale) ** 2).sum()), np.asarray(coefficients)
 
 
 def _excess(A: Array, b: Array, variance: Array) -> float:

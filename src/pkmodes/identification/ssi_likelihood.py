@@ -116,7 +116,7 @@ def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], t
     low = np.array([ends[0]] * m + [math.log(LEAST_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
     high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half)] * m + [level + 40.0] * m)
     odd = [ODD] * m
-    low = np.concatenate([low, [level - 40.0, -5.0], [-one for one in odd]])
+    low = np.concatenate([low, [level - 40.0, -5.0], [-limit for limit in odd]])
     high = np.concatenate([high, [level + 40.0, 5.0], odd])
     p = np.clip(p, low, high)
     density, slopes = _density(p, m, powers, x, transient)

@@ -78,27 +78,27 @@ def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequen
         Those that were found before.
     """
     seconds = sum(1.0 / lines.step for lines in pieces)
-    seen = [followed(pieces, mode) for mode in modes]
-    found: dict[int, Tone] = {}
-    for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
-        if one.off < 1.0 and one.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
+    amplitudes = [followed(pieces, mode) for mode in modes]
+    line_tones: dict[int, Tone] = {}
+    for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True)):
+        if amplitude.off < 1.0 and amplitude.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
             sentence = (
                 f"{mode.undamped:.4g} Hz is a line: its amplitude is as constant as a tone's, no mode's is"
             )
-            found[i] = Tone(mode.frequency, sentence)
-    known, more = [*tones, *found.values()], True
-    while more:  # an order that is found leads to others
+            line_tones[i] = Tone(mode.frequency, sentence)
+    known_lines, searching = [*tones, *line_tones.values()], True
+    while searching:  # an order that is found leads to others
         orders = {
-            i: _as_order(mode, one, known, seconds)
-            for i, (mode, one) in enumerate(zip(modes, seen, strict=True))
-            if i not in found
+            i: _as_order(mode, amplitude, known_lines, seconds)
+            for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True))
+            if i not in line_tones
         }
         added = {i: Tone(modes[i].frequency, sentence) for i, sentence in orders.items() if sentence}
-        found, known, more = found | added, [*known, *added.values()], bool(added)
-    for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
-        if i not in found and (sentence := _not_told(mode, one, seconds, bool(known))):
-            found[i] = Tone(mode.frequency, sentence)
-    return found
+        line_tones, known_lines, searching = line_tones | added, [*known_lines, *added.values()], bool(added)
+    for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True)):
+        if i not in line_tones and (sentence := _not_told(mode, amplitude, seconds, bool(known_lines))):
+            line_tones[i] = Tone(mode.frequency, sentence)
+    return line_tones
 
 
 def followed(pieces: Sequence[Lines], mode: Refined) -> Followed:
@@ -124,10 +124,10 @@ def quantile(share: float, decays: float) -> float:
     return float(np.interp(math.log(max(decays, 1e-300)), np.log(DECAYS), QUANTILES[share]))
 
 
-def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: float) -> str:
+def _as_order(mode: Refined, amplitude: Followed, tones: Sequence[Tone], seconds: float) -> str:
     """Return what to say of a narrow peak at an order of a line, unless it is clearly a mode."""
     decays = mode.rate * seconds
-    like_a_mode = quantile(0.5, decays) < one.statistic < quantile(0.99, decays)
+    like_a_mode = quantile(0.5, decays) < amplitude.statistic < quantile(0.99, decays)
     damped = mode.covariance[1, 1] < UNCERTAIN**2
     if mode.rate > NARROW * 2.0 * math.pi * mode.frequency or (like_a_mode and damped):
         return ""
@@ -144,16 +144,16 @@ def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: floa
     return ""
 
 
-def _not_told(mode: Refined, one: Followed, seconds: float, lines: bool) -> str:
+def _not_told(mode: Refined, amplitude: Followed, seconds: float, lines: bool) -> str:
     """Return what to say of a peak that may be a tone's as well as a mode's; more may be if the record has lines."""
     decays = mode.rate * seconds
     uncertain = mode.covariance[1, 1] > UNCERTAIN**2
     light = mode.rate < LIGHTEST * 2.0 * math.pi * mode.frequency
     if light or decays < NARROWEST:
-        like_a_mode = one.statistic > quantile(0.5, decays)
+        like_a_mode = amplitude.statistic > quantile(0.5, decays)
     else:
-        like_a_mode = not uncertain or one.statistic > quantile(0.2 if lines else 0.05, decays)
-    beats = lines and uncertain and one.statistic > quantile(0.99, decays)
+        like_a_mode = not uncertain or amplitude.statistic > quantile(0.2 if lines else 0.05, decays)
+    beats = lines and uncertain and amplitude.statistic > quantile(0.99, decays)
     if like_a_mode and not beats:
         return ""
     return (

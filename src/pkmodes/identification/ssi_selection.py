@@ -82,7 +82,7 @@ def start(pole: complex, shape: Complex) -> Refined:
 
 def refined(
     mode: Refined,
-    others: Sequence[Refined],
+    neighbours: Sequence[Refined],
     lines: Sequence[Lines],
     ends: tuple[float, float],
     least: float = SIGNIFICANT,
@@ -92,7 +92,7 @@ def refined(
     Parameters
     ----------
     mode : Refined
-    others : sequence of Refined
+    neighbours : sequence of Refined
     lines : sequence of Lines
         Of pieces without padding.
     ends : tuple of float
@@ -103,14 +103,23 @@ def refined(
     seconds = max(1.0 / piece.step for piece in lines)
     half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)
     low, high = max(mode.frequency - half, ends[0]), min(mode.frequency + half, ends[1])
-    reach = [one for one in others if low - 0.5 * half < one.frequency < high + 0.5 * half]
-    far = [one for one in others if one not in reach and 1 / FAR < one.frequency / mode.frequency < FAR]
+    reach = [
+        neighbour for neighbour in neighbours if low - 0.5 * half < neighbour.frequency < high + 0.5 * half
+    ]
+    far = [
+        neighbour
+        for neighbour in neighbours
+        if neighbour not in reach and 1 / FAR < neighbour.frequency / mode.frequency < FAR
+    ]
     row, beside = _filter(mode, reach, far)
-    beside = [one for one in beside if low < one.frequency < high]
+    beside = [neighbour for neighbour in beside if low < neighbour.frequency < high]
     powers = _powers(lines, row, low, high)
     if len(powers.values) < 12:
         return None
-    near = [one.frequency for one in beside], [max(one.rate, 0.5 / seconds) for one in beside]
+    near = (
+        [neighbour.frequency for neighbour in beside],
+        [max(neighbour.rate, 0.5 / seconds) for neighbour in beside],
+    )
     without = fit_peaks(powers, *near)
     fit = fit_peaks(powers, [mode.frequency, *near[0]], [max(mode.rate, 0.5 / seconds), *near[1]])
     gain = fit.likelihood - without.likelihood
@@ -133,12 +142,12 @@ def _accepted(
     if abs(f - mode.frequency) > SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:
         return None
     width = rate / (2.0 * math.pi)
-    seen = ends[0] < f - SEEN * width and f + SEEN * width < ends[1]
-    if rate > WIDENED * (mode.rate + 5.0 / seconds) or not seen:
+    visible = ends[0] < f - SEEN * width and f + SEEN * width < ends[1]
+    if rate > WIDENED * (mode.rate + 5.0 / seconds) or not visible:
         return None
-    for one in reach:
-        apart = 2.0 * math.pi * abs(f - one.frequency) / (rate + one.rate)
-        if apart < 0.5 and alike(mode.shape, one.shape) > 0.9:
+    for neighbour in reach:
+        apart = 2.0 * math.pi * abs(f - neighbour.frequency) / (rate + neighbour.rate)
+        if apart < 0.5 and alike(mode.shape, neighbour.shape) > 0.9:
             return None
     return Refined(f, rate, fit.covariance[0], mode.shape, gain)
 
@@ -146,19 +155,19 @@ def _accepted(
 def _filter(mode: Refined, reach: Sequence[Refined], far: Sequence[Refined]) -> tuple[Complex, list[Refined]]:
     """Return the filter of a mode (S,), and the neighbours that it does not remove."""
     removed: list[Refined] = []
-    left: list[Refined] = []
+    remaining: list[Refined] = []
     row = mode.shape.conj() / np.vdot(mode.shape, mode.shape).real
-    for some, limit in ((reach, AMPLIFIED), (far, AMPLIFIED_FAR)):
-        for one in sorted(some, key=lambda one: abs(one.frequency - mode.frequency)):
-            tried = [mode.shape, *(other.shape for other in removed), one.shape]
+    for group, limit in ((reach, AMPLIFIED), (far, AMPLIFIED_FAR)):
+        for neighbour in sorted(group, key=lambda neighbour: abs(neighbour.frequency - mode.frequency)):
+            tried = [mode.shape, *(removed_mode.shape for removed_mode in removed), neighbour.shape]
             inverse = np.linalg.pinv(np.column_stack(tried))[0]
             amplified = float(np.linalg.norm(inverse) * np.linalg.norm(mode.shape))
             if len(tried) <= len(mode.shape) and amplified < limit:
-                removed.append(one)
+                removed.append(neighbour)
                 row = inverse
             else:
-                left.append(one)
-    return row, left
+                remaining.append(neighbour)
+    return row, remaining
 
 
 def _powers(lines: Sequence[Lines], row: Complex, low: float, high: float) -> Powers:

@@ -70,9 +70,13 @@ def sigma(
         ratio = (changes - (shape / shape[largest]) * changes[:, largest : largest + 1]) / shape[largest]
         variances += [_variance(dabs) / (2.0 * math.pi) ** 2, _variance(dzeta)]
         of_shape += [_variance(column) for column in ratio.real.T]
-    others = np.delete(of_shape, largest)
+    other_variances = np.delete(of_shape, largest)
     frequency, damping = np.sqrt(variances)
-    return Sigma(float(frequency), float(damping), math.sqrt(float(others.mean())) if others.size else 0.0)
+    return Sigma(
+        float(frequency),
+        float(damping),
+        math.sqrt(float(other_variances.mean())) if other_variances.size else 0.0,
+    )
 
 
 def _changes(

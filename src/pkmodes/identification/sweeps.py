@@ -69,12 +69,12 @@ def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
         moved.append(float(np.sign(away[side][passed])) if passed < min(gone, len(away[side])) else 0.0)
         samples.append(min(passed, gone))
     one_pass = power[max(top - samples[0], 0) : top + samples[1] + 1].sum()
-    every = power[np.abs(away) < reach].sum()
+    all_power = power[np.abs(away) < reach].sum()
     comes = any(moved) and moved[0] * moved[1] >= 0.0  # a line that moves, and does not pass
-    return bool(comes and one_pass > ONE_PASS * every > 0.0 and sum(samples) < SHORT * len(away))
+    return bool(comes and one_pass > ONE_PASS * all_power > 0.0 and sum(samples) < SHORT * len(away))
 
 
 def _first(held: NDArray[np.bool_], count: int) -> int:
     """Return the first place from which a condition holds for so many samples; the length if it never does."""
-    found = np.flatnonzero(np.convolve(held, np.ones(count))[count - 1 : len(held)] >= count)
-    return int(found[0]) if found.size else len(held)
+    starts = np.flatnonzero(np.convolve(held, np.ones(count))[count - 1 : len(held)] >= count)
+    return int(starts[0]) if starts.size else len(held)

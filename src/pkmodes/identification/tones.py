@@ -73,7 +73,7 @@ def around(band: tuple[float, float]) -> tuple[float, float]:
 
 
 def find_tones(
-    t_step: float, pieces: Sequence[Array], band: tuple[float, float], given: Sequence[float] = ()
+    t_step: float, pieces: Sequence[Array], band: tuple[float, float], stated_tones: Sequence[float] = ()
 ) -> list[Tone]:
     """Return the tones of a record in and near the band, by frequency.
 
@@ -84,7 +84,7 @@ def find_tones(
     pieces : sequence of ndarray, shape (N, S)
     band : tuple of float
         In Hz.
-    given : sequence of float
+    stated_tones : sequence of float
         Frequencies that, with their multiples, are tones whatever they look like [Hz].
     """
     piece = max(pieces, key=len)
@@ -92,59 +92,59 @@ def find_tones(
     seconds = len(signal) * t_step
     power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
-    found = [
+    tones = [
         Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
-        for at in _given(f, power, band, given, seconds)
+        for at in _given(f, power, band, stated_tones, seconds)
     ]
     peaks = _peaks(power, *np.searchsorted(f, around(band)))
     for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
-        if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in found):
+        if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in tones):
             continue
         at = _refined(signal, t_step, float(f[k]))
         if _constant_share(signal, t_step, at) > CONSTANT:
             signal = signal - _sinusoid(signal, t_step, at)
-            found.append(Tone(at, no_bandwidth(at)))
-    return sorted(found, key=lambda tone: tone.frequency)
+            tones.append(Tone(at, no_bandwidth(at)))
+    return sorted(tones, key=lambda tone: tone.frequency)
 
 
 def without_tones(
     t_step: float, pieces: Sequence[Array], tones: Sequence[Tone], band: tuple[float, float]
 ) -> list[Array]:
     """Return the pieces of a record (N, S) without tones [Hz]."""
-    left = [np.array(piece, float) for piece in pieces]
+    cleaned = [np.array(piece, float) for piece in pieces]
     inside = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
-    for piece in left:
+    for piece in cleaned:
         for tone in inside:
             for _ in range(PASSES):
                 at = _refined(piece, t_step, tone.frequency)
                 piece -= _sinusoid(piece, t_step, at)
-    return left
+    return cleaned
 
 
 def _given(
-    f: Array, power: Array, band: tuple[float, float], given: Sequence[float], seconds: float
+    f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
 ) -> list[float]:
     """Return where the given tones and their multiples are in the band."""
-    found = []
-    for one in given:
-        for multiple in range(1, int(1.05 * band[1] / one) + 1):
-            at = multiple * one
+    frequencies = []
+    for tone in stated_tones:
+        for multiple in range(1, int(1.05 * band[1] / tone) + 1):
+            at = multiple * tone
             reach = min(NEAR * at, 0.5) + NEAR_LINES / seconds
             near = slice(*np.searchsorted(f, [at - reach, at + reach]))
             if at > 0.9 * band[0] and power[near].size:
-                found.append(float(f[near][np.argmax(power[near])]))
-    return found
+                frequencies.append(float(f[near][np.argmax(power[near])]))
+    return frequencies
 
 
 def _peaks(power: Array, low: int, high: int) -> list[int]:
     """Return the lines that stand out of their surroundings, the strongest first."""
-    found = []
+    peaks = []
     for k in range(max(low, 2), min(high, len(power) - 2)):
         if power[k] == power[k - 2 : k + 3].max():
             around = np.median(power[max(k - SURROUNDINGS, 0) : k + SURROUNDINGS + 1])
             if power[k] > STANDS_OUT * around:
-                found.append(k)
-    return sorted(found, key=lambda k: -power[k])
+                peaks.append(k)
+    return sorted(peaks, key=lambda k: -power[k])
 
 
 def _refined(signal: Array, t_step: float, near: float) -> float:
