@@ -69,7 +69,7 @@ class Measurement(Named):
     samples: msgspec.Raw
 
 
-def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
+def read_shake_and_tune(path: Path, request: Asked) -> SignalFile:
     """Read one measurement of Shake&Tune.
 
     Raises
@@ -82,19 +82,20 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
     kept = bytearray()
     for number, line in enumerate(_lines(_unpacked(path, source)), start=1):
         if number == 1 and line.startswith(PICKLE):
-            what = "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it before version 5.1"
+            problem = "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it "
+            problem += "before version 5.1"
             remedy = f"write each as a table {','.join(COLUMNS)}, or measure again with a newer version"
-            raise MeasurementError(what, source, remedy)
+            raise MeasurementError(problem, source, remedy)
         name = _decoded(line, Named, f"{source}: line {number}").name
         if len(names) == MOST_FILES:
             raise MeasurementError(
                 f"expected at most {MOST_FILES:,} measurements, found more", source, INCOMPLETE
             )
-        if name == asked.member or names.keys() <= {name}:
+        if name == request.member or names.keys() <= {name}:
             kept = line
         names[name] = None
         del line
-    chosen = _chosen(names, asked.member, source, "measurement")
+    chosen = _chosen(names, request.member, source, "measurement")
     where = f"{source}/{chosen}"
     parts = list(_samples(_decoded(kept, Measurement, where).samples, where))
     del kept
@@ -103,15 +104,15 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
     def variable(name: str, values: Array) -> Variable:
         return Variable(name, "an array", values.shape, lambda: values)
 
-    found = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
-    found[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
-    read = functions_of(found, where, replace(asked, member=""), "Shake&Tune")
-    return replace(read, functions=tuple(replace(one, unit=UNIT) for one in read.functions))
+    variables = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
+    variables[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
+    read = functions_of(variables, where, replace(request, member=""), "Shake&Tune")
+    return replace(read, functions=tuple(replace(function, unit=UNIT) for function in read.functions))
 
 
-def _samples(given: msgspec.Raw, where: str) -> Iterator[Array]:
+def _samples(raw_samples: msgspec.Raw, where: str) -> Iterator[Array]:
     """Yield parts of the samples, (n, 4): as objects of Python all of them would take five times their text."""
-    text = memoryview(given)
+    text = memoryview(raw_samples)
     if bytes(text[:1]) != b"[":
         raise MeasurementError("expected a measurement of Shake&Tune: no list of samples", where, INCOMPLETE)
     start, end = 1, len(text) - 1
@@ -127,8 +128,8 @@ def _decoded(line: bytes | bytearray, kind: type[T], where: str) -> T:
     try:
         return msgspec.json.decode(line, type=kind)
     except RecursionError:
-        what = "expected a measurement of Shake&Tune, found lists in very many lists"
-        raise MeasurementError(what, where, INCOMPLETE) from None
+        problem = "expected a measurement of Shake&Tune, found lists in very many lists"
+        raise MeasurementError(problem, where, INCOMPLETE) from None
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise MeasurementError(f"expected a measurement of Shake&Tune: {error}", where, INCOMPLETE) from None
 
@@ -153,28 +154,28 @@ def _unpacked(path: Path, source: str) -> Iterator[bytes]:
     try:
         import zstandard
     except ImportError:
-        what = "expected signals, found a file compressed by Zstandard, which needs the library zstandard"
-        raise MeasurementError(what, source, "install it with pip install 'pkmodes[zstd]'") from None
-    unpacking, total, most = zstandard.ZstdDecompressor(max_window_size=WINDOW), 0, _most_unpacked(path)
+        problem = "expected signals, found a file compressed by Zstandard, which needs the library zstandard"
+        raise MeasurementError(problem, source, "install it with pip install 'pkmodes[zstd]'") from None
+    unpacking, total, limit = zstandard.ZstdDecompressor(max_window_size=WINDOW), 0, _most_unpacked(path)
     frame = unpacking.decompressobj()
     with path.open("rb") as file:
-        left = b""
-        while left or (left := file.read(BLOCK)):
+        unread = b""
+        while unread or (unread := file.read(BLOCK)):
             if frame.eof:
                 frame = unpacking.decompressobj()
             try:
-                part = frame.decompress(left)
+                part = frame.decompress(unread)
             except zstandard.ZstdError as error:
                 raise MeasurementError(f"cannot unpack the file: {error}", source, INCOMPLETE) from None
-            left = frame.unused_data
+            unread = frame.unused_data
             total += len(part)
-            _check_size(total, most, source, "record less in one file")
+            _check_size(total, limit, source, "record less in one file")
             yield part
     if not frame.eof:
         raise MeasurementError("expected a complete file, found its beginning", source, INCOMPLETE)
 
 
-def read_archive(path: Path, asked: Asked) -> SignalFile:
+def read_archive(path: Path, request: Asked) -> SignalFile:
     """Read one table of a zip or tar archive.
 
     Raises
@@ -182,19 +183,19 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If it is damaged, or has no such table.
     """
-    source, most = fspath(path), _most_unpacked(path)
+    source, limit = fspath(path), _most_unpacked(path)
     try:
         with path.open("rb") as file:
             zipped = file.read(len(ZIP)) == ZIP
         with opened_zip(path) if zipped else nullcontext() as archive:
-            files = _of_zip(archive, most, source) if archive else _of_tar(path, most, source)
+            files = _of_zip(archive, limit, source) if archive else _of_tar(path, limit, source)
             if OF_WORKBOOKS in files:
                 check_text(ZIP, source)
             tables = {name: load for name, load in files.items() if _is_table(name)}
             if not tables:
-                what = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
-                raise MeasurementError(what, source, UNPACK)
-            chosen = _chosen(tables, asked.member, source, "table")
+                problem = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
+                raise MeasurementError(problem, source, UNPACK)
+            chosen = _chosen(tables, request.member, source, "table")
             content = [tables[chosen]()]
     except MeasurementError:
         raise
@@ -203,7 +204,7 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
             raise
         reason = (str(error) or type(error).__name__).splitlines()[0].rstrip(":")
         raise MeasurementError(f"cannot read the archive: {reason}", source, UNPACK) from None
-    return tabulated(content.pop(), f"{source}/{chosen}", asked)  # which may then forget it
+    return tabulated(content.pop(), f"{source}/{chosen}", request)  # which may then forget it
 
 
 def _is_table(name: str) -> bool:
@@ -212,36 +213,36 @@ def _is_table(name: str) -> bool:
     return place.suffix.lower() in TABLE.suffixes and not place.name.startswith(".")
 
 
-def _of_zip(archive: zipfile.ZipFile, most: int, source: str) -> dict[str, Callable[[], bytes]]:
+def _of_zip(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
     """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
 
-    def load(one: zipfile.ZipInfo) -> bytes:
-        _check_size(one.file_size, most, source)
-        with archive.open(one) as file:
-            return file.read(most)
+    def load(entry: zipfile.ZipInfo) -> bytes:
+        _check_size(entry.file_size, limit, source)
+        with archive.open(entry) as file:
+            return file.read(limit)
 
-    return {one.filename: partial(load, one) for one in archive.infolist() if not one.is_dir()}
+    return {entry.filename: partial(load, entry) for entry in archive.infolist() if not entry.is_dir()}
 
 
-def _of_tar(path: Path, most: int, source: str) -> dict[str, Callable[[], bytes]]:
+def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
     """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
 
     def load(number: int) -> bytes:
         files = tar_files(path)  # which closes the archive when it is forgotten
-        one = next(islice(files, number, None))
-        _check_size(one.size, most, source)
-        return one.read(most)
+        entry = next(islice(files, number, None))
+        _check_size(entry.size, limit, source)
+        return entry.read(limit)
 
-    found: dict[str, Callable[[], bytes]] = {}
+    loaders: dict[str, Callable[[], bytes]] = {}
     total = 0
-    for number, one in enumerate(tar_files(path)):
-        total += one.size
+    for number, entry in enumerate(tar_files(path)):
+        total += entry.size
         _check_size(total, LARGEST, source)  # before the next one is looked for, which unpacks this one
-        found[one.name] = partial(load, number)
+        loaders[entry.name] = partial(load, number)
         if number == MOST_FILES:
-            what = f"expected an archive of at most {MOST_FILES:,} files, found more"
-            raise MeasurementError(what, source, UNPACK)
-    return found
+            problem = f"expected an archive of at most {MOST_FILES:,} files, found more"
+            raise MeasurementError(problem, source, UNPACK)
+    return loaders
 
 
 def _most_unpacked(path: Path) -> int:
@@ -249,24 +250,26 @@ def _most_unpacked(path: Path) -> int:
     return min(LARGEST, ROOM + EXPANDED * path.stat().st_size)
 
 
-def _check_size(size: int, most: int, source: str, remedy: str = UNPACK) -> None:
-    if size > most:
-        what = f"expected at most {most / 1e6:.4g} MB when unpacked, found more"
-        raise MeasurementError(what, source, remedy)
+def _check_size(size: int, limit: int, source: str, remedy: str = UNPACK) -> None:
+    if size > limit:
+        problem = f"expected at most {limit / 1e6:.4g} MB when unpacked, found more"
+        raise MeasurementError(problem, source, remedy)
 
 
-def _chosen(names: Mapping[str, object], asked: str, source: str, what: str) -> str:
+def _chosen(names: Mapping[str, object], requested_name: str, source: str, record_kind: str) -> str:
     """Return the name that is asked for; the only one where none is."""
-    if asked in names:
-        return asked
-    every = listed([*map(shown, names)], 6)
-    if asked:
-        remedy = nearest(asked, names, f"it has {every}")
-        raise MeasurementError(f"expected a {what} {shown(asked)}, found none", source, remedy)
+    if requested_name in names:
+        return requested_name
+    listing = listed([*map(shown, names)], 6)
+    if requested_name:
+        remedy = nearest(requested_name, names, f"it has {listing}")
+        raise MeasurementError(
+            f"expected a {record_kind} {shown(requested_name)}, found none", source, remedy
+        )
     if len(names) != 1:
-        found = f"expected one {what}, found {len(names) or 'none'}"
+        problem = f"expected one {record_kind}, found {len(names) or 'none'}"
         example = shown(f"{Path(source).name}/{next(iter(names), 'NAME')}")
-        raise MeasurementError(found, source, f"name the one that is meant, files = [{example}]: {every}")
+        raise MeasurementError(problem, source, f"name the one that is meant, files = [{example}]: {listing}")
     return next(iter(names))
 
 

@@ -35,8 +35,8 @@ def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
         with np.errstate(invalid="ignore"):  # some of single precision that are no numbers
-            what = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
-        raise MeasurementError(what, where, "export the file again, or leave this signal out of it")
+            problem = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
+        raise MeasurementError(problem, where, "export the file again, or leave this signal out of it")
 
 
 def within(abscissa: Array, band: tuple[float, float] | None) -> slice:
@@ -55,15 +55,15 @@ def check_abscissa(abscissa: Array, where: str) -> None:
         With the number of the first wrong point.
     """
     if abscissa.size < FEWEST:
-        what = f"expected at least {FEWEST} points, found {abscissa.size or 'none'}"
-        raise MeasurementError(what, where, "export the whole measurement")
+        problem = f"expected at least {FEWEST} points, found {abscissa.size or 'none'}"
+        raise MeasurementError(problem, where, "export the whole measurement")
     check_finite(abscissa, where)
     late = np.flatnonzero(np.diff(abscissa) <= 0.0)
     if late.size:
         before, after = abscissa[late[0]], abscissa[late[0] + 1]
-        what = f"expected ascending times or frequencies, found {after:.10g} after {before:.10g}"
+        problem = f"expected ascending times or frequencies, found {after:.10g} after {before:.10g}"
         remedy = "sort the points, and give each time or frequency once, with enough digits"
-        raise MeasurementError(what, f"{where}, point {late[0] + 2}", remedy)
+        raise MeasurementError(problem, f"{where}, point {late[0] + 2}", remedy)
 
 
 def outside_coherence(values: NDArray[Any]) -> tuple[int, str, str] | None:
@@ -90,7 +90,7 @@ def check_coherence(values: NDArray[Any], where: str) -> None:
     MeasurementError
         With the number of the first wrong value.
     """
-    found = outside_coherence(values)
-    if found is not None:
-        index, what, remedy = found
-        raise MeasurementError(f"{what} as value {index + 1}", where, remedy)
+    fault = outside_coherence(values)
+    if fault is not None:
+        index, problem, remedy = fault
+        raise MeasurementError(f"{problem} as value {index + 1}", where, remedy)

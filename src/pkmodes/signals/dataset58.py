@@ -26,9 +26,9 @@ from pkmodes.signals.scanning import INCOMPLETE, Binary, Scanner, read_numbers, 
 LINES = 11
 #: Suffixes of the names of degrees of freedom by the number of their direction.
 DIRECTIONS = {
-    one * number: f":{sign}{name}"
+    factor * number: f":{sign}{name}"
     for number, name in enumerate(("X", "Y", "Z", "RX", "RY", "RZ"), start=1)
-    for one, sign in ((1, "+"), (-1, "-"))
+    for factor, sign in ((1, "+"), (-1, "-"))
 }
 #: Ordinate data types: whether the values are complex, and of double precision.
 ORDINATES = {2: (False, False), 4: (False, True), 5: (True, False), 6: (True, True)}
@@ -136,7 +136,7 @@ def rotates(dof: tuple[int, int]) -> bool:
 def _fields(
     scanner: Scanner,
     line: bytes,
-    what: str,
+    subject: str,
     columns: Sequence[tuple[int, int]],
     read: Callable[[str], T],
     split: bool = False,
@@ -149,17 +149,17 @@ def _fields(
     cells = [[text[low:high].replace("D", "E") for low, high in columns] for text in texts]
     if split:
         cells.append(texts[1].replace("D", "E").split()[: len(columns)])
-    found: list[T] = []
-    for each in cells:
+    fields: list[T] = []
+    for row_cells in cells:
         try:
-            found = [read(cell) for cell in each]
+            fields = [read(cell) for cell in row_cells]
         except ValueError:
             continue
-        if len(found) == len(columns):
+        if len(fields) == len(columns):
             break
-    if len(found) != len(columns):
-        scanner.refuse(f"expected {what} in the header, found {shown(texts[1].strip())}")
-    return found
+    if len(fields) != len(columns):
+        scanner.refuse(f"expected {subject} in the header, found {shown(texts[1].strip())}")
+    return fields
 
 
 def _axis(scanner: Scanner, line: bytes) -> Axis:
@@ -307,9 +307,9 @@ def _type(header: Header, binary: Binary, scanner: Scanner) -> np.dtype[Any]:
     values = ("y", f"{binary.order}{f'c{2 * size}' if header.complex else f'f{size}'}")
     types = [np.dtype([values])]
     if not header.even:
-        types = [np.dtype([("x", f"{binary.order}f{each}"), values]) for each in (size, 4)]
-    fitting = [one for one in types if header.count * one.itemsize == binary.bytes]
+        types = [np.dtype([("x", f"{binary.order}f{x_size}"), values]) for x_size in (size, 4)]
+    fitting = [point_type for point_type in types if header.count * point_type.itemsize == binary.bytes]
     if not fitting and binary.bytes != header.count * size:
-        what = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
-        scanner.refuse(f"{what}, found {binary.bytes} declared")
+        problem = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
+        scanner.refuse(f"{problem}, found {binary.bytes} declared")
     return (fitting or types)[0]

@@ -92,7 +92,9 @@ class StoredFunction(Function):
 
 
 def computed(
-    one: Function, of: Callable[[Array | Complex], Array | Complex], units: Sequence[str | None] | None = None
+    function: Function,
+    of: Callable[[Array | Complex], Array | Complex],
+    units: Sequence[str | None] | None = None,
 ) -> Function:
     """Return a function whose values are computed from those of another, at each access.
 
@@ -103,17 +105,17 @@ def computed(
     units : sequence of str or None, optional
         Its unit and that of its denominator, if they are others.
     """
-    unit, reference_unit = units or (one.unit, one.reference_unit)
+    unit, reference_unit = units or (function.unit, function.reference_unit)
     return StoredFunction(
-        one.kind,
-        one.response,
-        one.reference,
-        one.abscissa,
+        function.kind,
+        function.response,
+        function.reference,
+        function.abscissa,
         unit,
         reference_unit,
-        one.force,
-        one.assumed,
-        load=lambda: of(one.values),
+        function.force,
+        function.assumed,
+        load=lambda: of(function.values),
     )
 
 
@@ -198,14 +200,14 @@ class Asked:
         """Return whether a sensor that has any of these names is wanted."""
         return self.sensors is None or not self.sensors.isdisjoint(names)
 
-    def own_names(self, given: Collection[str], where: str) -> dict[str, str]:
+    def own_names(self, names_in_file: Collection[str], where: str) -> dict[str, str]:
         """Return what names in a file are called here, "" for those that stand back.
 
         As `names` says; else sensors and ``force`` are also those that differ by capitals alone, where only one does.
 
         Parameters
         ----------
-        given : collection of str
+        names_in_file : collection of str
             Names in the file.
         where : str
             For messages.
@@ -215,25 +217,34 @@ class Asked:
         MeasurementError
             If the file lacks a name that `names` says, other than of a sensor.
         """
-        own: dict[str, str] = {}
+        own_names: dict[str, str] = {}
         for name, theirs in self.names.items():
-            place = _alike(theirs, given)
+            place = _alike(theirs, names_in_file)
             if place is not None:
-                own[place] = name
+                own_names[place] = name
             elif name in WORDS:
-                listing = listed([shown(one) for one in given if one], MOST_NAMES) or "none"
-                what = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
-                raise MeasurementError(what, where, nearest(theirs, given, "correct the names of the record"))
-        meant = set(own.values())
-        own |= {name: "" for name in given if name in meant and name not in own}
+                listing = (
+                    listed([shown(candidate) for candidate in names_in_file if candidate], MOST_NAMES)
+                    or "none"
+                )
+                problem = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
+                raise MeasurementError(
+                    problem, where, nearest(theirs, names_in_file, "correct the names of the record")
+                )
+        meant = set(own_names.values())
+        own_names |= {name: "" for name in names_in_file if name in meant and name not in own_names}
         for name in (*sorted(self.sensors or ()), FORCE):
-            free = [one for one in given if one not in own and not (self.sensors and one in self.sensors)]
-            if name not in given and name not in meant and (place := _alike(name, free)) is not None:
-                own[place] = name
-        return own
+            free = [
+                candidate
+                for candidate in names_in_file
+                if candidate not in own_names and not (self.sensors and candidate in self.sensors)
+            ]
+            if name not in names_in_file and name not in meant and (place := _alike(name, free)) is not None:
+                own_names[place] = name
+        return own_names
 
 
-def _alike(name: str, given: Collection[str]) -> str | None:
+def _alike(name: str, names_in_file: Collection[str]) -> str | None:
     """Return the name that is this one, or the only one that differs from it by capitals alone."""
-    alike = {one for one in given if one.casefold() == name.casefold()}
-    return name if name in given else alike.pop() if len(alike) == 1 else None
+    alike = {candidate for candidate in names_in_file if candidate.casefold() == name.casefold()}
+    return name if name in names_in_file else alike.pop() if len(alike) == 1 else None

@@ -23,7 +23,7 @@ HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5
 WHAT = "MATLAB"
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a MATLAB file.
 
     Raises
@@ -35,10 +35,10 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         head = file.read(1024)
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
-        with hdf5_variables(path, source) as found:
-            return functions_of(found, source, asked, WHAT, path.stat().st_size)
+        with hdf5_variables(path, source) as opened:
+            return functions_of(opened, source, request, WHAT, path.stat().st_size)
     with path.open("rb") as file:
-        return functions_of(_variables(file, path, head, source), source, asked, WHAT, path.stat().st_size)
+        return functions_of(_variables(file, path, head, source), source, request, WHAT, path.stat().st_size)
 
 
 def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[Variable]:
@@ -57,12 +57,12 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
     def values(name: str) -> Any:
         return loadmat(path, appendmat=False, variable_names=[name])[name].ravel(order="F")
 
-    found = []
+    matrices = []
     for name, shape, of in whosmat(path, appendmat=False):
         numeric = of not in TEXTS
-        what = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
-        found.append(Variable(name, what, tuple(shape) if numeric else None, partial(values, name)))
-    return found
+        description = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
+        matrices.append(Variable(name, description, tuple(shape) if numeric else None, partial(values, name)))
+    return matrices
 
 
 def _check_sizes(file: BinaryIO, length: int) -> None:

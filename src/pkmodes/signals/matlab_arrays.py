@@ -60,9 +60,9 @@ class _Stored:
     def read(self, size: int) -> bytes:
         """Return the next bytes, fewer only at the end."""
         self._file.seek(self._start + self.at)
-        found = self._file.read(max(0, min(size, self._size - self.at)))
-        self.at += len(found)
-        return found
+        content = self._file.read(max(0, min(size, self._size - self.at)))
+        self.at += len(content)
+        return content
 
     def skip_to(self, at: int) -> None:
         """Go to a later place."""
@@ -87,8 +87,8 @@ class _Unpacked:
     def read(self, size: int) -> bytes:
         """Return the next bytes, fewer only at the end."""
         content = bytearray()
-        while len(content) < size and (more := self._more(size - len(content))):
-            content += more
+        while len(content) < size and (part := self._more(size - len(content))):
+            content += part
         return bytes(content)
 
     def skip_to(self, at: int) -> None:
@@ -96,25 +96,25 @@ class _Unpacked:
         while self.at < at and self._more(at - self.at):
             pass
 
-    def _more(self, most: int) -> bytes:
+    def _more(self, limit: int) -> bytes:
         """Return at most so many of the next bytes, none at the end."""
-        more = b""
+        part = b""
         try:
-            while not more and not self._unpacking.eof:
+            while not part and not self._unpacking.eof:
                 packed = self._left or self._packed.read(BLOCK)
-                more = self._unpacking.decompress(packed, min(most, BLOCK))
+                part = self._unpacking.decompress(packed, min(limit, BLOCK))
                 self._left = self._unpacking.unconsumed_tail
-                if not packed and not more:
+                if not packed and not part:
                     break
         except zlib.error as error:
             raise DamagedError(f"cannot unpack a compressed variable: {error}") from None
-        self.at += len(more)
-        return more
+        self.at += len(part)
+        return part
 
-    def ends(self, least: int, most: int) -> bool:
+    def ends(self, least: int, highest: int) -> bool:
         """Return whether the bytes end at a place between two."""
-        self.skip_to(most + 1)
-        return least <= self.at <= most and self._unpacking.eof
+        self.skip_to(highest + 1)
+        return least <= self.at <= highest and self._unpacking.eof
 
 
 class _Reading:
@@ -231,13 +231,13 @@ def _variables(
             element.check_end(end)
         return
     if kind not in NUMERIC:
-        what = CLASSES.get(kind, "another kind of variable")
-        yield Variable(text, what, None, partial(no_numbers, text))
+        description = CLASSES.get(kind, "another kind of variable")
+        yield Variable(text, description, None, partial(no_numbers, text))
         return
-    what = f"an array of {' x '.join(map(str, sizes))} values"
+    description = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
-    left = end - at
-    if not count <= left <= 16.0 * count + HEAD:  # a byte for each number at least, two of eight at most
+    remaining = end - at
+    if not count <= remaining <= 16.0 * count + HEAD:  # a byte for each number at least, two of eight at most
         raise DamagedError(f"expected the values of {text}")
     is_complex, shape = bool(bits & COMPLEX), tuple(map(int, sizes))
     load = partial(_values, element, at, end, order, int(count), is_complex, text, whole=not depth)
@@ -247,7 +247,7 @@ def _variables(
         if (stored := TYPES.get(tag.type, "f8"))[0] in "iu" and tag.size == count * int(stored[1]):
             place = element.start + tag.start
             again = partial(_again, element.reading.file.name, f"{order}{stored}", int(count), place)
-    yield Variable(text, what, shape, load, int(left // count) if count else 8, again)
+    yield Variable(text, description, shape, load, int(remaining // count) if count else 8, again)
 
 
 def _fields(
@@ -320,14 +320,14 @@ def _numbers(element: _Element, tag: _Tag, order: str, count: int, name: str) ->
     return np.frombuffer(_part(element, tag, tag.size), f"{order}{kind}")
 
 
-def _part(element: _Element, tag: _Tag, most: int) -> bytes:
+def _part(element: _Element, tag: _Tag, limit: int) -> bytes:
     """Return the data of an element, of at most so many bytes."""
-    if tag.size > most:
-        raise DamagedError(f"expected at most {most:,} bytes of an element, found {tag.size:,}")
-    found = element.data(tag.start).read(tag.size)
-    if len(found) < tag.size:
-        raise DamagedError(f"expected {tag.size} bytes of an element, found {len(found)}")
-    return found
+    if tag.size > limit:
+        raise DamagedError(f"expected at most {limit:,} bytes of an element, found {tag.size:,}")
+    content = element.data(tag.start).read(tag.size)
+    if len(content) < tag.size:
+        raise DamagedError(f"expected {tag.size} bytes of an element, found {len(content)}")
+    return content
 
 
 def _tag(element: _Element, at: int, order: str, end: int | None = None) -> _Tag:

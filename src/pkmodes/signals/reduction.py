@@ -61,10 +61,10 @@ def reduced(signal: Array, factor: int) -> Array:
     count, beta = kaiserord(ATTENUATION, stopped - passed)
     taps = firwin(count | 1, 0.5 * (passed + stopped), window=("kaiser", beta))
     half, last = len(taps) // 2, len(signal) - 1
-    found = np.empty(last // factor + 1)
-    for low in range(0, len(found), BLOCK):
-        at = slice(low, min(low + BLOCK, len(found)))
+    filtered = np.empty(last // factor + 1)
+    for low in range(0, len(filtered), BLOCK):
+        at = slice(low, min(low + BLOCK, len(filtered)))
         # Beyond the ends the first and last values go on, so that a constant stays one.
         around = np.arange(at.start * factor - half, (at.stop - 1) * factor + half + 1).clip(0, last)
-        found[at] = sliding_window_view(signal[around], len(taps))[::factor] @ taps
-    return found
+        filtered[at] = sliding_window_view(signal[around], len(taps))[::factor] @ taps
+    return filtered

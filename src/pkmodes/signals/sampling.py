@@ -65,13 +65,13 @@ class Piece:
         values = signal[self.part]
         if self.numbers is None:
             return values
-        found = np.empty(self.numbers[-1] + 1)
-        found[self.numbers] = values
+        samples = np.empty(self.numbers[-1] + 1)
+        samples[self.numbers] = values
         for i in np.flatnonzero(np.diff(self.numbers) > 1):
             near = slice(max(0, i + 1 - NEIGHBOURS), i + 1 + NEIGHBOURS)
             missing = np.arange(self.numbers[i] + 1, self.numbers[i + 1])
-            found[missing] = CubicSpline(self.numbers[near], values[near])(missing)
-        return found
+            samples[missing] = CubicSpline(self.numbers[near], values[near])(missing)
+        return samples
 
     def once_more(self, filled: Array) -> Array:
         """Return filled samples of which as many are lost again, half way between the gaps, and interpolated.
@@ -79,15 +79,15 @@ class Piece:
         What the samples as they were filled differ from these by is like what they differ from the truth by.
         """
         numbers = np.arange(len(filled)) if self.numbers is None else self.numbers
-        found, gaps = filled.copy(), np.flatnonzero(np.diff(numbers) > 1)
+        refilled, gaps = filled.copy(), np.flatnonzero(np.diff(numbers) > 1)
         for begin, end, after in zip(numbers[gaps], numbers[gaps + 1], numbers[[*gaps[1:], -1]], strict=True):
             first = (end + after - (end - begin)) // 2 + 1
             lost = np.arange(first, first + end - begin - 1)
             near = np.r_[max(0, first - NEIGHBOURS) : first, lost[-1] + 1 : lost[-1] + 1 + NEIGHBOURS]
             near = near[near < len(filled)]
             if lost[-1] < len(filled):
-                found[lost] = CubicSpline(near, filled[near])(lost)
-        return found
+                refilled[lost] = CubicSpline(near, filled[near])(lost)
+        return refilled
 
 
 def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
@@ -118,29 +118,35 @@ def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Pi
         raise MeasurementError(
             f"expected at least {FEWEST} samples, found {time.size}", where, "measure longer"
         )
-    usual, most = _usual_step(time), max(1.0, MOST_GAPS * (time.size - 1))
+    usual, most_breaks = _usual_step(time), max(1.0, MOST_GAPS * (time.size - 1))
     tolerance = TOLERANCE * usual + 4.0 * _precision(time)
     fine = MICROSECOND if _are_multiples(time, MICROSECOND) and FINE * usual >= MICROSECOND else 0.0
     breaks = _breaks(time, usual, tolerance + fine)
-    if breaks.size > most:  # uneven throughout: perhaps times were written with few digits
-        coarse = [one for one in COARSE if one <= FINE * usual and _are_multiples(time[-TAIL:], one)]
+    if breaks.size > most_breaks:  # uneven throughout: perhaps times were written with few digits
+        coarse = [
+            resolution
+            for resolution in COARSE
+            if resolution <= FINE * usual and _are_multiples(time[-TAIL:], resolution)
+        ]
         breaks = _breaks(time, usual, tolerance + coarse[0]) if coarse else breaks
     steps = time[breaks + 1] - time[breaks]
     counts = np.round(steps / usual).astype(np.intp)
     short = (counts > 1) & (steps - usual <= bridged) & (np.abs(steps - counts * usual) <= WHOLE * usual)
     missing = int((counts[short] - 1).sum())
     splits = breaks[~short]
-    if splits.size > most:
+    if splits.size > most_breaks:
         worst = time[splits[0] + 1] - time[splits[0]]
-        what = (
+        problem = (
             f"expected even sampling, found {splits.size} of {time.size - 1} steps that differ by 1 % or more"
         )
-        what += f" from {usual:.6g} s, first {worst:.6g} s after {time[splits[0]]:.6g} s"
+        problem += f" from {usual:.6g} s, first {worst:.6g} s after {time[splits[0]]:.6g} s"
         remedy = "resample the signals evenly, or give the rate in the record if only the times are wrong"
-        raise MeasurementError(what, where, remedy)
+        raise MeasurementError(problem, where, remedy)
     if missing > MOST_MISSING * time.size:
-        what = f"expected a whole record, found {missing} samples missing beside {time.size}"
-        raise MeasurementError(what, where, "measure again, with a lower sampling rate if samples are lost")
+        problem = f"expected a whole record, found {missing} samples missing beside {time.size}"
+        raise MeasurementError(
+            problem, where, "measure again, with a lower sampling rate if samples are lost"
+        )
     edges = [0, *(int(i) + 1 for i in splits), time.size]
     pieces = [
         _piece(time, slice(low, high), breaks[short], counts[short])
@@ -148,8 +154,8 @@ def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Pi
         if high - low >= FEWEST
     ]
     of_bridged = _summed(time, breaks[short], usual, where)
-    said = [f"{of_bridged}: {missing} samples are interpolated"] if missing else []
-    return tuple(pieces), (*said, *_said(time, splits, usual, where))
+    messages = [f"{of_bridged}: {missing} samples are interpolated"] if missing else []
+    return tuple(pieces), (*messages, *_said(time, splits, usual, where))
 
 
 def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
@@ -192,10 +198,10 @@ def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.i
     count, numbers = part.stop - part.start, None
     last = count - 1
     if inside.any():
-        each = np.ones(count, dtype=np.intp)
-        each[0] = 0
-        each[gaps[inside] + 1 - part.start] = steps[inside]
-        numbers = np.cumsum(each)
+        step_counts = np.ones(count, dtype=np.intp)
+        step_counts[0] = 0
+        step_counts[gaps[inside] + 1 - part.start] = steps[inside]
+        numbers = np.cumsum(step_counts)
         last = int(numbers[-1])
     return Piece(part, float(time[part.stop - 1] - time[part.start]) / last, numbers)
 
@@ -217,8 +223,8 @@ def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> 
         return ""
     lost = time[breaks + 1] - time[breaks] - usual
     share = 100.0 * lost.sum() / (time[-1] - time[0])
-    least, most = 1e3 * lost.min(), 1e3 * lost.max()
-    size = f"{most:.3g} ms" if most <= 1.05 * least else f"{least:.3g} to {most:.3g} ms"
+    least, longest = 1e3 * lost.min(), 1e3 * lost.max()
+    size = f"{longest:.3g} ms" if longest <= 1.05 * least else f"{least:.3g} to {longest:.3g} ms"
     gaps = "1 gap" if breaks.size == 1 else f"{breaks.size} gaps"
     return (
         f"{where}: {gaps} of {size}, {plain(share, 2)} % of the record, the first at {time[breaks[0]]:.6g} s"
@@ -249,7 +255,7 @@ def as_sampled(time: Array) -> Array:
         np.all(np.abs(np.diff(part) - mean) <= TOLERANCE * mean) for _, part in _parts(time)
     ):
         return time
-    last_digit = next((one for one in ROUNDED if _are_multiples(time[-TAIL:], one)), 0.0)
+    last_digit = next((digit for digit in ROUNDED if _are_multiples(time[-TAIL:], digit)), 0.0)
     even: Array = np.arange(time.size, dtype=float)  # in place: a long record fills much of the memory
     even -= 0.5 * (time.size - 1)
     even *= float(even @ time) / float(even @ even)
@@ -265,15 +271,15 @@ def counts_samples(time: Array) -> bool:
 
 def _breaks(time: Array, usual: float, tolerance: float) -> NDArray[np.intp]:
     """Return the samples after which a step differs from the usual one by more than a tolerance."""
-    found = [low + np.flatnonzero(np.abs(np.diff(part) - usual) > tolerance) for low, part in _parts(time)]
-    return np.concatenate(found)
+    breaks = [low + np.flatnonzero(np.abs(np.diff(part) - usual) > tolerance) for low, part in _parts(time)]
+    return np.concatenate(breaks)
 
 
 def _are_multiples(time: Array, unit: float) -> bool:
     """Return whether times are whole multiples of a unit, as far as numbers of their size can tell."""
     doubt = 0.05 + 4.0 * _precision(time) / unit
     counts = (part / unit for _, part in _parts(time))
-    return doubt < 0.5 and not any(np.any(np.abs(one - np.round(one)) > doubt) for one in counts)
+    return doubt < 0.5 and not any(np.any(np.abs(count - np.round(count)) > doubt) for count in counts)
 
 
 def _precision(time: Array) -> float:

@@ -74,7 +74,7 @@ class Scanner:
         self.where = source
 
     @property
-    def left(self) -> int:
+    def remaining(self) -> int:
         """Number of bytes after the current position."""
         return self.size - self.file.tell()
 
@@ -88,8 +88,8 @@ class Scanner:
             start = self.file.tell() - len(line)
             self.where = f"{self.source}: dataset {count} at byte {start}"
             if not is_delimiter(line):
-                what = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
-                self.refuse(what)
+                problem = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
+                self.refuse(problem)
             yield self._opened(self.line("the number of a dataset"))
         if count == 0:
             self.refuse("expected datasets, found none")
@@ -129,8 +129,8 @@ class Scanner:
 
     def check_left(self, count: int) -> None:
         """Refuse a dataset that declares more bytes than the file has."""
-        if count > self.left:
-            self.refuse(f"expected {count} bytes of data, found {self.left} to the end of the file")
+        if count > self.remaining:
+            self.refuse(f"expected {count} bytes of data, found {self.remaining} to the end of the file")
 
     def refuse(self, what: str, remedy: str = INCOMPLETE) -> NoReturn:
         """Raise an error at the current dataset."""
@@ -153,8 +153,8 @@ class Scanner:
     def _binary(self, rest: bytes) -> Binary:
         fields = rest.split()
         if len(fields) < 4 or not all(field.isdigit() for field in fields[:4]):
-            what = "expected the byte order, the format and the numbers of lines and bytes after 58b"
-            self.refuse(f"{what}, found {shown(text_of(rest).strip())}")
+            problem = "expected the byte order, the format and the numbers of lines and bytes after 58b"
+            self.refuse(f"{problem}, found {shown(text_of(rest).strip())}")
         order, form, lines, size = map(int, fields[:4])
         if order not in (1, 2):
             self.refuse(f"expected byte order 1 (little endian) or 2 (big endian), found {order}")
@@ -208,8 +208,8 @@ def numbers_in(text: bytes) -> Array | None:
         pass
     if NUMBER.sub(b"", text.replace(b" nan ", b" ")).strip():
         return None
-    found = NUMBER_OR_GAP.findall(text) if gaps else NUMBER.findall(text)
-    return np.array([float(EXPONENT.sub(b"E", number)) for number in found])
+    numerals = NUMBER_OR_GAP.findall(text) if gaps else NUMBER.findall(text)
+    return np.array([float(EXPONENT.sub(b"E", number)) for number in numerals])
 
 
 def read_numbers(scanner: Scanner, count: int) -> Array:
@@ -232,8 +232,8 @@ def read_numbers(scanner: Scanner, count: int) -> Array:
         If there are more or fewer, or anything else is between them, or the dataset is not closed.
     """
     # Checked before the memory is taken: a damaged header may declare any number.
-    if 2 * count > scanner.left:
-        scanner.refuse(f"expected {count} values, found {scanner.left} bytes to the end of the file")
+    if 2 * count > scanner.remaining:
+        scanner.refuse(f"expected {count} values, found {scanner.remaining} bytes to the end of the file")
     values, filled, closed = np.empty(count), 0, False
     while not closed:
         lines: list[bytes] = []

@@ -39,15 +39,15 @@ def clipped(values: Array, fewest: int = FEWEST) -> tuple[tuple[float, ...], flo
         there = at(level)
         if there < fewest or abs(level - rest) <= RESTING * size:
             continue
-        most = 0
+        densest = 0
         for _ in range(NEXT):
             within = sign * beside - alike
             tops = (
                 np.max(sign * part, where=sign * part < within, initial=-np.inf) for part in _parts(values)
             )
             beside = sign * float(max(tops))
-            most = max(most, at(beside))
-        if there >= MORE * most:
+            densest = max(densest, at(beside))
+        if there >= MORE * densest:
             cut.append(level)
             count += there
     return tuple(cut), count / len(values)
@@ -64,8 +64,8 @@ def stopped(values: Array) -> slice | None:
         runs += [(int(lengths[k]), int(edges[k])) for k in np.argsort(lengths)[-2:]]
         begin = int(edges[-1])
     runs.append((len(values) - begin, begin))
-    (longest, start), *others = sorted(runs, reverse=True)
-    if longest < STOPPED * len(values) or longest < LONGER * (others[0][0] if others else 1):
+    (longest, start), *other_runs = sorted(runs, reverse=True)
+    if longest < STOPPED * len(values) or longest < LONGER * (other_runs[0][0] if other_runs else 1):
         return None
     return slice(start, start + longest)
 

@@ -48,10 +48,10 @@ def check_lines(text: bytes, source: str) -> None:
     """
     for start, end in parts_of(text):
         if end - start > LONGEST_LINE:
-            what = f"expected lines of at most {LONGEST_LINE:,} bytes, found one of {end - start:,}"
+            problem = f"expected lines of at most {LONGEST_LINE:,} bytes, found one of {end - start:,}"
             number = text.count(b"\n", 0, start) + 1
             raise MeasurementError(
-                what, f"{source}: line {number}", "write each sample into a line of its own"
+                problem, f"{source}: line {number}", "write each sample into a line of its own"
             )
 
 

@@ -56,8 +56,8 @@ def _labview(content: bytes, source: str) -> Framed | None:
         return None
     end = content.rfind(END_OF_HEADER)
     if end < 0:
-        what = "expected a LabVIEW measurement file, found no end of its header"
-        raise MeasurementError(what, source, "export the file again")
+        problem = "expected a LabVIEW measurement file, found no end of its header"
+        raise MeasurementError(problem, source, "export the file again")
     entries = {}
     for line in io.BytesIO(content[:end]):
         key, *value = re.split(rb"[\t,;]", line.strip(), maxsplit=1)
@@ -65,11 +65,11 @@ def _labview(content: bytes, source: str) -> Framed | None:
             entries[key] = text_of(value[0]).strip()
     columns = entries.get(COLUMNS_OF_X[0], "One")
     if columns != "One" or entries.get(COLUMNS_OF_X[1], "No") != "No":
-        what = f"expected one column of times, found X_Columns {shown(columns)}"
-        raise MeasurementError(what, source, "write the file with one X column and one header")
+        problem = f"expected one column of times, found X_Columns {shown(columns)}"
+        raise MeasurementError(problem, source, "write the file with one X column and one header")
     if content.count(END_OF_HEADER) > 2:
-        what = "expected one measurement, found several in the file"
-        raise MeasurementError(what, source, "write each measurement into a file of its own")
+        problem = "expected one measurement, found several in the file"
+        raise MeasurementError(problem, source, "write each measurement into a file of its own")
     start = end + len(END_OF_HEADER)
     return Framed(in_parts(content, _plain_rows, start, before=b"\n" * content.count(b"\n", 0, start)))
 
@@ -86,18 +86,20 @@ def _names(line: re.Match[bytes]) -> bytes:
 
 def _reprap(content: bytes, source: str) -> Framed | None:
     """Take the last line of RepRapFirmware's accelerometer files away: rate, and overflows of its buffer."""
-    found = REPRAP.search(content[-200:])
-    if found is None:
+    last_line = REPRAP.search(content[-200:])
+    if last_line is None:
         return None
-    start = max(len(content) - 200, 0) + found.start()
-    if RATE.fullmatch(found[1]) is None:
+    start = max(len(content) - 200, 0) + last_line.start()
+    if RATE.fullmatch(last_line[1]) is None:
         number = content.count(b"\n", 0, start + 1) + 1
         where = f"{source}: line {number}"
         remedy = "correct it; or remove the line, and give the rate in the record"
-        raise MeasurementError(f"expected a sampling rate, found {shown(text_of(found[1]))}", where, remedy)
-    rate, overflows = float(found[1]), int(found[2])
-    rest = content[: start + 1] + content[start + len(found[0]) :]
-    lost = (f"the file states: {text_of(found[0]).strip()}",) if overflows else ()
+        raise MeasurementError(
+            f"expected a sampling rate, found {shown(text_of(last_line[1]))}", where, remedy
+        )
+    rate, overflows = float(last_line[1]), int(last_line[2])
+    rest = content[: start + 1] + content[start + len(last_line[0]) :]
+    lost = (f"the file states: {text_of(last_line[0]).strip()}",) if overflows else ()
     return Framed(rest, rate or None, lost)
 
 
@@ -112,5 +114,5 @@ def framed(content: bytes, source: str) -> Framed:
     MeasurementError
         If the program is known, and what it wrote is not one table.
     """
-    found = (program(content, source) for program in PROGRAMS)
-    return next((one for one in found if one is not None), Framed(content))
+    frames = (program(content, source) for program in PROGRAMS)
+    return next((frame for frame in frames if frame is not None), Framed(content))

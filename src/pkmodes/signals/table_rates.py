@@ -54,17 +54,17 @@ MOSTLY = 0.9
 
 def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
     """Return the sampling rates [Hz] that comments state, each with the words of it."""
-    found = []
+    rates = []
     for comment in comments:
         text = comment.lstrip("# \t")
         for match in STATEMENT.finditer(text):
             unit = (match["after"] or match["before"] or "").strip().lower()
             rate = float(match["number"]) * HERTZ.get(unit, math.nan)
             if rate > 0.0 and not LIMIT.search(text[: match.start()]):
-                found.append((rate, match[0].strip(" \t,;|([")))
-        if len(found) >= MOST:
+                rates.append((rate, match[0].strip(" \t,;|([")))
+        if len(rates) >= MOST:
             break
-    return found
+    return rates
 
 
 def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, list[str]]:
@@ -75,26 +75,28 @@ def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, lis
     MeasurementError
         If they contradict each other.
     """
-    found = rates_in(comments)
-    if not found:
+    rates = rates_in(comments)
+    if not rates:
         return None, []
-    rate, comment = found[0]
-    if not all(same_rate(other, rate) for other, _ in found):
-        each = joined([f"{other:g} Hz" for other in dict.fromkeys(other for other, _ in found)])
-        what = f"expected one sampling rate in the comments of a table without times, found {each}"
-        raise MeasurementError(what, source, f'give the right one in the record: rate = "{rate:g} Hz"')
+    rate, comment = rates[0]
+    if not all(same_rate(candidate, rate) for candidate, _ in rates):
+        listing = joined(
+            [f"{candidate:g} Hz" for candidate in dict.fromkeys(candidate for candidate, _ in rates)]
+        )
+        problem = f"expected one sampling rate in the comments of a table without times, found {listing}"
+        raise MeasurementError(problem, source, f'give the right one in the record: rate = "{rate:g} Hz"')
     return rate, [f"it has no times: its rate, {rate:g} Hz, is that of its comment {shown(comment)}"]
 
 
-def same_rate(one: float, other: float) -> bool:
+def same_rate(first: float, second: float) -> bool:
     """Return whether two rates are the same but for rounding."""
-    return math.isclose(one, other, rel_tol=SAME)
+    return math.isclose(first, second, rel_tol=SAME)
 
 
 def counter_in(names: Sequence[str], taken: Sequence[int]) -> int | None:
     """Return the column that counts samples by its name, None if there is not exactly one beside those taken."""
-    found = [i for i, name in enumerate(names) if i not in taken and name.strip().lower() in COUNTERS]
-    return found[0] if len(found) == 1 else None
+    counters = [i for i, name in enumerate(names) if i not in taken and name.strip().lower() in COUNTERS]
+    return counters[0] if len(counters) == 1 else None
 
 
 def counted(numbers: Array) -> Array | None:

@@ -29,8 +29,8 @@ def without_ends(
         Of the columns, 0 if only the names and the rows tell it.
     """
     rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if is_row(line)]
-    most = count or max((len(row) for row in rows), default=len(names))
-    while len(names) > most and not names[-1]:
+    width = count or max((len(row) for row in rows), default=len(names))
+    while len(names) > width and not names[-1]:
         names = names[:-1]
     if all(len(row) <= len(names) or "".join(row[len(names) :]).strip(' \t\r\n"') for row in rows):
         return names, body

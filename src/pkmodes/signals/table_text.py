@@ -80,7 +80,7 @@ class TableText:
         for match in COMMENT_LINES.finditer(self.body) if b"#" in self.body else ():
             yield text_of(match[0]).strip()
 
-    def columns(self, wanted: Sequence[int]) -> list[NDArray[Any]]:
+    def columns(self, places: Sequence[int]) -> list[NDArray[Any]]:
         """Read some columns.
 
         Returns
@@ -93,40 +93,40 @@ class TableText:
         MeasurementError
             If a cell is not a finite number or a row has too few or too many cells, with line and column.
         """
-        found: list[list[NDArray[Any]]] = [[] for _ in wanted]
+        columns: list[list[NDArray[Any]]] = [[] for _ in places]
         for start, end in parts_of(self.body):
             part = self.body[start:end]
             if (inside := INSIDE_LINES.search(part)) is not None:
                 line = self.first_line + self.body.count(b"\n", 0, start + inside.start())
-                what = "expected the end of the line, found a carriage return inside it"
-                raise MeasurementError(what, f"{self.source}: line {line}", "export the table again")
-            numbers = self._numbers(part, wanted)
+                problem = "expected the end of the line, found a carriage return inside it"
+                raise MeasurementError(problem, f"{self.source}: line {line}", "export the table again")
+            numbers = self._numbers(part, places)
             if numbers is None:
-                raise self._first_problem(wanted)
-            for column, values in zip(found, numbers, strict=True):
+                raise self._first_problem(places)
+            for column, values in zip(columns, numbers, strict=True):
                 column.append(narrow(values))
             del numbers
-        if not found or not sum(part.size for part in found[0]):
+        if not columns or not sum(part.size for part in columns[0]):
             raise MeasurementError("expected rows, found only a header", self.source, "add the rows")
-        return [joined(found.pop(0)) for _ in wanted]
+        return [joined(columns.pop(0)) for _ in places]
 
-    def _numbers(self, part: bytes, wanted: Sequence[int]) -> Array | None:
+    def _numbers(self, part: bytes, places: Sequence[int]) -> Array | None:
         """Return some columns of some of the lines, (columns, rows); None if a cell or a row is no such."""
         if b"#" in part:
             part = COMMENT_LINES.sub(b"", part)
         rows = BLANK_LINES.sub(b"", part).replace(b'"', b"")
         if not rows.strip():
-            return np.empty((len(wanted), 0))
+            return np.empty((len(places), 0))
         if not self._has_even_rows(rows):
             return None
         if self.separator != ",":
             rows = rows.replace(b",", b".")
         lines = io.TextIOWrapper(io.BytesIO(rows), "latin-1")
         try:
-            found = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=wanted, ndmin=2).T
+            numbers = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=places, ndmin=2).T
         except ValueError:
             return None
-        return np.ascontiguousarray(found) if np.all(np.isfinite(found)) else None
+        return np.ascontiguousarray(numbers) if np.all(np.isfinite(numbers)) else None
 
     def cell(self, column: int) -> str:
         """Return the text of a cell of the first row, "" without rows."""
@@ -142,7 +142,7 @@ class TableText:
         return GAP.search(self.body) is not None
 
     def without_gaps(
-        self, abscissa: int, wanted: Sequence[int], counts: Callable[[float], bool]
+        self, abscissa: int, places: Sequence[int], counts: Callable[[float], bool]
     ) -> TableText:
         """Return the table without the rows that lack a wanted value and do not count.
 
@@ -161,7 +161,7 @@ class TableText:
 
         def keeps(line: bytes) -> bool:
             cells = self._cells(self._row(line)) if is_row(line) else []
-            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in wanted):
+            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in places):
                 return True
             at = number_in(cells[abscissa].replace(",", "."), None)
             return at is None or counts(at)
@@ -204,24 +204,24 @@ class TableText:
     def _cells(self, line: str) -> list[str]:
         return [cell.strip() for cell in line.split(self.separator)]
 
-    def _first_problem(self, wanted: Sequence[int]) -> MeasurementError:
+    def _first_problem(self, places: Sequence[int]) -> MeasurementError:
         """Return the error for the first row that cannot be read."""
         for number, line in self._rows():
             cells = self._cells(line)
             if len(cells) == 1 < len(self.names) and any(map(str.isalpha, line)):
-                what = f"expected a row of numbers, found the text {shown(line.strip())}"
+                problem = f"expected a row of numbers, found the text {shown(line.strip())}"
                 remedy = "measure again if it says that something failed; otherwise remove the line"
-                return MeasurementError(what, f"{self.source}: line {number}", remedy)
+                return MeasurementError(problem, f"{self.source}: line {number}", remedy)
             if len(cells) != len(self.names):
-                what = f"expected {len(self.names)} cells, found {len(cells)}"
+                problem = f"expected {len(self.names)} cells, found {len(cells)}"
                 remedy = "give each row as many cells as the header; do not separate decimals by commas there"
-                return MeasurementError(what, f"{self.source}: line {number}", remedy)
-            for column in wanted:
+                return MeasurementError(problem, f"{self.source}: line {number}", remedy)
+            for column in places:
                 cell = cells[column] if self.separator == "," else cells[column].replace(",", ".")
                 if NUMBER.fullmatch(cell) is None or not np.isfinite(float(cell)):
-                    what = f"expected a finite number, found {shown(cells[column]) if cell else 'nothing'}"
+                    problem = f"expected a finite number, found {shown(cells[column]) if cell else 'nothing'}"
                     where = f"{self.source}: line {number}, column {self.names[column]}"
-                    return MeasurementError(what, where, "write a plain number, or leave the row out")
+                    return MeasurementError(problem, where, "write a plain number, or leave the row out")
         return MeasurementError("expected rows of numbers", self.source, REMEDY)
 
 
@@ -271,11 +271,11 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
         names_line, header = _header_among(comments, line, source, number, columns)
     separator, names = _separated(header, _first_row(content, start))
     if len(names) > MOST_COLUMNS or max(map(len, names)) > LONGEST_NAME:
-        what = (
+        problem = (
             f"expected the names of at most {MOST_COLUMNS:,} columns, each of at most {LONGEST_NAME} letters"
         )
-        found = f"{len(names):,} names, the longest of {max(map(len, names)):,}"
-        raise MeasurementError(f"{what}, found {found}", f"{source}: line {names_line}", REMEDY)
+        found_names = f"{len(names):,} names, the longest of {max(map(len, names)):,}"
+        raise MeasurementError(f"{problem}, found {found_names}", f"{source}: line {names_line}", REMEDY)
     head = content[:start]
     if separator == " ":
         separator = "\t"
@@ -285,9 +285,9 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
     names, body = without_ends(names, body, separator, len(columns))
     if columns:
         if len(columns) != len(names):
-            what = f"expected the names of {len(names)} columns, found {len(columns)}"
+            problem = f"expected the names of {len(names)} columns, found {len(columns)}"
             raise MeasurementError(
-                what, f"{source}: line {names_line}", "name each column of the table, in order"
+                problem, f"{source}: line {names_line}", "name each column of the table, in order"
             )
         names = tuple(columns)
     return _with_units(TableText(source, separator, names, names_line, head, body, number))
@@ -359,8 +359,8 @@ def _header_among(
         names = text.lstrip("# \t")
         separator = separator_of(names)
         of_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
-        cells, others = names.split(separator), row.split(separator)
-        as_many = of_blanks or len(cells) == len(others)
+        cells, row_cells = names.split(separator), row.split(separator)
+        as_many = of_blanks or len(cells) == len(row_cells)
         as_many |= (
             len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
         )  # others end with a separator
@@ -370,9 +370,9 @@ def _header_among(
         return last
     if columns:
         return number, row
-    what = f"expected the names of the columns, found {shown(row)}"
+    problem = f"expected the names of the columns, found {shown(row)}"
     remedy = f'{REMEDY}; or name them in the record: columns = ["time", "acc_1"]'
-    raise MeasurementError(what, f"{source}: line {number}", remedy)
+    raise MeasurementError(problem, f"{source}: line {number}", remedy)
 
 
 def _is_numbers(line: str) -> bool:
@@ -383,4 +383,4 @@ def _is_numbers(line: str) -> bool:
 
 def _are_numbers(words: Sequence[str]) -> bool:
     """Return whether all words are numbers, perhaps with decimal commas."""
-    return all(NUMBER.fullmatch(one.replace(",", ".")) and not one.endswith(",") for one in words)
+    return all(NUMBER.fullmatch(word.replace(",", ".")) and not word.endswith(",") for word in words)

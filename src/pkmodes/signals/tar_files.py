@@ -46,7 +46,7 @@ def tar_files(path: Path) -> Iterator[Entry]:
         head = file.read(4)
     opened = next((opener for mark, opener in COMPRESSED.items() if head.startswith(mark)), open)
     with opened(path, "rb") as file:
-        name, size, heads, others = "", -1, 0, 0
+        name, size, heads, other_bytes = "", -1, 0, 0
         while block := file.read(BLOCK):
             if block.count(0) == BLOCK and heads:
                 return
@@ -64,9 +64,11 @@ def tar_files(path: Path) -> Iterator[Entry]:
                 yield Entry(name or info.name, length, partial(_some, file, start))
                 _skip(file, start[0] + -length % BLOCK)
             elif info.type in OTHERS or info.type not in tarfile.SUPPORTED_TYPES:
-                others += length
-                if others > MOST_OTHERS:
-                    raise tarfile.ReadError(f"expected files in it, found {others:,} bytes of something else")
+                other_bytes += length
+                if other_bytes > MOST_OTHERS:
+                    raise tarfile.ReadError(
+                        f"expected files in it, found {other_bytes:,} bytes of something else"
+                    )
                 _skip(file, length + -length % BLOCK)
             if heads > MOST_HEADS:
                 raise tarfile.ReadError(f"expected at most {MOST_HEADS:,} entries in it, found more")
@@ -118,10 +120,10 @@ def _text(name: bytes) -> str:
     return name.decode("utf-8", "surrogateescape")
 
 
-def _read(file: Any, size: int, most: int) -> bytes:
+def _read(file: Any, size: int, limit: int) -> bytes:
     """Return the bytes after a head, and skip their padding."""
-    if size > most:
-        raise tarfile.ReadError(f"expected names and attributes of at most {most:,} bytes, found {size:,}")
+    if size > limit:
+        raise tarfile.ReadError(f"expected names and attributes of at most {limit:,} bytes, found {size:,}")
     content: bytes = file.read(size)
     if len(content) < size:
         raise tarfile.ReadError("unexpected end of data")
@@ -129,19 +131,19 @@ def _read(file: Any, size: int, most: int) -> bytes:
     return content
 
 
-def _some(file: Any, left: list[int], most: int) -> bytes:
+def _some(file: Any, remaining: list[int], limit: int) -> bytes:
     """Return the next bytes of a file of which so many are left."""
-    content: bytes = file.read(min(most, left[0]))
-    if len(content) < min(most, left[0]):
+    content: bytes = file.read(min(limit, remaining[0]))
+    if len(content) < min(limit, remaining[0]):
         raise tarfile.ReadError("unexpected end of data")
-    left[0] -= len(content)
+    remaining[0] -= len(content)
     return content
 
 
 def _skip(file: Any, count: int) -> None:
     """Go on by some bytes, as not every file can be sought in."""
     while count > 0:
-        some = file.read(min(count, PART))
-        if not some:
+        skipped = file.read(min(count, PART))
+        if not skipped:
             raise tarfile.ReadError("unexpected end of data")
-        count -= len(some)
+        count -= len(skipped)

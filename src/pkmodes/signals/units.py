@@ -118,5 +118,12 @@ def _factor_to(unit: str, label: str) -> float | None:
     return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == {unit: 1} else None
 
 
-def _named(factor: float, known: Mapping[float, str]) -> str | None:
-    return next((name for one, name in known.items() if math.isclose(factor, one, rel_tol=1e-4)), None)
+def _named(factor: float, names_by_factor: Mapping[float, str]) -> str | None:
+    return next(
+        (
+            name
+            for candidate, name in names_by_factor.items()
+            if math.isclose(factor, candidate, rel_tol=1e-4)
+        ),
+        None,
+    )

@@ -31,7 +31,7 @@ class Variable(NamedTuple):
 
     Attributes
     ----------
-    what : str
+    description : str
         What it is, for messages.
     shape : tuple of int or None
         Of an array of numbers.
@@ -44,7 +44,7 @@ class Variable(NamedTuple):
     """
 
     name: str
-    what: str
+    description: str
     shape: tuple[int, ...] | None
     load: Callable[[], Values]
     itemsize: int = 8
@@ -58,7 +58,7 @@ class Variable(NamedTuple):
     @property
     def lengths(self) -> tuple[int, ...]:
         """Its sizes along the dimensions that have more than one value."""
-        return tuple(one for one in self.shape or () if one != 1)
+        return tuple(length for length in self.shape or () if length != 1)
 
 
 def no_numbers(name: str) -> NoReturn:
@@ -71,7 +71,7 @@ def no_numbers(name: str) -> NoReturn:
     raise ValueError(f"{name} is not an array of numbers")
 
 
-def at_most(found: Iterable[Variable]) -> list[Variable]:
+def at_most(variables: Iterable[Variable]) -> list[Variable]:
     """Return the variables of a file.
 
     Raises
@@ -79,13 +79,13 @@ def at_most(found: Iterable[Variable]) -> list[Variable]:
     ValueError
         If there are more than any measurement has.
     """
-    every = list(islice(found, MOST_VARIABLES + 1))
-    if len(every) > MOST_VARIABLES:
+    kept = list(islice(variables, MOST_VARIABLES + 1))
+    if len(kept) > MOST_VARIABLES:
         raise ValueError(f"expected at most {MOST_VARIABLES:,} variables, found more")
-    return every
+    return kept
 
 
-def loaded(load: Callable[[], T], source: str, what: str) -> T:
+def loaded(load: Callable[[], T], source: str, file_kind: str) -> T:
     """Return what is read, and say of any failure that the file cannot be.
 
     Raises
@@ -101,5 +101,5 @@ def loaded(load: Callable[[], T], source: str, what: str) -> T:
         reason: Exception = error
     except Exception as error:  # damage makes readers raise errors of many types
         reason = error
-    text = f"cannot read the {what} file: {str(reason) or type(reason).__name__}"
-    raise MeasurementError(text, source, f"the file is damaged or no {what} file: {REMEDY}") from None
+    text = f"cannot read the {file_kind} file: {str(reason) or type(reason).__name__}"
+    raise MeasurementError(text, source, f"the file is damaged or no {file_kind} file: {REMEDY}") from None

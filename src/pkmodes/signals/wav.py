@@ -42,7 +42,7 @@ class _Form(NamedTuple):
     bits: int
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a sound file.
 
     Raises
@@ -55,21 +55,21 @@ def read(path: Path, asked: Asked) -> SignalFile:
         form = _checked(file, path.stat().st_size, source)
     samples = loaded(lambda: _samples(path), source, "WAV")
     signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))  # as stored
-    own = asked.own_names(signals, source)
-    said = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
-    rest = [name for name in signals if name not in (asked.sensors or signals) and name not in own]
-    if asked.force and FORCE not in own.values() and len(rest) == 1:
-        own[rest[0]] = FORCE
-        said.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
+    own_names = request.own_names(signals, source)
+    messages = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
+    rest = [name for name in signals if name not in (request.sensors or signals) and name not in own_names]
+    if request.force and FORCE not in own_names.values() and len(rest) == 1:
+        own_names[rest[0]] = FORCE
+        messages.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
     time = np.arange(len(samples)) / form.rate
     functions = []
     for name, stored in signals.items():
-        called = own.get(name, name)
-        if called and (called == FORCE or asked.wants(called)):
+        called = own_names.get(name, name)
+        if called and (called == FORCE or request.wants(called)):
             values = _parts_of_full_scale(stored)
             check_finite(values, f"{source}: channel {name}")
             functions.append(Function(Kind.TIME, called, "", time, values, None, None, called == FORCE))
-    return SignalFile(source, tuple(functions), (), tuple(said))
+    return SignalFile(source, tuple(functions), (), tuple(messages))
 
 
 def _samples(path: Path) -> NDArray[Any]:
@@ -107,17 +107,18 @@ def _checked(file: BinaryIO, length: int, source: str) -> _Form:
         name, size = struct.unpack(f"{order}4sI", file.read(CHUNK))
         if size > length - at - CHUNK:
             words = shown(name.decode("latin-1").strip())
-            what = f"expected {size} bytes of the chunk {words}, found {length - at - CHUNK} to the end of the file"
-            raise MeasurementError(what, source, INCOMPLETE)
+            message = f"expected {size} bytes of the chunk {words}, "
+            message += f"found {length - at - CHUNK} to the end of the file"
+            raise MeasurementError(message, source, INCOMPLETE)
         if name == b"fmt " and size >= FORM:
-            code, channels, rate, _, each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
-            form = _Form(code, channels, rate, each, bits)
+            code, channels, rate, _, bytes_each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
+            form = _Form(code, channels, rate, bytes_each, bits)
         elif name == b"data":
             data.append(size)
         at += CHUNK + size + size % 2
     if form is None or len(data) != 1:
-        what = "expected one chunk of samples and one on their form"
-        raise MeasurementError(what, source, INCOMPLETE)
+        message = "expected one chunk of samples and one on their form"
+        raise MeasurementError(message, source, INCOMPLETE)
     if (problem := _problem(form, data[0])) is not None:
         raise MeasurementError(problem, source, INCOMPLETE)
     return form
