@@ -73,15 +73,15 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
 def _beside(
     path: Path, record: Record, setup: str, campaign: Campaign
 ) -> tuple[TimeSignals, Mapping[str, Delay], Mapping[str, slice]]:
-    """Return the signals of a file with those of other boards that were recorded together with it.
+    """Return the signals of a file, joined with those that other boards recorded at the same time.
 
-    Sensors of other boards go by the names that they have in the campaign.
+    Sensors of other boards keep their campaign names.
 
     Returns
     -------
     signals : TimeSignals
     delays, columns : mapping
-        What was added to the times of each other board, and the columns of its signals, by setup.
+        Offset added to the times of each other board, and the columns of its signals, by setup.
     """
     signals = time_signals(path, record, setup, campaign, highest=record.band[1])
     other_boards = {
@@ -138,7 +138,7 @@ def _beside(
 
 @contextmanager
 def _gaps_named(signals: TimeSignals) -> Iterator[None]:
-    """Say, where a record is too short because it is split, up to which frequency its gaps can be bridged."""
+    """If a record is too short because it is split, state up to which frequency its gaps can be bridged."""
     try:
         yield
     except MeasurementError as error:

@@ -25,7 +25,7 @@ from pkmodes.identification.level import LevelShift
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: What the pooled scatter is worth beside that of a mode, in repeats: as published for many alike variances.
+#: Weight of the pooled scatter against that of a single mode, in repeats: the published value for similar variances.
 PRIOR = 4.0
 #: Share of errors that two standard deviations cover.
 COVERED = 0.95
@@ -46,9 +46,9 @@ class Mean:
     shape_scatter : float
         Likewise of a component of the shape, relative to the largest.
     files : tuple of int
-        In which it was found.
+        Those in which it was found.
     variance : float
-        Of the mean of ln f by the scatter, without bias: `scatter` is larger, since few repeats know it badly.
+        Unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate it badly.
     between : LevelShift or None
         How the frequency changes with the level of the files.
     """
@@ -102,13 +102,13 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
 
 
 def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
-    """Return groups of means that are of one mode, each by the place of its setup or label in the list."""
+    """Group the means that belong to one mode, each keyed by the index of its setup or label in the list."""
     groups = reunited([[mean.mode for mean in means] for means in listed])
     return [{i: listed[i][k] for i, k in group.items()} for group in groups]
 
 
 def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
-    """Return the mean of the repeats of a mode, with the uncertainty of their identification."""
+    """Return the mean of a mode over its repeats, with the uncertainty from their identification."""
     n = np.sqrt(len(modes))
 
     def pooled(values: Sequence[float]) -> float:
@@ -136,7 +136,7 @@ def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
 
 
 def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tuple[dict[str, complex], float]:
-    """Return the mean participations of repeats that go with their mean shape, and how sure its size is, relative."""
+    """Return the mean participations that match the mean shape, and the relative standard deviation of their size."""
     participations: dict[str, list[complex]] = {}
     for mode in modes:
         common = [name for name in mode.shape if name in shape]
@@ -164,7 +164,7 @@ def _relative(mode: Found) -> float:
 
 
 def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
-    """Return what the identification leaves open of each mode in a file; None where it does not say so of all."""
+    """Return the identification's uncertainty of each mode, rms over files; None unless it is known for all."""
     positive = [[sigma for sigma in sigmas if sigma > 0.0] for sigmas in stated]
     return [float(np.sqrt(np.mean(np.square(sigmas)))) for sigmas in positive] if all(positive) else None
 
@@ -172,9 +172,9 @@ def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
 def _scatter(
     variances: Sequence[float], counts: Sequence[int], sizes: Sequence[float] | None = None
 ) -> list[tuple[float, float]]:
-    """Return relative standard deviations and variances of means from those of n repeats; NaN for single ones.
+    """Return relative standard deviations and variances of means over n repeats; NaN for single ones.
 
-    Scatters are pooled relative to their `sizes`, all 1 by default.
+    Scatters are pooled relative to `sizes`, which are all 1 by default.
     """
     if sizes is not None:
         relative = [v / size**2 for v, size in zip(variances, sizes, strict=True)]
@@ -192,7 +192,7 @@ def _scatter(
             scatters.append((np.nan, np.nan))
             continue
         own_freedom = n - 1
-        # The mode is one of those that are pooled: alone, its variance is its own.
+        # The mode is part of the pool: if it is the only one, its variance is its own.
         worth = prior if freedom > own_freedom else 0.0
         variance = (worth * pooled + own_freedom * v) / (worth + own_freedom)
         quantile = student.ppf(0.5 + 0.5 * COVERED, worth + own_freedom) / 2.0
@@ -201,10 +201,10 @@ def _scatter(
 
 
 def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, complex], Complex]:
-    """Return the mean of shapes of any scale, relative to its largest component, and what is left of each.
+    """Return the mean of arbitrarily scaled shapes, relative to its largest component, and the residual of each.
 
-    Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component that some shapes
-    lack is the mean of the others'; one that nothing links with the others is left out.
+    Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component missing from some
+    shapes is averaged over the others; one that nothing links to the rest is left out.
     """
     names = list(dict.fromkeys(name for shape in shapes for name in shape))
     if not names:

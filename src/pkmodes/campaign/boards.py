@@ -22,38 +22,38 @@ from pkmodes.signals.checks import FEWEST
 
 Array = NDArray[np.float64]
 Spans = list[tuple[float, float]]
-#: The kind of records of boards: responses in time.
+#: Kind of record that boards share: responses in time.
 RESPONSES = "ambient"
-#: Standard deviation of times that a host gives to the samples of several boards [s].
+#: Standard deviation of the times with which a host stamps the samples of several boards [s].
 HOST = 2e-4
-#: Largest turn of a shape by one standard deviation of a clock: at twice as much its sign is lost [rad].
+#: Largest rotation of a shape by one standard deviation of a clock: at twice this, its sign is lost [rad].
 MOST = math.pi / 4.0
-#: Largest drift of clocks whose files state their rates: of some 1300 Hz in whole numbers.
+#: Largest drift of clocks whose files state their rates, such as 1300 Hz rounded to whole numbers.
 DRIFT = 5e-4
-#: How far off a clock may be after a rough comparison, in standard deviations where they are stated, and a common
-#: clock that is checked [s, -, s].
+#: Search range of a clock offset: after a rough comparison, in stated standard deviations, and when checking a common
+#: clock [s, -, s].
 AFTER_ROUGH, SIGMAS, CHECKED = 0.1, 4.0, 0.01
-#: Highest frequency by which clocks are compared: the grid of delays and drifts grows with its square [Hz].
+#: Highest frequency used to compare clocks: the grid of delays and drifts grows with its square [Hz].
 COMPARED = 250.0
-#: A common clock that is off by less is not said [s].
+#: A common clock that is off by less is not reported [s].
 UNSAID = 1e-3
-#: Longest part of a record in which clocks of their own are compared [s].
+#: Longest part of a record over which separate clocks are compared [s].
 LONGEST = 300.0
-#: Highest frequency in parts of the sampling rate at which splines of this degree are right to 0.3 %.
+#: Highest frequency, relative to the sampling rate, at which splines of this degree are accurate to 0.3 %.
 HIGHEST, DEGREE = 0.25, 5
-#: Samples on either side that a spline has beyond the times asked for.
+#: Samples that a spline includes on either side of the requested times.
 BESIDE = 32
 
 
 @dataclass(frozen=True)
 class Clock:
-    """The clock of a board beside that of the first.
+    """The clock of a board relative to that of the first.
 
     Attributes
     ----------
     offset, sigma : float
-        What is to be added to its times to have those of the first board, and its standard deviation, infinite where
-        it is not known [s].
+        Offset to add to its times to get those of the first board, and its standard deviation, infinite if unknown
+        [s].
     common : bool
         Whether both boards have one clock.
     """
@@ -64,12 +64,12 @@ class Clock:
 
 
 def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
-    """Return the clocks of the boards but the first.
+    """Return the clocks of all boards except the first.
 
     Raises
     ------
     MeasurementError
-        If they mean nothing, or the files are not as many of each board.
+        If they are invalid, or the boards have different numbers of files.
     """
     where = f"{where}.clock"
     first, *other_boards = files
@@ -98,7 +98,7 @@ def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str
 
 
 class UnknownOffsetError(Exception):
-    """What the clocks of two files differ by cannot be told."""
+    """The offset between the clocks of two files cannot be determined."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +130,7 @@ class Board:
         ]
 
     def later(self, by: Delay) -> Board:
-        """Return the board with what is to be added to its times."""
+        """Return the board with a delay added to its times."""
         starts = tuple(start + by.seconds + by.drift * (start - by.middle) for start in self.starts)
         return replace(self, starts=starts, step=self.step * (1.0 + by.drift))
 
@@ -158,7 +158,7 @@ class Together:
     pieces : tuple of ndarray, shape (n_i, S)
         Of all boards, in their order.
     delays : mapping of str to Delay
-        What was added to the times of each board but the first, by setup.
+        Delay added to the times of each board except the first, by setup.
     messages : tuple of str
     """
 
@@ -180,7 +180,7 @@ def together(boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tup
         If a clock of its own cannot be compared with the first.
     """
     for board in boards.values():
-        if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to just that
+        if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to exactly that
             problem = f"expected a band up to a quarter of the sampling rate, {HIGHEST / board.step:.4g} Hz"
             remedy = "narrow the band of the record, or sample faster"
             raise MeasurementError(f"{problem}, found {band[1]:g} Hz", board.file, remedy)
@@ -208,12 +208,12 @@ def together(boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tup
 
 
 def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tuple[float, int]]]:
-    """Return the finest step of boards, and the first times and counts of samples of the parts that all have.
+    """Return the finest step of boards, and the start time and sample count of each part that all of them recorded.
 
     Raises
     ------
     MeasurementError
-        If there is none.
+        If there is no common part.
     """
     step = min(board.step for board in boards)
     spans = boards[0].spans
@@ -232,7 +232,7 @@ def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tupl
 
 
 def _both(first: Spans, second: Spans) -> Spans:
-    """Return what is in both of two lists of spans in the order of time."""
+    """Return the intersection of two lists of spans in time order."""
     common, i, k = list[tuple[float, float]](), 0, 0
     while i < len(first) and k < len(second):
         low, high = max(first[i][0], second[k][0]), min(first[i][1], second[k][1])
@@ -242,7 +242,7 @@ def _both(first: Spans, second: Spans) -> Spans:
 
 
 def _compared(first: Board, board: Board, clock: Clock, band: tuple[float, float]) -> tuple[Delay, str]:
-    """Return what is to be added to the times of a board, and what to say of it."""
+    """Return the delay to add to the times of a board, and a message about it."""
     stated = Delay(clock.offset, 0.0, 0.0, np.array(band), np.full(2, clock.sigma))
     if clock.sigma == 0.0:
         return stated, ""
@@ -280,7 +280,7 @@ def _compared(first: Board, board: Board, clock: Clock, band: tuple[float, float
 
 
 def _roughly(first: Board, board: Board, band: tuple[float, float]) -> float:
-    """Return what is to be added to the times of a board, by the longest piece of each."""
+    """Return a rough offset for the times of a board, from the longest piece of each."""
     step, starts, longest = min(first.step, board.step), list[float](), list[Array]()
     for recording in (first, board):
         low, high = max(recording.spans, key=lambda span: span[1] - span[0])
@@ -292,7 +292,7 @@ def _roughly(first: Board, board: Board, band: tuple[float, float]) -> float:
 def with_clocks(
     mode: Mode, columns: Mapping[str, slice], delays: Mapping[str, Delay]
 ) -> tuple[Mode, list[str]]:
-    """Return a mode with what clocks are not known to in its shape, and the setups whose signs are not known.
+    """Return a mode with the clocks' uncertainty in its shape's sigma, and the setups whose signs are unknown.
 
     Parameters
     ----------

@@ -31,9 +31,9 @@ from pkmodes.measured.rules import PRINTABLE, is_label
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
 
-#: What `repeatability` may say instead of a share: it is estimated from poses that were measured twice.
+#: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
 REVISITS = "revisits"
-#: The kind of records of frequency response functions.
+#: Kind of record with frequency response functions.
 FUNCTIONS = "frf"
 
 
@@ -59,13 +59,13 @@ class Record:
     columns : mapping of str to str
         Names of a table's columns, by those of a measurement file.
     header : tuple of str
-        Names of all columns of a table of signals, in order, where its own are others or missing.
+        Names of all columns of a table of signals, in order, where its own header is missing or different.
     names : mapping of str to str
-        What the files call time, frequency, force and sensors, by these names.
+        Names in the files of time, frequency, force and sensors, by these names.
     invert, conjugate : bool
         Whether the functions are force over motion, or complex conjugates.
     clocks : mapping of str to Clock
-        Of the setups but the first, if all are boards that recorded together.
+        Of all setups except the first, if they are boards that recorded together.
     """
 
     number: int
@@ -90,11 +90,11 @@ class Record:
 
     @property
     def separate(self) -> Mapping[str, tuple[Path, ...]]:
-        """The setups that are identified one by one: boards that recorded together are one."""
+        """The setups that are identified separately: boards that recorded together count as one."""
         return dict(list(self.setups.items())[:1]) if self.clocks else self.setups
 
     def beside(self, path: Path) -> dict[str, Path]:
-        """Return the files of other boards that were recorded together with one of the first, by setup."""
+        """Return the files that other boards recorded together with one of the first board, by setup."""
         number = next(iter(self.setups.values())).index(path) if self.clocks else 0
         return {setup: self.setups[setup][number] for setup in self.clocks}
 
@@ -140,19 +140,19 @@ class Campaign:
         return _platform(self.model)
 
     def sensors_in(self, setup: str) -> dict[str, Sensor]:
-        """Return the sensors that hold in a setup, by name."""
+        """Return the sensors that apply to a setup, by name."""
         return {sensor.name: sensor for sensor in self.sensors if sensor.setup in (None, setup)}
 
     def forces_in(self, setup: str) -> dict[str, Place]:
-        """Return the forces that hold in a setup, by name."""
+        """Return the forces that apply to a setup, by name."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
     def asked(self, record: Record) -> Asked:
-        """Return what the user asks of the modes of a record."""
+        """Return the user's edits of the modes of a record."""
         return self.edits.get(record.pose, NOTHING)
 
     def places_at(self, record: Record) -> dict[str, Place]:
-        """Return sensors and forces of all setups, by key, as they are at the pose of a record."""
+        """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
         return {place.key: place.where_turned(R) for place in (*self.sensors, *self.forces)}
 

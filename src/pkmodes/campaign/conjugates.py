@@ -20,38 +20,38 @@ from pkmodes.identification.estimates import alike
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.signals.functions import Array, Complex, Function, computed
 
-#: How far above a half the share of the energy before the blow is of a conjugate: at least, and times the root of the
-#: number of lines.  That of noise is a half, with a standard deviation of 0.7 in the same measure.
+#: Excess over one half of the share of energy before the blow that marks a conjugate: the least, and a multiple of
+#: 1/sqrt(lines).  For noise the share is one half, with a standard deviation of 0.7/sqrt(lines).
 LEAST, NOISE = 0.15, 2.8
-#: Samples beside the blow that do not count: there the band's window spreads what is instantaneous.
+#: Samples beside the blow that are not counted: the window of the band spreads an instantaneous response over them.
 BESIDE = 3
-#: Functions of a file that are fitted at most.
+#: Most functions of a file that are fitted.
 MOST_FITTED = 24
-#: Least share of the power of conjugates that a fit explains: on all lines, which is 0.5 with as much noise as
-#: response, and weighted by the power of the fit, which is 0.92 or more; what other forces make has less of one.
+#: Least share of the power of conjugates that a fit explains: over all lines (0.5 with as much noise as response),
+#: and weighted by the power of the fit (0.92 or more).  At least one is lower for responses to other forces.
 EXPLAINED, AT_PEAKS = 0.4, 0.9
-#: Lines in the band that the share needs.
+#: Fewest lines in the band from which the share is estimated.
 FEWEST = 16
-#: Steps between lines of one spacing differ by less than this part.
+#: Line spacings that differ by less than this, relative, are even.
 EVEN = 0.01
 
 
 def phase_checked(
     functions: Sequence[Function], band: tuple[float, float], conjugate: bool, source: str
 ) -> tuple[tuple[Function, ...], tuple[str, ...]]:
-    """Return functions with the phase of exp(+i omega t), and what to say of them.
+    """Return functions with the phase of exp(+i omega t), and messages about them.
 
     Parameters
     ----------
     band : tuple of float
         [Hz].
     conjugate : bool
-        Whether those that are conjugates are mended, which may be some of a file; otherwise they are refused.
+        Whether conjugates, which may be only some functions of a file, are corrected; otherwise they are refused.
 
     Raises
     ------
     MeasurementError
-        If a function is a conjugate, and this is not asked for.
+        If a function is a conjugate, and `conjugate` is false.
     """
     shares = [_early(function.abscissa, np.asarray(function.values), band) for function in functions]
     lines = int(np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1])))
@@ -96,7 +96,7 @@ def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
     usable = np.isfinite(size) & (size > 0.0)
     try:
         estimate = identify_frf(f, (values[:, usable] / size[usable])[..., None], band=band, power=2)
-    except MeasurementError:  # too few lines or functions: nothing can be said
+    except MeasurementError:  # too few lines or functions to tell
         return False
     if not estimate.modes:
         return False
@@ -111,7 +111,7 @@ def _limit(lines: int) -> float:
 
 
 def _early(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
-    """Return the share of the energy of an impulse response that comes before its blow; 0.5 where nothing tells."""
+    """Return the share of an impulse response's energy that comes before its blow; 0.5 if it cannot be told."""
     inside = (frequencies >= band[0]) & (frequencies <= band[1])
     f, H = frequencies[inside], values[inside]
     steps = np.diff(f)

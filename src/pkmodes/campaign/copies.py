@@ -10,7 +10,7 @@ from pathlib import Path
 from pkmodes.campaign.campaign import Record
 from pkmodes.core.base.errors import MeasurementError
 
-#: Bytes that are read at a time: files of signals may be large.
+#: Bytes read at a time: files of signals may be large.
 BLOCK = 1 << 20
 
 

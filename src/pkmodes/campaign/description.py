@@ -25,11 +25,11 @@ from pkmodes.measured.cells import number_in
 from pkmodes.measured.csv_format import read_text
 
 LARGEST_FILE = 1_000_000
-#: How msgspec says that a key is unknown or missing, and where something is wrong.
+#: Messages of msgspec: an unknown or missing key, and the place of an error.
 UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
 MISSING = re.compile(r"Object missing required field `(.*)`")
 KINDS_OF_VALUES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
-#: What keys with a few possible values expect.
+#: Values allowed for keys with few possible values.
 CHOICES = {"format": "1", "drives": '"free" or "held"', "signs": '"file"'}
 PLACE = re.compile(r"(.*) - at `\$(.*)`")
 Given = str | int | float
@@ -115,7 +115,7 @@ class CampaignTable(Part, frozen=True):
     report: dict[str, Any] = {}
 
 
-#: Tables by the last name of their place in the file.
+#: Tables by the last part of their path in the file.
 TABLES: dict[str, type[Part]] = {
     "sensor": SensorTable,
     "force": ForceTable,
@@ -154,7 +154,7 @@ def described(document: dict[str, Any], source: str) -> CampaignTable:
 
 
 def _translate(text: str, source: str) -> NoReturn:
-    """Raise the error of msgspec in the words of pkmodes."""
+    """Raise the error of msgspec in pkmodes' own wording."""
     located = PLACE.fullmatch(text)
     problem, place = (located[1], located[2]) if located else (text, "")
     place = re.sub(r"\[(\d+)\]", lambda index: f".{int(index[1]) + 1}", place).lstrip(".")
@@ -183,7 +183,7 @@ def _translate(text: str, source: str) -> NoReturn:
 
 
 def _plain(kinds: str) -> list[str]:
-    """Return kinds of values as msgspec names them in words."""
+    """Return msgspec's names of value types in plain words."""
     words = {"str": "text", "int": "an integer", "float": "a number", "array": "a list", "object": "a table"}
     return list(dict.fromkeys(words.get(kind, kind) for kind in kinds.split(" | ") if kind != "null"))
 

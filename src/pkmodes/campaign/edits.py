@@ -16,7 +16,7 @@ from pkmodes.campaign.results import IdentifiedMode
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import Asked, nearest
 
-#: Two added modes are one if their frequencies differ by less, relative: fits do not end so near by chance.
+#: Two added modes are the same if their frequencies differ by less, relative: separate fits do not end so close.
 SAME = 1e-4
 
 
@@ -43,11 +43,11 @@ def added_group(candidates: Sequence[Found | str], frequency: float, least: floa
     Parameters
     ----------
     candidates : sequence of Found or str
-        What each file gives.
+        The result of each file.
     frequency : float
-        Where the user asks for it [Hz].
+        Requested by the user [Hz].
     least : float
-        In how many files it must be found.
+        Number of files in which it must be found.
     """
     groups = grouped([[] if isinstance(candidate, str) else [candidate] for candidate in candidates])
     if not groups:
@@ -65,14 +65,14 @@ def edited(
     pose: str,
     source: str,
 ) -> tuple[list[IdentifiedMode], list[float]]:
-    """Return the modes that the user leaves and adds, and the frequencies of those struck out.
+    """Return the modes that the user keeps and adds, and the frequencies of those struck out.
 
     Strikes apply first; then an added mode replaces a reported one within 1 % of it.
 
     Raises
     ------
     MeasurementError
-        If no mode is where one is to be struck out, or two added modes are one.
+        If there is no mode to strike out at a frequency, or two added modes are the same.
     """
     kept, struck = list(modes), []
     for frequency in edits.strike:

@@ -13,7 +13,7 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.identification.estimates import Estimate, Mode, alike
 from pkmodes.identification.level import LevelShift
 
-#: References of files that do not say where a force acts: it may act elsewhere in each setup.
+#: References that do not say where the force acts: it may act at a different place in each setup.
 NAMELESS = ("", "force")
 
 
@@ -28,22 +28,22 @@ class Found:
     damping : float
         Damping ratio; NaN where unknown.
     shape : mapping of str to complex
-        By sensor or by channel, in one unit of acceleration or displacement, any scale; what is not measured is left
-        out.
+        By sensor or by channel, in one unit of acceleration or displacement, at any scale; without the components
+        that were not measured.
     sigma_frequency, sigma_damping : float
-        Standard deviations that the identification itself leaves [Hz, 1]; 0 where it states none.
+        Standard deviations from the identification itself [Hz, 1]; 0 where it states none.
     sigma_shape : float
-        The same of a component of the shape, relative to the largest one; NaN where unknown.
+        Likewise for a component of the shape, relative to the largest one; NaN where unknown.
     found_in : tuple of int, or None
-        In how many model orders, of how many.
+        Number of model orders in which it was found, and their total.
     resolution : float
-        Distance within which the file tells no two modes apart [Hz].
+        Spacing below which the file cannot tell two modes apart [Hz].
     level : float
         Of its vibration in the file; NaN where unknown.
     shift : LevelShift or None
         How the frequency changes with the level within the file; over several files, the largest change.
     participation : mapping of str to complex
-        Of the references that have a name: its product with the shape is the residue, an acceleration per force.
+        By named reference: its product with the shape is the residue, an acceleration per force.
     sigma_size : float
         Standard deviation of the largest residue, relative; NaN where unknown.
     """
@@ -63,7 +63,7 @@ class Found:
 
 
 def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
-    """Return the modal assurance criterion over the components that both shapes have; 1 for fewer than two.
+    """Return the modal assurance criterion over the components common to both shapes; 1 for fewer than two.
 
     Notes
     -----
@@ -90,14 +90,14 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The fit of a file, to be looked at.
+    """The fit of a file, kept for inspection.
 
     Attributes
     ----------
     estimate : Estimate
         Its functions are S responses per R references, or S power spectra.
     responses, references : tuple of str
-        Names of the S and of the R; no references for spectra.
+        Names of the S responses and the R references; no references for spectra.
     coherence : ndarray, shape (F, S, R), or None
         On the lines of the estimate.
     """
@@ -120,13 +120,13 @@ class FileModes:
     names_in_file : frozenset of str, or None
         Names of the sensors and, without their signs, of the forces in the file; None if it needs none.
     added : tuple of Found or str
-        For each frequency from which the user asked for a mode: the mode, or why there is none.
+        For each frequency at which the user requested a mode: the mode, or why there is none.
     fit : Fit or None
         None for modes that are already identified.
     unnamed : tuple of str
-        References of the file, if the campaign names none of them: its shapes have the places of the sensors.
+        References of the file, if the campaign names none of them: its shapes are then at the sensors.
     forces : tuple of str
-        Names of the forces whose places its shapes have; none if they have those of the sensors.
+        Names of the forces at whose places the shapes are defined; empty if they are at the sensors.
     """
 
     modes: tuple[Found, ...]
@@ -138,7 +138,7 @@ class FileModes:
     forces: tuple[str, ...] = ()
 
     def changed(self, change: Callable[[Found], Found]) -> FileModes:
-        """Return it with another mode for each, also for each that the user asked for."""
+        """Return it with `change` applied to each mode, including those the user requested."""
         added = tuple(
             candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
         )
@@ -146,7 +146,7 @@ class FileModes:
 
 
 def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> Found:
-    """Return a mode of a fit with its shape by name, in accelerations, and its participations by reference."""
+    """Return a fitted mode with its shape by name, as accelerations, and its participations by reference."""
     shape = {
         name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
     }
@@ -170,7 +170,7 @@ def modes_of_fit(
     names_in_file: frozenset[str],
     convert: Callable[[Mode], Found] | None = None,
 ) -> FileModes:
-    """Return what a file gives by its fit; `convert` turns a mode of the fit into one of the file: `found_of`."""
+    """Return the modes of a file from its fit; `convert` turns a fitted mode into one of the file, as `found_of`."""
     made = convert or (lambda mode: found_of(mode, fit.responses, fit.references))
     return FileModes(
         tuple(made(mode) for mode in fit.estimate.modes),

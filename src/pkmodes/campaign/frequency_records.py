@@ -50,9 +50,9 @@ class Responses:
     names : tuple of str
         Of the S places in the shape.
     dead : tuple of str
-        Sensors that show nothing.
+        Sensors without a signal.
     references : tuple of str
-        Names of the R.
+        Names of the R references.
     messages : tuple of str
         What is left out of the shapes.
     roves : bool
@@ -69,9 +69,9 @@ class Responses:
     roves: bool = False
 
     def roving(self, kept: Sequence[int], forces: Sequence[str]) -> Responses:
-        """Return the functions with some references, by the names of their forces, as places of the shape.
+        """Return the functions with the forces of some references as places of the shape.
 
-        By reciprocity: a hammer roves, and the sensors are the references.
+        By reciprocity: the hammer roves, and the sensors are the references.
         """
         turned = self.values[:, :, kept].transpose(0, 2, 1)
         coherence = None if self.coherence is None else self.coherence[:, :, kept].transpose(0, 2, 1)
@@ -82,7 +82,7 @@ class Responses:
 
 @dataclass(frozen=True, eq=False)
 class ResponseFile:
-    """What a file of frequency response functions gives.
+    """The content of a file of frequency response functions.
 
     Attributes
     ----------
@@ -143,14 +143,14 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
     names_in_file = {function.response for function in functions.used} | {
         unsigned(function.reference) for function in functions.used
     }
-    if responses.roves:  # a reference without a name is seen by that of its force
+    if responses.roves:  # a reference without a name appears under that of its force
         names_in_file |= {unsigned(name) for name in responses.names}
     messages = (*read.messages, *doubts, *responses.messages, *dead_channels(responses.dead, read.source))
     return ResponseFile(read.source, responses, frozenset(names_in_file), messages)
 
 
 def frf_fit(responses: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
-    """Return the fit of frequency response functions, each of so many averages if known, in the band of a record."""
+    """Fit frequency response functions in the band of a record; `averages` is None if unknown."""
     estimate = identify_frf(
         responses.frequencies,
         responses.values,
@@ -168,7 +168,7 @@ def frf_fit(responses: Responses, averages: int | None, record: Record, campaign
 
 
 def remarks_on(fit: Fit, source: str) -> list[str]:
-    """Return sentences on lines without bandwidth, and on spurious modes of a machine that is not linear."""
+    """Return messages about lines without bandwidth, and about spurious modes of a nonlinear machine."""
     estimate = fit.estimate
     remarks = [no_bandwidth(tone) for tone in estimate.tones]
     if estimate.left_out:
@@ -184,7 +184,7 @@ def responses_of(
 ) -> Responses:
     """Arrange the frequency response functions of a file.
 
-    With forces declared, these are the places of the shape, and the sensors the references: a roving hammer, by
+    If forces are declared, these are the places of the shape, and the sensors the references: a roving hammer, by
     reciprocity.
 
     Raises
@@ -242,7 +242,7 @@ def _coherence(
 
 
 def of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
-    """Return the force of a reference; the sign in its name is only a name, and without one it is the only force."""
+    """Return the force of a reference, ignoring signs in names; a nameless reference is that of the only force."""
     named = next(
         (place for force_name, place in forces.items() if unsigned(force_name) == unsigned(name)), None
     )
@@ -265,7 +265,7 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     read, used = functions.read, functions.used
     f = used[0].abscissa
     power = np.stack([np.abs(function.values) for function in used], axis=1)
-    # Sensors may have other units: each counts as much as the others.
+    # Sensors may have different units: each gets the same weight.
     scale = power[(f >= record.band[0]) & (f <= record.band[1])].sum(axis=0)
     with in_file(read.source):
         relative = power / np.where(scale > 0.0, scale, 1.0)

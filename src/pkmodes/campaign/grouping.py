@@ -18,16 +18,16 @@ import numpy as np
 
 from pkmodes.campaign.found import Found, mac
 
-#: Relative difference of frequencies of one mode in two files at most: between files of a campaign joints settle and
-#: temperatures change by some parts in a thousand.
+#: Largest relative difference of one mode's frequency between two files: between files of a campaign, settling joints
+#: and temperature change frequencies by a few parts in a thousand.
 APART = 0.01
-#: The same between setups or visits, for which a machine runs longer.
+#: The same between setups or visits, over which a machine runs longer.
 MOVED = 0.03
-#: Modes that move together at least; and pairs of modes among which such a move can be told.
+#: Fewest modes that shift together; and most pairs of modes among which such a shift is looked for.
 TOGETHER, MOST_PAIRS = 2, 1_000_000
-#: MAC of two shapes of one mode at least.
+#: Smallest MAC between two shapes of one mode.
 ALIKE = 0.5
-#: Factor on widths, so that rounding excludes nothing.
+#: Factor on widths, so that rounding excludes no pair.
 ROUNDED = 1.0 + 1e-9
 
 
@@ -40,7 +40,7 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
     groups: list[dict[int, Found]] = []
     near: list[dict[int, Found]] = []
     for k, (frequency, i, mode) in enumerate(ordered):
-        # Nothing on both sides of a gap is alike.
+        # Modes on either side of a gap cannot match.
         if k and np.log(frequency / ordered[k - 1][0]) > max(_width(mode), _width(ordered[k - 1][2])):
             groups += _merged(near)
             near = []
@@ -50,7 +50,7 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
 
 
 def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
-    """Return the modes of several setups or visits, as places in their lists; ascending in frequency."""
+    """Return the modes of several setups or visits, as indices in their lists; ascending in frequency."""
     base = max(visits, key=len)
     moves = [_move(modes, base) for modes in visits]
     stayed = [
@@ -78,7 +78,7 @@ def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
 
 
 def _move(modes: Sequence[Found], base: Sequence[Found]) -> float:
-    """Return the factor that brings most frequencies of a visit to those of another one."""
+    """Return the factor that maps most frequencies of a visit onto those of another one."""
     logs, base_logs = (np.sort(np.log([mode.frequency for mode in visit])) for visit in (modes, base))
     first, last = (np.searchsorted(base_logs, logs + side * MOVED) for side in (-1, 1))
     if not TOGETHER <= (last - first).sum() <= MOST_PAIRS:
@@ -95,7 +95,7 @@ def _move(modes: Sequence[Found], base: Sequence[Found]) -> float:
 
 
 def _may_be_one(first: Mapping[int, Found], second: Mapping[int, Found]) -> bool:
-    """Return whether groups of different visits share sensors or references, and their shapes do not contradict."""
+    """Return whether groups of different visits share sensors or references, and their shapes agree."""
     return not first.keys() & second.keys() and all(
         (a.shape.keys() & b.shape.keys() or a.participation.keys() & b.participation.keys())
         and mac(a.shape, b.shape) >= ALIKE
@@ -107,7 +107,7 @@ def _may_be_one(first: Mapping[int, Found], second: Mapping[int, Found]) -> bool
 def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
     """Merge groups, of one mode each and in the order of their frequencies, in the order of their distance.
 
-    Groups can only be alike where members are: after a merge, those beside either part are looked at again.
+    Groups can only match where members do: after a merge, the neighbours of both parts are compared again.
     """
     groups = dict(enumerate(modes))
     beside = _neighbours(modes)
@@ -139,7 +139,7 @@ def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
 
 
 def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
-    """Return which modes of other files may be the same as each one, by their frequencies."""
+    """Return, for each mode, which modes of other files may be the same, by their frequencies."""
     (files, members) = zip(*((i, mode) for group in modes for i, mode in group.items()), strict=True)
     logs = np.log([mode.frequency for mode in members])
     ends = np.searchsorted(logs, logs + ROUNDED * max(map(_width, members)), side="right").tolist()
@@ -153,12 +153,12 @@ def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
 
 
 def _distance(first: dict[int, Found], second: dict[int, Found]) -> float:
-    """Return the mean distance of two groups: 1 where their modes are barely alike."""
+    """Return the mean distance of two groups: 1 where their modes just match."""
     return float(np.mean([_apart(a, b) for a in first.values() for b in second.values()]))
 
 
 def _width(mode: Found) -> float:
-    """Return within which relative difference of frequencies a mode may be another one."""
+    """Return the relative difference of frequencies within which two modes may be the same."""
     return max(APART, mode.resolution / mode.frequency)
 
 

@@ -30,10 +30,10 @@ from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
 from pkmodes.support.ordering import joined
 
-#: Modes of one file within the width in which those of two files may be the same: far above what any test tells
-#: apart, and few enough that all pairs of them are compared in seconds.
+#: Most modes of one file within the width in which modes of two files may be the same: far more than any test can
+#: resolve, and few enough to compare all pairs in seconds.
 MOST_ALIKE = 200
-#: Columns of numbers, with the kind of their units.
+#: Numeric columns, with the kind of their units.
 NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
 PER_CENT = Decimal("0.01")
 
@@ -82,12 +82,12 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
 
 
 def _is_zero_throughout(name: str, modes: Sequence[ModeShape]) -> bool:
-    """Return whether a component is exactly 0 in each mode: programs write this for nodes without a sensor."""
+    """Return whether a component is exactly 0 in every mode, as programs write for nodes without a sensor."""
     return any(name in mode.shape for mode in modes) and not any(mode.shape.get(name) for mode in modes)
 
 
 def _check_apart(modes: Sequence[Found], source: str) -> None:
-    """Refuse a list in which modes are too many to be modes."""
+    """Refuse a list with more modes in a narrow range than a structure can have."""
     f = np.sort([mode.frequency for mode in modes])
     counts = np.searchsorted(f, f * (1.0 + APART), side="right") - np.arange(len(f))
     densest = int(np.argmax(counts))
@@ -100,7 +100,7 @@ def _check_apart(modes: Sequence[Found], source: str) -> None:
 
 
 def _check(mode: ModeShape, source: str) -> None:
-    """Refuse a mode whose numbers no measurement file may have."""
+    """Refuse a mode with numbers that a measurement file may not contain."""
     where = f"{source}: mode at {mode.frequency:g} Hz"
     if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
         problem = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
@@ -126,11 +126,11 @@ def read_mode_table(
     Parameters
     ----------
     columns : mapping of str to str
-        Names of columns of the table, by those of a measurement file.
+        Names of the table's columns, by those of a measurement file.
     channels : mapping of str to str
         Names that a shape column may have, and their units.
     pose : str
-        Label: of a table with a column ``pose``, only the rows with this one count.
+        Label: if the table has a column ``pose``, only the rows with this label count.
 
     Raises
     ------
@@ -162,7 +162,7 @@ def read_mode_table(
 def _places(
     names: list[str], columns: Mapping[str, str], channels: Mapping[str, str], where: str
 ) -> dict[str, tuple[int, Decimal | None]]:
-    """Return the place of each known column, and its factor to SI units or Hz."""
+    """Return the index of each known column, and its factor to SI units or Hz."""
     functions = [name for name in names if name.startswith(("re:", "im:"))]
     if functions:
         problem = f"expected modes, found frequency responses, {shown(functions[0])}"
@@ -211,7 +211,7 @@ def _places(
 
 
 def _key(name: str) -> str:
-    """Return a name as a key of a table in TOML."""
+    """Return a name as a key in TOML."""
     return f'"{name}"' if ":" in name else name
 
 
@@ -269,7 +269,7 @@ def _mode(
         )
     return Found(
         values["frequency"],
-        values.get("damping") or np.nan,  # 0 is that of programs that know none
+        values.get("damping") or np.nan,  # programs that know no damping write 0
         shape,
         values.get("sigma", 0.0),
         values.get("sigma_damping", 0.0),

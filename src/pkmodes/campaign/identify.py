@@ -28,12 +28,12 @@ from pkmodes.measured.quantities import DAMPING, SHAPE_SIGMA
 from pkmodes.support.progress import say
 from pkmodes.support.threads import one_blas_thread
 
-#: Relative standard deviation of a damping ratio below which it is rounding: of the same number written several
-#: times, or of functions without noise.
+#: Relative standard deviation of a damping ratio below which it is only rounding: the same number written several
+#: times, or functions without noise.
 LEAST = 1e-4
-#: Modal phase collinearity below which a shape is said to be complex.
+#: Modal phase collinearity below which a shape is reported as complex.
 COMPLEX = 0.8
-#: What `IdentifiedMode.edited` says of a mode that the user asked for.
+#: Value of `IdentifiedMode.edited` for a mode that the user added.
 ADDED = "added"
 
 
@@ -63,7 +63,9 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
         if kind is None:
             raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
         outcomes.append(measured(record, kind, campaign, keep_going, inspect))
-    if not any(outcome.left_out for outcome in outcomes):  # a file left out may have what the others lack
+    if not any(
+        outcome.left_out for outcome in outcomes
+    ):  # a file left out may have what the other files lack
         refuse_missing(
             [(outcome.record, *file) for outcome in outcomes for files in outcome.places for file in files],
             campaign,
@@ -79,7 +81,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
 
 
 def _check_some_left(measured: Sequence[Measured], source: str) -> None:
-    """Refuse a campaign whose files are all faulty, with the reason of the first."""
+    """Refuse a campaign whose files are all faulty, giving the reason for the first."""
     left_out = [file for outcome in measured for file in outcome.left_out]
     if left_out and not any(outcome.means or outcome.added for outcome in measured):
         problem = f"expected modes, found none: {len(left_out)} files were left out, first {left_out[0].file}"
@@ -143,7 +145,7 @@ def _mode(
     shape, turned = by_channel.values, turned_shape(by_channel.values)
     parts = Parts(
         with_half(float(np.nan_to_num(mean.scatter)) * mode.frequency, mean.between),
-        # Where a mode lies between two lines is the same in every repeat, and no number of them averages it out.
+        # Where a mode lies between two lines is the same in every repeat: averaging does not reduce this error.
         max(with_half(mode.sigma_frequency, mode.shift), LEAST_LINE * mode.resolution),
         repeatability * mode.frequency,
     )
@@ -166,7 +168,7 @@ def _mode(
 
 
 def _readable(mode: IdentifiedMode, pose: str, messages: list[str]) -> IdentifiedMode | None:
-    """Return what a measurement file may hold of a mode, None for nothing; what is left out is said."""
+    """Return the part of a mode that a measurement file may hold, None if there is none; report what is left out."""
     where = f"{pose}: the mode at {mode.frequency:.4g} Hz"
     if mode.sigma >= mode.frequency:
         messages.append(
@@ -187,7 +189,7 @@ def _readable(mode: IdentifiedMode, pose: str, messages: list[str]) -> Identifie
 def _measurements_of(results: Sequence[RecordResult], campaign: Campaign) -> Measurements:
     """Return the modes of all records as measurements.
 
-    The band is stated if all records have the same one.
+    The band is stated if it is the same for all records.
 
     Raises
     ------

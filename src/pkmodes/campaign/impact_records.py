@@ -30,15 +30,15 @@ from pkmodes.support.ordering import listed
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Periods of the lower end of the band that a record of blows has at least.
+#: Shortest record of blows, in periods of the lower end of the band.
 PERIODS_OF_BLOWS = 2.0
-#: Relative difference of the rates of two files that is rounding.
+#: Largest relative difference between the rates of two files that counts as rounding.
 ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class _Blows:
-    """The signals of a file of blows, and the force of the campaign that acts in it; None if it names none."""
+    """The signals of a file of blows, and the campaign's force that acts in it; None if the campaign has none."""
 
     signals: TimeSignals
     acting: Place | None
@@ -50,7 +50,7 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     Raises
     ------
     MeasurementError
-        If the file is faulty, has no force, or fewer blows than the campaign says.
+        If the file is faulty, has no force, or has fewer blows than the campaign states.
     """
     blows = _blows(path, record, setup, campaign)
     names = () if blows.acting is None else (blows.acting.name,)
@@ -109,7 +109,7 @@ def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows
 
 
 def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
-    """Say which signals a file has, one of which may be the force."""
+    """Refuse a file without a force, listing its signals, one of which may be the force."""
     functions = read_signals(path, replace(asked_of(record), force=False)).functions
     names = list(dict.fromkeys(function.response for function in functions))
     of_file = (
@@ -125,7 +125,7 @@ def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | N
     Raises
     ------
     MeasurementError
-        If it is none of the campaign's forces, or one of several.
+        If it is none of the campaign's forces, or could be any of several.
     """
     forces = campaign.forces_in(setup)
     if not forces:
@@ -146,7 +146,7 @@ def _modes(
     source: str,
     points: Sequence[Point] = (),
 ) -> FileModes:
-    """Return the modes of files of blows, their shapes at the forces with these names, or else at the sensors."""
+    """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
     signals = [file.signals for file in files]
     fit, bridge_messages = with_bridges(
         lambda recordings: _fit(recordings, forces, record, campaign, source, points), signals, source
@@ -164,7 +164,7 @@ def _fit(
     source: str,
     points: Sequence[Point],
 ) -> tuple[Fit, tuple[str, ...]]:
-    """Return the fit of files of blows, and what to say of it."""
+    """Return the fit of files of blows, and messages about it."""
     hits, step, sensors = record.hits, signals[0].step, signals[0].names
     messages = list[str]()
     lengths, values, coherences, sizes = list[int](), list[Complex](), list[Array | None](), list[float]()
@@ -203,7 +203,7 @@ def _fit(
     messages += remarks_on(fit, source)
 
     def wider(mode: Mode) -> Mode:
-        # The functions of a file have a size in common: that of one component of the shape, or of all.
+        # The functions of a file share an error of size: that of one component of the shape, or of all.
         if len(signals) > 1:
             return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(sizes))))
         return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
@@ -213,7 +213,7 @@ def _fit(
 
 
 def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
-    """Return the modes of blows with the participations of complete decays: the record cuts them off.
+    """Return the modes of blows with the participations of complete decays, which the record cuts off.
 
     Parameters
     ----------

@@ -19,15 +19,15 @@ from pkmodes.campaign.averaging import Mean, grouped_means, mean_shape
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.levels import widest
 
-#: Standard deviations of a difference above which setups differ.
+#: Number of standard deviations above which a difference between setups is real.
 SURE = 2.0
 
 
 def joined(setups: Mapping[str, Sequence[Mean]], repeatability: float = 0.0) -> tuple[list[Mean], list[str]]:
-    """Return the modes of all setups of a record, and sentences on those that differ or could not be joined.
+    """Return the modes of all setups of a record, and messages about those that differ or could not be joined.
 
-    The mean over setups is weighted by their variances.  Where setups differ by more than these tell, their spread
-    counts instead; and half their difference where it is more than two of its standard deviations, which include the
+    The mean over setups is weighted by their inverse variances.  If setups differ by more than these explain, their
+    spread is used instead; and half their difference if it exceeds two of its standard deviations, which include the
     relative `repeatability`.
     """
     if len(setups) == 1:
@@ -56,7 +56,7 @@ def joined(setups: Mapping[str, Sequence[Mean]], repeatability: float = 0.0) -> 
 
 
 def _differing(members: Sequence[Mean], repeatability: float) -> tuple[float, float] | None:
-    """Return the lowest and the highest frequency of a mode [Hz] if their errors do not explain the difference."""
+    """Return the lowest and the highest frequency of a mode [Hz], None if their errors explain the difference."""
     ordered = sorted(members, key=lambda mean: mean.mode.frequency)
     ends = ordered[0], ordered[-1]
     low, high = (mean.mode.frequency for mean in ends)
@@ -69,7 +69,7 @@ def _differing(members: Sequence[Mean], repeatability: float) -> tuple[float, fl
 
 
 def _together(members: Sequence[Mean], differing: tuple[float, float] | None) -> tuple[Mean, bool]:
-    """Return one mode of several setups, and whether their shapes share no sensor or reference."""
+    """Return the joined mode of several setups, and whether some of their shapes share no sensor or reference."""
     if len(members) == 1:
         return members[0], False
     modes = [mean.mode for mean in members]
@@ -124,15 +124,15 @@ def _together(members: Sequence[Mean], differing: tuple[float, float] | None) ->
 
 
 def _by_reference(modes: Sequence[Found]) -> tuple[dict[str, complex], list[Found], list[float]]:
-    """Join the largest shape of a mode with those that share a reference with it, but no sensor.
+    """Join the shape with most sensors to those that share a reference with it, but no sensor.
 
     Returns
     -------
     shape : dict of str to complex
-    others : list of Found
+    unlinked : list of Found
         Those that are not part of it.
     sigmas : list of float
-        Standard deviations of the sizes of the parts, relative; none for a single part.
+        Relative standard deviations of the sizes of the parts; empty for a single part.
     """
     if not modes:
         return {}, [], []

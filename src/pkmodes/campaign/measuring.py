@@ -25,7 +25,7 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
 from pkmodes.support.numbers import plain
 
-#: A mode must be in this share of the repeats.
+#: Least share of the repeats in which a mode must be found.
 OFTEN = 0.5
 
 
@@ -36,11 +36,11 @@ class Measured:
     Attributes
     ----------
     means, added : sequence of Mean
-        The modes found, and those that the user adds, by the frequencies asked for.
+        The modes found, and those that the user adds, in the order of the requested frequencies.
     inspections : sequence of Inspection
-        Of the first file of each setup, if they were asked for.
+        Of the first file of each setup, if requested.
     places : sequence of sequence of tuple
-        Of each setup its files, each with whether it has the sensors and forces that it should have.
+        The files of each setup, each with whether it has the sensors and forces that it should have.
     """
 
     record: Record
@@ -55,7 +55,7 @@ class Measured:
 
 @dataclass(frozen=True, eq=False)
 class _Setup:
-    """The files of a setup that could be read, what to say of them, and those left out; `places` as in `Measured`."""
+    """The readable files of a setup, messages about them, and those left out; `places` as in `Measured`."""
 
     names: Sequence[str]
     file_modes: Sequence[FileModes]
@@ -80,7 +80,7 @@ def measured(
     Raises
     ------
     MeasurementError
-        If a file is faulty, or a mode that the user asks for cannot be added.
+        If a file is faulty, or a mode that the user requests cannot be added.
     """
     try:
         return _measured(record, kind, campaign, keep_going, inspect)
@@ -139,7 +139,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
 def _setups(
     record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool
 ) -> dict[str, _Setup]:
-    """Return the setups of a record; those of a hammer that roved are one."""
+    """Return the setups of a record; those of a roving hammer are merged into one."""
     setups = {}
     for name, paths in record.separate.items():
         files = {str(path): partial(_find, path, record, name, kind, campaign) for path in paths}
@@ -161,7 +161,7 @@ def _together(
     keep_going: bool,
     inspect: bool,
 ) -> dict[str, _Setup]:
-    """Return the setups of a hammer that roved over a machine as one, fitted together; others as they are."""
+    """Return the setups of a roving hammer as one, fitted together; other setups are returned unchanged."""
     files = _files(setups)
     points = points_of(files, campaign)
     if not points:
@@ -200,7 +200,7 @@ def _together(
 
 
 def _files(setups: Mapping[str, _Setup]) -> dict[str, dict[Path, FileModes]]:
-    """Return what each file gives of the setups of which any could be read."""
+    """Return the modes of each file, for the setups with any readable file."""
     return {
         name: {path: file for (path, _), file in zip(setup.places[0], setup.file_modes, strict=True)}
         for name, setup in setups.items()
@@ -209,7 +209,7 @@ def _files(setups: Mapping[str, _Setup]) -> dict[str, dict[Path, FileModes]]:
 
 
 def _with_message(setups: Mapping[str, _Setup], message: str) -> dict[str, _Setup]:
-    """Return setups with something more to say, first."""
+    """Return setups with a message put before the others."""
     first = next(iter(setups))
     return {**setups, first: replace(setups[first], messages=[message, *setups[first].messages])}
 
@@ -217,14 +217,14 @@ def _with_message(setups: Mapping[str, _Setup], message: str) -> dict[str, _Setu
 def _unused(
     pose: str, files: Mapping[str, Mapping[Path, FileModes]], points: Sequence[Mapping[str, Path]]
 ) -> list[str]:
-    """Name the files of points that have more of them than others."""
+    """Name the surplus files of points that have more files than other points."""
     unused = [path.name for paths in files.values() for path in list(paths)[len(points) :]]
     few = "one file" if len(points) == 1 else f"{len(points)} files"
     return [f"{pose}: as some point has only {few}, not used: {', '.join(unused)}"] if unused else []
 
 
 def _least(setup: _Setup) -> float:
-    """Return in how many files of a setup a mode must be."""
+    """Return the number of files of a setup in which a mode must be found."""
     return max(1.0, OFTEN * len(setup.file_modes))
 
 
@@ -240,7 +240,7 @@ def _read(
     keep_going: bool,
     inspect: bool,
 ) -> _Setup:
-    """Return the modes in each file of a setup that can be read; `files` are what reads them, by name."""
+    """Return the modes in each readable file of a setup; `files` are the functions that read them, by name."""
     results: list[FileModes] = []
     read: list[str] = []
     left_out: list[LeftOut] = []
@@ -281,7 +281,7 @@ def _added(candidate: Found | str, record: Record) -> Found | str:
 
 
 def _single(record: Record, setups: Mapping[str, _Setup]) -> list[str]:
-    """Say which setups have a single file."""
+    """Report which setups have a single file."""
     single = [name for name, setup in setups.items() if len(setup.file_modes) == 1]
     of = f" of {'each setup' if len(single) == len(setups) else ', '.join(single)}" if len(setups) > 1 else ""
     return [f"{record.pose}: a single file{of}: the scatter of repeats is unknown"] if single else []
@@ -294,7 +294,7 @@ def _joined(
     campaign: Campaign,
     notes: list[str],
 ) -> Mean:
-    """Return a mode that the user adds over the setups in which it was found."""
+    """Join a mode that the user adds over the setups in which it was found."""
     fitted = {setup: [outcome] for setup, outcome in by_setup.items() if not isinstance(outcome, str)}
     if not fitted:
         reasons = [outcome for outcome in by_setup.values() if isinstance(outcome, str)]
@@ -331,7 +331,7 @@ def _beside_tones(modes: Sequence[Found], file: str, tones: Sequence[float]) -> 
 
 
 def _named(mode: Found, setup: str, campaign: Campaign) -> Found:
-    """Return a mode whose sensors have names of their own where they hold in one setup only."""
+    """Return a mode by the keys of its sensors and forces, which are unique where they belong to a single setup."""
     places = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
     names = {name: place.key for name, place in places.items()}
     return replace(

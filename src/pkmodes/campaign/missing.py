@@ -1,6 +1,6 @@
 """Sensors and forces of a campaign that its files lack.
 
-What is in no file at all has a wrong name, and is refused.  What only some files lack is said.
+A name found in no file at all is wrong, and is refused.  Names missing from only some files are reported.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.signals.reading import read_signals
 from pkmodes.support.ordering import joined, listed
 
-#: Whether a file has each place that it should have: a sensor or a force, by its key.
+#: Whether a file has each place that it should have, a sensor or a force, by its label.
 Places = Mapping[str, bool]
-#: Names in a file that an error shows.
+#: Most names in a file that an error shows.
 MOST = 6
 
 
 def places_in(
     names_in_file: frozenset[str] | None, record: Record, setup: str, kind: Kind, campaign: Campaign
 ) -> Places:
-    """Return whether a file has the places that hold in its setup; none for a file that needs no places.
+    """Return whether a file has the places that apply to its setup; empty for a file that needs none.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def _label(place: Place) -> str:
 
 
 def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[str]:
-    """Return sentences on what the files of a record lack, by setup."""
+    """Return messages about what the files of a record lack."""
     all_places = [places for files in setups for _, places in files]
     labels = list(dict.fromkeys(label for places in all_places for label in places))
     nowhere = [label for label in labels if not any(places.get(label) for places in all_places)]
@@ -64,7 +64,7 @@ def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[
 
 
 def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[str]:
-    """Return a sentence on references that no force names, if a hammer may have roved over them."""
+    """Return a message about references that no force names, if a hammer may have roved over them."""
     names = list(dict.fromkeys(name for file in files for name in file.unnamed))
     sensors = {sensor.name for sensor in campaign.sensors} & {
         name for file in files for name in file.names_in_file or ()
@@ -83,7 +83,7 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
     Raises
     ------
     MeasurementError
-        With the names in the first file that should have it.
+        With the names in the files of the first record that should have it.
     """
     places = {**_numbered("sensor", campaign.sensors), **_numbered("force", campaign.forces)}
     for where, place in places.items():

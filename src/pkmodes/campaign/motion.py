@@ -9,7 +9,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.units import QuantityError, base_units, check_plain_number, meant_as
 from pkmodes.signals.units import unit_text
 
-#: Standard gravity as pint knows it.  "g" alone is that of accelerometers' data sheets: no sensor measures grams.
+#: Standard gravity in pint's notation.  A bare "g" is standard gravity, as in data sheets: no sensor measures grams.
 GRAVITY = re.compile(r"(?<![A-Za-z])(m?)g0?(?![A-Za-z0-9])")
 EXAMPLE = 'give an acceleration, velocity or displacement, such as "m/s^2", "g0", "mm/s", "um" or "rad/s^2"'
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.+?)\s*", re.DOTALL)
@@ -17,7 +17,7 @@ NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.+?)
 
 @dataclass(frozen=True)
 class Motion:
-    """What the numbers of a sensor are.
+    """The quantity that a sensor's numbers represent.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class Motion:
         0 for a displacement, 1 for a velocity, 2 for an acceleration.
     angular : bool
     unit : str
-        As it was given.
+        As stated.
     of_volts : bool
         Whether the numbers are volts, and `unit` is a sensitivity.
     """
@@ -40,12 +40,12 @@ class Motion:
 
 
 def motion(unit: str, where: str) -> Motion:
-    """Return what a unit measures.
+    """Return the motion that a unit measures.
 
     Raises
     ------
     MeasurementError
-        If it is not one of a displacement, a velocity or an acceleration.
+        If it is not a unit of displacement, velocity or acceleration.
     """
     try:
         factor, powers = base(unit, where)
@@ -57,7 +57,7 @@ def motion(unit: str, where: str) -> Motion:
 
 
 def motion_or_none(unit: str) -> Motion | None:
-    """Return what a unit measures, None if it is not that of a motion."""
+    """Return the motion that a unit measures, None if it measures none."""
     try:
         return motion(unit, "")
     except MeasurementError:
@@ -93,7 +93,7 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
 
 
 def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
-    """Return the factor of a unit to base units, g for kg, and their powers; ``g`` is that of accelerometers.
+    """Return a unit's factor to base units (gram for mass), and their powers; ``g`` is standard gravity.
 
     Raises
     ------

@@ -25,7 +25,7 @@ from pkmodes.core.linalg.rotations import AXES, about, matrix_of
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
-#: What the names of the platform's displacements and rotations begin with.
+#: Prefixes of the names of the platform's displacements and rotations.
 DISPLACEMENT, ROTATION = "p_", "r_"
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -87,7 +87,7 @@ class Mount:
 
 
 def along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
-    """Return the vector that has these numbers along these axes, and 0 along the others."""
+    """Return the vector with these components along these axes, and 0 along the others."""
     x, y, z = about(axes, np.asarray(numbers, dtype=float)).tolist()
     return x, y, z
 

@@ -15,25 +15,25 @@ from pkmodes.campaign.motion import Motion, base, motion_or_none
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.functions import Array, Complex, Function, computed
 
-#: Powers of the base units of a force and of a torque, which is that of an angle.
+#: Powers of the base units of a force and of a torque, the force of an angle.
 FORCES = ({"gram": 1.0, "meter": 1.0, "second": -2.0}, {"gram": 1.0, "meter": 2.0, "second": -2.0})
-#: What a force over a displacement, a velocity and an acceleration is called.
+#: Names of a force over a displacement, a velocity and an acceleration.
 INVERSES = ("dynamic stiffness", "mechanical impedance", "dynamic mass")
 UNKNOWN = "an unknown unit"
 
 
 def force_factor(function: Function, source: str, declared: Motion | None = None) -> float:
-    """Return the factor of the denominator of a frequency response to SI units, 1 where the file does not say it.
+    """Return the factor of the denominator of a frequency response to SI units, 1 if the file does not state it.
 
     Parameters
     ----------
     declared : Motion, optional
-        What the campaign says of the sensor.
+        Motion of the sensor as declared in the campaign.
 
     Raises
     ------
     MeasurementError
-        If the file says that it is not a motion over a force.
+        If the file states that it is not a motion over a force.
     """
     where, words = _place(function, source), _words(function)
     below = None if function.reference_unit is None else motion_or_none(function.reference_unit)
@@ -66,8 +66,8 @@ def inverted(functions: Sequence[Function], source: str) -> tuple[Function, ...]
     Raises
     ------
     MeasurementError
-        If the file says that one is not a force over a motion, or has as many references as sensors: whether these
-        are the inverse of a matrix or reciprocals of single functions, nothing tells.
+        If the file states that one is not a force over a motion, or has as many references as sensors: these may be
+        the inverse of a matrix or reciprocals of single functions.
     """
     for function in functions:
         force_below = _is_force(function.reference_unit)

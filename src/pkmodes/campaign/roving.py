@@ -16,12 +16,12 @@ from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Standard deviations of a change above which it is one.
+#: Number of standard deviations above which a change is real.
 SURE = 3.0
-#: Relative standard deviation of a frequency below which it is rounding, and sweeps of the polish.
+#: Least relative standard deviation of a frequency (less is rounding), and sweeps of the median polish.
 LEAST, SWEEPS = 1e-7, 20
-#: Difference of the frequencies of a mode at two points at most, in half-power bandwidths, for functions to have one
-#: pole.
+#: Largest difference of a mode's frequencies at two points for their functions to share a pole, in half-power
+#: bandwidths.
 SHIFT = 0.15
 
 
@@ -32,9 +32,9 @@ class Point:
     Attributes
     ----------
     modes : tuple of Found
-        Those of the file alone.
+        Those of this file alone.
     factor : float
-        On its frequencies, for those of the machine in the middle of its change.
+        On its frequencies, to get those of the machine in the middle of its change.
     """
 
     path: Path
@@ -49,10 +49,10 @@ class Point:
         exponential: float | None = None,
         length: float | None = None,
     ) -> Complex:
-        """Return what to add to the accelerances of the file, (F, S, R), for those of the machine in the middle.
+        """Return the correction of the file's accelerances, (F, S, R), to those of the machine in mid-change.
 
-        Accelerances are functions of the ratio of frequencies, with the same damping ratios: only the poles move, and
-        the residues with them.  The modes of the file say where; its noise stays as it is.
+        Accelerances scale with the ratio of frequencies at the same damping ratios: only the poles move, and the
+        residues with them.  The file's modes give their places; its noise is left unchanged.
 
         Parameters
         ----------
@@ -83,12 +83,12 @@ class Point:
 
 @dataclass(frozen=True)
 class Change:
-    """By how much a machine changed from point to point, and by how much it may, both relative to its frequencies.
+    """The change of a machine from point to point, and the largest allowed, both relative to its frequencies.
 
     Attributes
     ----------
     factors : mapping of str to float
-        On the frequencies of each setup, for those in the middle of the change; 1 where nothing changed surely.
+        On the frequencies of each setup, to get those in mid-change; 1 where no change is certain.
     """
 
     apart: float
@@ -96,7 +96,7 @@ class Change:
     factors: Mapping[str, float] = field(default_factory=dict)
 
     def on(self, mode: Found) -> Found:
-        """Return a mode of the functions of all points: the machine had both ends of the change."""
+        """Return a mode fitted to all points with half the change in its sigma: the machine had both of its ends."""
         sigma = float(np.hypot(mode.sigma_frequency, 0.5 * self.apart * mode.frequency))
         return replace(mode, sigma_frequency=sigma)
 
@@ -107,7 +107,7 @@ def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign)
     Parameters
     ----------
     files : mapping of str to mapping of Path to FileModes
-        What each file of each setup gives.  If a setup has more files than another one, its last ones are in no
+        The modes of each file of each setup.  If a setup has more files than another one, its last ones are in no
         repeat.
     """
     sensors = [campaign.sensors_in(setup) for setup in files]
@@ -129,11 +129,11 @@ def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozense
 
 
 def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
-    """Return by how much the machine changed from point to point, of which each has its modes.
+    """Return by how much the machine changed from point to point, given the modes of each.
 
-    Warmth and settling change all modes; what differs in single ones are fits of modes that a point hardly shows.  So
-    the logarithm of each frequency is that of the mode and a shift of the point, by a median polish (Tukey,
-    Exploratory Data Analysis, 1977, chapter 11) with weights.
+    Warming and settling shift all modes; differences in single modes come from fits of modes that a point hardly
+    shows.  So the logarithm of each frequency is modelled as that of the mode plus a shift of the point, by a
+    weighted median polish (Tukey, Exploratory Data Analysis, 1977, chapter 11).
     """
     groups = [
         {i: mean.mode for i, mean in group.items() if mean.mode.sigma_frequency < _allowed(mean.mode)}
@@ -171,7 +171,7 @@ def _median(values: Array, sigma: Array) -> float:
 
 
 def _error(residuals: Array, sigma: Array) -> float:
-    """Return the standard deviation of a weighted median: as stated, or larger as what is left of its values is."""
+    """Return the standard deviation of a weighted median: as stated, or scaled up if the residuals are larger."""
     finite = np.isfinite(residuals)
     if not finite.any():
         return np.inf
@@ -180,5 +180,5 @@ def _error(residuals: Array, sigma: Array) -> float:
 
 
 def _allowed(mode: Found) -> float:
-    """Return the difference of the frequencies of a mode that is allowed [Hz]."""
+    """Return the allowed difference of a mode's frequencies [Hz]."""
     return SHIFT * 2.0 * mode.damping * mode.frequency

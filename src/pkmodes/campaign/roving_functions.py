@@ -21,7 +21,7 @@ from pkmodes.core.base.errors import shown
 
 Array = NDArray[np.float64]
 T = TypeVar("T", bound=np.generic)
-#: Lines are the same that differ by less, in line spacings: tables round them.
+#: Lines that differ by less, in line spacings, are the same: tables round them.
 SAME_LINE = 0.01
 
 
@@ -58,7 +58,7 @@ def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Camp
 
 
 def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
-    """Return the functions of a file, as of the machine in the middle of its change, and its forces by their keys."""
+    """Return a file's functions, corrected to the machine in mid-change, with its forces by their keys."""
     read = read_responses(point.path, record, setup, campaign)
     responses, forces = read.responses, campaign.forces_in(setup)
     names = tuple(forces[name].key for name in responses.names)
@@ -67,9 +67,9 @@ def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> Res
 
 
 def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
-    """Return the functions of several points as those of one file, and the sensors that only some have.
+    """Return the functions of several points as those of one file, and the names of sensors that only some have.
 
-    A point in several files has the mean of its functions.
+    A point in several files gets the mean of its functions.
 
     Raises
     ------
@@ -129,13 +129,13 @@ def _step(f: Array) -> float:
 
 
 def _lines(f: Array) -> str:
-    """Return in words which lines there are [Hz]."""
+    """Describe the lines in words [Hz]."""
     ends = f" from {f[0]:.6g} Hz, {_step(f):.4g} Hz apart" if len(f) else ""
     return f"{len(f)} lines{ends}"
 
 
 def _shows(responses: Responses, sensor: str) -> bool:
-    """Return whether a sensor measured something of every point in a file."""
+    """Return whether a sensor has a complete signal for every point in a file."""
     if sensor not in responses.references:
         return False
     values = responses.values[:, :, responses.references.index(sensor)]
@@ -150,6 +150,6 @@ def _of_sensors(responses: Responses, names: Sequence[str]) -> Responses:
 
 
 def _means(parts: Sequence[NDArray[T]], at: Sequence[Sequence[int]]) -> NDArray[T]:
-    """Return the means over places, side by side in several arrays, that are of one point."""
+    """Return the means over the columns, counted through all arrays, that belong to one point."""
     whole = np.concatenate(parts, axis=1)
     return np.stack([whole[:, places].mean(axis=1) for places in at], axis=1)

@@ -20,11 +20,11 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.functions import Asked, Function, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
 
-#: Sensors are brought to accelerations: what most of them measure.
+#: All sensors are converted to accelerations, which most of them measure.
 ACCELERATION = 2
-#: Units are the same whose factors differ by less: files round them.
+#: Units whose factors differ by less are the same: files round them.
 SAME = 1e-3
-#: What a file should have, and its abscissa, in words.
+#: The content that a file should have, and its abscissa, in words.
 WORDS = {
     Kind.FRF: ("frequency response functions", "frequencies"),
     Kind.TIME: ("signals in time", "times"),
@@ -49,7 +49,7 @@ class SensorFunctions:
 
 
 def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
-    """Return what is wanted of a file of a record: the functions of some sensors, all by default."""
+    """Return the request for a file of a record: the functions of some sensors, all by default."""
     blows = record.kind == "impact"
     return Asked(record.rate, names, record.header, record.band, names=record.names, force=blows)
 
@@ -95,7 +95,7 @@ def sensor_functions(
 
 
 def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], request: Asked) -> None:
-    """Say what a file has instead of the campaign's sensors."""
+    """Refuse a file without the campaign's sensors, listing what it has instead."""
     read = read_signals(path, request)
     available = list(
         dict.fromkeys(
@@ -115,18 +115,18 @@ def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], request
 
 
 def refuse_repeated(name: str, subject: str, source: str) -> NoReturn:
-    """Refuse what a file has several times under one name, of which the campaign may choose one."""
+    """Refuse a name that occurs several times in a file; the campaign may choose one of them by number."""
     remedy = f"if one of them counts, choose it by its number in the file, name = {shown(f'{name}#2')}"
     raise MeasurementError(f"{subject} occurs twice", source, f"{remedy}; give repeats as files of their own")
 
 
 def motion_of(function: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:
-    """Return what the numbers of a function are: as the campaign says, else by the unit in the file.
+    """Return the motion that a function measures: as the campaign declares, else by the unit in the file.
 
     Raises
     ------
     MeasurementError
-        If neither says it, if they contradict each other, or it is not a motion of the sensor's channels.
+        If neither states it, if they contradict each other, or it does not suit the sensor's channels.
     """
     where = f"{source}: {function.response}"
     if sensor.motion is None and function.unit is None:
@@ -140,7 +140,7 @@ def motion_of(function: Function, sensor: Sensor, channels: Mapping[str, str], s
 
 
 def _check_agrees(function: Function, declared: Motion, where: str) -> None:
-    """Refuse a unit in the file that is another one than that of the campaign."""
+    """Refuse a unit in the file that differs from that of the campaign."""
     unit = str(function.unit)
     of_file = motion_or_none(unit)
     if declared.of_volts and not function.assumed:
@@ -148,7 +148,7 @@ def _check_agrees(function: Function, declared: Motion, where: str) -> None:
     elif of_file is None:
         agree = False
     else:
-        # A type without a unit says "acceleration", of a rotation, too.
+        # A type without a unit says "acceleration" even for a rotation.
         alike = of_file.derivative == declared.derivative and (
             function.assumed or of_file.angular == declared.angular
         )
@@ -159,7 +159,7 @@ def _check_agrees(function: Function, declared: Motion, where: str) -> None:
 
 
 def check_size(values: NDArray[Any], source: str) -> None:
-    """Refuse numbers that no machine has: their squares would overflow.
+    """Refuse numbers outside any machine's range: their squares would overflow.
 
     Raises
     ------
@@ -172,7 +172,7 @@ def check_size(values: NDArray[Any], source: str) -> None:
 
 
 def dead_channels(names: Sequence[str], source: str) -> list[str]:
-    """Return a sentence for each sensor that shows nothing."""
+    """Return a message for each sensor without a signal."""
     return [
         f"{source}: {name} shows nothing: all its values are equal; this file gives no shape component of it"
         for name in names

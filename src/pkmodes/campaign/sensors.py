@@ -18,9 +18,9 @@ from pkmodes.response.directions import unit_direction
 from pkmodes.signals.functions import WORDS, Function, Kind, computed
 from pkmodes.support.ordering import joined
 
-#: Channel of a sensor that helps to find modes but is in no shape.
+#: Channel of a sensor that helps to find modes but appears in no shape.
 NONE = "none"
-#: The kind of records of modes that another program has identified.
+#: Kind of record with modes that another program has identified.
 IDENTIFIED = "modes"
 EXAMPLE_OF_AT = 'at = ["0 mm", "40 mm", "-5 mm"]'
 #: A degree of freedom of a universal file along a negative direction, perhaps with its number in the file.
@@ -29,18 +29,18 @@ NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ](?:#[0-9]+)?")
 
 @dataclass(frozen=True)
 class Place:
-    """Where something acts or is measured.
+    """A place where a force acts or a sensor measures.
 
     Attributes
     ----------
     name : str
         As in the files.
     setup : str or None
-        The only setup in which it holds; None for all.
+        The only setup to which it applies; None for all.
     weights : mapping of str to float
-        What it shows of the channels: one channel, or a unit direction of the platform; empty for none.
+        Contribution of each channel: one channel, or a unit direction of the platform; empty for none.
     mount : Mount or None
-        How it is fixed to a platform that turns; `weights` are then those where it is not turned.
+        How it is fixed to a turning platform; `weights` are then those of the unrotated platform.
     """
 
     name: str
@@ -49,7 +49,7 @@ class Place:
     mount: Mount | None = field(default=None, kw_only=True)
 
     def where_turned(self, R: NDArray[np.float64]) -> Self:
-        """Return it as it is where the platform's rotation is R, (3, 3)."""
+        """Return it at the rotation R of the platform, (3, 3)."""
         return self if self.mount is None else replace(self, weights=self.mount.weights(R))
 
     @property
@@ -65,7 +65,7 @@ class Sensor(Place):
     Attributes
     ----------
     motion : Motion or None
-        What its numbers are; None if the files say it.
+        The motion that its numbers represent; None if the files state it.
     """
 
     motion: Motion | None
@@ -91,7 +91,7 @@ def sensors_of(
     Raises
     ------
     MeasurementError
-        For the first one that is wrong.
+        For the first sensor that is wrong.
     """
     sensors = []
     for i, table in enumerate(tables, start=1):
@@ -122,12 +122,12 @@ def forces_of(
 
 
 def names_of(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
-    """Check what the files of a record call time, frequency, force and the sensors.
+    """Check the names by which the files of a record call time, frequency, force and the sensors.
 
     Raises
     ------
     MeasurementError
-        If a name is none of these, one of theirs has two, or the record is one of identified modes.
+        If a name is none of these, a name in the files is used twice, or the record is one of identified modes.
     """
     known_names = [*WORDS, *dict.fromkeys(sensor.name for sensor in sensors)]
     for name in table.names:
@@ -206,7 +206,7 @@ def _mounted(table: SensorTable | ForceTable, mount: Mount) -> Place:
 
 
 def _at(table: SensorTable | ForceTable, where: str) -> Vector:
-    """Return where on the platform something is [m], its origin by default."""
+    """Return the place on the platform [m], its origin by default."""
     if table.at is None:
         return ORIGIN
     if len(table.at) != len(ORIGIN):
@@ -254,7 +254,7 @@ def _motion(table: SensorTable, where: str) -> Motion | None:
 
 
 def check_motion(measured: Motion, place: Place, channel_units: Mapping[str, str], where: str) -> None:
-    """Refuse a linear motion of an angle, and an angular one of a length.
+    """Refuse a linear motion for an angle, and an angular one for a length.
 
     Raises
     ------
@@ -290,5 +290,5 @@ def signed(function: Function) -> Function:
 
 
 def unsigned(name: str) -> str:
-    """Return the name of a degree of freedom without its sign, which is only a name."""
+    """Return the name of a degree of freedom without its sign."""
     return name.replace(":+", ":").replace(":-", ":")

@@ -1,6 +1,6 @@
 """Signals in time: the columns of a file as evenly sampled arrays.
 
-Modes of any record of them get what interpolated samples add to their errors, and the level of their vibration.
+Modes of such records also get the error that interpolated samples add, and the level of their vibration.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ from pkmodes.signals.sensor_faults import stopped
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Longest gap that is bridged, in periods of the upper end of the band.
+#: Longest gap that is bridged by interpolation, in periods of the upper end of the band.
 BRIDGED = 0.1
-#: Rates are the same that differ by less, relative.
+#: Rates that differ by less, relative, are the same.
 SAME_RATE = 1e-3
 
 
@@ -57,7 +57,7 @@ class TimeSignals:
     force : str
         Name of the force in the file.
     names : tuple of str
-        Of the S sensors that show something.
+        Of the S sensors with a signal.
     derivatives : ndarray of int, shape (S,)
         0 for displacements, 1 for velocities, 2 for accelerations.
     names_in_file : frozenset of str
@@ -68,7 +68,7 @@ class TimeSignals:
     starts : tuple of float
         Times of the first samples of the pieces [s].
     once_more : TimeSignals or None
-        The same with as many samples interpolated once more; None if none are.
+        The same with as many further samples interpolated; None if none are.
     """
 
     source: str
@@ -85,7 +85,7 @@ class TimeSignals:
     once_more: TimeSignals | None = None
 
     def of(self, names: Sequence[str]) -> TimeSignals:
-        """Return those of some sensors."""
+        """Return the signals of some sensors."""
         at = [self.names.index(name) for name in names]
         pieces = tuple(piece[:, at] for piece in self.pieces)
         once_more = None if self.once_more is None else self.once_more.of(names)
@@ -106,7 +106,7 @@ def time_signals(
     Parameters
     ----------
     highest : float, optional
-        Frequency above which nothing is of interest [Hz]: long records are reduced to fewer samples.
+        Highest frequency of interest [Hz]: long records are reduced to fewer samples.
 
     Raises
     ------
@@ -194,7 +194,7 @@ def time_signals(
 
 
 def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
-    """Return the even parts of a record, and what to say of them; a rate prevails over times that are uneven."""
+    """Return the even parts of a record, and messages about them; a stated rate prevails over uneven times."""
     rate = record.rate
     try:
         pieces, messages = even_pieces(time, source, BRIDGED / record.band[1])
@@ -214,7 +214,7 @@ def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...]
 
 
 def _lost(time: Array, pieces: Sequence[Piece]) -> float:
-    """Return the median of the times that are lost between pieces [s]."""
+    """Return the median of the times lost between pieces [s]."""
     lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
     return float(np.median(lost)) if lost else 0.0
 
@@ -224,9 +224,10 @@ def with_bridges(
     recordings: Sequence[TimeSignals],
     source: str,
 ) -> tuple[Fit, tuple[str, ...]]:
-    """Return the fit of signals, and what to say of it; interpolated samples are in its standard deviations.
+    """Return the fit of signals and messages about it, with the effect of interpolated samples in its sigmas.
 
-    They add what interpolating as many once more changes, relative to the standard deviations, over all modes.
+    It is the change from interpolating as many further samples, relative to the standard deviations, rms over all
+    modes.
     """
     fit, messages = find(recordings)
     if not fit.estimate.modes or all(recording.once_more is None for recording in recordings):
@@ -259,7 +260,7 @@ def with_bridges(
 def with_levels(
     fit: Fit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
 ) -> FileModes:
-    """Return what a file gives, its modes with their levels.
+    """Return the modes of a file with their levels.
 
     Parameters
     ----------

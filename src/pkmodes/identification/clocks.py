@@ -1,4 +1,4 @@
-"""Two recorders with clocks of their own: what is to be added to the times of the one to have those of the other.
+"""Two recorders with separate clocks: the delay to add to the times of one to get those of the other.
 
 All parts of a lightly damped structure move in phase or in antiphase, at resonances and, nearly everywhere, between
 them.  So the phase of a cross spectrum, doubled, is that of the delay alone, whatever the signs of the shapes: the
@@ -6,8 +6,8 @@ delay is where the squares of all cross spectra are most nearly real and positiv
 of their phases (Hannan and Thomson, Biometrika 60, 1973), and by `REAL`, because shapes are not quite real.  Clocks
 that also drift turn the phases over the record: the drift is sought with the delay.
 
-A tenth of the lines, by weight, is left out at a time: by how much the delay then changes is its standard deviation.
-Another delay that is not clearly worse by these tenths widens it up to there.
+A tenth of the lines, by weight, is left out at a time: the resulting changes of the delay give its standard
+deviation (a jackknife).  A different delay that is not clearly worse by these tenths widens it to that delay.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 #: Standard deviation of the phase of a real shape [rad]: damping turns shapes by a few degrees.
 REAL = 0.05
-#: Length of a segment, in periods of the upper end of the band; the fewest of them.
+#: Length of a segment, in periods of the upper end of the band; the fewest segments.
 PERIODS, FEWEST = 100.0, 8
-#: The same in largest delays that are sought: as it should be, and at least.
+#: Length of a segment in multiples of the largest delay searched: desired, and least.
 DELAYS, LEAST_DELAYS = 8.0, 4.0
-#: Shortest record in periods of the lower end of the band, and lowest upper end of the band in lower ends.
+#: Shortest record in periods of the lower end of the band, and least ratio of the ends of the band.
 LEAST_PERIODS, WIDE = 12.0, 1.5
 TOO_SHORT = "what both recorded at the same time is too short, or the band too narrow"
-#: Segments that overlap by half count as so many independent ones.
+#: Effective number of independent segments for each of several that overlap by half.
 INDEPENDENT = 0.6
-#: Parts of the lines, and by how many of their standard deviations another delay must be worse to be none.
+#: Parts of the lines, and by how many of their standard deviations another delay must be worse to be ruled out.
 PARTS, WORSE = 10, 2.0
 #: Steps of the delay and of the drift over the record, in periods of the upper end of the band.
 DELAY_STEP, DRIFT_STEP = 0.05, 0.1
@@ -45,14 +45,14 @@ DELAY_STEP, DRIFT_STEP = 0.05, 0.1
 
 @dataclass(frozen=True, eq=False)
 class Delay:
-    """What is to be added to the times of a recorder.
+    """The delay to add to the times of a recorder.
 
     Attributes
     ----------
     seconds, drift, middle : float
         At the time t of the recorder: seconds + drift (t - middle).
     frequencies, sigmas : ndarray, shape (F,)
-        Standard deviation at the times at which there is power at each frequency [Hz, s].
+        Standard deviation at each frequency, for the times at which it has power [Hz, s].
     """
 
     seconds: float
@@ -63,16 +63,16 @@ class Delay:
 
     @property
     def turns(self) -> Array:
-        """By how much one standard deviation turns a vibration of each frequency (F,) [rad]."""
+        """Phase by which one standard deviation turns a vibration of each frequency (F,) [rad]."""
         return 2.0 * np.pi * self.frequencies * self.sigmas
 
     def turn(self, frequency: float) -> float:
-        """Return by how much one standard deviation turns a vibration of a frequency [rad]."""
+        """Return the phase by which one standard deviation turns a vibration of a frequency [rad]."""
         return 2.0 * math.pi * frequency * float(np.interp(frequency, self.frequencies, self.sigmas))
 
 
 def rough_delay(step: float, first: Array, second: Array, band: tuple[float, float]) -> float:
-    """Return how much later the vibration of one record swells and fades than that of another [s].
+    """Return the delay between two records from the times at which their vibration swells and fades [s].
 
     Parameters
     ----------
@@ -85,7 +85,7 @@ def rough_delay(step: float, first: Array, second: Array, band: tuple[float, flo
     Raises
     ------
     MeasurementError
-        If a record is too short, or the band holds too little.
+        If a record is too short, or the band too narrow.
     """
     _check_length(step * min(len(first), len(second)), band)
     alike = correlate(_swell(step, first, band), _swell(step, second, band), method="fft")
@@ -99,7 +99,7 @@ def _check_length(seconds: float, band: tuple[float, float]) -> None:
 
 
 def _swell(step: float, signals: Array, band: tuple[float, float]) -> Array:
-    """Return the size of a vibration over time, without its mean."""
+    """Return the envelope of a vibration over time, without its mean."""
     passed = sosfiltfilt(butter(4, band, "bandpass", fs=1.0 / step, output="sos"), signals, axis=0)
     size = np.where(passed.any(axis=0), passed.std(axis=0), 1.0)
     smooth = sosfiltfilt(
@@ -117,7 +117,7 @@ def delay(
     within: float,
     drift: float,
 ) -> Delay:
-    """Return what is to be added to the times of a recorder to have those of another.
+    """Return the delay to add to the times of a recorder to get those of another.
 
     Parameters
     ----------
@@ -126,14 +126,14 @@ def delay(
     pieces : sequence of tuple
         Time of the first sample [s], and the signals of both from there, (n, S) and (n, R), each by its own clock.
     band : tuple of float
-        Frequencies that count [Hz].
+        Frequencies that are used [Hz].
     within, drift : float
-        The largest delay [s] and drift [-] that are sought, of either sign.
+        The largest delay [s] and drift [-] that are searched, of either sign.
 
     Raises
     ------
     MeasurementError
-        If the pieces are too short, or nothing in them is common.
+        If the pieces are too short, or have nothing in common.
     """
     seconds = sum(len(signals) for _, signals, _ in pieces) * step
     length = min(max(PERIODS / band[1], DELAYS * within), 2.0 * seconds / (FEWEST + 2))

@@ -25,13 +25,13 @@ from pkmodes.identification.lscf import OrderPoles
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: No vibration mode of a machine that can be identified is damped more: its peak is gone.
+#: Highest damping ratio of an identifiable vibration mode of a machine: beyond it there is no peak.
 HIGHEST_DAMPING = 0.2
 #: Poles of one mode differ by less than this, average over a cluster: |difference| / sum of |Re|, plus 1 - MAC.  Two
 #: equal shapes reach it half a bandwidth apart, where one cannot tell two peaks.
 ONE_MODE = 0.5
-#: A mode must be found in this share of the orders.  Low orders have no poles to spare for weak modes; whether what
-#: is left exceeds noise is decided after the fit, so that this need not be strict.
+#: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
+#: a mode exceeds the noise is decided after the fit, so this need not be strict.
 SHARE = 0.3
 
 
@@ -44,11 +44,11 @@ class Candidate:
     pole : complex
         Median of the cluster [1/s].
     shape : ndarray of complex128, shape (S,)
-        Of the pole nearest to it, at any scale.
+        Of the pole nearest to the median, at any scale.
     participation : ndarray of complex128, shape (R,)
         Likewise.
     order_count : int
-        In how many orders.
+        Number of orders in which it was found.
     """
 
     pole: complex
@@ -96,7 +96,7 @@ def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
 
 
 def orders_with(by_order: Sequence[OrderPoles], pole: complex) -> int:
-    """Return in how many orders a pole is within the half bandwidth of a mode."""
+    """Return the number of orders that have a pole within the half bandwidth of a mode."""
     return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
 
 
@@ -112,7 +112,7 @@ def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32
 
 
 def _alike(vectors: Complex) -> Array:
-    """Return the MAC of each vector with each."""
+    """Return the MAC of each pair of vectors."""
     sizes = np.linalg.norm(vectors, axis=1, keepdims=True)
     units = vectors / np.where(sizes > 0.0, sizes, 1.0)
     return np.asarray(np.abs(units.conj() @ units.T) ** 2)

@@ -1,8 +1,8 @@
-"""Modes of frequency response functions that the user asks for: fitted from a frequency, beside those found.
+"""Modes of frequency response functions that the user requests: fitted from a frequency, beside those found.
 
-The fit is that of `frf_refinement`, begun at the frequency with several dampings and at what stands out near it; of
-those that stand out most, the nearest is taken.  Its energy must exceed what noise alone makes within the reach of
-the fit: far fewer places than a search tries, so that modes are added which the search leaves out.
+The fit is that of `frf_refinement`, started at the frequency with several dampings and at what stands out near it; of
+those that stand out most, the nearest is taken.  Its energy must exceed what noise alone produces within the reach of
+the fit: far fewer places than a search tries, so that modes can be added which the search leaves out.
 """
 
 from __future__ import annotations
@@ -25,28 +25,28 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Damping ratios from which the fit begins.
+#: Damping ratios at which the fit starts.
 RATIOS = (0.03, 0.01, 0.003)
-#: Probability that noise alone makes a mode within the reach of the fit.
+#: Probability that noise alone produces a mode within the reach of the fit.
 FALSE_ALARM = 0.05
 #: Energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
 STRONG = 0.5
-#: Fits that end nearer than this part of their half bandwidth are one.
+#: Fits that end closer than this fraction of their half bandwidth are the same.
 SAME = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class WithAdded:
-    """Modes fitted together with those asked for.
+    """Modes fitted together with those requested.
 
     Attributes
     ----------
     modes : Modes
     bounds : Uncertainty
     added : tuple of int or str
-        For each frequency asked for, which of the modes it is, or why there is none.
+        For each requested frequency, the index of its mode, or why there is none.
     struck : ndarray of bool, shape (N,)
-        Which of the modes that were given are struck out, and not among these.
+        Which of the original modes are struck out, and not among these.
     """
 
     modes: Modes
@@ -56,7 +56,7 @@ class WithAdded:
 
 
 def with_added(data: Lines, modes: Modes, bounds: Uncertainty, edits: Asked) -> WithAdded:
-    """Return modes (N) with those that the user asks for; one of them replaces a mode within 1 % of it."""
+    """Return modes (N) with those that the user requests; each replaces a mode within 1 % of it."""
     if not edits.add:
         return WithAdded(modes, bounds, (), np.zeros(len(modes.poles), bool))
     out = struck(modes.frequencies, edits)
@@ -82,7 +82,7 @@ def with_added(data: Lines, modes: Modes, bounds: Uncertainty, edits: Asked) -> 
 def _added(
     data: Lines, modes: Modes, owner: NDArray[np.int64], target: float
 ) -> tuple[Modes, NDArray[np.bool_]] | str:
-    """Return modes with one more, the last, and which of the former are left; or why there is none."""
+    """Return modes with one more, the last, and which of the former remain; or why there is none."""
     reported = owner < 0
     replaced = nearest(np.where(reported, modes.frequencies, np.inf), target)
     kept = np.ones(len(modes.poles), bool)
@@ -133,7 +133,7 @@ def _trials(data: Lines, base: Modes, target: float) -> Iterator[Modes]:
 
 
 def _starts(data: Lines, base: Modes, target: float) -> list[complex]:
-    """Return poles from which a fit begins: at the frequency, and where the residual stands out near it."""
+    """Return starting poles of a fit: at the frequency, and where the residual stands out near it."""
     starts = [2.0 * math.pi * target * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in RATIOS]
     near = np.abs(data.frequencies / target - 1.0) <= 2.0 * REACH
     inside = slice(*np.flatnonzero(near)[[0, -1]]) if near.any() else slice(0, 0)
@@ -145,7 +145,7 @@ def _starts(data: Lines, base: Modes, target: float) -> list[complex]:
 
 def _with(data: Lines, base: Modes, pole: complex) -> Modes:
     """Return modes with one more, the last, fitted from a pole together with those that overlap it."""
-    remainder = data.H - base.response(data.frequencies)  # what is smooth is taken off in each fit
+    remainder = data.H - base.response(data.frequencies)  # each fit projects out the smooth part
     modes = joined(base, np.array([pole]), data.frequencies, remainder)
     last = len(modes.poles) - 1
     members = next(group for group in groups(modes.poles) if last in group)

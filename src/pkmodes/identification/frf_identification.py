@@ -1,7 +1,7 @@
 """Modes from frequency response functions.
 
 Poles of many model orders (`lscf`), clusters of them (`clusters`), and a fit by maximum likelihood to the lines
-around each group of clusters (`frf_refinement`), which decides what is a mode and says what it leaves open.
+around each group of clusters (`frf_refinement`), which decides what is a mode and gives its uncertainty.
 """
 
 from __future__ import annotations
@@ -34,17 +34,17 @@ Complex = NDArray[np.complex128]
 #: Poles of the highest order, and the number of orders up to it: some three times as many poles as a machine has
 #: modes in a band, as residual terms, noise and the hammer's spectrum take poles as well.
 MOST_POLES, ORDERS = 60, 20
-#: Searches of what is left; each finds all modes that no stronger one hides.
+#: Most searches of the residual; each finds all modes that no stronger one hides.
 MOST_SEARCHES = 4
-#: Times that tones are sought and left out: a strong one hides others.
+#: Most passes in which tones are found and left out: a strong one hides others.
 MOST_PASSES = 4
-#: Modes this part of the band outside it are fitted as well, and not reported.
+#: Modes outside the band by up to this fraction of its width are fitted too, but not reported.
 MARGIN = 0.04
-#: A resonance near a tone has a half bandwidth of at least this part of the line spacing; a tone has none.
+#: Least half bandwidth, in line spacings, of a resonance near a tone; a tone has none.
 RESONANCE = 0.3
-#: Why a mode is not added that is none after the fit.
+#: Why a requested mode is not added that its fit shows not to be one.
 OUTSIDE = "its fit leaves the band, has no positive damping, or is a line without bandwidth"
-#: Half bandwidth, in line spacings, of a single line that stands out: no resonance that the lines resolve.
+#: Half bandwidth, in line spacings, below which a pole is a single line and no resonance that the lines resolve.
 NO_BANDWIDTH = 0.1
 
 
@@ -74,7 +74,8 @@ def identify_frf(
         0 for displacement, 1 for velocity, 2 for acceleration.
     coherence : ndarray, shape (F, S, R), optional
     averages : int, optional
-        Behind the coherence: then it gives the variance of the noise, otherwise only where there is more of it.
+        Number behind the coherence: with it, the coherence gives the variance of the noise; otherwise only its course
+        over the lines.
     exponential : float, optional
         Time constant of an exponential window of the responses [s].
     tones : sequence of float
@@ -122,7 +123,7 @@ def identify_frf(
         candidate
         for candidate, resolved in zip(reported_modes, wide, strict=True)
         if resolved or np.isfinite(candidate.shape).any()
-    ]  # a narrow pole without a shape: what a tone that drifts leaves beside the lines that are left out
+    ]  # a narrow pole without a shape is what a drifting tone leaves beside the lines that are left out
     reported_modes += [mode(modes, bounds, int(m)) for m in before]
     return Estimate(
         modes=tuple(sorted(reported_modes, key=lambda candidate: candidate.frequency)),
@@ -145,12 +146,12 @@ def identify_frf(
 
 
 def _unasked(lines: list[Line], edits: Asked) -> list[Line]:
-    """Return the lines at which the user asks for no mode."""
+    """Return the lines at which the user has not requested a mode."""
     return [line for line in lines if nearest(edits.add, line.frequency) is None]
 
 
 def _by_order(data: Lines) -> list[OrderPoles]:
-    """Return poles from all complete sensors; without any, from all functions as those of a single reference."""
+    """Return poles from all complete sensors; if there are none, from all functions as of a single reference."""
     measured = data.measured
     complete = np.logical_and.reduce(measured, axis=1)
     if complete.any():
@@ -165,7 +166,7 @@ def _by_order(data: Lines) -> list[OrderPoles]:
 
 
 def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float) -> Modes:
-    """Return the clusters as a starting point, with participations of 1 if the poles have others."""
+    """Return the clusters as a starting point, with participations of 1 if theirs do not match the references."""
     clusters = candidates(by_order, low, high)
     R, N = data.H.shape[2], len(clusters)
     poles = np.array([cluster.pole for cluster in clusters], complex)
@@ -180,7 +181,7 @@ def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float
 def _with_hidden(
     data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float, power: int
 ) -> tuple[Modes, Uncertainty]:
-    """Return the modes with those that a search finds in what they leave."""
+    """Return the modes with those that a search finds in their residual."""
     for _ in range(MOST_SEARCHES):
         fit = _response(data, modes, power, data.frequencies)
         poles = hidden(data, fit, significant(data))

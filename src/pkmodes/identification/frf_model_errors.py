@@ -33,25 +33,25 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Index = NDArray[np.int64]
 
-#: One peak: modes nearer than a bandwidth and alike, of which one leaves less than this part of the peak.
+#: One peak: similar modes closer than a bandwidth, one of which alone leaves less than this fraction of the peak.
 NEAR, PEAK = 1.0, 0.1
-#: A mode that is this much broader than the peak fits what is left of its skirts, with any shape.
+#: A mode this much broader than the peak fits the remainder of its skirts, whatever its shape.
 BROAD = 3.0
-#: Shapes at fewer sensors are alike by chance.
+#: Fewest sensors for comparing shapes: at fewer, shapes agree by chance.
 ENOUGH = 3
-#: Where one mode fits the peak, as many others beside it are spurious even if their shapes differ.
+#: If one mode fits the peak, this many others beside it are spurious even if their shapes differ.
 SEVERAL = 2
-#: A mode of at least this part of the response of all others at its frequency is never spurious,
+#: A mode with at least this fraction of the response of all others at its frequency is never spurious,
 STRONG = 0.2
 #: and a weaker one is if it is below this multiple of the error.
 SPURIOUS = 8.0
-#: The error is estimated from lines this far apart: the noise of nearer ones is correlated, too.
+#: The error is estimated from lines this far apart: between closer ones, noise is correlated too.
 LAG = 2 * LAGS
-#: Fewer pairs of lines tell no error, nor do fewer peaks: what is at one peak alone may be a mode.
+#: Fewest pairs of lines, and peaks, from which an error is estimated: what is at one peak alone may be a mode.
 FEWEST, PEAKS = 2 * LAG, 2
-#: Standard deviations of its estimate from which on there is an error.
+#: Number of standard deviations above which an estimated error is real.
 SURE = 4.0
-#: Modes that a sentence mentions at most.
+#: Most modes mentioned in a message.
 MENTIONED = 4
 
 
@@ -64,7 +64,7 @@ class Remaining(NamedTuple):
     bounds : Uncertainty
         Without the error.
     error : float
-        Largest part of the functions at a peak that the modes leave and that is not noise.
+        Largest fraction of the functions at a peak that the modes do not explain and that is not noise.
     left_out : ndarray
         Frequencies of the spurious ones [Hz], ascending.
     """
@@ -97,7 +97,7 @@ def without_model_errors(
 
 
 def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncertainty:
-    """Return uncertainties with what an error, a part of the functions, does to each pole and shape.
+    """Return uncertainties including the effect of an error, a fraction of the functions, on each pole and shape.
 
     The shape of a weak mode beside a strong one has an error in proportion to the strong one.
     """
@@ -112,12 +112,12 @@ def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncerta
 
 
 def not_linear(error: float, left_out: Sequence[float]) -> str:
-    """Return a sentence on modes that were left out.
+    """Return a message about modes that were left out.
 
     Parameters
     ----------
     error : float
-        What the modes leave, as a part of the functions at their peaks.
+        Error of the model, as a fraction of the functions at their peaks.
     left_out : sequence of float
         [Hz].
     """
@@ -136,7 +136,7 @@ def not_linear(error: float, left_out: Sequence[float]) -> str:
 
 
 def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
-    """Return modes that only fit what one mode at a peak leaves there, for the highest peak that has such ones."""
+    """Return modes that only fit the remainder of one mode at a peak, for the highest peak that has any."""
     drop = np.zeros(len(modes.poles), bool)
     if data.measured.any(axis=1).sum() < ENOUGH:
         return drop
@@ -154,7 +154,7 @@ def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
 
 
 def _beside(modes: Modes, height: Array, k: int) -> Index:
-    """Return the lower modes that are nearer to a mode than a bandwidth, or to one of these."""
+    """Return the lower modes that are within a bandwidth of a mode, directly or through others of them."""
     width, at = np.abs(modes.poles.real), modes.poles.imag
     members = np.arange(len(height)) == k
     while True:
@@ -166,7 +166,7 @@ def _beside(modes: Modes, height: Array, k: int) -> Index:
 
 
 def _left_without(data: Lines, modes: Modes, dropped: Index, k: int) -> float:
-    """Return what a fit without some modes leaves, as a part of mode k at its peak, or of the functions at theirs."""
+    """Return the remainder of a fit without some modes, relative to mode k at its peak or the functions at theirs."""
     kept = ~np.isin(np.arange(len(modes.poles)), dropped)
     fewer, place = modes.only(kept), int(kept[:k].sum())
     fitted = group_fit(data, fewer, next(group for group in groups(fewer.poles) if place in group))
@@ -183,7 +183,7 @@ def _left_without(data: Lines, modes: Modes, dropped: Index, k: int) -> float:
 
 
 def _part(remainder: Complex, whole: Complex, s: Complex, pole: complex) -> float:
-    """Return what is left within the half bandwidths of a pole, as a part of something there; inf where it is not."""
+    """Return the remainder within the half bandwidths of a pole, relative to `whole`; inf if that is zero there."""
     near = np.abs(s.imag - pole.imag) < abs(pole.real)
     size = float(np.linalg.norm(whole[near]))
     return float(np.linalg.norm(remainder[near])) / size if near.any() and size > 0.0 else math.inf
@@ -203,13 +203,13 @@ def _on_skirts(data: Lines, modes: Modes) -> NDArray[np.bool_]:
 
 
 def _at_most_peaks(errors: Array) -> float:
-    """Return the error that half of the peaks or more have; 0 where it is known at too few."""
+    """Return the error that at least half of the peaks have; 0 if it is known at too few."""
     finite = np.sort(errors[np.isfinite(errors)])
     return float(finite[(len(finite) - 1) // 2]) if len(finite) >= PEAKS else 0.0
 
 
 def _relative_sizes(data: Lines, modes: Modes) -> Array:
-    """Return the size of each mode at the line nearest to it as a part of that of all others there, (N,)."""
+    """Return the size of each mode at the line nearest to it, relative to that of all others there, (N,)."""
     measured, at = data.measured, modes.poles.imag / (2.0 * math.pi)
     nearest = np.abs(data.frequencies - at[:, None]).argmin(axis=1)
     s = 2j * math.pi * data.frequencies[nearest]
@@ -219,9 +219,9 @@ def _relative_sizes(data: Lines, modes: Modes) -> Array:
 
 
 def slow_errors(data: Lines, modes: Modes) -> Array:
-    """Return the part of the functions at each peak that modes leave and that varies slowly over the lines, (N,).
+    """Return the fraction of the functions at each peak that modes leave and that varies slowly over the lines, (N,).
 
-    What is left at lines some way apart is uncorrelated if it is noise, and correlated if it is a model error.
+    Residuals at lines some way apart are uncorrelated if they are noise, and correlated if they are a model error.
     NaN for a peak of few lines.
     """
     measured, f = data.measured, data.frequencies
@@ -246,7 +246,7 @@ def slow_errors(data: Lines, modes: Modes) -> Array:
 
 
 def _left(data: Lines, modes: Modes) -> Complex:
-    """Return what modes leave of the functions, without what is smooth, at the lines of their groups, (F, S, R)."""
+    """Return the residual of modes, without its smooth part, at the lines of their groups, (F, S, R)."""
     remainder = np.zeros(data.H.shape, complex)
     for members in groups(modes.poles):
         fitted = group_fit(data, modes, members)

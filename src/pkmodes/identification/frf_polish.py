@@ -24,20 +24,20 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature that a mode as far outside the
-#: window as this is wide has in it.
+#: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature of a mode that lies one window
+#: width outside the window.
 SMOOTH = 4
-#: Gauss-Newton converges in a few steps or, for modes that the lines cannot tell apart, not at all.
+#: Most steps: Gauss-Newton converges in a few or, for modes that the lines cannot tell apart, not at all.
 MOST_STEPS = 25
 #: Relative decrease of the cost that ends the iteration: far below what one line's noise contributes.
 CONVERGED = 1e-7
-#: Damping of the steps (Levenberg and Marquardt), relative to the diagonal: to begin with, and where it gives up.
+#: Damping of the steps (Levenberg and Marquardt), relative to the diagonal: initial, and at which the fit gives up.
 FIRST_DAMPING, LAST_DAMPING = 1e-4, 1e8
 
 
 @dataclass(frozen=True, eq=False)
 class Window:
-    """Lines with what is smooth projected out.
+    """Lines with the smooth part projected out.
 
     Attributes
     ----------

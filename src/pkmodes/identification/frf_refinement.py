@@ -38,23 +38,23 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Modes nearer than this many half bandwidths of both together are fitted together.
+#: Modes closer than this multiple of the sum of their half bandwidths are fitted together.
 OVERLAP = 4.0
-#: Lines up to this many half bandwidths from a mode are used: 94 % of what is known of its pole is within 10.
+#: Lines up to this many half bandwidths from a mode are used: 94 % of the information about its pole is within 10.
 REACH = 10.0
-#: but at least so many lines on each side, so that noise can be told from what is smooth,
+#: but at least this many lines on each side, so that noise can be told from the smooth part,
 FEWEST = 24
-#: and at most so many in a window: a mode over more lines is determined by every second or third as well.
+#: and at most this many in a window: a mode over more lines is determined equally well by every second or third.
 MOST = 400
-#: The fits of neighbours settle in two or three sweeps; each drop needs another.
+#: Most sweeps: the fits of neighbours settle in two or three, and each dropped mode needs another.
 MOST_SWEEPS = 10
 #: Relative change of the poles in a sweep, in units of their damping, below which the fits have settled.
 SETTLED = 1e-3
-#: Probability that noise alone makes a mode somewhere in a measurement.
+#: Probability that noise alone produces a mode somewhere in a measurement.
 FALSE_ALARM = 0.01
-#: Damping ratios that a search tells apart at each line.
+#: Number of damping ratios that a search resolves at each line.
 DAMPINGS = 4
-#: A copy: nearer than this part of a bandwidth, with shapes of at least this MAC.
+#: A copy: closer than this fraction of a bandwidth, with shapes of at least this MAC.
 COPY_NEAR, COPY_ALIKE = 0.5, 0.9
 
 
@@ -93,7 +93,7 @@ def _near(first: complex, second: complex) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class GroupFit:
-    """The fit of a group of modes: which, in which window, at which lines."""
+    """The fit of a group of modes: its members, window and lines."""
 
     members: NDArray[np.int64]
     at: Window
@@ -103,7 +103,7 @@ class GroupFit:
 
 
 def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, Uncertainty]:
-    """Return the modes that are left of candidates, with what their fit leaves open.
+    """Return the modes that remain of candidates, with the uncertainty of their fit.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, 
 
 
 def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
-    """Return modes fitted until they no longer change, none of them dropped, with what their fit leaves open."""
+    """Return modes fitted until they no longer change, none of them dropped, with the uncertainty of their fit."""
     modes = start
     for _ in range(MOST_SWEEPS):
         before = modes
@@ -150,7 +150,7 @@ def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
 
 
 def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
-    """Return uncertainties with the scatter between references, at modes that several of them see."""
+    """Return uncertainties including the scatter between references, for modes that several of them see."""
     (N, R), size = modes.participation.shape, np.abs(modes.poles)
     if R < 2:
         return bounds
@@ -177,13 +177,13 @@ def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) ->
 
 
 def significant(data: Lines, false_alarm: float = FALSE_ALARM, lines: int | None = None) -> float:
-    """Return the energy over noise that noise alone exceeds with a probability over some lines, all by default."""
+    """Return the relative energy that noise alone exceeds with a given probability over lines, all by default."""
     tried = DAMPINGS * (len(data.frequencies) if lines is None else lines)
     return float(gamma.isf(false_alarm / tried, max(int(data.measured.sum()), 1)))
 
 
 def _sweep(data: Lines, modes: Modes) -> tuple[list[GroupFit], Modes]:
-    """Fit each group in turn, with the newest of the others subtracted."""
+    """Fit each group in turn, with the latest fits of the others subtracted."""
     fits = []
     poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
     for members in groups(poles):
@@ -210,7 +210,7 @@ def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit
 def without_others(
     data: Lines, modes: Modes, members: NDArray[np.int64], lines: NDArray[np.int64] | NDArray[np.bool_]
 ) -> Complex:
-    """Return the functions at some lines without the other modes, and without the conjugates of all."""
+    """Return the functions at some lines without the other modes, and without the conjugates of all modes."""
     outside = np.setdiff1d(np.arange(len(modes.poles)), members)
     s, residues = 2j * math.pi * data.frequencies[lines][:, None], modes.residues
     H = data.H[lines] - np.tensordot(1.0 / (s - modes.poles[outside]), residues[outside], 1)
@@ -249,7 +249,7 @@ def _uncertainties(data: Lines, modes: Modes, fits: list[GroupFit]) -> Uncertain
 
 
 def _at_least(channels: Complex, variance: Array) -> Complex:
-    """Return a covariance with variances not below given ones, with its correlations kept."""
+    """Return a covariance with variances raised to at least those given, keeping its correlations."""
     own_variance = channels.diagonal().real
     factor = np.sqrt(np.maximum(variance / np.maximum(own_variance, 1e-300), 1.0))
     factor = np.where(own_variance > 0.0, factor, 1.0)
@@ -267,7 +267,7 @@ def _correlation(fits: list[GroupFit]) -> Complex:
 
 
 def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
-    """Return which fits failed or have left the ranges of a mode."""
+    """Return which fits failed or left the range of frequency or damping of a mode."""
     frequency = modes.frequencies
     damping = -modes.poles.real / np.abs(modes.poles)
     wrong = (frequency < low) | (frequency > high) | (damping <= 0.0) | (damping > HIGHEST_DAMPING)
@@ -277,7 +277,7 @@ def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> N
 
 
 def _weakest(modes: Modes, strength: Array, fits: list[GroupFit], threshold: float) -> NDArray[np.bool_]:
-    """Return the weakest mode of each group, if it is not significant: without it, its neighbours are stronger."""
+    """Return the weakest mode of each group if it is not significant: without it, its neighbours become stronger."""
     drop = np.zeros(len(modes.poles), bool)
     for fitted in fits:
         weakest = fitted.members[np.argmin(strength[fitted.members])]
@@ -296,7 +296,7 @@ def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.b
 
 
 def copies(modes: Modes, i: int, k: int, near: float = COPY_NEAR) -> bool:
-    """Return whether two modes are nearer than a part of a bandwidth and so much alike that they may be one."""
+    """Return whether two modes are closer than a fraction of a bandwidth and so similar that they may be one."""
     width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
     close = abs(modes.poles[i].imag - modes.poles[k].imag) < near * width
     return bool(close and alike(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)

@@ -29,17 +29,17 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Half bandwidth in line spacings below which a pole may be a tone's.
+#: Half bandwidth, in line spacings, below which a pole may be that of a tone.
 NARROW = 1.0
-#: Poles nearer to each other than this, in line spacings, may be fitted to one tone.
+#: Poles closer to each other than this, in line spacings, may have been fitted to one tone.
 TOGETHER = 5.0
-#: Lines that are used on each side.
+#: Lines used on each side.
 BEYOND = 24
-#: Fewer lines tell nothing.
+#: Fewest lines from which skirts can be judged.
 FEWEST = 8
-#: Probability that noise alone makes skirts, and that it makes a line that is reported.
+#: Probability that noise alone produces skirts, and that it produces a line that is reported.
 FALSE_ALARM, NOISE = 1e-3, 1e-9
-#: The residue of the skirts differs by less than this part from that of the peak: halfway between a tone and a mode.
+#: Largest relative difference between the residues of a mode's skirts and its peak: halfway from a mode to a tone.
 SHARE = 0.5
 #: Least ratio of a damping to its standard deviation.
 DAMPED = 2.0
@@ -54,7 +54,7 @@ class Line:
     frequency : float
         [Hz].
     sure : bool
-        Whether it exceeds the noise by so much that it is a tone, and no bump of the noise.
+        Whether it exceeds the noise by enough to be a tone, and no bump of the noise.
     """
 
     frequency: float
@@ -77,7 +77,7 @@ def without_bandwidth(data: Lines, modes: Modes) -> list[Line]:
 
 
 def distinct(lines: Sequence[Line], step: float) -> tuple[float, ...]:
-    """Return the frequencies of the tones [Hz]: of those found near each other, at lines of a spacing, the first."""
+    """Return the frequencies of the tones [Hz]: of those found close together, in line spacings, the first."""
     kept: list[float] = []
     for line in lines:
         if line.sure and all(abs(line.frequency - frequency) > TOGETHER * step for frequency in kept):
@@ -134,7 +134,7 @@ def _stands_out(f: Array, H: Complex, frequency: float, step: float) -> bool:
 
 
 def _known(f: Array, pole: complex) -> float:
-    """Return what lines of unit noise tell of a pole of unit residue, beside this and the smooth part [s^2]."""
+    """Return the information of lines of unit noise on a pole of unit residue, with a free smooth part [s^2]."""
     at = window(f, np.zeros((len(f), 1, 1), complex), np.ones((1, 1)), np.ones(len(f)))
     g, slope = basis(at, np.array([pole])).T
     remainder = slope - g * (np.vdot(g, slope) / np.vdot(g, g))

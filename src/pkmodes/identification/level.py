@@ -35,35 +35,35 @@ from scipy.stats import f as fisher
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Half width h of the band-pass: this part of the frequency, or of the distance to the next mode.
+#: Half width h of the band-pass: this fraction of the frequency, or of the distance to the next mode.
 OF_FREQUENCY, OF_DISTANCE = 0.2, 0.22
 #: Reach of the band-pass in half widths.
 REACH = 5.0
-#: Standard deviations of the kernel between samples of z, whose noise is then nearly independent; and those that are
-#: left out after the highest level, which is some two of them after a blow.
+#: Distance between samples of z, whose noise is then nearly independent, in standard deviations of the kernel; and
+#: the time left out after the highest level, which comes about two of them after a blow.
 APART, AFTER = 2.5, 2.5
-#: Samples of z are sought at so many places in between, for the highest level.
+#: Factor by which z is sampled more finely to find the highest level.
 FINE = 4
-#: A segment has so many samples at least; a decay has at least this number of segments and at most that one.
+#: Fewest samples of a segment; fewest and most segments of a decay.
 SAMPLES, FEWEST, MOST = 2, 6, 24
-#: The amplitude falls at least by this factor; it is followed while it stays this factor above the noise, and until
-#: it has fallen by the last one, when 99 % of the energy is gone.
+#: Least factor by which the amplitude falls; it is followed while it stays above the noise by the second factor, and
+#: until it has fallen by the third, when 99 % of the energy is gone.
 FALL, ABOVE, FALLEN = 2.5, 6.0, 10.0
-#: A free decay: its logarithmic amplitude leaves a parabola over time by no more than this (rms), and it decays at
-#: the mode's rate within this factor.
+#: A free decay: its logarithmic amplitude deviates from a parabola over time by no more than this (rms), and it
+#: decays at the mode's rate within this factor.
 SMOOTH, RATE = 0.1, 2.0
-#: Another blow raises the level by this factor.
+#: Factor by which another blow raises the level.
 RISE = 2.0
-#: Decays that are sought in a record.
+#: Most decays looked for in a record.
 DECAYS = 12
-#: Probability that the scatter of a linear mode is taken for a change.
+#: Probability that the scatter of a linear mode is mistaken for a change.
 FALSE_ALARM = 1e-4
-#: The change must go on, to this probability, after the first part of the fall of the logarithmic level: what a blow
-#: or the force of a sweep adds at the beginning of a decay moves the frequency there only.
+#: The change must continue, to this probability, after the first part of the fall of the logarithmic level: what a
+#: blow or the force of a sweep adds at the beginning of a decay shifts the frequency only there.
 FIRST, LATER = 0.3, 0.01
-#: Least relative change of a frequency that is reported: less is below what neighbours leave in a band-pass.
+#: Least relative change of a frequency that is reported: less is below the effect of neighbours in a band-pass.
 LEAST = 1e-4
-#: Relative noise of the frequency of a segment at least.
+#: Least relative noise of the frequency of a segment.
 ROUNDING = 1e-9
 
 
@@ -76,7 +76,7 @@ class Level:
     amplitude : float
         Of the vibration along its shape, where most of its energy is; in the unit of the responses.
     shift : LevelShift or None
-        How its frequency changes while it decays; None where no change is seen.
+        How its frequency changes while it decays; None for no detectable change.
     """
 
     amplitude: float
@@ -154,12 +154,12 @@ def followed(
     samples = max(round(seconds * 2.0 * math.pi * half * FINE / APART), len(lines), 1)
     turn = np.exp(2j * math.pi * (first - f0 * seconds) * np.arange(samples) / samples)
     z = np.fft.ifft(band, samples) * turn * (2.0 * samples / length)
-    # the spectrum is that of a periodic signal: its beginning reaches into its end
+    # the spectrum is that of a periodic signal: its beginning wraps into its end
     return np.asarray(z[: max(samples - 2 * FINE, 0)]), seconds / samples
 
 
 def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, float]]:
-    """Yield independent samples of the free decays in z, at about a rate [1/s], with the sigma of their noise."""
+    """Yield independent samples of the free decays in z, of about this rate [1/s], with the sigma of their noise."""
     after = math.ceil(FINE * AFTER / APART)
     if len(z) < FINE * FEWEST * SAMPLES + after:
         return
@@ -178,14 +178,14 @@ def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, flo
 
 
 def _risen(level: Array, start: int) -> int:
-    """Return where a level that decays rises again."""
+    """Return where a decaying level rises again."""
     lowest = np.minimum.accumulate(level[start - 1 :])
     risen = np.flatnonzero(level[start - 1 :] > RISE * lowest)
     return start - 1 + int(risen[0]) if risen.size else len(level)
 
 
 def _noise(z: Complex, step: float, rate: float) -> float:
-    """Return the standard deviation of the noise, from what a decay leaves of the last part of z."""
+    """Return the standard deviation of the noise, from the last part of z without a decay."""
     tail = z[-max(len(z) // 8, 6) :]
     decay = np.exp(-rate * step * np.arange(len(tail)))
     basis = np.stack([decay, decay * np.arange(len(tail))], axis=1)
@@ -245,9 +245,9 @@ class Segments:
     Attributes
     ----------
     frequency : ndarray
-        Less that of the mode [Hz].
+        Relative to that of the mode [Hz].
     variance : ndarray
-        By the noise [Hz^2].
+        From the noise [Hz^2].
     level : ndarray
         Logarithm of the amplitude.
     """

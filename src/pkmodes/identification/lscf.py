@@ -30,9 +30,10 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: The part of the unit circle that the band covers: the rest keeps its two ends apart.
+#: Fraction of the unit circle that the band covers: the rest keeps its two ends apart.
 COVERED = 0.9
-#: Relative to the mean of the diagonal: below rounding of the sums of any measurement, above that of exact ones.
+#: Regularisation relative to the mean of the diagonal: below the rounding of the sums of any measurement, above that
+#: of exact functions.
 RIDGE = 1e-13
 
 

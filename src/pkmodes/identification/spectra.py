@@ -31,20 +31,20 @@ from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 
 Array = NDArray[np.float64]
-#: Least standard deviation in distances of lines.
+#: Least standard deviation in line spacings.
 LEAST = 0.29
 #: Power of the frequency in the slow factor, and its least and largest value.
 SLOPE, SLOPES = 2, (0, 4)
 #: Lines on either side of a peak that are fitted.
 SIDE = 4
-#: Median of the second difference of ln P over the lines, in size: of a single record 1.34 with Hann's window and
-#: 1.95 without one, of two averages with Hann's window 0.85, of ten 0.4; peaks are few lines and do not count.
+#: Largest median of the absolute second difference of ln P over the lines: 1.34 for a single record with Hann's
+#: window and 1.95 without one, 0.85 for two averages with it, 0.4 for ten; peaks span too few lines to matter.
 SCATTER = 1.1
-#: A peak exceeds the higher of the lowest points between it and higher power, on either side, by this factor.
+#: Least ratio of a peak to the higher of the two lowest points between it and higher power on either side.
 PROMINENT = 1.6
-#: A peak that the user asks for exceeds what it stands on by this part of it.
+#: Least height of a peak that the user requests, relative to the background it stands on.
 DISTINCT = 0.25
-#: Power relative to the highest in the band below which nothing is a mode.
+#: Least power of a mode, relative to the highest in the band.
 LOWEST = 3e-3
 
 
@@ -71,7 +71,7 @@ def identify_spectrum(
     band : tuple of float
         Where modes are wanted [Hz].
     edits : Asked
-        Modes that the user adds: a maximum of any height near the frequency will do.
+        Modes that the user adds: a maximum of any height near the frequency suffices.
 
     Returns
     -------
@@ -117,7 +117,7 @@ def identify_spectrum(
 
 
 def _added(f: Array, total: Array, target: float) -> _Peak | str:
-    """Return the peak that is fitted to the maximum nearest to a frequency, or why there is none."""
+    """Return the peak fitted to the maximum nearest to a frequency, or why there is none."""
     inner = np.arange(1, len(total) - 1)
     tops = inner[(total[inner] > total[inner - 1]) & (total[inner] >= total[inner + 1])]
     for k in sorted(tops, key=lambda k: abs(f[k] - target)):
@@ -195,7 +195,7 @@ def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
 
 
 def _apart(peaks: list[_Peak], step: float) -> tuple[list[_Peak], tuple[str, ...]]:
-    """Return one row for peaks closer than a line, and what to say of the others."""
+    """Return the peaks with those closer than a line merged, and messages about the ones dropped."""
     kept: list[_Peak] = []
     messages: list[str] = []
     for peak in sorted(peaks, key=lambda candidate: -candidate.height):

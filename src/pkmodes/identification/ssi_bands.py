@@ -24,13 +24,13 @@ from pkmodes.core.base.errors import MeasurementError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Ratio of the ends of a part of the band.
+#: Ratio of the upper to the lower end of a part of the band.
 RATIO = 1.4
 #: Least width of a part in lines of the longest piece.
 LEAST_LINES = 100
 #: Width of a guard relative to the part.
 GUARD = 0.3
-#: Periods of the lower end of the band that a piece of a record has at least.
+#: Shortest piece of a record, in periods of the lower end of the band.
 FEWEST_PERIODS = 8.0
 
 

@@ -29,21 +29,21 @@ from pkmodes.support.ordering import joined
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Factor on standard deviations for what the peaks and the choice of an order leave out: measured on simulated
-#: records of 40 s, where 2 sigma without it cover 90 to 93 %.
+#: Factor on standard deviations for what the peak fit and the choice of an order ignore: calibrated on simulated
+#: records of 40 s, in which 2 sigma without it cover 90 to 93 %.
 ALLOWANCE = 1.15
-#: Model orders whose shapes have less than this multiple of the least sigma count as well: what they differ by, such
-#: as how much of a strong neighbour's shape is in that of a weak mode, no order shows alone.
+#: Shapes of model orders with sigmas below this multiple of the least one are compared too: their differences, such
+#: as how much of a strong neighbour's shape is in that of a weak mode, show in no single order.
 AS_SURE = 2.0
-#: What to say of a record of tones alone.
+#: Message about a record that holds only tones.
 NOTHING_ELSE = (
     "besides tones the record holds only the rounding of its numbers, in which no mode can be found"
 )
-#: No standard deviation of the logarithm of a rate above this is told from it.
+#: Standard deviations of the logarithm of a rate are capped here.
 MOST_RELATIVE = 3.0
-#: Lines averaged for what is drawn.
+#: Averaged lines that are drawn.
 DRAWN = 400
-#: Rate of decay times length of record below which a mode at a tone is what its subtraction left.
+#: Decay rate times record length below which a mode at a tone is a remainder of its subtraction.
 REST = 12.0
 
 
@@ -156,7 +156,7 @@ def _mode(record: PreparedRecord, part_mode: PartMode) -> Mode:
     by = np.array([2 * math.pi * pole.imag, pole.real**2]) / omega
     of_damping = np.array([0.0, mode.rate / omega]) - mode.rate / omega**2 * by
     frequency = ALLOWANCE * math.sqrt(max(float(by @ mode.covariance @ by), 0.0)) / (2 * math.pi)
-    # the estimate of a rate is nearly log-normal: its upper side, as a low estimate would also claim a low sigma
+    # the estimate of a rate is nearly log-normal: use its upper side, as a low estimate would also claim a low sigma
     relative = math.sqrt(max(float(of_damping @ mode.covariance @ of_damping), 0.0)) * omega / mode.rate
     damping = ALLOWANCE * mode.rate / omega * math.expm1(min(relative, MOST_RELATIVE))
     shape = np.where(record.scales > 0.0, part_mode.orders[k].shapes[:, i] * record.scales, np.nan)
@@ -164,7 +164,7 @@ def _mode(record: PreparedRecord, part_mode: PartMode) -> Mode:
 
 
 def apart(shape: Complex, other_shapes: Sequence[Complex]) -> float:
-    """Return how far other shapes (S,) are from one, rms of the real parts relative to its largest component."""
+    """Return the distance of other shapes (S,) from one, rms of the real parts relative to its largest component."""
     largest = int(np.argmax(np.abs(shape)))
     unit = np.delete(shape / shape[largest], largest)
     differences = [
@@ -190,7 +190,7 @@ def _sentences(tones: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
 
 
 def distinct(part_modes: Sequence[PartMode]) -> list[PartMode]:
-    """Return the modes by frequency, one of those that two overlapping parts found: the more central one."""
+    """Return the modes by frequency; of a mode that two overlapping parts found, keep the more central one."""
     kept: list[PartMode] = []
     for candidate in sorted(part_modes, key=_eccentricity):
         f, rate = candidate.mode.frequency, candidate.mode.rate
@@ -207,7 +207,7 @@ def distinct(part_modes: Sequence[PartMode]) -> list[PartMode]:
 
 
 def beside_all(record: PreparedRecord, part_modes: Sequence[PartMode]) -> list[PartMode]:
-    """Return the modes fitted again beside those of all parts of the band."""
+    """Return the modes refitted beside those of all parts of the band."""
     again = list(part_modes)
     for part_mode in sorted(part_modes, key=lambda part_mode: part_mode.mode.gain):
         again.remove(part_mode)
@@ -229,7 +229,7 @@ def with_wanted(
     tones: Sequence[Tone],
     edits: Asked,
 ) -> tuple[list[PartMode], Wanted]:
-    """Return the modes that those asked for do not replace, and these without what is left of a tone."""
+    """Return the modes that requested ones do not replace, and the requested ones without remainders of tones."""
     kept, outcomes = list(part_modes), dict(requested)
     for frequency, candidate in requested.items():
         if isinstance(candidate, str):
@@ -244,7 +244,7 @@ def with_wanted(
 
 
 def rest_of_tone(mode: Refined, tones: Sequence[Tone], record: PreparedRecord) -> bool:
-    """Return whether a mode is as narrow as lines and at a tone: what its subtraction left."""
+    """Return whether a mode is as narrow as a line and at a tone: a remainder of its subtraction."""
     near = any(abs(mode.frequency - tone.frequency) * record.seconds < 3.0 for tone in tones)
     return near and mode.rate * record.seconds < REST
 

@@ -1,9 +1,9 @@
 """Modes of one part of the band: poles of all model orders, their clusters, and those that have a peak.
 
-A mode that the user asks for is fitted to the spectra around a frequency, beside those found.  The poles of all model
+A mode that the user requests is fitted to the spectra around a frequency, beside those found.  The poles of all model
 orders near the frequency give shapes, each of which separates the power of a mode from that of its neighbours; the
-fit is that of `ssi_selection`.  As it is tried at a few places and not over the whole band, less evidence is needed
-than for a mode that a search finds.
+fit is that of `ssi_selection`.  As it is tried at a few places instead of over the whole band, it needs less evidence
+than a mode found by a search.
 """
 
 from __future__ import annotations
@@ -28,20 +28,20 @@ Complex = NDArray[np.complex128]
 ORDERS = tuple(range(1, 15))
 #: Block rows, and the first lag, in samples of the analytic signal.
 BLOCKS, FIRST = 20, 1
-#: Model orders that are tried for a shape: that of the least standard deviation is taken.
+#: Model orders tried for a shape: the one with the least standard deviation is taken.
 SHAPES = 4
 #: Most references, combinations of the responses.
 REFERENCES = 6
-#: Logarithm of the ratio of likelihoods above which a peak is more than a bump of noise: as in `ssi_selection`, but
-#: tried at some ten places instead of some hundred.
+#: Log-likelihood ratio above which a peak is more than a bump of noise: as in `ssi_selection`, but for about ten
+#: places instead of about a hundred.
 SIGNIFICANT = 9.0
-#: Fits that end nearer than this part of their half bandwidth are one.
+#: Fits that end closer than this fraction of their half bandwidth are the same.
 SAME = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class PartMode:
-    """A mode, where it was found, and what its subspace identification says."""
+    """A mode, the part of the band in which it was found, and its subspace identification."""
 
     mode: Refined
     part: Part
@@ -50,7 +50,7 @@ class PartMode:
     order_count: int
 
 
-#: Modes that are asked for, by the frequency that the user gives [Hz]; or why there is none.
+#: Requested modes, by the frequency that the user gives [Hz]; or why there is none.
 Wanted = dict[float, PartMode | str]
 
 
@@ -60,7 +60,7 @@ def modes_of_part(
     poles: list[list[Complex]],
     edits: Asked = NOTHING,
 ) -> tuple[list[PartMode], Wanted]:
-    """Return the modes of a part of the band, and those asked for in it; add its poles to those of each order."""
+    """Return the modes of a part of the band, and those requested in it; add its poles to those of each order."""
     power = powers(record.padded, part)
     levels = np.sqrt(np.maximum(np.diag(power).real, 1e-300))
     _, directions = np.linalg.eigh((power / np.outer(levels, levels)).real)
@@ -100,13 +100,13 @@ def modes_of_part(
 
 
 def _rescaled(of: Order, levels: Array) -> Order:
-    """Return an order whose responses are in the scale of the lines."""
+    """Return an order with its responses in the scale of the lines."""
     blocks = of.rows.shape[1] // len(levels)
     return Order(of.values, of.shapes * levels[:, None], of.rows / np.tile(levels, blocks), of.columns)
 
 
 def _near(by_order: Sequence[OrderPoles], pole: complex) -> list[int]:
-    """Return the orders that have a pole nearest to one."""
+    """Return the orders that have a pole closest to a given one."""
     nearness = [np.abs(model.poles - pole).min() for model in by_order]
     return [int(k) for k in np.argsort(nearness)[:SHAPES]]
 
@@ -125,7 +125,7 @@ def _selected(
         )
         if mode is not None:
             kept.append((mode, candidate))
-    # the least certain first: what describes a mode a second time goes before the mode is fitted beside it
+    # the least certain first: a second description of a mode is dropped before the mode is fitted beside it
     for pair in sorted(kept, key=lambda pair: pair[0].gain):
         kept.remove(pair)
         again = refined(pair[0], [kept_mode for kept_mode, _ in kept], record.plain, ends)
@@ -156,13 +156,13 @@ def added(
     ends: tuple[float, float],
     target: float,
 ) -> Refined | str:
-    """Return the mode that is fitted from a frequency [Hz], or why there is none.
+    """Return the mode fitted from a frequency [Hz], or why there is none.
 
     Parameters
     ----------
     by_order : sequence of OrderPoles
     modes : sequence of Refined
-        Those found: those struck out, and the one that it replaces, are not fitted beside it.
+        Those found; those struck out, and the one that it replaces, are not fitted beside it.
     edits : Asked
     lines : sequence of Lines
         Of pieces without padding.
@@ -190,7 +190,7 @@ def added(
 
 
 def _others(modes: Sequence[Refined], edits: Asked, target: float) -> list[Refined]:
-    """Return the modes that stay beside one that is added."""
+    """Return the modes that remain beside an added one."""
     f = np.array([mode.undamped for mode in modes])
     gone = struck(f, edits)
     before = replaced(f, edits, target)

@@ -22,23 +22,24 @@ from pkmodes.identification.ssi_likelihood import PeakFit, Powers, fit_peaks
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Logarithm of the ratio of likelihoods above which a peak is more than a bump of noise: three parameters, tried at
-#: some hundred places.
+#: Log-likelihood ratio above which a peak is more than a bump of noise: three parameters, tried at about a hundred
+#: places.
 SIGNIFICANT = 12.0
-#: Half the range of a fit in half bandwidths and in lines.
+#: Half range of a fit: in half bandwidths, and the least in lines.
 HALF_WIDTHS, LEAST_LINES = 10.0, 24.0
-#: A modal filter may reduce a mode by this factor relative to noise; neighbours beyond are fitted in the power.
+#: Largest factor by which a modal filter may reduce a mode relative to noise; neighbours beyond it are fitted in the
+#: power.
 AMPLIFIED = 4.0
-#: Modes that are farther away are removed too, as what they add around a peak is coherent with it and shifts it, if
-#: that costs no more than this factor; to this ratio of frequencies.
+#: Modes farther away, up to this ratio of frequencies, are removed too if that costs no more than this factor: what
+#: they add around a peak is coherent with it and shifts it.
 AMPLIFIED_FAR, FAR = 1.5, 3.0
-#: Rate of decay times length of record, below which a line has no bandwidth that can be seen.
+#: Decay rate times record length below which a line has no visible bandwidth.
 UNRESOLVED = 1.5
-#: Half bandwidths, those of both fits together, by which a fit may move a candidate, and a factor on its bandwidth.
+#: Largest shift of a candidate by a fit, in sums of both half bandwidths, and largest factor on its bandwidth.
 SHIFT, WIDENED = 0.75, 4.0
-#: Half bandwidths of a peak that must be seen on either side.
+#: Half bandwidths of a peak that must be visible on either side.
 SEEN = 1.2
-#: No more than this damping ratio is a mode with a peak.
+#: Highest damping ratio of a mode with a peak.
 HIGHEST_DAMPING = 0.2
 
 
@@ -87,7 +88,7 @@ def refined(
     ends: tuple[float, float],
     least: float = SIGNIFICANT,
 ) -> Refined | None:
-    """Return a mode refined beside others, None if no peak of its own is left.
+    """Return a mode refined beside its neighbours, None if no peak of its own remains.
 
     Parameters
     ----------
@@ -98,7 +99,7 @@ def refined(
     ends : tuple of float
         Of the lines that may be used [Hz].
     least : float
-        Logarithm of the ratio of likelihoods that is needed.
+        Least log-likelihood ratio.
     """
     seconds = max(1.0 / piece.step for piece in lines)
     half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)
@@ -138,7 +139,7 @@ def _accepted(
     inside = ends[0] < f < ends[1] and rate < HIGHEST_DAMPING * 2.0 * math.pi * f
     if rate * seconds < UNRESOLVED or not inside:
         return None
-    # what became another peak than the candidate's has the wrong shape
+    # a fit that moved to another peak than the candidate's has the wrong shape
     if abs(f - mode.frequency) > SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:
         return None
     width = rate / (2.0 * math.pi)

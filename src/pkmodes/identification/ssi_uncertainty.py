@@ -54,7 +54,7 @@ def sigma(
     order : Order
     i : int
     scales : ndarray, shape (S,)
-        What a response is multiplied by for its shape component.
+        Factors from responses to components of the shape.
     """
     s = complex(part.pole(order.values[i : i + 1])[0])
     variances = np.zeros(2)
@@ -82,7 +82,7 @@ def sigma(
 def _changes(
     lines: Lines, part: Part, references: Array, first: int, order: Order, i: int
 ) -> tuple[Complex, Complex]:
-    """Return what each line contributes to eigenvalue and shape: (F,) and (F, S)."""
+    """Return the contribution of each line to eigenvalue and shape: (F,) and (F, S)."""
     Y = lines.values
     S, r = references.shape
     blocks = order.rows.shape[1] // S

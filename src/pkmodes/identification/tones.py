@@ -24,25 +24,25 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Power of a line relative to the median of its surroundings, and half the width of these in lines.
+#: Least power of a line relative to the median of its surroundings, and the half width of these in lines.
 STANDS_OUT, SURROUNDINGS = 40.0, 40
-#: Segments, and the least share of power with constant complex amplitude of a tone.
+#: Segments, and least share of a tone's power that has constant complex amplitude.
 SEGMENTS, CONSTANT = 12, 0.85
-#: A given tone is searched within this fraction of its frequency, and this many lines.
+#: A stated tone is searched within this fraction of its frequency, plus this many lines.
 NEAR, NEAR_LINES = 0.003, 2.0
-#: Times that a tone is fitted and subtracted, as the first leaves a little if its frequency drifts; and that each
-#: line is tried.
+#: Number of times that a tone is fitted and subtracted, as the first leaves a remainder if its frequency drifts; and
+#: that each line is tried.
 PASSES = 2
-#: Largest distance from a multiple of the step, in steps, that the arithmetic of a conversion of units leaves.
+#: Largest distance from a multiple of the step, in steps, that the arithmetic of unit conversion leaves.
 OFF_STEP = 0.01
-#: Differences relative to the range that are arithmetic, too.
+#: Differences, relative to the range, that are arithmetic too.
 ARITHMETIC = 1e-9
-#: Power besides strong tones relative to that of the rounding, up to which there is nothing but rounding.
+#: Largest power besides strong tones, relative to that of the rounding, for which there is nothing but rounding.
 ALONE = 1.25
 #: Rounding of any arithmetic, relative to the mean square of the record: no instrument has a range of 140 dB.
 RANGE = 1e-14
-#: A tone is strong if a line at it has this many times the power of the rounding; lines that it may reach on either
-#: side, and the largest share of all lines that strong tones may reach.
+#: Least power of a line at a strong tone, relative to that of the rounding; lines that it may affect on either side;
+#: and largest share of all lines that strong tones may affect.
 STRONG, REACH, SHARE = 100.0, 40, 0.25
 
 
@@ -55,7 +55,7 @@ class Tone:
     frequency : float
         In Hz.
     sentence : str
-        What to say of it.
+        Message about it.
     """
 
     frequency: float
@@ -63,7 +63,7 @@ class Tone:
 
 
 def no_bandwidth(frequency: float) -> str:
-    """Return what to say of a tone that was found."""
+    """Return a message about a tone that was found."""
     return f"{frequency:.4g} Hz is a line without bandwidth: a tone, no mode"
 
 
@@ -124,7 +124,7 @@ def without_tones(
 def _given(
     f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
 ) -> list[float]:
-    """Return where the given tones and their multiples are in the band."""
+    """Return the frequencies of the stated tones and their multiples in the band."""
     frequencies = []
     for tone in stated_tones:
         for multiple in range(1, int(1.05 * band[1] / tone) + 1):
@@ -199,7 +199,7 @@ def tones_alone(
     tones: Sequence[Tone],
     band: tuple[float, float],
 ) -> list[Tone] | None:
-    """Return the strong tones of a record that without them is the rounding of its numbers; None for any other.
+    """Return the strong tones of a record that is otherwise only the rounding of its numbers; None for any other.
 
     Parameters
     ----------
@@ -218,8 +218,8 @@ def tones_alone(
     before, after = _powers(whole), _powers(without_tones[longest][:, live])
     f = np.arange(len(after)) / (t_step * len(whole))
     of_steps = np.array([step_of(column) ** 2 / 12.0 for column in whole.T])
-    # That of the arithmetic is so small that nothing else is below it in the band; of the whole rounding of steps the
-    # band has a share that nobody knows.
+    # The rounding of the arithmetic is so small that nothing else is below it in the band; the share of the rounding
+    # of steps that lies in the band is unknown.
     low, high = around(band)
     inside = (f > low) & (f < high)
     for floor, counted in ((of_steps, np.full(len(f), True)), (RANGE * whole.var(axis=0), inside)):
