@@ -37,21 +37,21 @@ from pkmodes.support.ordering import listed
 T = TypeVar("T")
 #: A time and three accelerations.
 Row = tuple[float, float, float, float]
-#: Bytes that a record may have when it is unpacked: some, and so many times its file; and in all.  A table of
-#: measured numbers that is compressed has a tenth of its size at least.
+#: Most bytes of an unpacked record: a base, plus this multiple of its file's size; and in all.  A table of measured
+#: numbers compresses to no less than a tenth of its size.
 ROOM, EXPANDED, LARGEST = 16_000_000, 20, 500_000_000
-#: Bytes that are unpacked at a time, each of which may become 32,000; and what a file may refer back to.
+#: Bytes unpacked at a time, each of which may become 32,000; and the window to which a file may refer back.
 BLOCK, WINDOW = 128, 1 << 23
-#: Files of an archive, and measurements of a file, at most.
+#: Most files in an archive, and measurements in a file.
 MOST_FILES = 20_000
-#: Bytes of samples that are read at once, and what is between two of them.
+#: Bytes of samples read at once, and what separates two samples.
 PART, ROW_END = 1 << 16, re.compile(rb"(\])\s*,\s*(?=\[)")
 ZSTANDARD, GZIP, ZIP = b"\x28\xb5\x2f\xfd", b"\x1f\x8b", WORKBOOKS[0]
-#: The first byte of what Shake&Tune wrote before version 5.1, which runs code where it is read.
+#: The first byte of files from Shake&Tune before version 5.1: pickles, which run code when they are read.
 PICKLE = b"\x80"
-#: What the columns of samples are, and the unit in which Klipper measures accelerations.
+#: The columns of samples, and the unit in which Klipper measures accelerations.
 COLUMNS, UNIT = ("time", "accel_x", "accel_y", "accel_z"), "mm/s^2"
-#: What only a workbook has, which is an archive too.
+#: A file found only in workbooks, which are archives too.
 OF_WORKBOOKS = "[Content_Types].xml"
 INCOMPLETE = "the file is damaged or incomplete: copy it again"
 UNPACK = "unpack it, and name its files in the record"
@@ -111,7 +111,7 @@ def read_shake_and_tune(path: Path, request: Asked) -> SignalFile:
 
 
 def _samples(raw_samples: msgspec.Raw, where: str) -> Iterator[Array]:
-    """Yield parts of the samples, (n, 4): as objects of Python all of them would take five times their text."""
+    """Yield parts of the samples, (n, 4): as Python objects, all of them would take five times the text's memory."""
     text = memoryview(raw_samples)
     if bytes(text[:1]) != b"[":
         raise MeasurementError("expected a measurement of Shake&Tune: no list of samples", where, INCOMPLETE)
@@ -150,7 +150,7 @@ def _lines(parts: Iterable[bytes]) -> Iterator[bytearray]:
 
 
 def _unpacked(path: Path, source: str) -> Iterator[bytes]:
-    """Yield what a file of one or several frames of Zstandard holds, part by part."""
+    """Yield the content of a file of one or several Zstandard frames, part by part."""
     try:
         import zstandard
     except ImportError:
@@ -204,17 +204,17 @@ def read_archive(path: Path, request: Asked) -> SignalFile:
             raise
         reason = (str(error) or type(error).__name__).splitlines()[0].rstrip(":")
         raise MeasurementError(f"cannot read the archive: {reason}", source, UNPACK) from None
-    return tabulated(content.pop(), f"{source}/{chosen}", request)  # which may then forget it
+    return tabulated(content.pop(), f"{source}/{chosen}", request)  # which may then release it
 
 
 def _is_table(name: str) -> bool:
-    """Return whether a file of an archive is a table, and not one that macOS puts beside each."""
+    """Return whether a file in an archive is a table, and not one of those that macOS adds beside each file."""
     place = PurePosixPath(name)
     return place.suffix.lower() in TABLE.suffixes and not place.name.startswith(".")
 
 
 def _of_zip(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
-    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
+    """Return a function for each file of an archive, by name, that reads it if it has at most `limit` bytes."""
 
     def load(entry: zipfile.ZipInfo) -> bytes:
         _check_size(entry.file_size, limit, source)
@@ -225,10 +225,10 @@ def _of_zip(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Call
 
 
 def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
-    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
+    """Return a function for each file of an archive, by name, that reads it if it has at most `limit` bytes."""
 
     def load(number: int) -> bytes:
-        files = tar_files(path)  # which closes the archive when it is forgotten
+        files = tar_files(path)  # closes the archive when it is released
         entry = next(islice(files, number, None))
         _check_size(entry.size, limit, source)
         return entry.read(limit)
@@ -237,7 +237,7 @@ def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes
     total = 0
     for number, entry in enumerate(tar_files(path)):
         total += entry.size
-        _check_size(total, LARGEST, source)  # before the next one is looked for, which unpacks this one
+        _check_size(total, LARGEST, source)  # before looking for the next one, which unpacks this one
         loaders[entry.name] = partial(load, number)
         if number == MOST_FILES:
             problem = f"expected an archive of at most {MOST_FILES:,} files, found more"
@@ -246,7 +246,7 @@ def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes
 
 
 def _most_unpacked(path: Path) -> int:
-    """Return the bytes that a record in a file may have."""
+    """Return the largest allowed size of an unpacked record in a file [bytes]."""
     return min(LARGEST, ROOM + EXPANDED * path.stat().st_size)
 
 
@@ -257,7 +257,7 @@ def _check_size(size: int, limit: int, source: str, remedy: str = UNPACK) -> Non
 
 
 def _chosen(names: Mapping[str, object], requested_name: str, source: str, record_kind: str) -> str:
-    """Return the name that is asked for; the only one where none is."""
+    """Return the requested name; the only one if none is requested."""
     if requested_name in names:
         return requested_name
     listing = listed([*map(shown, names)], 6)

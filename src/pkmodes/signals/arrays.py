@@ -34,13 +34,13 @@ from pkmodes.signals.variables import EXPANDED, MOST_VALUES, REMEDY, ROOM, Value
 from pkmodes.support.ordering import listed
 
 REFERENCE = "__"
-#: Names of abscissas and of sampling rates, in capitals or not; the first that a file has prevails.
+#: Names of abscissas and of sampling rates, in any case; the first that a file has prevails.
 TIMES = ("time", "t", "time_domain")
 FREQUENCIES = ("frequency", "frequencies", "freq", "frequencyband", "f")
 RATES = ("fs", "rate", "sampling_rate", "sample_rate")
-#: What a record may call otherwise: these two are variables, all others signals.
+#: Names that a record may replace: these two are variables, all others signals.
 ABSCISSAS = ("time", "frequency")
-#: Rates are the same that differ by less, relative.
+#: Rates that differ by less, relative, are the same.
 SAME = 1e-6
 NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }, or give the rate there'
 
@@ -54,11 +54,11 @@ class _Signal(NamedTuple):
         Its own, and those of its sensor and reference.
     variable : str
     pick : callable
-        How it is taken from all values.
+        Extracts it from all values.
     length : int
         Number of its values.
     measurement : int or None
-        Which of the measurements in its variable, from 0; None if this has no several.
+        Index of the measurement in its variable, from 0; None if this does not hold several.
     """
 
     name: str
@@ -73,14 +73,14 @@ class _Signal(NamedTuple):
 def functions_of(
     variables: Sequence[Variable], source: str, request: Asked, file_kind: str, size: int | None = None
 ) -> SignalFile:
-    """Return the functions that variables are; only the values of those asked for are read.
+    """Return the functions that variables hold; only the values of requested ones are read.
 
     Parameters
     ----------
     file_kind : str
         Kind of the file, for messages.
     size : int, optional
-        Of the file [bytes], of which compressed arrays become a multiple at most.
+        Of the file [bytes], which limits the size of its unpacked arrays.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def _refuse_nothing(by_name: Mapping[str, Variable], skipped: Mapping[str, str],
 
 
 def _naming(request: Asked, *, of_abscissa: bool) -> Asked:
-    """Return what is asked with the names of abscissas alone, or those of signals alone."""
+    """Return a request with the names of abscissas only, or of signals only."""
     names = {
         own_name: name for own_name, name in request.names.items() if (own_name in ABSCISSAS) is of_abscissa
     }
@@ -184,7 +184,7 @@ def _naming(request: Asked, *, of_abscissa: bool) -> Asked:
 
 
 def _called(signals: Sequence[_Signal], request: Asked, source: str) -> list[_Signal]:
-    """Return signals by the names that they have here, without those that stand back for others."""
+    """Return signals by their names here, without those that give way to others."""
     own_names = _naming(request, of_abscissa=False).own_names(
         dict.fromkeys(s.response for s in signals), source
     )
@@ -199,7 +199,7 @@ def _called(signals: Sequence[_Signal], request: Asked, source: str) -> list[_Si
 
 
 def _several(by_name: Mapping[str, Variable], kind: Kind) -> int | None:
-    """Return how many measurements arrays of times, sensors and measurements hold; None if they do not agree."""
+    """Return the number of measurements in arrays of times, sensors and measurements; None if they do not agree."""
     counts = {
         variable.shape[2]
         for variable in by_name.values()
@@ -209,7 +209,7 @@ def _several(by_name: Mapping[str, Variable], kind: Kind) -> int | None:
 
 
 def _of_measurement(signals: Sequence[_Signal], request: Asked, source: str) -> tuple[list[_Signal], str]:
-    """Return the signals of the measurement that is asked for, the only one where none is, and its place."""
+    """Return the signals of the requested measurement, or of the only one, and its name for messages."""
     numbers = list(dict.fromkeys(signal.measurement for signal in signals if signal.measurement is not None))
     if not numbers:
         if request.member:
@@ -239,7 +239,7 @@ def _signals(variable: Variable, kind: Kind, count: int | None, blows: int | Non
     count : int or None
         Of the times or frequencies, if known.
     blows : int or None
-        If it is the force: how many measurements the file holds.
+        If it is the force: number of measurements in the file.
     """
     shape, lengths = variable.shape or (), variable.lengths
     if not lengths or max(lengths) < FEWEST:
@@ -297,7 +297,7 @@ def _abscissa_name(by_name: Mapping[str, Variable], request: Asked, source: str)
 
 
 def _first(names: Sequence[str], present_names: Sequence[str]) -> str | None:
-    """Return the first of some names that a file has, perhaps in capitals; but T and F are usually something else."""
+    """Return the first of some names that a file has, in any case; but T and F are usually something else."""
     for name in names:
         alike = [
             candidate
@@ -341,7 +341,7 @@ def _function(
     source: str,
     request: Asked,
 ) -> Function:
-    """Return the function that a signal is; numbers that are not of double precision stay as they are."""
+    """Return the function of a signal; numbers that are not of double precision are kept as stored."""
     where = f"{source}: {signal.name}"
     length = max(variable.lengths) if len(variable.lengths) == 1 else None
     vector = None

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.signals.functions import Array
 
 EPOCH = datetime(1970, 1, 1)
-#: [us].
+#: Length of a day [us].
 DAY = 86_400_000_000
 
 
@@ -34,7 +34,7 @@ def seconds_of(texts: Iterable[str]) -> tuple[Array, int | None]:
     seconds : ndarray, shape (n,)
         [s].
     bad : int or None
-        The first text that is none.
+        Index of the first text that is no time.
     """
     moments = array("q")
     for i, text in enumerate(texts):

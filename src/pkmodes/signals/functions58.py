@@ -14,7 +14,7 @@ from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, name_of, rot
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, StoredFunction
 from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
 
-#: Function types that are read.
+#: Function types that can be read.
 KINDS = {
     1: Kind.TIME,
     2: Kind.SPECTRUM,
@@ -23,7 +23,7 @@ KINDS = {
     6: Kind.COHERENCE,
     9: Kind.SPECTRUM,
 }
-#: What function types are that are not read, as far as a reason can be given.
+#: Function types that cannot be read, where a reason can be given.
 OTHERS = {
     0: "general, which says nothing",
     5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
@@ -33,7 +33,7 @@ OTHERS = {
     11: "a probability density",
     12: "a spectrum without averages",
 }
-#: Specific data types: of an ordinate, and of an abscissa, where 0 and 1 say nothing.
+#: Specific data types: of an ordinate, and of an abscissa, for which 0 and 1 state nothing.
 FORCE = 13
 TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
 
@@ -69,7 +69,7 @@ class Abscissas:
 
 
 def converted(values: Array | Complex, kind: Kind) -> Array | Complex:
-    """Return values as their kind has them: gaps are NaN, a cross spectrum has its magnitude, a coherence is real."""
+    """Return values in the form of their kind: NaN for gaps, the magnitude of a cross spectrum, a real coherence."""
     if kind is not Kind.TIME and not (finite := np.isfinite(values)).all():
         values = np.where(finite, values, np.nan)
     if kind is Kind.FRF or not np.iscomplexobj(values):
@@ -96,17 +96,17 @@ def function_of(
     abscissas : Abscissas
         Of the functions before it; one is added.
     request : Asked
-        What is wanted of the file.
+        The request for the file.
 
     Returns
     -------
     Function, str or None
-        The function, None if its sensor is not wanted, or why it is skipped.
+        The function, None if its sensor is not requested, or why it is skipped.
 
     Raises
     ------
     MeasurementError
-        If it is not what its type requires.
+        If it does not satisfy the requirements of its type.
     """
     header = points.header
     kind = KINDS.get(header.function)
@@ -144,7 +144,7 @@ def function_of(
 
 
 def _check(points: Points, kind: Kind) -> None:
-    """Refuse data that a kind of function cannot have."""
+    """Refuse data that do not suit the kind of function."""
     header, remedy = points.header, "export it again as what it is"
     if kind is Kind.FRF and not header.complex:
         problem = "expected complex values of a frequency response, found real ones, which have no phase"
@@ -162,7 +162,7 @@ def _check(points: Points, kind: Kind) -> None:
 
 
 def _reference(header: Header, kind: Kind) -> str:
-    """Return the name of the excitation; an automatic spectrum has its own sensor there, which is none."""
+    """Return the name of the excitation; an auto spectrum states its own sensor there, which is no excitation."""
     own_sensor = kind is Kind.SPECTRUM and header.reference == header.response
     return "" if kind is Kind.TIME or own_sensor or header.reference == (0, 0) else name_of(header.reference)
 
@@ -170,7 +170,7 @@ def _reference(header: Header, kind: Kind) -> str:
 def _units(header: Header, kind: Kind, units: FileUnits) -> tuple[str | None, str | None]:
     """Return the units of the values, and of the force of a frequency response.
 
-    A label says what the numbers are in; the units of the file hold for functions without one.
+    A label states the unit of the numbers; the units of the file apply to functions without one.
     """
 
     def of_axis(axis: Axis, dof: tuple[int, int]) -> str | None:

@@ -1,7 +1,7 @@
 """Arrays of numbers in MATLAB files of version 7.3, which are HDF5: read by h5py, an extra.
 
-A file of HDF5 may refer to itself and to others: links lead back to what holds them, or to another file, and values
-lie elsewhere.  Only what is in the file itself is opened.
+An HDF5 file may refer to itself and to others: links may lead back to their own group, or to another file, and values
+may be stored elsewhere.  Only content of the file itself is opened.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from pkmodes.signals.variables import (
     no_numbers,
 )
 
-#: Structs in one another at most, and links that are followed to an object.
+#: Deepest nesting of structs, and most links that are followed to an object.
 DEEPEST, MOST_LINKS = 8, 64
-#: Bytes of the name of a class at most.
+#: Most bytes in the name of a class.
 LONGEST_CLASS = 64
-#: Number of the filter of HDF5 whose bytes become a thousand each at most.
+#: Number of the HDF5 filter that expands each byte to a thousand at most.
 DEFLATE = 1
-#: The parts of complex numbers, and classes that are none.
+#: The parts of complex numbers, and classes that are not numeric.
 PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of another type")
 
 
@@ -58,7 +58,7 @@ def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[Variable]]:
 
 
 def _address(item: Any) -> int:
-    """Return where an object is in the file: several links may lead to it."""
+    """Return the address of an object in the file: several links may lead to it."""
     from h5py import h5o
 
     return int(h5o.get_info(item.id).addr)
@@ -70,9 +70,9 @@ def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterat
     Parameters
     ----------
     limit : int
-        Bytes that a part of an array may have.
+        Most bytes of a part of an array.
     visited : set of int
-        Where the groups are that have been looked at; others are added.
+        Addresses of the groups already visited; extended here.
     """
     from h5py import Dataset, Group
 
@@ -96,7 +96,7 @@ def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterat
 
 
 def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
-    """Return what a link leads to; None if that is nothing, or in another file.
+    """Return the target of a link; None if it has none, or leads to another file.
 
     Parameters
     ----------
@@ -108,7 +108,7 @@ def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
     remaining_links[0] -= 1
     try:
         link = group.get(name, getlink=True)
-    except (KeyError, TypeError):  # none of this name, and one of a kind that a program has defined
+    except (KeyError, TypeError):  # no such link, or one of a user-defined kind
         return None
     if isinstance(link, HardLink):
         return group[name]
@@ -123,11 +123,11 @@ def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
 
 
 def _variable(item: Any, name: str, limit: int) -> Variable:
-    """Return the variable that a dataset is."""
+    """Return the variable of a dataset."""
     of = _class(item)
     try:
         dtype = item.dtype
-    except TypeError:  # one that NumPy does not have
+    except TypeError:  # a type unknown to NumPy
         of, dtype = "variable of another type", np.dtype("V")
     if item.is_virtual or item.external:
         description = "an array whose values are in another file"
@@ -141,7 +141,7 @@ def _variable(item: Any, name: str, limit: int) -> Variable:
 
 
 def _class(item: Any) -> str:
-    """Return the class of a variable as MATLAB has written it, or that of numbers."""
+    """Return the class of a variable as written by MATLAB, "double" by default."""
     if "MATLAB_class" not in item.attrs:
         return "double"
     attribute = item.attrs.get_id("MATLAB_class")
@@ -170,9 +170,9 @@ def _values(item: Any, limit: int) -> Values:
 
 
 def _check_parts(item: Any, limit: int) -> None:
-    """Refuse an array whose parts are larger than an array may be, as stated or as they unpack.
+    """Refuse an array whose parts are larger than an array may be, as stated or when unpacked.
 
-    HDF5 unpacks a part to its end, whatever its size is.
+    HDF5 unpacks a part to its end, whatever its size.
     """
     if item.chunks is None:
         return

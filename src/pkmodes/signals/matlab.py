@@ -16,9 +16,9 @@ from pkmodes.signals.matlab_arrays import DamagedError, variables
 from pkmodes.signals.variables import MOST_VARIABLES, Variable, at_most, loaded
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
-#: Classes of variables of version 4 that are not arrays of numbers, in words.
+#: Non-numeric classes of variables in version 4, in words.
 TEXTS = {"char": "text", "sparse": "a sparse matrix"}
-#: Variables of version 4: bytes of the head; the type is below this; and bytes of a value by the tens of the type.
+#: Variables of version 4: bytes of the header; upper bound of the type; and bytes of a value by the tens of the type.
 HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}
 WHAT = "MATLAB"
 
@@ -66,7 +66,7 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
 
 
 def _check_sizes(file: BinaryIO, length: int) -> None:
-    """Refuse a file of version 4 that ends before its variables: SciPy would make room for what they state."""
+    """Refuse a file of version 4 that ends before its variables: SciPy would allocate the sizes that they state."""
     at, count = 0, 0
     while at < length:
         count += 1

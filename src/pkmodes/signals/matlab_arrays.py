@@ -4,8 +4,8 @@ An element has a tag with its type and size.  A variable is an element with part
 and imaginary values if it is complex; it may be compressed as a whole ("MAT-File Format", The MathWorks).  SciPy's
 reader cannot be used for files that may be damaged: with wrong sizes it reads memory that is not the file's.
 
-Of each array only the first parts are kept until its values are asked for: a few compressed bytes may be gigabytes.
-What lies before those in a compressed struct is unpacked again, piece by piece, and thrown away.
+Only the first parts of each array are kept until its values are requested: a few compressed bytes may become
+gigabytes.  What precedes them in a compressed struct is unpacked again, piece by piece, and discarded.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ NUMERIC = range(6, 16)
 STRUCT = 2
 CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
-#: Bytes of a tag; and, at most, of the dimensions or name of a variable, and of the names of the fields of a struct.
+#: Bytes of a tag; and most bytes of the dimensions or name of a variable, and of the field names of a struct.
 TAG, HEAD, NAMES = 8, LONGEST_NAME, 64 * MOST_VARIABLES
-#: Structs in one another.
+#: Deepest nesting of structs.
 DEEPEST = 8
-#: Bytes that are unpacked at once.
+#: Bytes unpacked at once.
 BLOCK = 1 << 16
 
 
@@ -44,7 +44,7 @@ class DamagedError(ValueError):
 
 
 class _Stored:
-    """Bytes of a file from some place on.
+    """Bytes of a file from an offset.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class _Unpacked:
             pass
 
     def _more(self, limit: int) -> bytes:
-        """Return at most so many of the next bytes, none at the end."""
+        """Return up to `limit` of the next bytes, none at the end."""
         part = b""
         try:
             while not part and not self._unpacking.eof:
@@ -118,7 +118,7 @@ class _Unpacked:
 
 
 class _Reading:
-    """What is read of a file: the bytes of one element at a time, since those that unpack take memory.
+    """The state of reading a file: the bytes of one element at a time, as unpacked ones take memory.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ class _Reading:
         self._data: _Stored | _Unpacked | None = None
 
     def from_place(self, element: _Element, at: int) -> _Stored | _Unpacked:
-        """Return the bytes of an element from some place on: going on where they are, if that is before."""
+        """Return the bytes of an element from a place on, continuing from the current one if that is before it."""
         if self._data is None or self._element is not element or self._data.at > at:
             kind = _Unpacked if element.compressed else _Stored
             self._element, self._data = element, kind(self.file, element.start, element.size)
@@ -150,11 +150,11 @@ class _Element:
     compressed: bool = False
 
     def data(self, at: int) -> _Stored | _Unpacked:
-        """Return its bytes, unpacked, from some place on."""
+        """Return its bytes, unpacked, from a place on."""
         return self.reading.from_place(self, at)
 
     def check_end(self, end: int) -> None:
-        """Refuse a compressed element that ends elsewhere, perhaps after a padding that not every program writes."""
+        """Refuse a compressed element that does not end here or after a padding, which not every program writes."""
         data = self.data(end) if self.compressed else None
         if isinstance(data, _Unpacked) and not data.ends(end, -(-end // 8) * 8):
             raise DamagedError("expected one whole variable in a compressed element")
@@ -200,7 +200,7 @@ def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
         for variable in _variables(element, inner.start, inner.start + inner.size, order):
             if variable.name:  # what MATLAB stores for itself has none
                 yield variable
-        at += outer.start + outer.size if compressed else outer.next  # the first without padding
+        at += outer.start + outer.size if compressed else outer.next  # compressed elements have no padding
 
 
 def _variables(
@@ -306,7 +306,7 @@ def _values(
 
 
 def _again(path: str, dtype: str, count: int, offset: int) -> NDArray[Any]:
-    """Return whole numbers that have stayed in their file."""
+    """Return whole numbers that are still in their file."""
     values = np.fromfile(path, dtype, count, offset=offset)
     if values.size < count:
         raise MeasurementError("expected the file as it was, found it changed", path, "read it again")
@@ -321,7 +321,7 @@ def _numbers(element: _Element, tag: _Tag, order: str, count: int, name: str) ->
 
 
 def _part(element: _Element, tag: _Tag, limit: int) -> bytes:
-    """Return the data of an element, of at most so many bytes."""
+    """Return the data of an element, at most `limit` bytes."""
     if tag.size > limit:
         raise DamagedError(f"expected at most {limit:,} bytes of an element, found {tag.size:,}")
     content = element.data(tag.start).read(tag.size)
@@ -331,7 +331,7 @@ def _part(element: _Element, tag: _Tag, limit: int) -> bytes:
 
 
 def _tag(element: _Element, at: int, order: str, end: int | None = None) -> _Tag:
-    """Return the tag of an element at some place, which lies within others that end at `end`."""
+    """Return the tag of an element at a place, which lies within others that end at `end`."""
     data = element.data(at).read(TAG)
     if len(data) < TAG or (end is not None and at + TAG > end):
         raise DamagedError("expected an element, found the end of the file")

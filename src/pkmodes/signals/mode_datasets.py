@@ -23,12 +23,12 @@ NORMAL, MODES = 2, (2, 3, 7)
 REAL, COMPLEX = (2, 4), (5, 6)
 #: Components at a node by the data characteristic: translations, or translations and rotations.
 COMPONENTS = {2: 3, 3: 6}
-#: The location of data at nodes in dataset 2414.
+#: The code of data at nodes in dataset 2414.
 NODES = 1
 
 
 class Pole(NamedTuple):
-    """What a header says of a mode: its frequency [Hz] and dampings if it is normal, or its eigenvalue [1/s]."""
+    """The pole of a mode in a header: frequency [Hz] and dampings if it is normal, or its eigenvalue [1/s]."""
 
     frequency: float
     viscous: float
@@ -52,7 +52,7 @@ def read_55(scanner: Scanner) -> ModeShape | str:
     Raises
     ------
     MeasurementError
-        If it is not what it declares to be.
+        If it does not match what it declares.
     """
     for number in range(1, 6):
         scanner.line(f"line {number} of the header")
@@ -83,7 +83,7 @@ def read_2414(scanner: Scanner) -> ModeShape | str:
         scanner.line(f"line {number} of the header")
     kinds = _numbers(scanner, 6, "the kind of the data")
     analysis, characteristic, data_type, components = (int(kinds[i]) for i in (1, 2, 4, 5))
-    if location != NODES or analysis not in MODES:  # before its numbers are asked for, which it may not have
+    if location != NODES or analysis not in MODES:  # before reading its numbers, which may be missing
         scanner.skip_to_end()
         return f"analysis type {analysis} at location {location:g} is not a mode at nodes"
     _numbers(scanner, 8, "the integers of the analysis")

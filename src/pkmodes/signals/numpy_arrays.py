@@ -28,7 +28,7 @@ NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
 WHAT, DATA = "NumPy", "data"
 #: Bytes at the beginning of an array, in which its header is.
 HEADER = 1 << 14
-#: Bytes of an array with fields, which is read as a whole, at most.
+#: Most bytes of an array with fields, which is read as a whole.
 LARGEST = 2_000_000_000
 
 
@@ -87,7 +87,7 @@ def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
 
 
 def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[Any]]]:
-    """Yield the fields of a type, by their names in one another, and their types; the type itself without any."""
+    """Yield the fields of a type, by their nested names, and their types; the type itself if it has none."""
     if dtype.names is None:
         yield (), dtype
     for name in dtype.names or ():
@@ -108,7 +108,7 @@ def _values(load: Callable[[], Any]) -> Any:
 
 
 def recognises(head: bytes) -> bool:
-    """Return whether a file is one of NumPy: an archive is one if its first member is an array."""
+    """Return whether a file is a NumPy file: an archive is one if its first member is an array."""
     return head.startswith(NPY) or (head.startswith(NPZ) and b".npy" in head[:256])
 
 

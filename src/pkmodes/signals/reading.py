@@ -24,9 +24,9 @@ FORMATS: dict[str, Format[Reader]] = {
     file_format.name: file_format
     for file_format in (UNIVERSAL_FILE, MATLAB, NUMPY, WAV, SHAKE_AND_TUNE, ARCHIVE, TABLE)
 }
-#: Those that hold several records, each with a name.
+#: Formats that hold several records, each with a name.
 SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
-#: Number of bytes from which a format is recognised.
+#: Number of first bytes by which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
 WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
@@ -35,7 +35,7 @@ WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV fil
 def format_of(path: Path, head: bytes) -> Format[Reader] | None:
     """Return the format of a file: by its first bytes, then by its suffix; None if neither is known.
 
-    Any text may be a table, so there the suffix decides first: a universal file whose beginning is lost is none.
+    Any text may be a table, so for text the suffix decides first: a universal file without its beginning is no table.
     """
     by_content = [file_format for file_format in FORMATS.values() if file_format.recognises(head)]
     by_suffix = [
@@ -54,7 +54,7 @@ def read_signals(path: str | PathLike[str], request: Asked = EVERYTHING) -> Sign
         A universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one of
         several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``.
     request : Asked
-        What is wanted of it; everything by default.
+        The request for its content; everything by default.
 
     Returns
     -------

@@ -13,15 +13,15 @@ from scipy.signal import firwin, kaiserord
 
 from pkmodes.signals.functions import Array
 
-#: Samples of a record above which it is reduced: shorter ones fit into the memory of any machine.
+#: Samples above which a record is reduced: shorter ones fit into the memory of any machine.
 LONG = 2_000_000
-#: The new sampling rate is at least this many times the highest frequency of interest.
+#: Least ratio of the new sampling rate to the highest frequency of interest.
 RATE = 4.0
-#: The filter passes this many times that frequency, and aliases nothing into it.
+#: Ratio of the end of the passband to that frequency; nothing is aliased into the passband.
 PASSED = 1.5
-#: Ripple of the filter, and what is left of what it stops [dB].
+#: Ripple and stopband attenuation of the filter [dB].
 ATTENUATION = 100.0
-#: New samples that are computed at once.
+#: New samples computed at once.
 BLOCK = 4096
 
 
@@ -64,7 +64,7 @@ def reduced(signal: Array, factor: int) -> Array:
     filtered = np.empty(last // factor + 1)
     for low in range(0, len(filtered), BLOCK):
         at = slice(low, min(low + BLOCK, len(filtered)))
-        # Beyond the ends the first and last values go on, so that a constant stays one.
+        # The first and last values continue beyond the ends, so that a constant stays constant.
         around = np.arange(at.start * factor - half, (at.stop - 1) * factor + half + 1).clip(0, last)
         filtered[at] = sliding_window_view(signal[around], len(taps))[::factor] @ taps
     return filtered

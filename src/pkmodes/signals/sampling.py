@@ -22,23 +22,23 @@ from pkmodes.signals.functions import Array
 from pkmodes.support.numbers import plain
 
 TOLERANCE = 0.01
-#: Resolutions of times in files [s], and the part of a step below which one of them is possible.
+#: Resolutions of times in files [s], and the largest possible resolution as a fraction of a step.
 MICROSECOND, COARSE, FINE = 1e-6, (1e-2, 1e-3, 1e-4, 1e-5), 0.25
-#: Last digits of rounded times [s], and how far from an even one, in parts of it, such a time may lie.
+#: Last digits of rounded times [s], and largest distance of such a time from an even one, in last digits.
 ROUNDED, HALF = tuple(10.0**-k for k in range(10)), 0.55
-#: Samples at the end of a record from which its resolution is told: late times have the fewest digits.
+#: Samples at the end of a record from which its resolution is determined: late times have the fewest digits.
 TAIL = 1000
 #: Share of uneven steps above which a record is sampled unevenly rather than interrupted.
 MOST_GAPS = 0.05
-#: How far from a whole number of steps a gap may be that is bridged, in steps; the share of samples that may be
-#: missing in such gaps; and the neighbours on either side that stand for them.
+#: Bridged gaps: largest distance from a whole number of steps, in steps; largest share of missing samples; and the
+#: neighbours on either side from which these are interpolated.
 WHOLE, MOST_MISSING, NEIGHBOURS = 0.2, 0.1, 8
-#: Samples by which all those after a gap are later than all those before it, in uneven times of even samples; and the
-#: part of the record on either side that is looked at.
+#: Delay across a gap in uneven times of even samples, in samples, by which all times after it are later than all
+#: before it; and the fraction of the record examined on either side.
 LATER, AROUND = 2.0, 0.1
-#: Gaps of which each is said.
+#: Most gaps that are reported one by one.
 MOST_NAMED = 3
-#: Samples that are looked at together.
+#: Samples examined at once.
 PART = 100_000
 
 
@@ -61,7 +61,7 @@ class Piece:
     numbers: NDArray[np.intp] | None = None
 
     def filled(self, signal: Array) -> Array:
-        """Return the samples of a signal at every step, missing ones by a cubic spline through their neighbours."""
+        """Return the samples of a signal at every step, missing ones from a cubic spline through their neighbours."""
         values = signal[self.part]
         if self.numbers is None:
             return values
@@ -74,9 +74,9 @@ class Piece:
         return samples
 
     def once_more(self, filled: Array) -> Array:
-        """Return filled samples of which as many are lost again, half way between the gaps, and interpolated.
+        """Return filled samples with as many further ones removed, half way between the gaps, and interpolated.
 
-        What the samples as they were filled differ from these by is like what they differ from the truth by.
+        Their difference from the filled samples resembles the error of the filled samples.
         """
         numbers = np.arange(len(filled)) if self.numbers is None else self.numbers
         refilled, gaps = filled.copy(), np.flatnonzero(np.diff(numbers) > 1)
@@ -100,14 +100,14 @@ def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Pi
     where : str
         The record, for messages.
     bridged : float
-        Gaps that lose up to this time do not split it if whole samples are missing [s].
+        Longest gap, of whole missing samples, that does not split the record [s].
 
     Returns
     -------
     pieces : tuple of Piece
-        In the order of time; single samples between two gaps are left out.
+        In time order; single samples between two gaps are left out.
     messages : tuple of str
-        What to say of the gaps.
+        About the gaps.
 
     Raises
     ------
@@ -159,9 +159,9 @@ def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Pi
 
 
 def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
-    """Split a record of even samples with uneven times, such as those of their arrival, where samples are missing.
+    """Split a record of even samples with uneven times, such as arrival times, where samples are missing.
 
-    From there on all times are later.
+    From there on, all times are later.
 
     Parameters
     ----------
@@ -175,9 +175,9 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
     Returns
     -------
     pieces : tuple of Piece
-        In the order of time.
+        In time order.
     messages : tuple of str
-        What to say of the gaps.
+        About the gaps.
     """
     number = np.arange(time.size)
     slope, start = np.polyfit(number, time, 1)
@@ -193,7 +193,7 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
 
 
 def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.intp]) -> Piece:
-    """Return a part of a record; samples are missing after some, which are so many steps before the next."""
+    """Return a part of a record with samples missing after `gaps`, each followed by the next one after `steps`."""
     inside = (gaps >= part.start) & (gaps < part.stop - 1)
     count, numbers = part.stop - part.start, None
     last = count - 1
@@ -207,7 +207,7 @@ def _piece(time: Array, part: slice, gaps: NDArray[np.intp], steps: NDArray[np.i
 
 
 def _said(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> tuple[str, ...]:
-    """Return a sentence for each gap that splits the record, of many gaps one for all."""
+    """Return a message for each gap that splits the record, or one for all of many gaps."""
     if breaks.size <= MOST_NAMED:
         return tuple(
             f"{where}: the step from {time[i]:.6g} s to {time[i + 1]:.6g} s is"
@@ -218,7 +218,7 @@ def _said(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> tu
 
 
 def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> str:
-    """Return how many gaps there are, how long, and how much of the record they are."""
+    """Describe the number of gaps, their length, and their share of the record."""
     if not breaks.size:
         return ""
     lost = time[breaks + 1] - time[breaks] - usual
@@ -232,16 +232,16 @@ def _summed(time: Array, breaks: NDArray[np.intp], usual: float, where: str) -> 
 
 
 def even_times(count: int, rate: float) -> Array:
-    """Return the times of samples of a rate [Hz], from 0 [s], without an array beside them."""
+    """Return the times of samples at a rate [Hz], from 0 [s], without a temporary array."""
     times: Array = np.arange(count, dtype=np.float64)
     times /= rate
     return times
 
 
 def as_sampled(time: Array) -> Array:
-    """Return the even times of a record whose times were rounded; the times themselves if they have digits enough.
+    """Return the even times of a record whose times were rounded; the times themselves if they have enough digits.
 
-    Printed with few digits, times differ by up to half of the last one from even ones, and may repeat.
+    Times printed with few digits differ from even ones by up to half the last digit, and may repeat.
 
     Parameters
     ----------
@@ -265,7 +265,7 @@ def as_sampled(time: Array) -> Array:
 
 
 def counts_samples(time: Array) -> bool:
-    """Return whether what is called times are numbers of samples: whole, consecutive, from 0 or 1."""
+    """Return whether so-called times are sample numbers: whole, consecutive, from 0 or 1."""
     return bool(time.size > FEWEST and time[0] in (0.0, 1.0) and np.all(np.diff(time) == 1.0))
 
 
@@ -276,14 +276,14 @@ def _breaks(time: Array, usual: float, tolerance: float) -> NDArray[np.intp]:
 
 
 def _are_multiples(time: Array, unit: float) -> bool:
-    """Return whether times are whole multiples of a unit, as far as numbers of their size can tell."""
+    """Return whether times are whole multiples of a unit, within the precision of numbers of their size."""
     doubt = 0.05 + 4.0 * _precision(time) / unit
     counts = (part / unit for _, part in _parts(time))
     return doubt < 0.5 and not any(np.any(np.abs(count - np.round(count)) > doubt) for count in counts)
 
 
 def _precision(time: Array) -> float:
-    """Return the distance of the largest time to the next number, in single precision if all are of that."""
+    """Return the spacing of floating-point numbers at the largest time, of single precision if all times fit it."""
     tail = time[[0, *range(-min(TAIL, time.size), 0)]]
     single = tail.astype(np.float32)
     largest = int(np.abs(tail).argmax())
@@ -291,7 +291,7 @@ def _precision(time: Array) -> float:
 
 
 def _usual_step(time: Array) -> float:
-    """Return the median of the steps, of a long record that of some of them."""
+    """Return the median of the steps, or of a sample of them for a long record."""
     first = np.arange(0, time.size - 1, 1 + time.size // PART)
     return float(np.median(time[first + 1] - time[first]))
 

@@ -32,13 +32,13 @@ from pkmodes.signals.table_rates import (
 from pkmodes.signals.table_text import TableText, check_text, split_table
 from pkmodes.signals.units import hertz_in, quotient, radians_in, seconds_in, unit_text
 
-#: Larger tables would not fit into memory as text and as numbers.
+#: Most bytes of a table: larger ones would not fit into memory as text and as numbers.
 LARGEST_FILE = 1_000_000_000
-#: Phases without a unit are radians up to the first, between -pi and pi or up to 2 pi, and degrees from the second.
+#: Phases without a unit are radians up to the first (from -pi to pi, or up to 2 pi), and degrees from the second.
 RADIANS, DEGREES = 2.0 * np.pi, 40.0
-#: Bytes from which binary data are told from text.
+#: First bytes by which binary data are told from text.
 HEAD = 4096
-#: What any comment may state of lost samples; others are looked for in lines beginning with ``##`` only.
+#: Statement of lost samples in any comment; other wordings are looked for only in lines beginning with ``##``.
 LOST_SAMPLES = re.compile(
     r"\b(?:skipped|lost|missed|missing|dropped)[ _]samples?[ \t]*[:=][ \t]*0*[1-9]", re.IGNORECASE
 )
@@ -46,9 +46,9 @@ LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|i
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
-#: Lines about lost samples that are said, and letters of each.
+#: Most lines about lost samples that are reported, and most letters of each.
 MOST_LOSSES, LONGEST_LOSS = 20, 500
-#: A column: whole numbers may be of a smaller type than those of double precision.
+#: A column: whole numbers may have a smaller type than double precision.
 Numbers = NDArray[Any]
 
 
@@ -91,7 +91,9 @@ def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
             layout.abscissa, places, lambda number: _counts(factor * number, request.band)
         )
     read_places = ([] if layout.abscissa is None else [layout.abscissa]) + places
-    if not read_places:  # still checked, so that a damaged table is not taken for one without these sensors
+    if (
+        not read_places
+    ):  # still checked, so that a damaged table is not mistaken for one without these sensors
         read_places = [0]
     clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
     of_numbers = places if clock and places else read_places
@@ -106,7 +108,7 @@ def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
     counts = not clock and _counts_samples(layout, numbers)
     rate, notes = _rate(text, request, frame_rate) if layout.abscissa is None or counts else (None, [])
     remarks += notes
-    if rate is None:  # as far as anything says, times that count samples are seconds
+    if rate is None:  # without any statement to the contrary, times that count samples are seconds
         abscissa = _abscissa(layout, numbers, text)
     else:
         abscissa, notes = _by_rate(rate, layout, rows, text)
@@ -122,14 +124,14 @@ def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
 
 
 def _counts_samples(layout: Layout, numbers: dict[int, Numbers]) -> bool:
-    """Return whether what is called times may be numbers of samples."""
+    """Return whether so-called times may be sample numbers."""
     if layout.abscissa is None or layout.kind is not Kind.TIME or layout.label:
         return False
     return counts_samples(numbers[layout.abscissa])
 
 
 def _rate(text: TableText, request: Asked, frame_rate: float | None) -> tuple[float | None, list[str]]:
-    """Return the rate [Hz] of the record, or else of the file, and what to say of it."""
+    """Return the rate [Hz] of the record, or else of the file, and messages about it."""
     if request.rate is None:
         return stated_rate(text.comments, text.source)
     contradicting = [rate for rate, _ in rates_in(text.comments) if not same_rate(rate, request.rate)]
@@ -139,7 +141,7 @@ def _rate(text: TableText, request: Asked, frame_rate: float | None) -> tuple[fl
 
 
 def _by_rate(rate: float, layout: Layout, rows: int, text: TableText) -> tuple[Array, list[str]]:
-    """Return the times of all rows by a rate [Hz], and what to say of samples that a column counts."""
+    """Return the times of all rows by a rate [Hz], and messages about samples that a column counts."""
     if layout.abscissa is not None:
         name = shown(text.names[layout.abscissa])
         return even_times(rows, rate), [f"its column {name} counts samples, of {rate:g} Hz"]
@@ -152,10 +154,10 @@ def _by_rate(rate: float, layout: Layout, rows: int, text: TableText) -> tuple[A
 
 
 def _counted(place: int, text: TableText) -> Array | None:
-    """Return the numbers of the samples in a column, from 0; None if it holds anything else."""
+    """Return the sample numbers in a column, from 0; None if it holds anything else."""
     try:
         (numbers,) = text.columns([place])
-    except MeasurementError:  # no column of the campaign: it may hold what it likes
+    except MeasurementError:  # no column of the campaign: it may hold anything
         return None
     return counted(np.asarray(numbers, np.float64))
 
@@ -191,7 +193,7 @@ def _factor(layout: Layout, text: TableText) -> float:
 
 
 def _counts(frequency: float, band: tuple[float, float] | None) -> bool:
-    """Return whether a line must have its values: in the band, without one above 0 Hz."""
+    """Return whether a line must have values: in the band or, without a band, above 0 Hz."""
     return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
 
 
@@ -256,7 +258,7 @@ def _complex(real: Numbers, imaginary: Numbers) -> Complex:
 
 
 def _phase_factor(column: Column, phase: Numbers, source: str) -> float:
-    """Return the factor of a phase to radians: it is in degrees where it is too large for radians."""
+    """Return the factor of a phase to radians; without a unit, it is in degrees if it is too large for radians."""
     label, largest = column.labels[1], float(max(phase.max(initial=0), -float(phase.min(initial=0))))
     where = f"{source}: phase of {column.response}"
     if not label and RADIANS < largest < DEGREES:
@@ -275,7 +277,7 @@ def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) ->
 
 
 def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
-    """Return what comments such as pkmodes itself writes state: quantity, drives, and the unit of each channel."""
+    """Return statements in comments as written by pkmodes: quantity, drives, and the unit of each channel."""
     statements = {}
     for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
         if match is None:
@@ -292,7 +294,7 @@ def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
 
 
 def _losses(comments: Iterable[str]) -> list[str]:
-    """Return the comments that state lost or overloaded samples, other than none."""
+    """Return the comments that state lost or overloaded samples, unless they state that there are none."""
     losses, omitted = list[str](), 0
     for text in comments:
         if not (_states_losses(text) if text.startswith("##") else LOST_SAMPLES.search(text)):

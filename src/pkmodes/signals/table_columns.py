@@ -1,7 +1,7 @@
-"""What the columns of a table are: by their names, the units with these, and what is asked of the file.
+"""The meaning of a table's columns: by their names, the units in these, and the request for the file.
 
-A name is ``time``, ``force``, ``re:acc_1/hammer``, ``mag:acc_1``, ``psd_x``, or that of a sensor.  Units stand in
-square brackets; many programs write them in parentheses, or those of times after a low line.
+A name is ``time``, ``force``, ``re:acc_1/hammer``, ``mag:acc_1``, ``psd_x``, or that of a sensor.  Units are in
+square brackets; many programs write them in parentheses, or those of times after an underscore.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from pkmodes.support.ordering import listed
 
 TIME = "time"
 FREQUENCIES = ("frequency", "freq")
-#: What programs call times and frequencies where no column has one of these names.
+#: Other names for times and frequencies, used if no column has one of those above.
 ALSO_TIMES, ALSO_FREQUENCIES = ("t", "timestamp", "datetime", "clock"), ("f", "frequencies")
 REAL, IMAGINARY, MAGNITUDE, PHASE, COHERENCE, POWER = "re:", "im:", "mag:", "phase:", "coh:", "psd_"
-#: The two parts of a frequency response, and how programs that draw it name them, such as ``Mag1 (dB)``.
+#: The two parts of a frequency response, by pairs of prefixes.
 PARTS = ((REAL, IMAGINARY), (MAGNITUDE, PHASE))
-#: A name of a function of frequency: what it is, its sensor, and a reference.
+#: A name of a function of frequency: its kind, its sensor, and a reference.
 SPECTRAL = re.compile(r"(re:|im:|mag:|phase:|coh:|psd_)([^/]*)(.*)", re.IGNORECASE)
 BODE = re.compile(r"(?:(?P<mag>mag(?:nitude)?|ampl(?:itude)?)|phase)[ _]?(?P<name>.*)", re.IGNORECASE)
 POWERS = ("psd_x", "psd_y", "psd_z")
@@ -86,14 +86,14 @@ def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool =
     where : str
         The line of the header, for messages.
     request : Asked
-        What is wanted of the file.
+        The request for the file.
     rated : bool
         Whether the file states a rate, which stands in for times.
 
     Raises
     ------
     MeasurementError
-        If there is no time or frequency, or more than one; if a wanted column occurs twice or lacks its other part.
+        If there is no time or frequency, or more than one; if a requested column is repeated or lacks its other part.
     """
     heads = _own_heads([_head(cell, request) for cell in cells], where, request)
     times = _named(heads, (TIME,), seconds_in)
@@ -124,7 +124,7 @@ def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool =
 
 
 def _head(cell: str, request: Asked) -> tuple[str, str]:
-    """Return the name in a cell and the label of its unit, "" without one; a sensor may be called as the whole."""
+    """Return the name in a cell and the label of its unit, "" without one; the whole cell may name a sensor."""
     name, label = parted(cell, ())
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
         has_unit = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
@@ -136,7 +136,7 @@ def _head(cell: str, request: Asked) -> tuple[str, str]:
 
 
 def _own_heads(heads: Sequence[tuple[str, str]], where: str, request: Asked) -> list[tuple[str, str]]:
-    """Return names as they are called here, "" for columns that are not read, and the labels of their units."""
+    """Return the names used here, "" for columns that are not read, and the labels of their units."""
     split = [SPECTRAL.fullmatch(name) for name, _ in heads]
     plain_names = [match[2].strip() if match else name for (name, _), match in zip(heads, split, strict=True)]
     own_names = request.own_names(dict.fromkeys(plain_names), where)
@@ -162,7 +162,7 @@ def _unit_of_abscissa(label: str) -> bool:
 def _named(
     heads: Sequence[tuple[str, str]], names: Sequence[str], factor_in: Callable[[str], float | None]
 ) -> dict[int, str]:
-    """Return the columns that have one of some names, with the label of their unit, perhaps after a low line."""
+    """Return the columns with one of some names, and the label of their unit, perhaps after an underscore."""
     labelled = {}
     for i, (name, label) in enumerate(heads):
         split = AFTER_LOW_LINE.fullmatch(name)
@@ -227,7 +227,7 @@ def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, reque
 def _bode(names: Mapping[int, str], labels: Sequence[str], request: Asked) -> list[Column]:
     """Return the frequency responses in columns such as ``Mag1 (dB)`` and ``Phase1 (deg)``.
 
-    The sensor is called as the column of the magnitude, or as what follows the word in it.
+    The sensor is named by the column of the magnitude, or by what follows the word in it.
     """
     magnitudes: dict[str, tuple[int, str]] = {}
     phases: dict[str, tuple[int, str]] = {}

@@ -1,4 +1,4 @@
-"""The sampling rate of a table without times: what its comments state, and samples that it counts.
+"""The sampling rate of a table without times: stated in comments, or with counted samples.
 
 Comments such as ``# Sample rate: 3200 Hz``, ``# data_rate = 2000.0 Hz, filter = 488 Hz`` or ``# rate 1344`` state a
 rate.  Numbers of samples, in a column ``sample`` or ``count``, are no times, but show which samples are missing.
@@ -16,7 +16,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.functions import Array
 from pkmodes.support.ordering import joined
 
-#: A rate by its name, its unit and its number; the word alone only where a statement begins.
+#: A rate by its name, its unit and its number; the bare word only at the start of a statement.
 STATEMENT = re.compile(
     r"(?:(?:(?<![a-z])(?:sampl(?:e|ing)|(?:output[ _-]?)?data|acquisition|scan|logging)[ _-]?(?:rate|freq(?:uency)?)"
     r"|(?<![a-z0-9_])(?:fs|f_s|odr))|(?:^|[,;|])[ \t]*rate)(?![a-z])"
@@ -37,23 +37,23 @@ HERTZ = {
     "1/s": 1.0,
 }
 HERTZ |= {"samples/s": 1.0, "samples/sec": 1.0, "samples per s": 1.0, "samples per second": 1.0}
-#: What is before a rate that is not that of the file.
+#: Words before a rate that is not that of the file.
 LIMIT = re.compile(r"\b(?:max|maximum|min|minimum)\W*$", re.IGNORECASE)
-#: Rates are the same that differ by less, relative.
+#: Rates that differ by less, relative, are the same.
 SAME = 1e-6
-#: Statements that are read at most: they agree, or any two contradict each other.
+#: Most statements that are read.
 MOST = 20
 #: Names of columns that count samples, in lower case.
 COUNTERS = frozenset(
     {"sample", "samples", "count", "counter", "index", "n", "no", "no.", "nr", "nr.", "number"}
 )
 COUNTERS |= {"sample number", "sample_number", "sample no", "sample_no", "sample index", "sample_index"}
-#: Share of the steps of a counter that are one sample, at least.
+#: Least share of the steps of a counter that are one sample.
 MOSTLY = 0.9
 
 
 def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
-    """Return the sampling rates [Hz] that comments state, each with the words of it."""
+    """Return the sampling rates [Hz] stated in comments, each with its wording."""
     rates = []
     for comment in comments:
         text = comment.lstrip("# \t")
@@ -68,7 +68,7 @@ def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
 
 
 def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, list[str]]:
-    """Return the sampling rate [Hz] that comments state, None if they state none, and what to say of it.
+    """Return the sampling rate [Hz] stated in comments, None if there is none, and messages about it.
 
     Raises
     ------
@@ -94,13 +94,13 @@ def same_rate(first: float, second: float) -> bool:
 
 
 def counter_in(names: Sequence[str], taken: Sequence[int]) -> int | None:
-    """Return the column that counts samples by its name, None if there is not exactly one beside those taken."""
+    """Return the column that counts samples by its name, None unless there is exactly one besides those taken."""
     counters = [i for i, name in enumerate(names) if i not in taken and name.strip().lower() in COUNTERS]
     return counters[0] if len(counters) == 1 else None
 
 
 def counted(numbers: Array) -> Array | None:
-    """Return how many samples each one is after the first, by its number; None if the numbers are something else.
+    """Return the position of each sample after the first, from its number; None if the numbers are something else.
 
     Parameters
     ----------

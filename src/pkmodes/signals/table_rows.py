@@ -9,7 +9,7 @@ from itertools import islice
 from pkmodes.signals.scanning import text_of
 from pkmodes.signals.table_parts import in_parts
 
-#: Lines from which it is told whether rows end with a separator.
+#: First lines by which it is decided whether rows end with a separator.
 FIRST = 20
 
 
@@ -26,7 +26,7 @@ def without_ends(
     Parameters
     ----------
     count : int
-        Of the columns, 0 if only the names and the rows tell it.
+        Of the columns, 0 if only the names and the rows show it.
     """
     rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if is_row(line)]
     width = count or max((len(row) for row in rows), default=len(names))

@@ -24,18 +24,18 @@ from pkmodes.signals.table_parts import check_lines, in_parts, joined, narrow, p
 from pkmodes.signals.table_rows import is_row, without_ends
 from pkmodes.signals.units import unit_text
 
-#: What separates cells where nothing else does; such a table is read as one with tabs.
+#: Separator of cells if there is no other; such a table is read as one with tabs.
 BLANKS = re.compile(rb"[ \t]+")
 AROUND_LINES = re.compile(rb"^[ \t]+|(?<![ \t])[ \t]+(?=\r?$)", re.MULTILINE)
-#: Carriage returns that end no line; a reader of numbers would take them for line ends.
+#: Carriage returns inside a line; a reader of numbers would take them for line ends.
 INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
-#: Within the rows, what is or may be a missing value: no number, or nothing between two separators or at an end.
+#: A possible missing value in the rows: no number, or nothing between two separators or at an end.
 GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
-#: Columns of a table, and letters of the name of one, at most.
+#: Most columns of a table, and most letters of a column's name.
 MOST_COLUMNS, LONGEST_NAME = 10_000, 1000
-#: What lines at the end have in which spreadsheet programs leave nothing but separators.
+#: Characters of the empty lines of separators that spreadsheet programs leave at the end.
 EMPTY = b" \t,;\r\n"
 COMMENT_LINES = re.compile(rb"^[ \t]*#.*\n?", re.MULTILINE)
 BLANK_LINES = re.compile(rb"^[ \t\r]*\n", re.MULTILINE)
@@ -86,7 +86,7 @@ class TableText:
         Returns
         -------
         list of ndarray, shape (rows,)
-            In double precision, or of a smaller type that has the same whole numbers.
+            In double precision, or in a smaller type that holds the same whole numbers.
 
         Raises
         ------
@@ -111,7 +111,7 @@ class TableText:
         return [joined(columns.pop(0)) for _ in places]
 
     def _numbers(self, part: bytes, places: Sequence[int]) -> Array | None:
-        """Return some columns of some of the lines, (columns, rows); None if a cell or a row is no such."""
+        """Return columns of some of the lines, (columns, rows); None if a cell or a row is invalid."""
         if b"#" in part:
             part = COMMENT_LINES.sub(b"", part)
         rows = BLANK_LINES.sub(b"", part).replace(b'"', b"")
@@ -138,18 +138,18 @@ class TableText:
 
     @property
     def may_have_gaps(self) -> bool:
-        """Whether a cell may be empty or no finite number: a quick look, which may err on this side."""
+        """Whether a cell may be empty or no finite number: a quick check, which may give false alarms."""
         return GAP.search(self.body) is not None
 
     def without_gaps(
         self, abscissa: int, places: Sequence[int], counts: Callable[[float], bool]
     ) -> TableText:
-        """Return the table without the rows that lack a wanted value and do not count.
+        """Return the table without the rows that lack a requested value and do not count.
 
         Parameters
         ----------
         counts : callable
-            Whether a row does, by the number in the column `abscissa`.
+            Whether a row counts, by the number in the column `abscissa`.
         """
 
         def without(part: bytes) -> bytes:
@@ -157,7 +157,7 @@ class TableText:
                 return part
             return b"".join(
                 line if keeps(line) else b"\n" for line in io.BytesIO(part)
-            )  # the numbers of lines stay
+            )  # keeps the line numbers
 
         def keeps(line: bytes) -> bool:
             cells = self._cells(self._row(line)) if is_row(line) else []
@@ -177,7 +177,7 @@ class TableText:
         return replace(self, body=self.body[start:], first_line=number + 1)
 
     def line_of(self, row: int) -> int:
-        """Return the number of the line of a row, both of which count from the header."""
+        """Return the line number of a row."""
         for index, (number, _) in enumerate(self._rows()):
             if index == row:
                 return number
@@ -294,7 +294,7 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
 
 
 def _first_line(content: bytes) -> tuple[int, int, str]:
-    """Return where the first line is that is not a comment, its number, and its text, "" if there is none."""
+    """Return the start of the first line that is not a comment, its number, and its text, "" if there is none."""
     start, number = 0, 1
     while start < len(content):
         end = content.find(b"\n", start) + 1 or len(content)
@@ -312,7 +312,7 @@ def _comments(head: bytes) -> Iterator[tuple[int, str]]:
 
 
 def _with_units(table: TableText) -> TableText:
-    """Return a table with the units of the row below its names in these, if that is such a row."""
+    """Return a table with the units from the row below its names added to them, if there is such a row."""
     units = _units_in(_first_row(table.body), table.separator)
     if units is None or len(units) != len(table.names):
         return table
@@ -321,7 +321,7 @@ def _with_units(table: TableText) -> TableText:
 
 
 def _first_row(content: bytes, start: int = 0) -> str:
-    """Return the first line from some place on that is not a comment, "" without one among a thousand."""
+    """Return the first line from an offset that is not a comment, "" if there is none among a thousand."""
     for _ in range(1000):
         end = content.find(b"\n", start) + 1 or len(content)
         if is_row(content[start:end]):
@@ -331,7 +331,7 @@ def _first_row(content: bytes, start: int = 0) -> str:
 
 
 def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
-    """Return what separates the cells, a blank where nothing else does, and those of the header."""
+    """Return the separator of the cells, a blank if there is no other, and the cells of the header."""
     separator = separator_of(header)
     words = header.split()
     if (separator not in header or _are_numbers(words)) and len(words) == len(row.split()) > 1:
@@ -340,7 +340,7 @@ def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _units_in(row: str, separator: str) -> list[str] | None:
-    """Return the units in the row below the names; None if it is one of numbers, or has anything else."""
+    """Return the units in the row below the names; None if it holds numbers or anything else."""
     cells = [cell.strip().strip('"').strip() for cell in row.split(separator)]
     units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
     if not any(units) or max(map(len, units)) > LONGEST_NAME:
@@ -363,7 +363,7 @@ def _header_among(
         as_many = of_blanks or len(cells) == len(row_cells)
         as_many |= (
             len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
-        )  # others end with a separator
+        )  # the row may end with a separator
         if not text.startswith("##") and as_many:
             last = line, names
     if last is not None:

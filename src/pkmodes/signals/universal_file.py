@@ -1,7 +1,7 @@
 """Universal files: functions in datasets 58 and 58b, modes in 55 and 2414, units in 164, nodes in 15 and 2411.
 
-Of nodes only their axes count: a direction is along those of its node.  Where sensors are, the campaign says.  Other
-datasets are skipped.
+Of nodes, only their axes are used: a direction is along those of its node.  The campaign states where sensors are.
+Other datasets are skipped.
 
 Functions that occur several times, alike in kind and degrees of freedom, are told apart by their place in the file:
 ``1:+Z#2`` is the second.
@@ -34,13 +34,13 @@ from pkmodes.support.ordering import listed
 
 #: The name of a function that occurs several times.
 NUMBERED = re.compile(r"(.+)#[0-9]+")
-#: Numbers of the datasets that are read.
+#: Numbers of the datasets of functions and of units.
 FUNCTIONS, UNITS = 58, 164
-#: Those of modes, and their readers.
+#: Readers of the datasets of modes, by number.
 MODES = {55: read_55, 2414: read_2414}
-#: Those of nodes, and the number of lines for each node.
+#: Lines for each node in the datasets of nodes, by number.
 NODES = {15: 1, 2411: 2}
-#: What others hold, where a file has nothing else.
+#: Content of other datasets, reported if a file has nothing else.
 OTHERS = {15: "nodes", 18: "coordinate systems", 82: "trace lines, which are for drawing", 151: "a header"}
 OTHERS |= {2411: "nodes", 2412: "elements", 2420: "coordinate systems"}
 
@@ -59,15 +59,15 @@ def read(path: Path, request: Asked) -> SignalFile:
         request = replace(request, sensors=sensors.union(bases))
     content, late = _read(path, request, FileUnits())
     if late is not None:
-        del content  # its functions, which may be large, are in the units that come after them
+        del content  # its functions, which may be large, were read before their units were known
         content, _ = _read(path, request, late)
     return replace(content, functions=tuple(_numbered(content.functions, sensors)))
 
 
 def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) -> Iterator[Function]:
-    """Yield functions by the names of sensors, which may have numbers; all that are alike without one.
+    """Yield functions by the names of sensors, which may have numbers; without a number, all functions of that name.
 
-    Without sensors, those after the first have their numbers.
+    If `sensors` is None, all but the first of each name get their numbers.
     """
     counts = Counter[tuple[str, str, str, bool]]()
     for function in functions:
@@ -85,13 +85,13 @@ def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) ->
 
 
 def _read(path: Path, request: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
-    """Read a universal file whose units are these until it states others.
+    """Read a universal file that is in these units until it states others.
 
     Returns
     -------
-    found : SignalFile
+    content : SignalFile
     late : FileUnits or None
-        Units that it states only after functions, which hold for these, too.
+        Units that it states only after functions, to which they also apply.
     """
     source = fspath(path)
     functions: list[Function] = []
@@ -144,7 +144,7 @@ def _read(path: Path, request: Asked, units: FileUnits) -> tuple[SignalFile, Fil
 
 
 def _axes(scanner: Scanner, lines: int) -> dict[str, str]:
-    """Read nodes: return the coordinate system of the displacements at each; none where a line is no node.
+    """Read nodes: return the coordinate system of the displacements at each; empty if any line is no node.
 
     https://www.ceas3.uc.edu/sdrluff/files/15.asc and 2411.asc.
     """
@@ -160,7 +160,7 @@ def _axes(scanner: Scanner, lines: int) -> dict[str, str]:
 
 
 def _different_axes(names: Sequence[str], axes: Mapping[str, str], source: str) -> list[str]:
-    """Say where the directions of a file are along different axes."""
+    """Return a message if the directions of a file are along different axes."""
     nodes = dict.fromkeys(name.partition(":")[0] for name in names)
     systems = {node: axes[node] for node in nodes if node in axes}
     if len(set(systems.values())) < 2:
@@ -173,7 +173,7 @@ def _different_axes(names: Sequence[str], axes: Mapping[str, str], source: str) 
 
 
 def _counted(why: str, places: Sequence[str]) -> str:
-    """Return why datasets were skipped, and how many if it is several."""
+    """Return why datasets were skipped, and their number if there are several."""
     return why if len(places) == 1 else f"{why} ({len(places)} datasets)"
 
 
@@ -186,7 +186,7 @@ def _skip(scanner: Scanner, binary: Binary) -> None:
 
 
 def _refuse_units(where: str, before: FileUnits, after: FileUnits) -> NoReturn:
-    """Refuse a file of functions in two systems of units: those hold for the whole file, wherever they stand."""
+    """Refuse a file of functions in two systems of units: units apply to the whole file, wherever they are stated."""
     first, second = (
         f"{units.length or 'another length'} and {units.force or 'another force'}"
         for units in (before, after)
@@ -196,7 +196,7 @@ def _refuse_units(where: str, before: FileUnits, after: FileUnits) -> NoReturn:
 
 
 def _units(scanner: Scanner) -> FileUnits:
-    """Read dataset 164: how many of the file's units of length and of force make one of SI."""
+    """Read dataset 164: the numbers of the file's units of length and force in one of SI."""
     scanner.line("the code of the units")
     factors = numbers_in(scanner.line("the factors of the units"))
     if factors is None or factors.size < 2 or not np.all(np.isfinite(factors) & (factors > 0.0)):

@@ -1,4 +1,4 @@
-"""Variables of files of named arrays, of MATLAB and of NumPy, and what reading their values may raise."""
+"""Variables in files of named arrays, of MATLAB and of NumPy, and the errors of reading their values."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError
 
 T = TypeVar("T")
-#: Numbers of any type, as files store them.
+#: Numbers of any type, as stored in files.
 Values = NDArray[Any]
-#: Values that are read of a file, in all.
+#: Most values read from a file, in all.
 MOST_VALUES = 100_000_000
-#: Bytes that compressed arrays may become: some, and so many times the file.  Measured signals of double precision
-#: that are compressed have a tenth of their size at least, but for channels that are constant.
+#: Most bytes of unpacked arrays: a base, and this multiple of the file's size.  Measured signals of double precision
+#: compress to no less than a tenth of their size, except for constant channels.
 ROOM, EXPANDED = 64_000_000, 20
-#: Variables of a file, with the fields of its structs.
+#: Most variables of a file, including the fields of its structs.
 MOST_VARIABLES = 20_000
-#: Letters of a name; MATLAB allows 63, and the fields of structs have those of all around them.
+#: Most letters of a name; MATLAB allows 63, and names of fields include those of all enclosing structs.
 LONGEST_NAME = 1024
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
 
@@ -32,15 +32,15 @@ class Variable(NamedTuple):
     Attributes
     ----------
     description : str
-        What it is, for messages.
+        For messages.
     shape : tuple of int or None
         Of an array of numbers.
     load : callable
         Returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
     itemsize : int
-        Bytes of a value as it is loaded.
+        Bytes of a loaded value.
     again : callable, optional
-        Of whole numbers, returns the same when the file is closed.
+        For whole numbers: returns the values again after the file was closed.
     """
 
     name: str
@@ -52,7 +52,7 @@ class Variable(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Number of values, 0 if it is no array of numbers."""
+        """Number of values, 0 if it is not an array of numbers."""
         return int(np.prod(self.shape, dtype=np.float64)) if self.shape else 0
 
     @property
@@ -62,7 +62,7 @@ class Variable(NamedTuple):
 
 
 def no_numbers(name: str) -> NoReturn:
-    """Raise what a variable raises that is no array of numbers.
+    """Raise the error of a variable that is not an array of numbers.
 
     Raises
     ------
@@ -86,7 +86,7 @@ def at_most(variables: Iterable[Variable]) -> list[Variable]:
 
 
 def loaded(load: Callable[[], T], source: str, file_kind: str) -> T:
-    """Return what is read, and say of any failure that the file cannot be.
+    """Return the result of `load`, turning any failure into the error of an unreadable file.
 
     Raises
     ------
