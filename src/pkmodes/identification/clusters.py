@@ -27,8 +27,8 @@ Complex = NDArray[np.complex128]
 
 #: Highest damping ratio of an identifiable vibration mode of a machine: beyond it there is no peak.
 HIGHEST_DAMPING = 0.2
-#: Poles of one mode differ by less than this, average over a cluster: |difference| / sum of |Re|, plus 1 - MAC.  Two
-#: equal shapes reach it half a bandwidth apart, where one cannot tell two peaks.
+#: Largest average distance between the poles of one mode: |difference| / sum of |Re|, plus 1 - MAC.  Two equal shapes
+#: reach it half a bandwidth apart, where two peaks cannot be told apart.
 ONE_MODE = 0.5
 #: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
 #: a mode exceeds the noise is decided after the fit, so this need not be strict.

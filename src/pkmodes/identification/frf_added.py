@@ -29,7 +29,7 @@ Complex = NDArray[np.complex128]
 RATIOS = (0.03, 0.01, 0.003)
 #: Probability that noise alone produces a mode within the reach of the fit.
 FALSE_ALARM = 0.05
-#: Energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
+#: Least energy relative to the strongest mode within the reach: weaker ones may be noise beside it.
 STRONG = 0.5
 #: Fits that end closer than this fraction of their half bandwidth are the same.
 SAME = 0.1

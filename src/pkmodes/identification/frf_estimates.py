@@ -23,11 +23,11 @@ from pkmodes.core.base.errors import MeasurementError
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: A blow's force exceeds this part of the highest one of the file; weaker ones in between are bounces.
+#: Least force of a blow, relative to the highest of the file; weaker pulses in between are bounces.
 BLOW = 0.3
-#: A second pulse of the force above this part of the blow is a double hit; a hammer's own ringing is below.
+#: A second pulse above this fraction of the blow is a double hit; the hammer's own ringing stays below it.
 BOUNCE = 0.05
-#: Above this many standard deviations of its noise as well.
+#: Number of standard deviations of its noise above which the force is a signal.
 NOISE = 8.0
 #: Samples kept before the force begins.
 LEAD = 4

@@ -31,8 +31,8 @@ from pkmodes.identification.residues import lsfd, with_residual_terms
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Poles of the highest order, and the number of orders up to it: some three times as many poles as a machine has
-#: modes in a band, as residual terms, noise and the hammer's spectrum take poles as well.
+#: Poles of the highest order, and number of orders up to it: about three times as many poles as a machine has modes
+#: in a band, as residual terms, noise and the hammer's spectrum take poles too.
 MOST_POLES, ORDERS = 60, 20
 #: Most searches of the residual; each finds all modes that no stronger one hides.
 MOST_SEARCHES = 4

@@ -28,7 +28,7 @@ HALF_WIDTHS = (0.35, 0.7, 1.4, 2.8, 5.6, 11.0, 22.0)
 REACH, FEWEST = 6, 20
 #: Coefficients of the smooth part of each filter, as in the fit.
 SMOOTH = 3
-#: A residual below this part of the fit may be its model error: a nonlinearity, a window, a calibration.
+#: A residual below this fraction of the fit may be its model error: a nonlinearity, a window, a calibration.
 MODEL_ERROR = 0.05
 
 
