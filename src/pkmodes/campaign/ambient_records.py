@@ -1,4 +1,4 @@
-"""Records of responses alone: ambient vibration, decays or sweeps, of one board or of several beside each other."""
+"""Records of responses alone: ambient vibration, decays or sweeps, from one board or several recording together."""
 
 from __future__ import annotations
 

@@ -233,7 +233,7 @@ def _scale(row: Complex, mean: Complex) -> complex:
 
 
 def _mean_square(residuals: Complex) -> float:
-    """Return the variance of the real part of a component over repeats; each scale took a degree of freedom."""
+    """Return the variance of the real part of a component over repeats; each scale uses up a degree of freedom."""
     if len(residuals) < 2 or residuals.shape[1] < 2:
         return np.nan
     return float(np.nansum(residuals.real**2) / ((len(residuals) - 1) * (residuals.shape[1] - 1)))

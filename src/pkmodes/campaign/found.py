@@ -1,4 +1,4 @@
-"""A mode as one file, or several together, show it; and what one file gives: its modes and the fit behind them."""
+"""A mode as found in one file or several; and the result of one file: its modes and the fit behind them."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
     keep_going : bool
         Whether faulty files are left out instead of refused.
     inspect : bool
-        Whether what a report draws of the fits is kept.
+        Whether the parts of the fits that a report draws are kept.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""What a report shows of the fit of a file: a few functions, thinned to what can be seen, and the poles.
+"""The parts of a file's fit that a report shows: a few functions, thinned to visible detail, and the poles.
 
 A campaign may have gigabytes of functions; only what is drawn is kept.
 """

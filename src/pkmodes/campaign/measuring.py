@@ -75,7 +75,7 @@ def measured(
     keep_going : bool
         Whether faulty files are left out instead of refused.
     inspect : bool
-        Whether what a report draws is kept.
+        Whether the parts of the fits that a report draws are kept.
 
     Raises
     ------

@@ -65,7 +65,7 @@ def motion_or_none(unit: str) -> Motion | None:
 
 
 def motion_of_voltage(sensitivity: str, where: str) -> Motion:
-    """Return what volts mean for a sensor of a sensitivity such as ``"100 mV/g"``.
+    """Return the motion that one volt represents for a sensitivity such as ``"100 mV/g"``.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Sensors on a platform that turns, and blows on it: what each shows of the platform's motion.
+"""Sensors on a turning platform, and blows on it: how each responds to the platform's motion.
 
 At a pose with the rotation R, a sensor at the point b of the platform and along the unit vector d of the base shows
 
@@ -78,7 +78,7 @@ class Mount:
         return tuple(name for name in self.platform.components if name.startswith(kind))
 
     def weights(self, R: Array) -> dict[str, float]:
-        """Return what it shows of each component of the motion of a platform with the rotation R, (3, 3)."""
+        """Return its reading per unit of each motion component of a platform with the rotation R, (3, 3)."""
         d = np.array(self.direction)
         d = R @ d if self.turns else d
         moved, turned = (np.zeros(3), d) if self.angular else (d, np.cross(R @ np.array(self.at), d))

@@ -57,7 +57,7 @@ def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
 def sensor_functions(
     path: Path, kind: Kind, names: frozenset[str], record: Record, *, signs: bool = False
 ) -> SensorFunctions:
-    """Read the functions of the sensors with some names.
+    """Read the functions of the named sensors.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""From what sensors show to the components of a mode shape: least squares over all sensors.
+"""From sensor readings to the components of a mode shape: least squares over all sensors.
 
 On a platform that turns, metres and radians are made comparable by the spread of the sensors over it: a rotation
 counts as the displacement at that distance.

@@ -1,4 +1,4 @@
-"""Modes told from errors of the model in frequency responses of a machine that is not linear.
+"""Telling modes from model errors in frequency responses of a nonlinear machine.
 
 The fit of `frf_refinement` adds modes until only noise is left.  If a joint softens with the amplitude, a transducer
 resonates or a hammer hits twice, no few linear modes fit the functions, and spurious ones fit the remainder:

@@ -1,4 +1,4 @@
-"""Refinement of candidates: groups of modes are fitted in turn, and what is not a mode is dropped.
+"""Refinement of candidates: groups of modes are fitted in turn, and candidates that are no modes are dropped.
 
 Modes that overlap are a group, and are fitted to the lines around them.  A candidate is dropped if
 

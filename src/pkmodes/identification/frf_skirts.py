@@ -1,4 +1,4 @@
-r"""Resonances told from lines without bandwidth in frequency responses.
+r"""Telling resonances from lines without bandwidth in frequency responses.
 
 Mains, fans and motors are not driven by the measured force: what they add is on one line, or on the few that a
 spectral window spreads it over.  A pole can be fitted to it as well, or several, with half bandwidths below the line

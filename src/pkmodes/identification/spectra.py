@@ -79,7 +79,7 @@ def identify_spectrum(
         Poles are imaginary, as no damping is known, shapes and their standard deviations NaN.  The functions are
         the spectra, (F, S, 1).
     tuple of str
-        Sentences on what was found besides modes.
+        Messages about findings other than modes.
 
     Raises
     ------
@@ -169,7 +169,7 @@ def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
     def peak(p: Array) -> _Peak:
         return _Peak(float(p[0]), 0.0, math.exp(p[1]), math.exp(p[2]), math.exp(p[3]))
 
-    # the width is at least that of half a line: narrower ones cannot be told from it
+    # the least width is about half a line: narrower peaks cannot be told from it
     top, low = math.log(total[k]), math.log(max(P.min(), 1e-9 * total[k]))
     start = np.array([f[k], top, math.log(step), low - 0.5])
     lowest = [f[k] - step, top - 3.0, math.log(0.3 * step), low - 20.0]

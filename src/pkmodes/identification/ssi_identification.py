@@ -75,7 +75,7 @@ def identify_responses(
     Estimate
         Its functions are the spectral densities of the responses, (F, S, 1).
     tuple of str
-        Sentences on what was found besides modes.
+        Messages about findings other than modes.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Where the line of a sweep begins, ends, turns or stands: no mode can be told there.
+"""Where the line of a sweep begins, ends, turns back or stands still: no mode can be identified there.
 
 While a motor changes its speed, orders of it, also those of its steps and bearings, pass through the band, and excite
 modes as they pass.  Where an order begins or ends, the spectrum has an edge or a peak as well, which nothing in it
@@ -37,7 +37,7 @@ AVERAGED = 2.0
 
 
 def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
-    """Return whether the line of a sweep begins, ends, turns or stands at a mode.
+    """Return whether the line of a sweep begins, ends, turns back or stands still at a mode.
 
     Parameters
     ----------

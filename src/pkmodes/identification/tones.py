@@ -206,7 +206,7 @@ def tones_alone(
     t_step : float
         In s.
     pieces, without_tones : sequence of ndarray, shape (N, S)
-        The record, and what is left of it without its tones.
+        The record, and its remainder without its tones.
     tones : sequence of Tone
         Those that were found in and near the band.
     band : tuple of float

@@ -1,4 +1,4 @@
-"""What a file of measured signals holds: functions of time or frequency, and mode shapes; and what is asked of it."""
+"""The content of a file of measured signals: functions of time or frequency, and mode shapes; and requests for it."""
 
 from __future__ import annotations
 

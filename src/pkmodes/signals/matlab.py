@@ -87,7 +87,7 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
 
 
 def recognises(head: bytes) -> bool:
-    """Return whether a file is one of MATLAB from version 5 on."""
+    """Return whether a file is a MATLAB file of version 5 or later."""
     return head.startswith((b"MATLAB 5.0 MAT-file", b"MATLAB 7.3 MAT-file", HDF5))
 
 

@@ -92,7 +92,7 @@ class _Unpacked:
         return bytes(content)
 
     def skip_to(self, at: int) -> None:
-        """Go to a later place, by unpacking what is before it."""
+        """Go to a later place by unpacking everything before it."""
         while self.at < at and self._more(at - self.at):
             pass
 
@@ -206,7 +206,7 @@ def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
 def _variables(
     element: _Element, at: int, end: int, order: str, name_in: str = "", depth: int = 0
 ) -> Iterator[Variable]:
-    """Yield a variable from its parts, which begin and end at some places, or the fields of a struct.
+    """Yield a variable from its parts between two places, or the fields of a struct.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Fewer samples of long records: what lies far above the frequencies of interest is filtered out first.
+"""Reduction of long records: frequencies far above those of interest are filtered out, then samples are dropped.
 
 A linear-phase filter by Kaiser's window (Oppenheim and Schafer, Discrete-Time Signal Processing, 3rd edition, 2010,
 section 7.5.3) and every n-th sample.  Its band of transition is wide: what it aliases stays above the frequencies of

@@ -1,4 +1,4 @@
-"""What the numbers of a signal show of its sensor: that its range was exceeded, or that it stopped."""
+"""Sensor faults that show in a signal: the sensor's range was exceeded, or it stopped."""
 
 from __future__ import annotations
 

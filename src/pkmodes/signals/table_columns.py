@@ -77,7 +77,7 @@ class Layout:
 
 
 def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool = False) -> Layout:
-    """Return what the columns of a table are.
+    """Return the layout of a table's columns.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What programs write around a table: a preamble, a row of units, a last line with the rate.
+"""Text that programs write around a table: a preamble, a row of units, a last line with the rate.
 
 Each of `PROGRAMS` takes the content of a file and returns the table in it, with blank lines for the lines that it
 removes, so that line numbers stay those of the file.

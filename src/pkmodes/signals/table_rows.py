@@ -1,4 +1,4 @@
-"""Lines of a table that are rows, and what programs write after their last cells."""
+"""Rows of a table, and the separators that programs write after their last cells."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The text of a table: its header, its comments, and its columns of numbers.
 
-What separates the cells, and where numbers may have decimal commas, is as in every table (`pkmodes.measured.cells`).
+Separators of cells and decimal commas are as in every other table (`pkmodes.measured.cells`).
 """
 
 from __future__ import annotations
