@@ -1,4 +1,4 @@
-"""Records of responses alone: ambient vibration, decays or sweeps, of one board or of several beside each other."""
+"""Records of responses alone: ambient vibration, decays or sweeps, from one board or several recording together."""
 
 from __future__ import annotations
 
@@ -29,114 +29,121 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
     MeasurementError
         If the file is faulty, or too short for the band.
     """
-    given, delays, columns = _beside(path, record, setup, campaign)
+    recording, delays, columns = _beside(path, record, setup, campaign)
 
-    def found(signals: Sequence[TimeSignals]) -> tuple[Fit, tuple[str, ...]]:
+    def identified(variants: Sequence[TimeSignals]) -> tuple[Fit, tuple[str, ...]]:
         estimate, messages = identify_responses(
-            given.step,
-            signals[0].pieces,
+            recording.step,
+            variants[0].pieces,
             band=record.band,
             tones=campaign.tones,
-            asked=campaign.asked(record),
+            edits=campaign.asked(record),
         )
-        return Fit(estimate, given.names), tuple(f"{given.source}: {message}" for message in messages)
+        return Fit(estimate, recording.names), tuple(f"{recording.source}: {message}" for message in messages)
 
-    with in_file(given.source), _gaps_named(given):
-        fit, messages = with_bridges(found, [given], given.source)
+    with in_file(recording.source), _gaps_named(recording):
+        fit, messages = with_bridges(identified, [recording], recording.source)
     shortest = FEWEST_PERIODS / record.band[0]
-    short = [piece for piece in given.pieces if len(piece) * given.step < shortest]
+    short = [piece for piece in recording.pieces if len(piece) * recording.step < shortest]
     if short:
         messages = (
             *messages,
-            f"{given.source}: {len(short)} pieces between gaps are shorter than {shortest:.3g} s and were left out",
+            f"{recording.source}: {len(short)} pieces between gaps are shorter than {shortest:.3g} s and were "
+            "left out",
         )
     unsigned: dict[str, list[str]] = {}
 
     def accelerations(mode: Mode) -> Mode:
-        whole = replace(mode, shape=mode.shape * given.as_accelerations(mode.pole))
-        known, lost = with_clocks(whole, columns, delays)
+        whole = replace(mode, shape=mode.shape * recording.as_accelerations(mode.pole))
+        adjusted, lost = with_clocks(whole, columns, delays)
         for name in lost:
             unsigned.setdefault(name, []).append(f"{mode.frequency:.4g}")
-        return known
+        return adjusted
 
     fit = replace(fit, estimate=fit.estimate.changed(accelerations))
     lost = [
-        f"{given.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known"
+        f"{recording.source}: the modes at {', '.join(modes)} Hz have no components of {name}: its clock is not known"
         " well enough to tell their sign"
         for name, modes in unsigned.items()
     ]
-    said = (*given.messages, *messages, *lost)
-    return with_levels(fit, said, given)
+    all_messages = (*recording.messages, *messages, *lost)
+    return with_levels(fit, all_messages, recording)
 
 
 def _beside(
     path: Path, record: Record, setup: str, campaign: Campaign
 ) -> tuple[TimeSignals, Mapping[str, Delay], Mapping[str, slice]]:
-    """Return the signals of a file with those of other boards that were recorded together with it.
+    """Return the signals of a file, joined with those that other boards recorded at the same time.
 
-    Sensors of other boards go by the names that they have in the campaign.
+    Sensors of other boards keep their campaign names.
 
     Returns
     -------
     signals : TimeSignals
     delays, columns : mapping
-        What was added to the times of each other board, and the columns of its signals, by setup.
+        Offset added to the times of each other board, and the columns of its signals, by setup.
     """
-    given = time_signals(path, record, setup, campaign, highest=record.band[1])
-    others = {
+    signals = time_signals(path, record, setup, campaign, highest=record.band[1])
+    other_boards = {
         name: time_signals(file, record, name, campaign, highest=record.band[1])
         for name, file in record.beside(path).items()
     }
-    if not others:
-        return given, {}, {}
-    names, columns, seen = list(given.names), {}, set(given.seen)
+    if not other_boards:
+        return signals, {}, {}
+    names, columns, names_in_file = list(signals.names), {}, set(signals.names_in_file)
     taken = {campaign.sensors_in(setup)[name].key for name in names}
-    for name, other in others.items():
+    for name, board_signals in other_boards.items():
         sensors = campaign.sensors_in(name)
-        keys = [sensors[one].key for one in other.names]
-        seen |= {sensors[one].key for one in other.seen}
+        keys = [sensors[sensor_name].key for sensor_name in board_signals.names]
+        names_in_file |= {sensors[sensor_name].key for sensor_name in board_signals.names_in_file}
         twice = next((key for key in keys if key in taken), None)
         if twice is not None:
-            what = f"the sensor {shown(twice)} is in the files of both {setup} and {name}"
-            raise MeasurementError(what, other.source, f'give each [[sensor]] its own: setup = "{name}"')
+            problem = f"the sensor {shown(twice)} is in the files of both {setup} and {name}"
+            raise MeasurementError(
+                problem, board_signals.source, f'give each [[sensor]] its own: setup = "{name}"'
+            )
         columns[name] = slice(len(names), len(names) + len(keys))
         names += keys
         taken |= set(keys)
     boards = {
-        name: Board(one.source, one.step, one.starts, one.pieces)
-        for name, one in {setup: given, **others}.items()
+        name: Board(board.source, board.step, board.starts, board.pieces)
+        for name, board in {setup: signals, **other_boards}.items()
     }
-    found = together(boards, record.clocks, record.band)
-    every = (given, *others.values())
-    bridged = any(one.once_more is not None for one in every)
-    more = (
-        (f"{given.source}: what interpolating adds to sigma is not known of several boards",)
+    aligned = together(boards, record.clocks, record.band)
+    all_signals = (signals, *other_boards.values())
+    bridged = any(board.once_more is not None for board in all_signals)
+    caveats = (
+        (f"{signals.source}: what interpolating adds to sigma is not known of several boards",)
         if bridged
         else ()
     )
     joint = replace(
-        given,
-        step=found.step,
-        pieces=found.pieces,
-        starts=found.starts,
+        signals,
+        step=aligned.step,
+        pieces=aligned.pieces,
+        starts=aligned.starts,
         names=tuple(names),
-        derivatives=np.concatenate([one.derivatives for one in every]),
-        seen=frozenset(seen),
-        messages=(*(said for one in every for said in one.messages), *found.messages, *more),
-        gap=max(one.gap for one in every),
+        derivatives=np.concatenate([board.derivatives for board in all_signals]),
+        names_in_file=frozenset(names_in_file),
+        messages=(
+            *(message for board in all_signals for message in board.messages),
+            *aligned.messages,
+            *caveats,
+        ),
+        gap=max(board.gap for board in all_signals),
         once_more=None,
     )
-    return joint, found.delays, columns
+    return joint, aligned.delays, columns
 
 
 @contextmanager
-def _gaps_named(given: TimeSignals) -> Iterator[None]:
-    """Say, where a record is too short because it is split, up to which frequency its gaps can be bridged."""
+def _gaps_named(signals: TimeSignals) -> Iterator[None]:
+    """If a record is too short because it is split, state up to which frequency its gaps can be bridged."""
     try:
         yield
     except MeasurementError as error:
-        if not given.gap > 0.0:
+        if not signals.gap > 0.0:
             raise
-        what = f"{error.what}: {len(given.pieces) - 1} gaps of {1e3 * given.gap:.3g} ms split it"
-        remedy = f"end the band at {BRIDGED / given.gap:.3g} Hz or lower, where they are bridged; or {error.remedy}"
-        raise MeasurementError(what, error.where, remedy) from None
+        problem = f"{error.what}: {len(signals.pieces) - 1} gaps of {1e3 * signals.gap:.3g} ms split it"
+        remedy = f"end the band at {BRIDGED / signals.gap:.3g} Hz or lower, where they are bridged; or {error.remedy}"
+        raise MeasurementError(problem, error.where, remedy) from None

@@ -25,7 +25,7 @@ from pkmodes.identification.level import LevelShift
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: What the pooled scatter is worth beside that of a mode, in repeats: as published for many alike variances.
+#: Weight of the pooled scatter against that of a single mode, in repeats: the published value for similar variances.
 PRIOR = 4.0
 #: Share of errors that two standard deviations cover.
 COVERED = 0.95
@@ -46,9 +46,9 @@ class Mean:
     shape_scatter : float
         Likewise of a component of the shape, relative to the largest.
     files : tuple of int
-        In which it was found.
+        Those in which it was found.
     variance : float
-        Of the mean of ln f by the scatter, without bias: `scatter` is larger, since few repeats know it badly.
+        Unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate it badly.
     between : LevelShift or None
         How the frequency changes with the level of the files.
     """
@@ -67,24 +67,24 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
     logs = [np.log([mode.frequency for mode in group.values()]) for group in groups]
     damping = [_logs([mode.damping for mode in group.values()]) for group in groups]
     means = [mean_shape([mode.shape for mode in group.values()]) for group in groups]
-    shapes = [left for _, left in means]
+    shapes = [residuals for _, residuals in means]
     fits = [list(group.values()) for group in groups]
     scatters = [
         _scatter(
-            [float(np.var(one, ddof=1)) if len(one) > 1 else np.nan for one in each],
-            [len(one) for one in each],
+            [float(np.var(values, ddof=1)) if len(values) > 1 else np.nan for values in logarithms],
+            [len(values) for values in logarithms],
             left_open,
         )
-        for each, left_open in (
+        for logarithms, left_open in (
             (logs, None),
-            (damping, _left_open([[_relative(one) for one in each] for each in fits])),
+            (damping, _left_open([[_relative(mode) for mode in modes] for modes in fits])),
         )
     ]
     counts = [len(group) for group in groups]
     of_shapes = _scatter(
-        [_mean_square(left) for left in shapes],
+        [_mean_square(residuals) for residuals in shapes],
         counts,
-        _left_open([[one.sigma_shape for one in each] for each in fits]),
+        _left_open([[mode.sigma_shape for mode in modes] for modes in fits]),
     )
     between = between_files(groups)
     return [
@@ -102,58 +102,60 @@ def averaged(groups: Sequence[dict[int, Found]]) -> list[Mean]:
 
 
 def grouped_means(listed: Sequence[Sequence[Mean]]) -> list[dict[int, Mean]]:
-    """Return groups of means that are of one mode, each by the place of its setup or label in the list."""
-    groups = reunited([[mean.mode for mean in each] for each in listed])
+    """Group the means that belong to one mode, each keyed by the index of its setup or label in the list."""
+    groups = reunited([[mean.mode for mean in means] for means in listed])
     return [{i: listed[i][k] for i, k in group.items()} for group in groups]
 
 
 def _of(modes: list[Found], shape: dict[str, complex]) -> Found:
-    """Return the mean of the repeats of a mode, with the uncertainty of their identification."""
+    """Return the mean of a mode over its repeats, with the uncertainty from their identification."""
     n = np.sqrt(len(modes))
 
-    def together(values: Sequence[float]) -> float:
+    def pooled(values: Sequence[float]) -> float:
         return float(np.sqrt(np.mean(np.square(values))) / n)
 
-    known = [mode.damping for mode in modes if np.isfinite(mode.damping)]
-    found = [mode.found_in for mode in modes if mode.found_in is not None]
+    damping_ratios = [mode.damping for mode in modes if np.isfinite(mode.damping)]
+    order_counts = [mode.found_in for mode in modes if mode.found_in is not None]
     participation, apart = _participation(modes, shape)
-    of_fits = together([mode.sigma_size for mode in modes])
+    of_fits = pooled([mode.sigma_size for mode in modes])
     return Found(
         float(np.mean([mode.frequency for mode in modes])),
-        float(np.mean(known)) if known else np.nan,
+        float(np.mean(damping_ratios)) if damping_ratios else np.nan,
         shape,
-        together([mode.sigma_frequency for mode in modes]),
-        together([mode.sigma_damping for mode in modes]),
-        together([mode.sigma_shape for mode in modes]),
-        min(found, key=lambda one: one[0] / one[1]) if len(found) == len(modes) else None,
+        pooled([mode.sigma_frequency for mode in modes]),
+        pooled([mode.sigma_damping for mode in modes]),
+        pooled([mode.sigma_shape for mode in modes]),
+        min(order_counts, key=lambda counts: counts[0] / counts[1])
+        if len(order_counts) == len(modes)
+        else None,
         resolution=max(mode.resolution for mode in modes),
         shift=widest([mode.shift for mode in modes]),
         participation=participation,
-        sigma_size=max((one for one in (of_fits, apart) if np.isfinite(one)), default=np.nan),
+        sigma_size=max((sigma for sigma in (of_fits, apart) if np.isfinite(sigma)), default=np.nan),
     )
 
 
 def _participation(modes: Sequence[Found], shape: Mapping[str, complex]) -> tuple[dict[str, complex], float]:
-    """Return the mean participations of repeats that go with their mean shape, and how sure its size is, relative."""
-    found: dict[str, list[complex]] = {}
+    """Return the mean participations that match the mean shape, and the relative standard deviation of their size."""
+    participations: dict[str, list[complex]] = {}
     for mode in modes:
         common = [name for name in mode.shape if name in shape]
-        own, mean = (np.array([each[name] for name in common]) for each in (mode.shape, shape))
+        repeat, mean = (np.array([components[name] for name in common]) for components in (mode.shape, shape))
         size = float(np.vdot(mean, mean).real)
-        scale = complex(np.vdot(mean, own) / size) if size > 0.0 else complex(np.nan)
+        scale = complex(np.vdot(mean, repeat) / size) if size > 0.0 else complex(np.nan)
         for name, value in mode.participation.items():
-            found.setdefault(name, []).append(scale * value)
-    means = {name: complex(np.mean(values)) for name, values in found.items()}
+            participations.setdefault(name, []).append(scale * value)
+    means = {name: complex(np.mean(values)) for name, values in participations.items()}
     largest = max(means, key=lambda name: abs(means[name]), default="")
-    if len(found.get(largest, ())) < 2:
+    if len(participations.get(largest, ())) < 2:
         return means, np.nan
-    values = np.array(found[largest])
+    values = np.array(participations[largest])
     return means, float(np.std(values, ddof=1) / np.sqrt(len(values)) / abs(means[largest]))
 
 
 def _logs(values: Sequence[float]) -> Array:
-    known = np.array([value for value in values if value > 0.0])
-    return np.asarray(np.log(known))
+    positive = np.array([value for value in values if value > 0.0])
+    return np.asarray(np.log(positive))
 
 
 def _relative(mode: Found) -> float:
@@ -162,47 +164,47 @@ def _relative(mode: Found) -> float:
 
 
 def _left_open(stated: Sequence[Sequence[float]]) -> list[float] | None:
-    """Return what the identification leaves open of each mode in a file; None where it does not say so of all."""
-    known = [[one for one in each if one > 0.0] for each in stated]
-    return [float(np.sqrt(np.mean(np.square(each)))) for each in known] if all(known) else None
+    """Return the identification's uncertainty of each mode, rms over files; None unless it is known for all."""
+    positive = [[sigma for sigma in sigmas if sigma > 0.0] for sigmas in stated]
+    return [float(np.sqrt(np.mean(np.square(sigmas)))) for sigmas in positive] if all(positive) else None
 
 
 def _scatter(
     variances: Sequence[float], counts: Sequence[int], sizes: Sequence[float] | None = None
 ) -> list[tuple[float, float]]:
-    """Return relative standard deviations and variances of means from those of n repeats; NaN for single ones.
+    """Return relative standard deviations and variances of means over n repeats; NaN for single ones.
 
-    Scatters are pooled relative to their `sizes`, all 1 by default.
+    Scatters are pooled relative to `sizes`, which are all 1 by default.
     """
     if sizes is not None:
         relative = [v / size**2 for v, size in zip(variances, sizes, strict=True)]
-        found = _scatter(relative, counts)
-        return [(s * size, v * size**2) for (s, v), size in zip(found, sizes, strict=True)]
+        relative_scatters = _scatter(relative, counts)
+        return [(s * size, v * size**2) for (s, v), size in zip(relative_scatters, sizes, strict=True)]
     repeated = [(v, n - 1) for v, n in zip(variances, counts, strict=True) if n > 1 and np.isfinite(v)]
     if not repeated:
         return [(np.nan, np.nan)] * len(counts)
     freedom = sum(n for _, n in repeated)
     pooled = sum(v * n for v, n in repeated) / freedom
     prior = min(PRIOR, freedom)  # the pooled variance itself is known no better
-    found = []
+    scatters = []
     for v, n in zip(variances, counts, strict=True):
         if n < 2 or not np.isfinite(v):
-            found.append((np.nan, np.nan))
+            scatters.append((np.nan, np.nan))
             continue
-        own = n - 1
-        # The mode is one of those that are pooled: alone, its variance is its own.
-        worth = prior if freedom > own else 0.0
-        variance = (worth * pooled + own * v) / (worth + own)
-        quantile = student.ppf(0.5 + 0.5 * COVERED, worth + own) / 2.0
-        found.append((float(quantile * np.sqrt(variance / n)), variance / n))
-    return found
+        own_freedom = n - 1
+        # The mode is part of the pool: if it is the only one, its variance is its own.
+        worth = prior if freedom > own_freedom else 0.0
+        variance = (worth * pooled + own_freedom * v) / (worth + own_freedom)
+        quantile = student.ppf(0.5 + 0.5 * COVERED, worth + own_freedom) / 2.0
+        scatters.append((float(quantile * np.sqrt(variance / n)), variance / n))
+    return scatters
 
 
 def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, complex], Complex]:
-    """Return the mean of shapes of any scale, relative to its largest component, and what is left of each.
+    """Return the mean of arbitrarily scaled shapes, relative to its largest component, and the residual of each.
 
-    Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component that some shapes
-    lack is the mean of the others'; one that nothing links with the others is left out.
+    Each shape is scaled to fit the mean; the mean is their strongest singular vector.  A component missing from some
+    shapes is averaged over the others; one that nothing links to the rest is left out.
     """
     names = list(dict.fromkeys(name for shape in shapes for name in shape))
     if not names:
@@ -218,20 +220,20 @@ def mean_shape(shapes: Sequence[Mapping[str, complex]]) -> tuple[dict[str, compl
         mean = mean / mean[np.nanargmax(np.abs(mean))]
         if np.array_equal(mean, before, equal_nan=True):  # at once for a single shape
             break
-    known = np.isfinite(mean)
-    shape = {name: complex(mean[i]) for i, name in enumerate(names) if known[i]}
-    return shape, (scaled - mean)[:, known]
+    finite = np.isfinite(mean)
+    shape = {name: complex(mean[i]) for i, name in enumerate(names) if finite[i]}
+    return shape, (scaled - mean)[:, finite]
 
 
 def _scale(row: Complex, mean: Complex) -> complex:
     """Return the factor that makes a shape most like the mean, NaN if they have no component in common."""
-    known = np.isfinite(row) & np.isfinite(mean)
-    size = float(np.vdot(row[known], row[known]).real)
-    return complex(np.vdot(row[known], mean[known]) / size) if size > 0.0 else complex(np.nan)
+    common = np.isfinite(row) & np.isfinite(mean)
+    size = float(np.vdot(row[common], row[common]).real)
+    return complex(np.vdot(row[common], mean[common]) / size) if size > 0.0 else complex(np.nan)
 
 
-def _mean_square(left: Complex) -> float:
-    """Return the variance of the real part of a component over repeats; each scale took a degree of freedom."""
-    if len(left) < 2 or left.shape[1] < 2:
+def _mean_square(residuals: Complex) -> float:
+    """Return the variance of the real part of a component over repeats; each scale uses up a degree of freedom."""
+    if len(residuals) < 2 or residuals.shape[1] < 2:
         return np.nan
-    return float(np.nansum(left.real**2) / ((len(left) - 1) * (left.shape[1] - 1)))
+    return float(np.nansum(residuals.real**2) / ((len(residuals) - 1) * (residuals.shape[1] - 1)))

@@ -22,38 +22,38 @@ from pkmodes.signals.checks import FEWEST
 
 Array = NDArray[np.float64]
 Spans = list[tuple[float, float]]
-#: The kind of records of boards: responses in time.
+#: Kind of record that boards share: responses in time.
 RESPONSES = "ambient"
-#: Standard deviation of times that a host gives to the samples of several boards [s].
+#: Standard deviation of the times with which a host stamps the samples of several boards [s].
 HOST = 2e-4
-#: Largest turn of a shape by one standard deviation of a clock: at twice as much its sign is lost [rad].
+#: Largest rotation of a shape by one standard deviation of a clock: at twice this, its sign is lost [rad].
 MOST = math.pi / 4.0
-#: Largest drift of clocks whose files state their rates: of some 1300 Hz in whole numbers.
+#: Largest drift of clocks whose files state their rates, such as 1300 Hz rounded to whole numbers.
 DRIFT = 5e-4
-#: How far off a clock may be after a rough comparison, in standard deviations where they are stated, and a common
-#: clock that is checked [s, -, s].
+#: Search range of a clock offset: after a rough comparison, in stated standard deviations, and when checking a common
+#: clock [s, -, s].
 AFTER_ROUGH, SIGMAS, CHECKED = 0.1, 4.0, 0.01
-#: Highest frequency by which clocks are compared: the grid of delays and drifts grows with its square [Hz].
+#: Highest frequency used to compare clocks: the grid of delays and drifts grows with its square [Hz].
 COMPARED = 250.0
-#: A common clock that is off by less is not said [s].
+#: A common clock that is off by less is not reported [s].
 UNSAID = 1e-3
-#: Longest part of a record in which clocks of their own are compared [s].
+#: Longest part of a record over which separate clocks are compared [s].
 LONGEST = 300.0
-#: Highest frequency in parts of the sampling rate at which splines of this degree are right to 0.3 %.
+#: Highest frequency, relative to the sampling rate, at which splines of this degree are accurate to 0.3 %.
 HIGHEST, DEGREE = 0.25, 5
-#: Samples on either side that a spline has beyond the times asked for.
+#: Samples that a spline includes on either side of the requested times.
 BESIDE = 32
 
 
 @dataclass(frozen=True)
 class Clock:
-    """The clock of a board beside that of the first.
+    """The clock of a board relative to that of the first.
 
     Attributes
     ----------
     offset, sigma : float
-        What is to be added to its times to have those of the first board, and its standard deviation, infinite where
-        it is not known [s].
+        Offset to add to its times to get those of the first board, and its standard deviation, infinite if unknown
+        [s].
     common : bool
         Whether both boards have one clock.
     """
@@ -63,39 +63,42 @@ class Clock:
     common: bool = False
 
 
-def clocks_of(given: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
-    """Return the clocks of the boards but the first.
+def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
+    """Return the clocks of all boards except the first.
 
     Raises
     ------
     MeasurementError
-        If they mean nothing, or the files are not as many of each board.
+        If they are invalid, or the boards have different numbers of files.
     """
     where = f"{where}.clock"
-    first, *others = files
-    if given.kind != RESPONSES or not others or len({len(listed) for listed in files.values()}) > 1:
-        what = f"expected the kind {RESPONSES}, and as many files of each board, with clock"
+    first, *other_boards = files
+    if table.kind != RESPONSES or not other_boards or len({len(listed) for listed in files.values()}) > 1:
+        problem = f"expected the kind {RESPONSES}, and as many files of each board, with clock"
         counted = ", ".join(f"{len(listed)} of {shown(name)}" for name, listed in files.items())
         remedy = (
             'write files = { head = ["head_1.csv"], bed = ["bed_1.csv"] }, recorded together in this order'
         )
-        raise MeasurementError(f"{what}, found {shown(given.kind)} and {counted}", where, remedy)
-    if given.clock == "common":
-        return {name: Clock(0.0, HOST, common=True) for name in others}
-    if given.clock == "own":
-        return {name: Clock(0.0, math.inf) for name in others}
-    if not isinstance(given.clock, dict) or set(given.clock) != set(others):
-        found = (
-            shown(given.clock) if isinstance(given.clock, str) else ", ".join(map(shown, given.clock or ()))
+        raise MeasurementError(f"{problem}, found {shown(table.kind)} and {counted}", where, remedy)
+    if table.clock == "common":
+        return {name: Clock(0.0, HOST, common=True) for name in other_boards}
+    if table.clock == "own":
+        return {name: Clock(0.0, math.inf) for name in other_boards}
+    if not isinstance(table.clock, dict) or set(table.clock) != set(other_boards):
+        stated_clock = (
+            shown(table.clock) if isinstance(table.clock, str) else ", ".join(map(shown, table.clock or ()))
         )
-        what = f'expected "common", "own", or a table of {", ".join(others)}, found {found or "none"}'
-        remedy = f'for example, to have times of {first}: {{ {others[0]} = {{ value = "12 ms", sigma = "3 ms" }} }}'
-        raise MeasurementError(what, where, remedy)
-    return {name: Clock(*uncertain(given.clock[name], "s", f"{where}.{name}")) for name in others}
+        problem = f'expected "common", "own", or a table of {", ".join(other_boards)}, found {stated_clock or "none"}'
+        remedy = (
+            f"for example, to have times of {first}: "
+            f'{{ {other_boards[0]} = {{ value = "12 ms", sigma = "3 ms" }} }}'
+        )
+        raise MeasurementError(problem, where, remedy)
+    return {name: Clock(*uncertain(table.clock[name], "s", f"{where}.{name}")) for name in other_boards}
 
 
 class UnknownOffsetError(Exception):
-    """What the clocks of two files differ by cannot be told."""
+    """The offset between the clocks of two files cannot be determined."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,7 +130,7 @@ class Board:
         ]
 
     def later(self, by: Delay) -> Board:
-        """Return the board with what is to be added to its times."""
+        """Return the board with a delay added to its times."""
         starts = tuple(start + by.seconds + by.drift * (start - by.middle) for start in self.starts)
         return replace(self, starts=starts, step=self.step * (1.0 + by.drift))
 
@@ -155,7 +158,7 @@ class Together:
     pieces : tuple of ndarray, shape (n_i, S)
         Of all boards, in their order.
     delays : mapping of str to Delay
-        What was added to the times of each board but the first, by setup.
+        Delay added to the times of each board except the first, by setup.
     messages : tuple of str
     """
 
@@ -177,38 +180,40 @@ def together(boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tup
         If a clock of its own cannot be compared with the first.
     """
     for board in boards.values():
-        if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to just that
-            what = f"expected a band up to a quarter of the sampling rate, {HIGHEST / board.step:.4g} Hz"
+        if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to exactly that
+            problem = f"expected a band up to a quarter of the sampling rate, {HIGHEST / board.step:.4g} Hz"
             remedy = "narrow the band of the record, or sample faster"
-            raise MeasurementError(f"{what}, found {band[1]:g} Hz", board.file, remedy)
+            raise MeasurementError(f"{problem}, found {band[1]:g} Hz", board.file, remedy)
         if board.starts[0] == 0.0 and any(clock.common for clock in clocks.values()):
-            what = "expected times of one clock, found ones that are counted from the first sample"
+            problem = "expected times of one clock, found ones that are counted from the first sample"
             remedy = (
                 'write clock = "own", or what is known: clock = { bed = { value = "0 ms", sigma = "2 ms" } }'
             )
-            raise MeasurementError(what, board.file, remedy)
-    every = [next(iter(boards.values()))]
-    delays, said = dict[str, Delay](), list[str]()
+            raise MeasurementError(problem, board.file, remedy)
+    aligned = [next(iter(boards.values()))]
+    delays, messages = dict[str, Delay](), list[str]()
     for setup, clock in clocks.items():
-        by, message = _compared(every[0], boards[setup], clock, band)
-        every.append(boards[setup].later(by))
+        by, message = _compared(aligned[0], boards[setup], clock, band)
+        aligned.append(boards[setup].later(by))
         delays[setup] = by
-        said += [message] if message else []
+        messages += [message] if message else []
     longest = math.inf if all(clock.common for clock in clocks.values()) else LONGEST
-    step, parts = _overlaps(every, longest)
+    step, parts = _overlaps(aligned, longest)
     if parts[-1][0] + parts[-1][1] * step > parts[0][0] + longest:
-        said.append(f"{every[0].file}: {longest:g} s are used: over more, clocks of their own drift apart")
-    pieces = tuple(np.hstack([board.at(start, step, count) for board in every]) for start, count in parts)
-    return Together(step, tuple(start for start, _ in parts), pieces, delays, tuple(said))
+        messages.append(
+            f"{aligned[0].file}: {longest:g} s are used: over more, clocks of their own drift apart"
+        )
+    pieces = tuple(np.hstack([board.at(start, step, count) for board in aligned]) for start, count in parts)
+    return Together(step, tuple(start for start, _ in parts), pieces, delays, tuple(messages))
 
 
 def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tuple[float, int]]]:
-    """Return the finest step of boards, and the first times and counts of samples of the parts that all have.
+    """Return the finest step of boards, and the start time and sample count of each part that all of them recorded.
 
     Raises
     ------
     MeasurementError
-        If there is none.
+        If there is no common part.
     """
     step = min(board.step for board in boards)
     spans = boards[0].spans
@@ -218,70 +223,76 @@ def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tupl
     counts = [(low, math.floor((min(high, end) - low) / step) + 1) for low, high in spans]
     parts = [(low, count) for low, count in counts if count >= FEWEST]
     if not parts:
-        found = " and ".join(f"{b.file} from {b.spans[0][0]:.6g} to {b.spans[-1][1]:.6g} s" for b in boards)
-        what = f"expected files that were recorded together, found {found}"
-        raise MeasurementError(what, boards[0].file, 'if each has a clock of its own, write clock = "own"')
+        found_spans = " and ".join(
+            f"{b.file} from {b.spans[0][0]:.6g} to {b.spans[-1][1]:.6g} s" for b in boards
+        )
+        problem = f"expected files that were recorded together, found {found_spans}"
+        raise MeasurementError(problem, boards[0].file, 'if each has a clock of its own, write clock = "own"')
     return step, parts
 
 
-def _both(one: Spans, other: Spans) -> Spans:
-    """Return what is in both of two lists of spans in the order of time."""
-    found, i, k = list[tuple[float, float]](), 0, 0
-    while i < len(one) and k < len(other):
-        low, high = max(one[i][0], other[k][0]), min(one[i][1], other[k][1])
-        found += [(low, high)] if high > low else []
-        i, k = (i + 1, k) if one[i][1] < other[k][1] else (i, k + 1)
-    return found
+def _both(first: Spans, second: Spans) -> Spans:
+    """Return the intersection of two lists of spans in time order."""
+    common, i, k = list[tuple[float, float]](), 0, 0
+    while i < len(first) and k < len(second):
+        low, high = max(first[i][0], second[k][0]), min(first[i][1], second[k][1])
+        common += [(low, high)] if high > low else []
+        i, k = (i + 1, k) if first[i][1] < second[k][1] else (i, k + 1)
+    return common
 
 
 def _compared(first: Board, board: Board, clock: Clock, band: tuple[float, float]) -> tuple[Delay, str]:
-    """Return what is to be added to the times of a board, and what to say of it."""
+    """Return the delay to add to the times of a board, and a message about it."""
     stated = Delay(clock.offset, 0.0, 0.0, np.array(band), np.full(2, clock.sigma))
     if clock.sigma == 0.0:
         return stated, ""
-    own = not clock.common and SIGMAS * clock.sigma > AFTER_ROUGH
-    within = AFTER_ROUGH if own else CHECKED if clock.common else SIGMAS * clock.sigma
+    own_clock = not clock.common and SIGMAS * clock.sigma > AFTER_ROUGH
+    within = AFTER_ROUGH if own_clock else CHECKED if clock.common else SIGMAS * clock.sigma
     compared = (band[0], min(band[1], COMPARED))
     try:
-        if own:
+        if own_clock:
             stated = replace(stated, seconds=_roughly(first, board, compared))
         shifted = board.later(stated)
         step, parts = _overlaps([first, shifted], LONGEST)
         pieces = [(low, first.at(low, step, count), shifted.at(low, step, count)) for low, count in parts]
-        found = delay(step, pieces, compared, within=within, drift=0.0 if clock.common else DRIFT)
-        reason = "" if (found.turns <= MOST).any() else "the vibrations do not tell"
+        estimate = delay(step, pieces, compared, within=within, drift=0.0 if clock.common else DRIFT)
+        reason = "" if (estimate.turns <= MOST).any() else "the vibrations do not tell"
     except MeasurementError as error:
         reason = error.what
-    if reason and own:
+    if reason and own_clock:
         raise UnknownOffsetError(f"what to add to the times of {board.file} is unknown: {reason}")
     if reason:
         return stated, ""
-    sigma, off = float(np.median(found.sigmas)), abs(found.seconds)
-    total = replace(found, seconds=stated.seconds + found.seconds, middle=found.middle - stated.seconds)
-    said = f"{1e3 * total.seconds:.2f} +- {1e3 * sigma:.2f} ms"
+    sigma, off = float(np.median(estimate.sigmas)), abs(estimate.seconds)
+    total = replace(
+        estimate, seconds=stated.seconds + estimate.seconds, middle=estimate.middle - stated.seconds
+    )
+    offset_text = f"{1e3 * total.seconds:.2f} +- {1e3 * sigma:.2f} ms"
     if clock.common and off > max(UNSAID, SIGMAS * sigma):
         doubted = f"{board.file}: the campaign says that its clock is that of {first.file}, the vibrations that it is"
-        return replace(stated, sigmas=np.full(2, off)), f'{doubted} {said} off: if so, write clock = "own"'
+        return replace(
+            stated, sigmas=np.full(2, off)
+        ), f'{doubted} {offset_text} off: if so, write clock = "own"'
     if clock.common or sigma > clock.sigma:
         return stated, ""
-    said += f", and {1e6 * total.drift:.0f} ppm" if total.drift else ""
-    return total, f"{board.file}: so that the shapes are real, {said} is added to its times"
+    offset_text += f", and {1e6 * total.drift:.0f} ppm" if total.drift else ""
+    return total, f"{board.file}: so that the shapes are real, {offset_text} is added to its times"
 
 
 def _roughly(first: Board, board: Board, band: tuple[float, float]) -> float:
-    """Return what is to be added to the times of a board, by the longest piece of each."""
+    """Return a rough offset for the times of a board, from the longest piece of each."""
     step, starts, longest = min(first.step, board.step), list[float](), list[Array]()
-    for each in (first, board):
-        low, high = max(each.spans, key=lambda span: span[1] - span[0])
+    for recording in (first, board):
+        low, high = max(recording.spans, key=lambda span: span[1] - span[0])
         starts.append(low)
-        longest.append(each.at(low, step, math.floor((high - low) / step) + 1))
+        longest.append(recording.at(low, step, math.floor((high - low) / step) + 1))
     return starts[0] - starts[1] + rough_delay(step, longest[0], longest[1], band)
 
 
 def with_clocks(
     mode: Mode, columns: Mapping[str, slice], delays: Mapping[str, Delay]
 ) -> tuple[Mode, list[str]]:
-    """Return a mode with what clocks are not known to in its shape, and the setups whose signs are not known.
+    """Return a mode with the clocks' uncertainty in its shape's sigma, and the setups whose signs are unknown.
 
     Parameters
     ----------
@@ -293,16 +304,16 @@ def with_clocks(
     shape = mode.shape.copy()
     for setup in lost:
         shape[columns[setup]] = np.nan
-    known = turned_real(shape).real
-    if not np.isfinite(known).any():
+    real_shape = turned_real(shape).real
+    if not np.isfinite(real_shape).any():
         return replace(mode, shape=shape), lost
-    largest = int(np.nanargmax(np.abs(known)))
+    largest = int(np.nanargmax(np.abs(real_shape)))
     variance = np.zeros(len(shape))
     for setup, turn in turns.items():
         for sign in () if setup in lost else (-1.0, 1.0):
-            other = shape.copy()
-            other[columns[setup]] *= np.exp(1j * sign * turn)
-            turned = turned_real(other).real
-            variance += 0.5 * (turned / turned[largest] - known) ** 2
+            rotated = shape.copy()
+            rotated[columns[setup]] *= np.exp(1j * sign * turn)
+            turned = turned_real(rotated).real
+            variance += 0.5 * (turned / turned[largest] - real_shape) ** 2
     spread = float(np.sqrt(np.nanmax(variance)))
     return replace(mode, shape=shape, sigma_shape=float(np.hypot(mode.sigma_shape, spread))), lost

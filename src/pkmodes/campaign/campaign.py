@@ -31,9 +31,9 @@ from pkmodes.measured.rules import PRINTABLE, is_label
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
 
-#: What `repeatability` may say instead of a share: it is estimated from poses that were measured twice.
+#: Value of `repeatability` other than a share: estimate it from poses that were measured twice.
 REVISITS = "revisits"
-#: The kind of records of frequency response functions.
+#: Kind of record with frequency response functions.
 FUNCTIONS = "frf"
 
 
@@ -59,13 +59,13 @@ class Record:
     columns : mapping of str to str
         Names of a table's columns, by those of a measurement file.
     header : tuple of str
-        Names of all columns of a table of signals, in order, where its own are others or missing.
+        Names of all columns of a table of signals, in order, where its own header is missing or different.
     names : mapping of str to str
-        What the files call time, frequency, force and sensors, by these names.
+        Names in the files of time, frequency, force and sensors, by these names.
     invert, conjugate : bool
         Whether the functions are force over motion, or complex conjugates.
     clocks : mapping of str to Clock
-        Of the setups but the first, if all are boards that recorded together.
+        Of all setups except the first, if they are boards that recorded together.
     """
 
     number: int
@@ -90,11 +90,11 @@ class Record:
 
     @property
     def separate(self) -> Mapping[str, tuple[Path, ...]]:
-        """The setups that are identified one by one: boards that recorded together are one."""
+        """The setups that are identified separately: boards that recorded together count as one."""
         return dict(list(self.setups.items())[:1]) if self.clocks else self.setups
 
     def beside(self, path: Path) -> dict[str, Path]:
-        """Return the files of other boards that were recorded together with one of the first, by setup."""
+        """Return the files that other boards recorded together with one of the first board, by setup."""
         number = next(iter(self.setups.values())).index(path) if self.clocks else 0
         return {setup: self.setups[setup][number] for setup in self.clocks}
 
@@ -140,21 +140,21 @@ class Campaign:
         return _platform(self.model)
 
     def sensors_in(self, setup: str) -> dict[str, Sensor]:
-        """Return the sensors that hold in a setup, by name."""
-        return {one.name: one for one in self.sensors if one.setup in (None, setup)}
+        """Return the sensors that apply to a setup, by name."""
+        return {sensor.name: sensor for sensor in self.sensors if sensor.setup in (None, setup)}
 
     def forces_in(self, setup: str) -> dict[str, Place]:
-        """Return the forces that hold in a setup, by name."""
-        return {one.name: one for one in self.forces if one.setup in (None, setup)}
+        """Return the forces that apply to a setup, by name."""
+        return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
     def asked(self, record: Record) -> Asked:
-        """Return what the user asks of the modes of a record."""
+        """Return the user's edits of the modes of a record."""
         return self.edits.get(record.pose, NOTHING)
 
     def places_at(self, record: Record) -> dict[str, Place]:
-        """Return sensors and forces of all setups, by key, as they are at the pose of a record."""
+        """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
-        return {one.key: one.where_turned(R) for one in (*self.sensors, *self.forces)}
+        return {place.key: place.where_turned(R) for place in (*self.sensors, *self.forces)}
 
 
 def read_campaign(path: str | PathLike[str]) -> Campaign:
@@ -180,15 +180,15 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
     """Check the tables of a campaign file; `source` is its path."""
     folder = Path(source).parent
     if (table.robot is None) == (table.channels is None):
-        what = "expected either a robot or channels, found " + (
+        problem = "expected either a robot or channels, found " + (
             "both" if table.robot is not None else "neither"
         )
         raise MeasurementError(
-            what, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
+            problem, source, 'write robot = "robot.toml", or channels = ["floor_1"] for a structure'
         )
     model = None if table.robot is None else Model(read_robot(folder / table.robot))
     _check_channels(table.channels or [], source)
-    known = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
+    channel_units = dict.fromkeys(table.channels or (), "") if model is None else channels(model.mechanism)
     if not table.record:
         raise MeasurementError(
             "expected records, found none", f"{source}: record", "add [[record]] for each pose"
@@ -203,15 +203,15 @@ def campaign_of(table: CampaignTable, source: str) -> Campaign:
     return Campaign(
         source=source,
         model=model,
-        channels=known,
+        channels=channel_units,
         repeatability=(
             None
             if table.repeatability == REVISITS
             else share(table.repeatability, f"{source}: repeatability")
         ),
         tones=tuple(frequency(text, f"{source}: tones") for text in table.tones),
-        sensors=sensors_of(table.sensor, known, _platform(model), used, source),
-        forces=forces_of(table.force, known, _platform(model), used, source),
+        sensors=sensors_of(table.sensor, channel_units, _platform(model), used, source),
+        forces=forces_of(table.force, channel_units, _platform(model), used, source),
         records=records,
         edits=_edits(table.edit, records, source),
         report=_report(table, source),
@@ -233,14 +233,14 @@ def _report(table: CampaignTable, source: str) -> dict[str, str]:
 def _check_channels(names: list[str], source: str) -> None:
     for i, name in enumerate(names):
         if not name.strip() or not name.isprintable() or name == NONE:
-            what = f"expected the name of a channel, found {shown(name)}"
-            raise MeasurementError(what, f"{source}: channels", "use printable characters, and not none")
+            problem = f"expected the name of a channel, found {shown(name)}"
+            raise MeasurementError(problem, f"{source}: channels", "use printable characters, and not none")
         if name in names[:i]:
             raise MeasurementError(f"{shown(name)} is given twice", f"{source}: channels", "give each once")
 
 
 def _record(
-    given: RecordTable,
+    record_table: RecordTable,
     number: int,
     table: CampaignTable,
     model: Model | None,
@@ -248,7 +248,7 @@ def _record(
     band: tuple[float, float],
     where: str,
 ) -> Record:
-    files = given.files if isinstance(given.files, dict) else {"": given.files}
+    files = record_table.files if isinstance(record_table.files, dict) else {"": record_table.files}
     if not files or not all(files.values()):
         raise MeasurementError(
             "expected files, found none", f"{where}.files", 'for example: files = ["p1.uff"]'
@@ -259,46 +259,52 @@ def _record(
         if count > 1
     ]
     if repeated:
-        what = f"the file {shown(repeated[0])} is given twice"
-        raise MeasurementError(what, f"{where}.files", "a repeat is another measurement: give each file once")
-    if not given.pose.strip():
+        problem = f"the file {shown(repeated[0])} is given twice"
+        raise MeasurementError(
+            problem, f"{where}.files", "a repeat is another measurement: give each file once"
+        )
+    if not record_table.pose.strip():
         raise MeasurementError("expected a label, found none", f"{where}.pose", 'for example: pose = "P1"')
-    if not is_label(given.pose):
-        raise MeasurementError(f"expected a label, found {shown(given.pose)}", f"{where}.pose", PRINTABLE)
-    if given.pose.lstrip().startswith("#"):
-        what = f"expected a label that does not begin with #, found {shown(given.pose)}"
-        raise MeasurementError(what, f"{where}.pose", "its rows would be comments of the measurement file")
-    for name, count in (("averages", given.averages), ("hits", given.hits)):
+    if not is_label(record_table.pose):
+        raise MeasurementError(
+            f"expected a label, found {shown(record_table.pose)}", f"{where}.pose", PRINTABLE
+        )
+    if record_table.pose.lstrip().startswith("#"):
+        problem = f"expected a label that does not begin with #, found {shown(record_table.pose)}"
+        raise MeasurementError(problem, f"{where}.pose", "its rows would be comments of the measurement file")
+    for name, count in (("averages", record_table.averages), ("hits", record_table.hits)):
         if count is not None and count < 1:
-            what = f"expected at least 1, found {count}"
-            raise MeasurementError(what, f"{where}.{name}", "count what is in each file")
-    for name, asked in (("invert", given.invert), ("conjugate", given.conjugate)):
-        if asked and given.kind != FUNCTIONS:
-            what = f"expected the kind {FUNCTIONS} with {name}, found {shown(given.kind)}"
+            problem = f"expected at least 1, found {count}"
+            raise MeasurementError(problem, f"{where}.{name}", "count what is in each file")
+    for name, flag in (("invert", record_table.invert), ("conjugate", record_table.conjugate)):
+        if flag and record_table.kind != FUNCTIONS:
+            problem = f"expected the kind {FUNCTIONS} with {name}, found {shown(record_table.kind)}"
             raise MeasurementError(
-                what, f"{where}.{name}", "leave it out: it is for frequency responses only"
+                problem, f"{where}.{name}", "leave it out: it is for frequency responses only"
             )
-    point, spread = _point(given, model, where)
+    point, spread = _point(record_table, model, where)
     return Record(
         number=number,
-        pose=given.pose.strip(),  # as the measurement file is read
+        pose=record_table.pose.strip(),  # as the measurement file is read
         point=point,
         point_sigma=spread,
-        settings=_settings(given, model, where),
-        kind=given.kind,
+        settings=_settings(record_table, model, where),
+        kind=record_table.kind,
         setups={name: tuple(folder / file for file in listed) for name, listed in files.items()},
-        band=band if given.band is None else band_of(given.band, f"{where}.band"),
-        drives=given.drives or table.drives,
-        averages=given.averages,
-        exponential=None if given.exponential is None else _time(given.exponential, f"{where}.exponential"),
-        hits=given.hits,
-        rate=None if given.rate is None else frequency(given.rate, f"{where}.rate", "3200 Hz"),
-        columns=given.columns if isinstance(given.columns, dict) else {},
-        header=tuple(given.columns) if isinstance(given.columns, list) else (),
-        names=names_of(given, table.sensor, where),
-        invert=given.invert,
-        conjugate=given.conjugate,
-        clocks={} if given.clock is None else clocks_of(given, files, where),
+        band=band if record_table.band is None else band_of(record_table.band, f"{where}.band"),
+        drives=record_table.drives or table.drives,
+        averages=record_table.averages,
+        exponential=None
+        if record_table.exponential is None
+        else _time(record_table.exponential, f"{where}.exponential"),
+        hits=record_table.hits,
+        rate=None if record_table.rate is None else frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
+        columns=record_table.columns if isinstance(record_table.columns, dict) else {},
+        header=tuple(record_table.columns) if isinstance(record_table.columns, list) else (),
+        names=names_of(record_table, table.sensor, where),
+        invert=record_table.invert,
+        conjugate=record_table.conjugate,
+        clocks={} if record_table.clock is None else clocks_of(record_table, files, where),
     )
 
 
@@ -311,22 +317,26 @@ def _time(text: str, where: str) -> float:
     return value
 
 
-def _point(given: RecordTable, model: Model | None, where: str) -> tuple[dict[str, float], dict[str, float]]:
+def _point(
+    record_table: RecordTable, model: Model | None, where: str
+) -> tuple[dict[str, float], dict[str, float]]:
     """Return the pose and its standard deviations; empty for a structure that is not a robot."""
     if model is None:
-        if given.at:
-            what = "a structure without a robot has no positions"
-            raise MeasurementError(what, f"{where}.at", "leave it out, or give the robot file")
+        if record_table.at:
+            problem = "a structure without a robot has no positions"
+            raise MeasurementError(problem, f"{where}.at", "leave it out, or give the robot file")
         return {}, {}
     units = {component.name: component.unit for component in model.mechanism.pose}
-    for name in given.at:
+    for name in record_table.at:
         if name not in units:
             raise MeasurementError(f"unknown component {shown(name)}", f"{where}.at", nearest(name, units))
-    missing = [name for name in units if name not in given.at]
+    missing = [name for name in units if name not in record_table.at]
     if missing:
-        what = f"expected {', '.join(units)}, found no {', '.join(missing)}"
-        raise MeasurementError(what, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
-    both = {name: uncertain(given.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()}
+        problem = f"expected {', '.join(units)}, found no {', '.join(missing)}"
+        raise MeasurementError(problem, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
+    both = {
+        name: uncertain(record_table.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()
+    }
     point = {name: value for name, (value, _) in both.items()}
     try:
         model.checked(list(point.values()), "raise")
@@ -335,46 +345,48 @@ def _point(given: RecordTable, model: Model | None, where: str) -> tuple[dict[st
     return point, {name: sigma for name, (_, sigma) in both.items()}
 
 
-def _settings(given: RecordTable, model: Model | None, where: str) -> dict[str, float]:
+def _settings(record_table: RecordTable, model: Model | None, where: str) -> dict[str, float]:
     if model is None:
-        if given.settings:
-            what = "a structure without a robot has no parameters"
-            raise MeasurementError(what, f"{where}.set", "leave it out, or give the robot file")
+        if record_table.settings:
+            problem = "a structure without a robot has no parameters"
+            raise MeasurementError(problem, f"{where}.set", "leave it out, or give the robot file")
         return {}
-    known = settable(model.mechanism, model.robot)
-    found = {}
-    for path, value in given.settings.items():
-        if path not in known:
-            what = f"unknown parameter path {shown(path)}"
-            raise MeasurementError(what, f"{where}.set", nearest(path, known, "see docs/sensitivities.md"))
-        found[path] = quantity(value, known[path], f"{where}.set.{path}")
+    settable_units = settable(model.mechanism, model.robot)
+    values = {}
+    for path, value in record_table.settings.items():
+        if path not in settable_units:
+            problem = f"unknown parameter path {shown(path)}"
+            raise MeasurementError(
+                problem, f"{where}.set", nearest(path, settable_units, "see docs/sensitivities.md")
+            )
+        values[path] = quantity(value, settable_units[path], f"{where}.set.{path}")
     try:
-        model.robot.with_values(found)
+        model.robot.with_values(values)
     except PkmodesError as error:
         raise MeasurementError(error.what, f"{where}.set", error.remedy) from None
-    return found
+    return values
 
 
 def _check_labels(records: tuple[Record, ...], source: str) -> None:
     first: dict[str, int] = {}
     for record in records:
-        other = first.setdefault(record.pose, record.number)
-        if other != record.number:
-            what = f"the label {shown(record.pose)} is that of record {other}, too"
+        number = first.setdefault(record.pose, record.number)
+        if number != record.number:
+            problem = f"the label {shown(record.pose)} is that of record {number}, too"
             remedy = "give each record its own label; repeats are several files of one record"
-            raise MeasurementError(what, f"{source}: record.{record.number}.pose", remedy)
+            raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 
 
-def _edits(given: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, Asked]:
+def _edits(tables: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, Asked]:
     labels = [record.pose for record in records]
-    found: dict[str, Asked] = {}
-    for i, edit in enumerate(given, start=1):
+    edits: dict[str, Asked] = {}
+    for i, edit in enumerate(tables, start=1):
         where, label = f"{source}: edit.{i}", edit.pose.strip()
         if label not in labels:
-            what = f"no record has the label {shown(edit.pose)}"
-            raise MeasurementError(what, f"{where}.pose", nearest(edit.pose, labels))
+            problem = f"no record has the label {shown(edit.pose)}"
+            raise MeasurementError(problem, f"{where}.pose", nearest(edit.pose, labels))
         strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
         add = tuple(frequency(text, f"{where}.add") for text in edit.add)
-        before = found.get(label, NOTHING)
-        found[label] = Asked(before.strike + strike, before.add + add)
-    return found
+        before = edits.get(label, NOTHING)
+        edits[label] = Asked(before.strike + strike, before.add + add)
+    return edits

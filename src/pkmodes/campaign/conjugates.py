@@ -20,66 +20,69 @@ from pkmodes.identification.estimates import alike
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.signals.functions import Array, Complex, Function, computed
 
-#: How far above a half the share of the energy before the blow is of a conjugate: at least, and times the root of the
-#: number of lines.  That of noise is a half, with a standard deviation of 0.7 in the same measure.
+#: Excess over one half of the share of energy before the blow that marks a conjugate: the least, and a multiple of
+#: 1/sqrt(lines).  For noise the share is one half, with a standard deviation of 0.7/sqrt(lines).
 LEAST, NOISE = 0.15, 2.8
-#: Samples beside the blow that do not count: there the band's window spreads what is instantaneous.
+#: Samples beside the blow that are not counted: the window of the band spreads an instantaneous response over them.
 BESIDE = 3
-#: Functions of a file that are fitted at most.
+#: Most functions of a file that are fitted.
 MOST_FITTED = 24
-#: Least share of the power of conjugates that a fit explains: on all lines, which is 0.5 with as much noise as
-#: response, and weighted by the power of the fit, which is 0.92 or more; what other forces make has less of one.
+#: Least share of the power of conjugates that a fit explains: over all lines (0.5 with as much noise as response),
+#: and weighted by the power of the fit (0.92 or more).  At least one is lower for responses to other forces.
 EXPLAINED, AT_PEAKS = 0.4, 0.9
-#: Lines in the band that the share needs.
+#: Fewest lines in the band from which the share is estimated.
 FEWEST = 16
-#: Steps between lines of one spacing differ by less than this part.
+#: Line spacings that differ by less than this, relative, are even.
 EVEN = 0.01
 
 
 def phase_checked(
     functions: Sequence[Function], band: tuple[float, float], conjugate: bool, source: str
 ) -> tuple[tuple[Function, ...], tuple[str, ...]]:
-    """Return functions with the phase of exp(+i omega t), and what to say of them.
+    """Return functions with the phase of exp(+i omega t), and messages about them.
 
     Parameters
     ----------
     band : tuple of float
         [Hz].
     conjugate : bool
-        Whether those that are conjugates are mended, which may be some of a file; otherwise they are refused.
+        Whether conjugates, which may be only some functions of a file, are corrected; otherwise they are refused.
 
     Raises
     ------
     MeasurementError
-        If a function is a conjugate, and this is not asked for.
+        If a function is a conjugate, and `conjugate` is false.
     """
-    shares = [_early(one.abscissa, np.asarray(one.values), band) for one in functions]
+    shares = [_early(function.abscissa, np.asarray(function.values), band) for function in functions]
     lines = int(np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1])))
     surely = [share > _limit(lines) for share in shares]
     mostly = bool(np.mean(shares) > (0.5 if conjugate else _limit(lines * len(shares))))
     clearly = [share < 1.0 - _limit(lines) for share in shares]
     wrong = [bad or (mostly and not good) for bad, good in zip(surely, clearly, strict=True)]
     if conjugate:
-        mended = (computed(one, np.conj) if bad else one for one, bad in zip(functions, wrong, strict=True))
+        mended = (
+            computed(function, np.conj) if bad else function
+            for function, bad in zip(functions, wrong, strict=True)
+        )
         return tuple(mended), ()
     if any(wrong):
-        names = [f"{one.response}/{one.reference}".removesuffix("/") for one in functions]
+        names = [f"{function.response}/{function.reference}".removesuffix("/") for function in functions]
         which = [name for name, bad in zip(names, wrong, strict=True) if bad]
-        some = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
-        suspects = [one for one, bad in zip(functions, wrong, strict=True) if bad]
-        if not _fitted([computed(one, np.conj) for one in suspects], band):
+        examples = f"{', '.join(which[:4])}{', ...' if len(which) > 4 else ''}"
+        suspects = [function for function, bad in zip(functions, wrong, strict=True) if bad]
+        if not _fitted([computed(function, np.conj) for function in suspects], band):
             remark = (
-                f"{source}: {len(which)} of {len(names)} functions ({some}) hold more vibration before the force "
+                f"{source}: {len(which)} of {len(names)} functions ({examples}) hold more vibration before the force "
                 "than after it, and no modes fit their complex conjugates either: they are mostly no response to "
                 "this force; measure with more force or more averages"
             )
             return tuple(functions), (remark,)
-        what = (
+        problem = (
             "expected vibrations that decay after the force, found ones that grow before it in "
-            f"{len(which)} of {len(names)} functions ({some}): these are complex conjugates, with the phase of "
+            f"{len(which)} of {len(names)} functions ({examples}): these are complex conjugates, with the phase of "
             "exp(-i omega t)"
         )
-        raise MeasurementError(what, source, "write conjugate = true in the record")
+        raise MeasurementError(problem, source, "write conjugate = true in the record")
     return tuple(functions), ()
 
 
@@ -88,12 +91,12 @@ def _fitted(functions: Sequence[Function], band: tuple[float, float]) -> bool:
     chosen = [functions[i] for i in range(0, len(functions), math.ceil(len(functions) / MOST_FITTED))]
     f = chosen[0].abscissa
     inside = (f >= band[0]) & (f <= band[1])
-    values = np.stack([np.asarray(one.values, complex) for one in chosen], axis=1)
+    values = np.stack([np.asarray(function.values, complex) for function in chosen], axis=1)
     size = np.linalg.norm(values[inside], axis=0)
-    known = np.isfinite(size) & (size > 0.0)
+    usable = np.isfinite(size) & (size > 0.0)
     try:
-        estimate = identify_frf(f, (values[:, known] / size[known])[..., None], band=band, power=2)
-    except MeasurementError:  # too few lines or functions: nothing can be said
+        estimate = identify_frf(f, (values[:, usable] / size[usable])[..., None], band=band, power=2)
+    except MeasurementError:  # too few lines or functions to tell
         return False
     if not estimate.modes:
         return False
@@ -108,7 +111,7 @@ def _limit(lines: int) -> float:
 
 
 def _early(frequencies: Array, values: Complex, band: tuple[float, float]) -> float:
-    """Return the share of the energy of an impulse response that comes before its blow; 0.5 where nothing tells."""
+    """Return the share of an impulse response's energy that comes before its blow; 0.5 if it cannot be told."""
     inside = (frequencies >= band[0]) & (frequencies <= band[1])
     f, H = frequencies[inside], values[inside]
     steps = np.diff(f)

@@ -10,7 +10,7 @@ from pathlib import Path
 from pkmodes.campaign.campaign import Record
 from pkmodes.core.base.errors import MeasurementError
 
-#: Bytes that are read at a time: files of signals may be large.
+#: Bytes read at a time: files of signals may be large.
 BLOCK = 1 << 20
 
 
@@ -60,6 +60,6 @@ def refuse_copied_visits(records: Sequence[Record], source: str) -> None:
     for first, copy in copies([path for path, _ in labels]):
         poses = {record.pose for path, record in labels if path in (first, copy)}
         if len(poses) > 1:
-            what = f"expected new measurements under {' and '.join(sorted(poses))}, found the same content in both"
+            problem = f"expected new measurements under {' and '.join(sorted(poses))}, found the same content in both"
             remedy = 'measure the pose again, or write a number such as "0.2 %" as repeatability'
-            raise MeasurementError(what, f"{source}: {first.name}, {copy.name}", remedy)
+            raise MeasurementError(problem, f"{source}: {first.name}, {copy.name}", remedy)

@@ -25,11 +25,11 @@ from pkmodes.measured.cells import number_in
 from pkmodes.measured.csv_format import read_text
 
 LARGEST_FILE = 1_000_000
-#: How msgspec says that a key is unknown or missing, and where something is wrong.
+#: Messages of msgspec: an unknown or missing key, and the place of an error.
 UNKNOWN = re.compile(r"Object contains unknown field `(.*)`")
 MISSING = re.compile(r"Object missing required field `(.*)`")
 KINDS_OF_VALUES = re.compile(r"`([a-z]+(?: \| [a-z]+)*)`")
-#: What keys with a few possible values expect.
+#: Values allowed for keys with few possible values.
 CHOICES = {"format": "1", "drives": '"free" or "held"', "signs": '"file"'}
 PLACE = re.compile(r"(.*) - at `\$(.*)`")
 Given = str | int | float
@@ -115,7 +115,7 @@ class CampaignTable(Part, frozen=True):
     report: dict[str, Any] = {}
 
 
-#: Tables by the last name of their place in the file.
+#: Tables by the last part of their path in the file.
 TABLES: dict[str, type[Part]] = {
     "sensor": SensorTable,
     "force": ForceTable,
@@ -136,8 +136,8 @@ def read_description(path: Path) -> CampaignTable:
     source = str(path)
     text = read_text(path, source, "the campaign", "give a campaign file in TOML", LARGEST_FILE)
     if (line := long_key(text)) is not None:
-        what = f"expected a key of at most {MOST_PARTS} parts, found more"
-        _refuse(what, f"{source}: line {line}", "shorten the key")
+        problem = f"expected a key of at most {MOST_PARTS} parts, found more"
+        _refuse(problem, f"{source}: line {line}", "shorten the key")
     try:
         document = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # also integers with too many digits
@@ -154,30 +154,36 @@ def described(document: dict[str, Any], source: str) -> CampaignTable:
 
 
 def _translate(text: str, source: str) -> NoReturn:
-    """Raise the error of msgspec in the words of pkmodes."""
-    found = PLACE.fullmatch(text)
-    what, place = (found[1], found[2]) if found else (text, "")
+    """Raise the error of msgspec in pkmodes' own wording."""
+    located = PLACE.fullmatch(text)
+    problem, place = (located[1], located[2]) if located else (text, "")
     place = re.sub(r"\[(\d+)\]", lambda index: f".{int(index[1]) + 1}", place).lstrip(".")
     where = f"{source}: {place}" if place else source
     keys = re.sub(r"\.?\d+$", "", place)
     table = TABLES.get(keys.rpartition(".")[2])
-    known = [each.encode_name for each in msgspec.structs.fields(table)] if table else []
-    if match := UNKNOWN.fullmatch(what):
-        _refuse(f"unknown key {shown(match[1])}", where, nearest(match[1], known) if known else "remove it")
-    if match := MISSING.fullmatch(what):
+    known_keys = [attribute.encode_name for attribute in msgspec.structs.fields(table)] if table else []
+    if match := UNKNOWN.fullmatch(problem):
         _refuse(
-            f'expected the key "{match[1]}", found none', where, f"add it; known keys: {', '.join(known)}"
+            f"unknown key {shown(match[1])}",
+            where,
+            nearest(match[1], known_keys) if known_keys else "remove it",
+        )
+    if match := MISSING.fullmatch(problem):
+        _refuse(
+            f'expected the key "{match[1]}", found none',
+            where,
+            f"add it; known keys: {', '.join(known_keys)}",
         )
     key = place.rpartition(".")[2]
-    if what.startswith("Invalid enum value") and key in CHOICES:
-        what = f"expected {CHOICES[key]}, found {what.removeprefix('Invalid enum value ')}"
-    what = KINDS_OF_VALUES.sub(lambda found: " or ".join(_plain(found[1])), what)
-    what = what.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
-    _refuse(f"{what[0].lower()}{what[1:]}", where, "see the campaign file in docs/signals.md")
+    if problem.startswith("Invalid enum value") and key in CHOICES:
+        problem = f"expected {CHOICES[key]}, found {problem.removeprefix('Invalid enum value ')}"
+    problem = KINDS_OF_VALUES.sub(lambda kinds: " or ".join(_plain(kinds[1])), problem)
+    problem = problem.replace(", got ", ", found ").replace("`", '"').replace(" | ", " or ")
+    _refuse(f"{problem[0].lower()}{problem[1:]}", where, "see the campaign file in docs/signals.md")
 
 
 def _plain(kinds: str) -> list[str]:
-    """Return kinds of values as msgspec names them in words."""
+    """Return msgspec's names of value types in plain words."""
     words = {"str": "text", "int": "an integer", "float": "a number", "array": "a list", "object": "a table"}
     return list(dict.fromkeys(words.get(kind, kind) for kind in kinds.split(" | ") if kind != "null"))
 
@@ -210,7 +216,7 @@ def frequency(text: str, where: str, example: str = "50 Hz") -> float:
     return value
 
 
-def band_of(given: list[str], where: str) -> tuple[float, float]:
+def band_of(frequencies: list[str], where: str) -> tuple[float, float]:
     """Return a band [Hz].
 
     Raises
@@ -219,9 +225,9 @@ def band_of(given: list[str], where: str) -> tuple[float, float]:
         If it is not two frequencies, the lower one first.
     """
     remedy = 'for example: band = ["10 Hz", "400 Hz"]'
-    if len(given) != 2:
-        raise MeasurementError(f"expected two frequencies, found {len(given)}", where, remedy)
-    low, high = (frequency(text, where) for text in given)
+    if len(frequencies) != 2:
+        raise MeasurementError(f"expected two frequencies, found {len(frequencies)}", where, remedy)
+    low, high = (frequency(text, where) for text in frequencies)
     if low >= high:
         raise MeasurementError(
             f"expected the lower frequency first, found {low:g} Hz, {high:g} Hz", where, remedy
@@ -239,12 +245,12 @@ def share(text: str, where: str) -> float:
     """
     value = quantity(text, "1", where)
     if not 0.0 <= value < 1.0:
-        what = f"expected a share of at least 0 and below 100 %, found {shown(text)}"
-        raise MeasurementError(what, where, 'for example: "0.2 %"')
+        problem = f"expected a share of at least 0 and below 100 %, found {shown(text)}"
+        raise MeasurementError(problem, where, 'for example: "0.2 %"')
     return value
 
 
-def quantity(given: Given, unit: str, where: str) -> float:
+def quantity(raw_value: Given, unit: str, where: str) -> float:
     """Return a quantity in SI units; a bare number only where the unit is 1.
 
     Raises
@@ -253,13 +259,13 @@ def quantity(given: Given, unit: str, where: str) -> float:
         If it is not a quantity of this unit.
     """
     try:
-        return parse(given if isinstance(given, str) else repr(given), dimension_of(unit))
+        return parse(raw_value if isinstance(raw_value, str) else repr(raw_value), dimension_of(unit))
     except QuantityError as error:
         remedy = error.remedy or "write the number with its unit, as text"
         raise MeasurementError(str(error), where, remedy) from None
 
 
-def uncertain(given: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:
+def uncertain(raw_value: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:
     """Return a quantity in SI units and its standard deviation, 0 where none is given.
 
     Raises
@@ -267,10 +273,10 @@ def uncertain(given: Given | Uncertain, unit: str, where: str) -> tuple[float, f
     MeasurementError
         If one of them is not a quantity of this unit, or the standard deviation is negative.
     """
-    if not isinstance(given, Uncertain):
-        return quantity(given, unit, where), 0.0
-    sigma = 0.0 if given.sigma == 0 else quantity(given.sigma, unit, f"{where}.sigma")
+    if not isinstance(raw_value, Uncertain):
+        return quantity(raw_value, unit, where), 0.0
+    sigma = 0.0 if raw_value.sigma == 0 else quantity(raw_value.sigma, unit, f"{where}.sigma")
     if sigma < 0.0:
-        what = f"expected a standard deviation of at least 0, found {shown(given.sigma)}"
-        raise MeasurementError(what, f"{where}.sigma", "give its size")
-    return quantity(given.value, unit, f"{where}.value"), sigma
+        problem = f"expected a standard deviation of at least 0, found {shown(raw_value.sigma)}"
+        raise MeasurementError(problem, f"{where}.sigma", "give its size")
+    return quantity(raw_value.value, unit, f"{where}.value"), sigma

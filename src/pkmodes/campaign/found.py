@@ -1,4 +1,4 @@
-"""A mode as one file, or several together, show it; and what one file gives: its modes and the fit behind them."""
+"""A mode as found in one file or several; and the result of one file: its modes and the fit behind them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.identification.estimates import Estimate, Mode, alike
 from pkmodes.identification.level import LevelShift
 
-#: References of files that do not say where a force acts: it may act elsewhere in each setup.
+#: References that do not say where the force acts: it may act at a different place in each setup.
 NAMELESS = ("", "force")
 
 
@@ -28,22 +28,22 @@ class Found:
     damping : float
         Damping ratio; NaN where unknown.
     shape : mapping of str to complex
-        By sensor or by channel, in one unit of acceleration or displacement, any scale; what is not measured is left
-        out.
+        By sensor or by channel, in one unit of acceleration or displacement, at any scale; without the components
+        that were not measured.
     sigma_frequency, sigma_damping : float
-        Standard deviations that the identification itself leaves [Hz, 1]; 0 where it states none.
+        Standard deviations from the identification itself [Hz, 1]; 0 where it states none.
     sigma_shape : float
-        The same of a component of the shape, relative to the largest one; NaN where unknown.
+        Likewise for a component of the shape, relative to the largest one; NaN where unknown.
     found_in : tuple of int, or None
-        In how many model orders, of how many.
+        Number of model orders in which it was found, and their total.
     resolution : float
-        Distance within which the file tells no two modes apart [Hz].
+        Spacing below which the file cannot tell two modes apart [Hz].
     level : float
         Of its vibration in the file; NaN where unknown.
     shift : LevelShift or None
         How the frequency changes with the level within the file; over several files, the largest change.
     participation : mapping of str to complex
-        Of the references that have a name: its product with the shape is the residue, an acceleration per force.
+        By named reference: its product with the shape is the residue, an acceleration per force.
     sigma_size : float
         Standard deviation of the largest residue, relative; NaN where unknown.
     """
@@ -62,17 +62,17 @@ class Found:
     sigma_size: float = np.nan
 
 
-def mac(one: Mapping[str, complex], other: Mapping[str, complex]) -> float:
-    """Return the modal assurance criterion over the components that both shapes have; 1 for fewer than two.
+def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
+    """Return the modal assurance criterion over the components common to both shapes; 1 for fewer than two.
 
     Notes
     -----
     Allemang and Brown, Proc. 1st Int. Modal Analysis Conf., 1982.
     """
-    common = [name for name in one if name in other]
+    common = [name for name in first if name in second]
     if len(common) < 2:
         return 1.0
-    return alike(*(np.array([shape[name] for name in common]) for shape in (one, other)))
+    return alike(*(np.array([shape[name] for name in common]) for shape in (first, second)))
 
 
 def check_shape(shape: Mapping[str, complex], where: str) -> None:
@@ -84,20 +84,20 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
     """
     size = max((abs(value) for value in shape.values()), default=1.0)
     if not SMALLEST <= size <= LARGEST:
-        what = f"expected a mode shape, found components up to {size:g}"
-        raise MeasurementError(what, where, "leave the shape out where it was not measured")
+        problem = f"expected a mode shape, found components up to {size:g}"
+        raise MeasurementError(problem, where, "leave the shape out where it was not measured")
 
 
 @dataclass(frozen=True, eq=False)
 class Fit:
-    """The fit of a file, to be looked at.
+    """The fit of a file, kept for inspection.
 
     Attributes
     ----------
     estimate : Estimate
         Its functions are S responses per R references, or S power spectra.
     responses, references : tuple of str
-        Names of the S and of the R; no references for spectra.
+        Names of the S responses and the R references; no references for spectra.
     coherence : ndarray, shape (F, S, R), or None
         On the lines of the estimate.
     """
@@ -117,38 +117,40 @@ class FileModes:
     modes : tuple of Found
     messages : tuple of str
         What the user should know.
-    seen : frozenset of str, or None
+    names_in_file : frozenset of str, or None
         Names of the sensors and, without their signs, of the forces in the file; None if it needs none.
     added : tuple of Found or str
-        For each frequency from which the user asked for a mode: the mode, or why there is none.
+        For each frequency at which the user requested a mode: the mode, or why there is none.
     fit : Fit or None
         None for modes that are already identified.
     unnamed : tuple of str
-        References of the file, if the campaign names none of them: its shapes have the places of the sensors.
+        References of the file, if the campaign names none of them: its shapes are then at the sensors.
     forces : tuple of str
-        Names of the forces whose places its shapes have; none if they have those of the sensors.
+        Names of the forces at whose places the shapes are defined; empty if they are at the sensors.
     """
 
     modes: tuple[Found, ...]
     messages: tuple[str, ...]
-    seen: frozenset[str] | None
+    names_in_file: frozenset[str] | None
     added: tuple[Found | str, ...] = ()
     fit: Fit | None = None
     unnamed: tuple[str, ...] = ()
     forces: tuple[str, ...] = ()
 
     def changed(self, change: Callable[[Found], Found]) -> FileModes:
-        """Return it with another mode for each, also for each that the user asked for."""
-        added = tuple(one if isinstance(one, str) else change(one) for one in self.added)
+        """Return it with `change` applied to each mode, including those the user requested."""
+        added = tuple(
+            candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
+        )
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
 def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -> Found:
-    """Return a mode of a fit with its shape by name, in accelerations, and its participations by reference."""
+    """Return a fitted mode with its shape by name, as accelerations, and its participations by reference."""
     shape = {
         name: complex(value) for name, value in zip(names, mode.shape, strict=True) if np.isfinite(value)
     }
-    known = () if mode.participation is None else zip(references, mode.participation, strict=True)
+    pairs = () if mode.participation is None else zip(references, mode.participation, strict=True)
     return Found(
         mode.frequency,
         mode.damping,
@@ -157,20 +159,25 @@ def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -
         mode.sigma_damping,
         mode.sigma_shape,
         mode.found_in,
-        participation={name: complex(value) for name, value in known if name not in NAMELESS},
+        participation={name: complex(value) for name, value in pairs if name not in NAMELESS},
         sigma_size=mode.sigma_size,
     )
 
 
 def modes_of_fit(
-    fit: Fit, messages: Sequence[str], seen: frozenset[str], found: Callable[[Mode], Found] | None = None
+    fit: Fit,
+    messages: Sequence[str],
+    names_in_file: frozenset[str],
+    convert: Callable[[Mode], Found] | None = None,
 ) -> FileModes:
-    """Return what a file gives by its fit; `found` turns a mode of the fit into one of the file: `found_of`."""
-    made = found or (lambda mode: found_of(mode, fit.responses, fit.references))
+    """Return the modes of a file from its fit; `convert` turns a fitted mode into one of the file, as `found_of`."""
+    made = convert or (lambda mode: found_of(mode, fit.responses, fit.references))
     return FileModes(
         tuple(made(mode) for mode in fit.estimate.modes),
         tuple(messages),
-        seen,
-        tuple(one if isinstance(one, str) else made(one) for one in fit.estimate.added),
+        names_in_file,
+        tuple(
+            candidate if isinstance(candidate, str) else made(candidate) for candidate in fit.estimate.added
+        ),
         fit,
     )

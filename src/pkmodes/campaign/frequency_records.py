@@ -50,9 +50,9 @@ class Responses:
     names : tuple of str
         Of the S places in the shape.
     dead : tuple of str
-        Sensors that show nothing.
+        Sensors without a signal.
     references : tuple of str
-        Names of the R.
+        Names of the R references.
     messages : tuple of str
         What is left out of the shapes.
     roves : bool
@@ -69,9 +69,9 @@ class Responses:
     roves: bool = False
 
     def roving(self, kept: Sequence[int], forces: Sequence[str]) -> Responses:
-        """Return the functions with some references, by the names of their forces, as places of the shape.
+        """Return the functions with the forces of some references as places of the shape.
 
-        By reciprocity: a hammer roves, and the sensors are the references.
+        By reciprocity: the hammer roves, and the sensors are the references.
         """
         turned = self.values[:, :, kept].transpose(0, 2, 1)
         coherence = None if self.coherence is None else self.coherence[:, :, kept].transpose(0, 2, 1)
@@ -82,11 +82,11 @@ class Responses:
 
 @dataclass(frozen=True, eq=False)
 class ResponseFile:
-    """What a file of frequency response functions gives.
+    """The content of a file of frequency response functions.
 
     Attributes
     ----------
-    seen : frozenset of str
+    names_in_file : frozenset of str
         As in `FileModes`.
     messages : tuple of str
         What the user should know of the file.
@@ -94,7 +94,7 @@ class ResponseFile:
 
     source: str
     responses: Responses
-    seen: frozenset[str]
+    names_in_file: frozenset[str]
     messages: tuple[str, ...]
 
 
@@ -107,13 +107,13 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
         If the file is faulty, or its functions are not those of the campaign.
     """
     read = read_responses(path, record, setup, campaign)
-    given = read.responses
+    responses = read.responses
     with in_file(read.source):
-        fit = frf_fit(given, record.averages, record, campaign)
-    unnamed = () if given.roves else tuple(name for name in given.references if name not in NAMELESS)
-    said = (*read.messages, *remarks_on(fit, read.source))
-    forces = given.names if given.roves else ()
-    return replace(modes_of_fit(fit, said, read.seen), unnamed=unnamed, forces=forces)
+        fit = frf_fit(responses, record.averages, record, campaign)
+    unnamed = () if responses.roves else tuple(name for name in responses.references if name not in NAMELESS)
+    messages = (*read.messages, *remarks_on(fit, read.source))
+    forces = responses.names if responses.roves else ()
+    return replace(modes_of_fit(fit, messages, read.names_in_file), unnamed=unnamed, forces=forces)
 
 
 def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
@@ -131,42 +131,44 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
         functions = replace(functions, used=inverted(functions.used, read.source))
     checked, doubts = phase_checked(functions.used, record.band, record.conjugate, read.source)
     functions = replace(functions, used=checked)
-    given = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
+    responses = responses_of(functions, sensors, campaign.forces_in(setup), campaign.channels)
     low, high = record.band
-    first, last = given.frequencies[0], given.frequencies[-1]
+    first, last = responses.frequencies[0], responses.frequencies[-1]
     if low < first:
-        what = f"expected frequencies from the beginning of the band, {low:g} Hz, found {first:g} Hz"
-        raise MeasurementError(what, read.source, "narrow the band of the record")
+        problem = f"expected frequencies from the beginning of the band, {low:g} Hz, found {first:g} Hz"
+        raise MeasurementError(problem, read.source, "narrow the band of the record")
     if high > last:
-        what = f"expected frequencies up to the end of the band, {high:g} Hz, found {last:g} Hz"
-        raise MeasurementError(what, read.source, "narrow the band of the record")
-    seen = {one.response for one in functions.used} | {unsigned(one.reference) for one in functions.used}
-    if given.roves:  # a reference without a name is seen by that of its force
-        seen |= {unsigned(name) for name in given.names}
-    said = (*read.messages, *doubts, *given.messages, *dead_channels(given.dead, read.source))
-    return ResponseFile(read.source, given, frozenset(seen), said)
+        problem = f"expected frequencies up to the end of the band, {high:g} Hz, found {last:g} Hz"
+        raise MeasurementError(problem, read.source, "narrow the band of the record")
+    names_in_file = {function.response for function in functions.used} | {
+        unsigned(function.reference) for function in functions.used
+    }
+    if responses.roves:  # a reference without a name appears under that of its force
+        names_in_file |= {unsigned(name) for name in responses.names}
+    messages = (*read.messages, *doubts, *responses.messages, *dead_channels(responses.dead, read.source))
+    return ResponseFile(read.source, responses, frozenset(names_in_file), messages)
 
 
-def frf_fit(given: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
-    """Return the fit of frequency response functions, each of so many averages if known, in the band of a record."""
+def frf_fit(responses: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
+    """Fit frequency response functions in the band of a record; `averages` is None if unknown."""
     estimate = identify_frf(
-        given.frequencies,
-        given.values,
+        responses.frequencies,
+        responses.values,
         band=record.band,
         power=ACCELERATION,
-        coherence=given.coherence,
+        coherence=responses.coherence,
         averages=averages,
         exponential=record.exponential,
         tones=campaign.tones,
-        asked=campaign.asked(record),
+        edits=campaign.asked(record),
     )
-    inside = slice(*np.searchsorted(given.frequencies, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
-    coherence = None if given.coherence is None else given.coherence[inside]
-    return Fit(estimate, given.names, given.references, coherence)
+    inside = slice(*np.searchsorted(responses.frequencies, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
+    coherence = None if responses.coherence is None else responses.coherence[inside]
+    return Fit(estimate, responses.names, responses.references, coherence)
 
 
 def remarks_on(fit: Fit, source: str) -> list[str]:
-    """Return sentences on lines without bandwidth, and on spurious modes of a machine that is not linear."""
+    """Return messages about lines without bandwidth, and about spurious modes of a nonlinear machine."""
     estimate = fit.estimate
     remarks = [no_bandwidth(tone) for tone in estimate.tones]
     if estimate.left_out:
@@ -182,7 +184,7 @@ def responses_of(
 ) -> Responses:
     """Arrange the frequency response functions of a file.
 
-    With forces declared, these are the places of the shape, and the sensors the references: a roving hammer, by
+    If forces are declared, these are the places of the shape, and the sensors the references: a roving hammer, by
     reciprocity.
 
     Raises
@@ -192,46 +194,58 @@ def responses_of(
     """
     read, used = functions.read, functions.used
     f = used[0].abscissa
-    rows = list(dict.fromkeys(one.response for one in used))
-    columns = list(dict.fromkeys(one.reference for one in used))
+    rows = list(dict.fromkeys(function.response for function in used))
+    columns = list(dict.fromkeys(function.reference for function in used))
     values = np.full((len(f), len(rows), len(columns)), complex(np.nan, np.nan))
-    for one in used:
-        place = (slice(None), rows.index(one.response), columns.index(one.reference))
+    for function in used:
+        place = (slice(None), rows.index(function.response), columns.index(function.reference))
         if np.isfinite(values[place]).any():
-            refuse_repeated(one.response, f"the function {one.response}/{one.reference}", read.source)
-        sensor = sensors[one.response]
-        below = force_factor(one, read.source, sensor.motion)
-        of = motion_of(one, sensor, channels, read.source)
-        values[place] = one.values * (of.factor / below * (2j * np.pi * f) ** (ACCELERATION - of.derivative))
+            refuse_repeated(
+                function.response, f"the function {function.response}/{function.reference}", read.source
+            )
+        sensor = sensors[function.response]
+        below = force_factor(function, read.source, sensor.motion)
+        of = motion_of(function, sensor, channels, read.source)
+        values[place] = function.values * (
+            of.factor / below * (2j * np.pi * f) ** (ACCELERATION - of.derivative)
+        )
     check_size(values, read.source)
     dead = tuple(name for i, name in enumerate(rows) if not np.nan_to_num(values[:, i]).any())
     coherence = _coherence(read.functions, rows, columns, f)
-    known = [name for name in columns if name not in NAMELESS or len(columns) == 1]
-    acting = {name: force for name in known if (force := of_reference(name, forces)) is not None}
+    named = [name for name in columns if name not in NAMELESS or len(columns) == 1]
+    acting = {name: force for name in named if (force := of_reference(name, forces)) is not None}
     unnamed = [name for name in columns if name and name not in acting]
-    said: tuple[str, ...] = ()
+    messages: tuple[str, ...] = ()
     if unnamed and acting:
-        said = (f"{read.source}: left out, as no [[force]] names them: the references {', '.join(unnamed)}",)
-    found = Responses(f, values, coherence, tuple(rows), dead, tuple(columns), said)
+        messages = (
+            f"{read.source}: left out, as no [[force]] names them: the references {', '.join(unnamed)}",
+        )
+    responses = Responses(f, values, coherence, tuple(rows), dead, tuple(columns), messages)
     if acting:
-        return found.roving([columns.index(name) for name in acting], [one.name for one in acting.values()])
-    return found
+        return responses.roving(
+            [columns.index(name) for name in acting], [force.name for force in acting.values()]
+        )
+    return responses
 
 
 def _coherence(
     functions: Sequence[Function], rows: Sequence[str], columns: Sequence[str], f: Array
 ) -> Array | None:
-    found = np.full((len(f), len(rows), len(columns)), np.nan)
-    for one in functions:
-        wanted = one.kind is Kind.COHERENCE and one.response in rows and one.reference in columns
-        if wanted and np.array_equal(one.abscissa, f):
-            found[:, rows.index(one.response), columns.index(one.reference)] = one.values
-    return found if np.isfinite(found).any() else None
+    coherence = np.full((len(f), len(rows), len(columns)), np.nan)
+    for function in functions:
+        matches = (
+            function.kind is Kind.COHERENCE and function.response in rows and function.reference in columns
+        )
+        if matches and np.array_equal(function.abscissa, f):
+            coherence[:, rows.index(function.response), columns.index(function.reference)] = function.values
+    return coherence if np.isfinite(coherence).any() else None
 
 
 def of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
-    """Return the force of a reference; the sign in its name is only a name, and without one it is the only force."""
-    named = next((place for own, place in forces.items() if unsigned(own) == unsigned(name)), None)
+    """Return the force of a reference, ignoring signs in names; a nameless reference is that of the only force."""
+    named = next(
+        (place for force_name, place in forces.items() if unsigned(force_name) == unsigned(name)), None
+    )
     if named is None and name in NAMELESS and len(forces) == 1:
         return next(iter(forces.values()))
     return named
@@ -250,19 +264,21 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     functions = sensor_functions(path, Kind.SPECTRUM, names, record)
     read, used = functions.read, functions.used
     f = used[0].abscissa
-    power = np.stack([np.abs(one.values) for one in used], axis=1)
-    # Sensors may have other units: each counts as much as the others.
+    power = np.stack([np.abs(function.values) for function in used], axis=1)
+    # Sensors may have different units: each gets the same weight.
     scale = power[(f >= record.band[0]) & (f <= record.band[1])].sum(axis=0)
     with in_file(read.source):
         relative = power / np.where(scale > 0.0, scale, 1.0)
-        estimate, messages = identify_spectrum(f, relative, band=record.band, asked=campaign.asked(record))
+        estimate, messages = identify_spectrum(f, relative, band=record.band, edits=campaign.asked(record))
     line = float(np.median(np.diff(f)))
 
-    def found(mode: Mode) -> Found:
+    def converted(mode: Mode) -> Found:
         return Found(mode.frequency, sigma_frequency=mode.sigma_frequency, resolution=line)
 
     dead = dead_channels([used[i].response for i in np.flatnonzero(~power.any(axis=0))], read.source)
-    said = (*read.messages, *dead, *(f"{read.source}: {message}" for message in messages))
-    seen = frozenset({one.response for one in used} | {f"psd_{one.response}" for one in used})
-    responses = tuple(one.response for one in used)
-    return modes_of_fit(Fit(estimate, responses), said, seen, found)
+    all_messages = (*read.messages, *dead, *(f"{read.source}: {message}" for message in messages))
+    names_in_file = frozenset(
+        {function.response for function in used} | {f"psd_{function.response}" for function in used}
+    )
+    responses = tuple(function.response for function in used)
+    return modes_of_fit(Fit(estimate, responses), all_messages, names_in_file, converted)

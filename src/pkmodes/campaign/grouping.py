@@ -18,30 +18,30 @@ import numpy as np
 
 from pkmodes.campaign.found import Found, mac
 
-#: Relative difference of frequencies of one mode in two files at most: between files of a campaign joints settle and
-#: temperatures change by some parts in a thousand.
+#: Largest relative difference of one mode's frequency between two files: between files of a campaign, settling joints
+#: and temperature change frequencies by a few parts in a thousand.
 APART = 0.01
-#: The same between setups or visits, for which a machine runs longer.
+#: The same between setups or visits, over which a machine runs longer.
 MOVED = 0.03
-#: Modes that move together at least; and pairs of modes among which such a move can be told.
+#: Fewest modes that shift together; and most pairs of modes among which such a shift is looked for.
 TOGETHER, MOST_PAIRS = 2, 1_000_000
-#: MAC of two shapes of one mode at least.
+#: Smallest MAC between two shapes of one mode.
 ALIKE = 0.5
-#: Factor on widths, so that rounding excludes nothing.
+#: Factor on widths, so that rounding excludes no pair.
 ROUNDED = 1.0 + 1e-9
 
 
 def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
     """Return the modes of several files, each with the files in which it was found; ascending in frequency."""
-    every = sorted(
+    ordered = sorted(
         ((mode.frequency, i, mode) for i, modes in enumerate(files) for mode in modes),
-        key=lambda one: one[:2],
+        key=lambda entry: entry[:2],
     )
     groups: list[dict[int, Found]] = []
     near: list[dict[int, Found]] = []
-    for k, (frequency, i, mode) in enumerate(every):
-        # Nothing on both sides of a gap is alike.
-        if k and np.log(frequency / every[k - 1][0]) > max(_width(mode), _width(every[k - 1][2])):
+    for k, (frequency, i, mode) in enumerate(ordered):
+        # Modes on either side of a gap cannot match.
+        if k and np.log(frequency / ordered[k - 1][0]) > max(_width(mode), _width(ordered[k - 1][2])):
             groups += _merged(near)
             near = []
         near.append({i: mode})
@@ -50,7 +50,7 @@ def grouped(files: Sequence[Sequence[Found]]) -> list[dict[int, Found]]:
 
 
 def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
-    """Return the modes of several setups or visits, as places in their lists; ascending in frequency."""
+    """Return the modes of several setups or visits, as indices in their lists; ascending in frequency."""
     base = max(visits, key=len)
     moves = [_move(modes, base) for modes in visits]
     stayed = [
@@ -64,53 +64,58 @@ def reunited(visits: Sequence[Sequence[Found]]) -> list[dict[int, int]]:
     places = {mode: k for modes in visits for k, mode in enumerate(modes)}
     logs = [float(np.mean([np.log(mode.frequency) for mode in group.values()])) for group in groups]
     apart = [np.inf, *np.diff(logs), np.inf]
-    found: list[dict[int, Found]] = []
+    united: list[dict[int, Found]] = []
     for i, group in enumerate(groups):
         if (
             i
             and apart[i] < min(MOVED, 0.5 * apart[i - 1], 0.5 * apart[i + 1])
-            and _may_be_one(found[-1], group)
+            and _may_be_one(united[-1], group)
         ):
-            found[-1] |= group
+            united[-1] |= group
         else:
-            found.append(group)
-    return [{i: places[mode] for i, mode in group.items()} for group in found]
+            united.append(group)
+    return [{i: places[mode] for i, mode in group.items()} for group in united]
 
 
 def _move(modes: Sequence[Found], base: Sequence[Found]) -> float:
-    """Return the factor that brings most frequencies of a visit to those of another one."""
-    logs, others = (np.sort(np.log([mode.frequency for mode in each])) for each in (modes, base))
-    first, last = (np.searchsorted(others, logs + side * MOVED) for side in (-1, 1))
+    """Return the factor that maps most frequencies of a visit onto those of another one."""
+    logs, base_logs = (np.sort(np.log([mode.frequency for mode in visit])) for visit in (modes, base))
+    first, last = (np.searchsorted(base_logs, logs + side * MOVED) for side in (-1, 1))
     if not TOGETHER <= (last - first).sum() <= MOST_PAIRS:
         return 1.0
-    apart = np.sort(np.concatenate([others[i:j] - log for i, j, log in zip(first, last, logs, strict=True)]))
+    apart = np.sort(
+        np.concatenate([base_logs[i:j] - log for i, j, log in zip(first, last, logs, strict=True)])
+    )
     starts, ends = (np.searchsorted(apart, apart + side * 0.5 * APART) for side in (-1, 1))
-    most = np.flatnonzero(ends - starts == (ends - starts).max())
-    best = most[np.argmin(np.abs(apart[most]))]
+    fullest = np.flatnonzero(ends - starts == (ends - starts).max())
+    best = fullest[np.argmin(np.abs(apart[fullest]))]
     if ends[best] - starts[best] < TOGETHER:
         return 1.0
     return float(np.exp(np.median(apart[starts[best] : ends[best]])))
 
 
-def _may_be_one(one: Mapping[int, Found], other: Mapping[int, Found]) -> bool:
-    """Return whether groups of different visits share sensors or references, and their shapes do not contradict."""
-    return not one.keys() & other.keys() and all(
+def _may_be_one(first: Mapping[int, Found], second: Mapping[int, Found]) -> bool:
+    """Return whether groups of different visits share sensors or references, and their shapes agree."""
+    return not first.keys() & second.keys() and all(
         (a.shape.keys() & b.shape.keys() or a.participation.keys() & b.participation.keys())
         and mac(a.shape, b.shape) >= ALIKE
-        for a in one.values()
-        for b in other.values()
+        for a in first.values()
+        for b in second.values()
     )
 
 
 def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
     """Merge groups, of one mode each and in the order of their frequencies, in the order of their distance.
 
-    Groups can only be alike where members are: after a merge, those beside either part are looked at again.
+    Groups can only match where members do: after a merge, the neighbours of both parts are compared again.
     """
     groups = dict(enumerate(modes))
     beside = _neighbours(modes)
     waiting = [
-        (_distance(groups[i], groups[k]), i, k, 1, 1) for i, others in beside.items() for k in others if i < k
+        (_distance(groups[i], groups[k]), i, k, 1, 1)
+        for i, neighbours in beside.items()
+        for k in neighbours
+        if i < k
     ]
     heapify(waiting)
     while waiting:
@@ -120,24 +125,24 @@ def _merged(modes: list[dict[int, Found]]) -> list[dict[int, Found]]:
         if i not in groups or k not in groups or sizes != [len(groups[i]), len(groups[k])]:
             continue  # one of them has merged since
         groups[i] |= groups.pop(k)
-        for other in beside.pop(k):
-            beside[other].discard(k)
-            if other != i:
-                beside[other].add(i)
-                beside[i].add(other)
-        for other in beside[i]:
-            first, second = min(i, other), max(i, other)
-            one, another = groups[first], groups[second]
-            if not one.keys() & another.keys():
-                heappush(waiting, (_distance(one, another), first, second, len(one), len(another)))
+        for neighbour in beside.pop(k):
+            beside[neighbour].discard(k)
+            if neighbour != i:
+                beside[neighbour].add(i)
+                beside[i].add(neighbour)
+        for neighbour in beside[i]:
+            first, second = min(i, neighbour), max(i, neighbour)
+            lower, upper = groups[first], groups[second]
+            if not lower.keys() & upper.keys():
+                heappush(waiting, (_distance(lower, upper), first, second, len(lower), len(upper)))
     return list(groups.values())
 
 
 def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
-    """Return which modes of other files may be the same as each one, by their frequencies."""
-    (files, found) = zip(*((i, mode) for group in modes for i, mode in group.items()), strict=True)
-    logs = np.log([mode.frequency for mode in found])
-    ends = np.searchsorted(logs, logs + ROUNDED * max(map(_width, found)), side="right").tolist()
+    """Return, for each mode, which modes of other files may be the same, by their frequencies."""
+    (files, members) = zip(*((i, mode) for group in modes for i, mode in group.items()), strict=True)
+    logs = np.log([mode.frequency for mode in members])
+    ends = np.searchsorted(logs, logs + ROUNDED * max(map(_width, members)), side="right").tolist()
     beside: dict[int, set[int]] = {i: set() for i in range(len(modes))}
     for i, end in enumerate(ends):
         for k in range(i + 1, end):
@@ -147,17 +152,17 @@ def _neighbours(modes: Sequence[dict[int, Found]]) -> dict[int, set[int]]:
     return beside
 
 
-def _distance(one: dict[int, Found], other: dict[int, Found]) -> float:
-    """Return the mean distance of two groups: 1 where their modes are barely alike."""
-    return float(np.mean([_apart(a, b) for a in one.values() for b in other.values()]))
+def _distance(first: dict[int, Found], second: dict[int, Found]) -> float:
+    """Return the mean distance of two groups: 1 where their modes just match."""
+    return float(np.mean([_apart(a, b) for a in first.values() for b in second.values()]))
 
 
 def _width(mode: Found) -> float:
-    """Return within which relative difference of frequencies a mode may be another one."""
+    """Return the relative difference of frequencies within which two modes may be the same."""
     return max(APART, mode.resolution / mode.frequency)
 
 
-def _apart(one: Found, other: Found) -> float:
-    difference = abs(np.log(one.frequency / other.frequency)) / max(_width(one), _width(other))
-    unlike = (1.0 - mac(one.shape, other.shape)) / (1.0 - ALIKE)
+def _apart(first: Found, second: Found) -> float:
+    difference = abs(np.log(first.frequency / second.frequency)) / max(_width(first), _width(second))
+    unlike = (1.0 - mac(first.shape, second.shape)) / (1.0 - ALIKE)
     return float(max(difference, unlike, np.hypot(difference, unlike) / np.sqrt(2.0)))

@@ -30,10 +30,10 @@ from pkmodes.signals.reading import HEAD, read_signals
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
 from pkmodes.support.ordering import joined
 
-#: Modes of one file within the width in which those of two files may be the same: far above what any test tells
-#: apart, and few enough that all pairs of them are compared in seconds.
+#: Most modes of one file within the width in which modes of two files may be the same: far more than any test can
+#: resolve, and few enough to compare all pairs in seconds.
 MOST_ALIKE = 200
-#: Columns of numbers, with the kind of their units.
+#: Numeric columns, with the kind of their units.
 NUMBERS = {"frequency": "Hz", "sigma": "Hz", "damping": "1", "sigma_damping": "1", "sigma_shape": "1"}
 PER_CENT = Decimal("0.01")
 
@@ -52,10 +52,10 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
         return FileModes(listed, (), None)
     read = read_signals(path)
     if not read.modes:
-        what = f"expected identified modes (dataset 55 or 2414), found {len(read.functions)} functions and no mode"
-        what += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
+        problem = f"expected identified modes (dataset 55 or 2414), found {len(read.functions)} functions and no mode"
+        problem += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
         remedy = 'choose another kind of record, such as kind = "frf"'
-        raise MeasurementError(what, read.source, remedy)
+        raise MeasurementError(problem, read.source, remedy)
     for mode in read.modes:
         _check(mode, read.source)
     turned = campaign.places_at(record)
@@ -66,45 +66,45 @@ def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign)
         combined({name: value for name, value in mode.shape.items() if name in places}, places)
         for mode in read.modes
     ]
-    found = tuple(
+    modes = tuple(
         Found(mode.frequency, np.nan if mode.damping is None else mode.damping, shape.values)
         for mode, shape in zip(read.modes, shapes, strict=True)
     )
-    _check_apart(found, read.source)
-    seen = {name for mode in read.modes for name in mode.shape}
-    blank = [(mode.frequency, one.blank) for mode, one in zip(found, shapes, strict=True)]
-    said = left_blank(read.source, UNDETERMINED, blank)
+    _check_apart(modes, read.source)
+    names_in_file = {name for mode in read.modes for name in mode.shape}
+    blank = [(mode.frequency, shape.blank) for mode, shape in zip(modes, shapes, strict=True)]
+    messages = left_blank(read.source, UNDETERMINED, blank)
     if unmeasured:
-        every = "is 0 in every mode" if len(unmeasured) == 1 else "are 0 in every mode"
-        zeros = (
-            f"{read.source}: {joined(unmeasured)} {every}: taken as not measured, and left out of the shapes"
-        )
-        said = [zeros, *said]
-    return FileModes(found, (*read.messages, *said), frozenset(seen))
+        predicate = "is 0 in every mode" if len(unmeasured) == 1 else "are 0 in every mode"
+        zeros = f"{read.source}: {joined(unmeasured)} {predicate}: taken as not measured, and left out of the shapes"
+        messages = [zeros, *messages]
+    return FileModes(modes, (*read.messages, *messages), frozenset(names_in_file))
 
 
 def _is_zero_throughout(name: str, modes: Sequence[ModeShape]) -> bool:
-    """Return whether a component is exactly 0 in each mode: programs write this for nodes without a sensor."""
+    """Return whether a component is exactly 0 in every mode, as programs write for nodes without a sensor."""
     return any(name in mode.shape for mode in modes) and not any(mode.shape.get(name) for mode in modes)
 
 
 def _check_apart(modes: Sequence[Found], source: str) -> None:
-    """Refuse a list in which modes are too many to be modes."""
+    """Refuse a list with more modes in a narrow range than a structure can have."""
     f = np.sort([mode.frequency for mode in modes])
     counts = np.searchsorted(f, f * (1.0 + APART), side="right") - np.arange(len(f))
-    most = int(np.argmax(counts))
-    if counts[most] > MOST_ALIKE:
-        what = f"expected modes, found {counts[most]} within {100.0 * APART:g} % from {f[most]:.4g} Hz"
+    densest = int(np.argmax(counts))
+    if counts[densest] > MOST_ALIKE:
+        problem = (
+            f"expected modes, found {counts[densest]} within {100.0 * APART:g} % from {f[densest]:.4g} Hz"
+        )
         remedy = "list each mode once, and each pose as a record of its own"
-        raise MeasurementError(what, source, remedy)
+        raise MeasurementError(problem, source, remedy)
 
 
 def _check(mode: ModeShape, source: str) -> None:
-    """Refuse a mode whose numbers no measurement file may have."""
+    """Refuse a mode with numbers that a measurement file may not contain."""
     where = f"{source}: mode at {mode.frequency:g} Hz"
     if mode.damping is not None and not 0.0 <= mode.damping < 1.0:
-        what = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
-        raise MeasurementError(what, where, "correct it, or export the modes again")
+        problem = f"expected a damping ratio of at least 0 and below 1, found {mode.damping:g}"
+        raise MeasurementError(problem, where, "correct it, or export the modes again")
     check_shape(mode.shape, where)
 
 
@@ -126,11 +126,11 @@ def read_mode_table(
     Parameters
     ----------
     columns : mapping of str to str
-        Names of columns of the table, by those of a measurement file.
+        Names of the table's columns, by those of a measurement file.
     channels : mapping of str to str
         Names that a shape column may have, and their units.
     pose : str
-        Label: of a table with a column ``pose``, only the rows with this one count.
+        Label: if the table has a column ``pose``, only the rows with this label count.
 
     Raises
     ------
@@ -145,71 +145,73 @@ def read_mode_table(
     if len(lines.records) < 2:
         _refuse("expected a header and rows, found none", source, remedy)
     places = _places(names, columns, channels, where)
-    found, labels = [], set()
+    modes, labels = [], set()
     for where, cells in lines.rows(source, len(names)):
         if "pose" in places:
             label = cells[places["pose"][0]]
             labels.add(label)
             if label != pose:
                 continue
-        found.append(_mode(cells, places, names, lines.notation, where))
-    if not found:
-        what = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
-        _refuse(what, source, "correct the label of the record, or leave the column out")
-    return found
+        modes.append(_mode(cells, places, names, lines.notation, where))
+    if not modes:
+        problem = f"expected rows of the pose {shown(pose)}, found {', '.join(sorted(labels)) or 'none'}"
+        _refuse(problem, source, "correct the label of the record, or leave the column out")
+    return modes
 
 
 def _places(
     names: list[str], columns: Mapping[str, str], channels: Mapping[str, str], where: str
 ) -> dict[str, tuple[int, Decimal | None]]:
-    """Return the place of each known column, and its factor to SI units or Hz."""
+    """Return the index of each known column, and its factor to SI units or Hz."""
     functions = [name for name in names if name.startswith(("re:", "im:"))]
     if functions:
-        what = f"expected modes, found frequency responses, {shown(functions[0])}"
-        _refuse(what, where, 'the kind of this record is "frf"')
+        problem = f"expected modes, found frequency responses, {shown(functions[0])}"
+        _refuse(problem, where, 'the kind of this record is "frf"')
     unknown = [key for key in columns if key not in NUMBERS and key != "pose" and not key.startswith(SHAPE)]
     if unknown:
-        known = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
-        _refuse(f"unknown column {shown(unknown[0])} in columns", where, nearest(unknown[0], known))
-    theirs = {name: own for own, name in columns.items()}
+        known_columns = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+        _refuse(f"unknown column {shown(unknown[0])} in columns", where, nearest(unknown[0], known_columns))
+    theirs = {name: key for key, name in columns.items()}
     if len(theirs) < len(columns):
         _refuse("two entries of columns name the same column", where, "give each its own")
-    found: dict[str, tuple[int, Decimal | None]] = {}
+    places: dict[str, tuple[int, Decimal | None]] = {}
     for i, cell in enumerate(names):
         name, unit = parted(cell, [*theirs, *NUMBERS, "pose"])
         if name in theirs and unit is None:
             unit = worded(cell)[1] or None  # "Damping ratio in %"
         name = theirs.get(name, theirs.get(cell, name))
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
-            wanted = name.removeprefix(SHAPE)
-            _refuse(f"unknown channel {shown(wanted)}", f"{where}, column {i + 1}", nearest(wanted, channels))
+            channel = name.removeprefix(SHAPE)
+            _refuse(
+                f"unknown channel {shown(channel)}", f"{where}, column {i + 1}", nearest(channel, channels)
+            )
         if name in NUMBERS or name == "pose" or name.startswith(SHAPE):
-            if name in found:
+            if name in places:
                 _refuse(
                     f"the column {shown(name)} is repeated", f"{where}, column {i + 1}", "remove one of them"
                 )
-            found[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
-    given = {*names, *(parted(cell, list(theirs))[0] for cell in names)}
-    missing = [name for name in columns.values() if name not in given]
+            places[name] = (i, _factor(name, unit, f"{where}, column {i + 1}") if unit else None)
+    present = {*names, *(parted(cell, list(theirs))[0] for cell in names)}
+    missing = [name for name in columns.values() if name not in present]
     if missing:
         _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
-    if "frequency" not in found:
-        own = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
+    if "frequency" not in places:
+        standard_columns = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
         meant: dict[str, str] = {}
         for cell in names:
-            meaning = worded(likely_meaning(cell, own, {*found, *meant}))[0]
+            meaning = worded(likely_meaning(cell, standard_columns, {*places, *meant}))[0]
             meant |= {meaning: cell} if meaning else {}
         likely = meant if "frequency" in meant else {"frequency": "f0", **meant}
-        example = ", ".join(f"{_key(own)} = {shown(cell)}" for own, cell in likely.items())
+        example = ", ".join(f"{_key(key)} = {shown(cell)}" for key, cell in likely.items())
         remedy = (
             f"name it in the record: columns = {{ {example} }}; the table has {', '.join(map(shown, names))}"
         )
         _refuse("expected a column of frequencies, found none", where, remedy)
-    return found
+    return places
 
 
 def _key(name: str) -> str:
-    """Return a name as a key of a table in TOML."""
+    """Return a name as a key in TOML."""
     return f'"{name}"' if ":" in name else name
 
 
@@ -267,7 +269,7 @@ def _mode(
         )
     return Found(
         values["frequency"],
-        values.get("damping") or np.nan,  # 0 is that of programs that know none
+        values.get("damping") or np.nan,  # programs that know no damping write 0
         shape,
         values.get("sigma", 0.0),
         values.get("sigma_damping", 0.0),

@@ -28,12 +28,12 @@ from pkmodes.measured.quantities import DAMPING, SHAPE_SIGMA
 from pkmodes.support.progress import say
 from pkmodes.support.threads import one_blas_thread
 
-#: Relative standard deviation of a damping ratio below which it is rounding: of the same number written several
-#: times, or of functions without noise.
+#: Relative standard deviation of a damping ratio below which it is only rounding: the same number written several
+#: times, or functions without noise.
 LEAST = 1e-4
-#: Modal phase collinearity below which a shape is said to be complex.
+#: Modal phase collinearity below which a shape is reported as complex.
 COMPLEX = 0.8
-#: What `IdentifiedMode.edited` says of a mode that the user asked for.
+#: Value of `IdentifiedMode.edited` for a mode that the user added.
 ADDED = "added"
 
 
@@ -46,7 +46,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
     keep_going : bool
         Whether faulty files are left out instead of refused.
     inspect : bool
-        Whether what a report draws of the fits is kept.
+        Whether the parts of the fits that a report draws are kept.
 
     Raises
     ------
@@ -55,66 +55,73 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
     """
     if campaign.repeatability is None:
         refuse_copied_visits(campaign.records, campaign.source)
-    every: list[Measured] = []
+    outcomes: list[Measured] = []
     for record in campaign.records:
         say(f"record {record.number} of {len(campaign.records)}: {record.pose}")
         kind = KINDS.get(record.kind)
         where = f"{campaign.source}: record.{record.number}.kind"
         if kind is None:
             raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
-        every.append(measured(record, kind, campaign, keep_going, inspect))
-    if not any(one.left_out for one in every):  # a file left out may have what the others lack
+        outcomes.append(measured(record, kind, campaign, keep_going, inspect))
+    if not any(
+        outcome.left_out for outcome in outcomes
+    ):  # a file left out may have what the other files lack
         refuse_missing(
-            [(one.record, *file) for one in every for files in one.places for file in files], campaign
+            [(outcome.record, *file) for outcome in outcomes for files in outcome.places for file in files],
+            campaign,
         )
     repeatability, notes = campaign.repeatability, list[str]()
     if repeatability is None:
-        repeatability, notes = revisited([(one.record, one.means) for one in every], campaign.source)
-    _check_some_left(every, campaign.source)
-    results = tuple(_result(one, campaign, repeatability) for one in every)
+        repeatability, notes = revisited(
+            [(outcome.record, outcome.means) for outcome in outcomes], campaign.source
+        )
+    _check_some_left(outcomes, campaign.source)
+    results = tuple(_result(outcome, campaign, repeatability) for outcome in outcomes)
     return Identification(results, repeatability, _measurements_of(results, campaign), tuple(notes))
 
 
 def _check_some_left(measured: Sequence[Measured], source: str) -> None:
-    """Refuse a campaign whose files are all faulty, with the reason of the first."""
-    left_out = [one for each in measured for one in each.left_out]
-    if left_out and not any(each.means or each.added for each in measured):
-        what = f"expected modes, found none: {len(left_out)} files were left out, first {left_out[0].file}"
-        raise MeasurementError(f"{what}: {left_out[0].reason}", source, "correct the files")
+    """Refuse a campaign whose files are all faulty, giving the reason for the first."""
+    left_out = [file for outcome in measured for file in outcome.left_out]
+    if left_out and not any(outcome.means or outcome.added for outcome in measured):
+        problem = f"expected modes, found none: {len(left_out)} files were left out, first {left_out[0].file}"
+        raise MeasurementError(f"{problem}: {left_out[0].reason}", source, "correct the files")
 
 
 def _result(measured: Measured, campaign: Campaign, repeatability: float) -> RecordResult:
-    record, said = measured.record, list(measured.messages)
+    record, messages = measured.record, list(measured.messages)
     places = {} if KINDS[record.kind].by_channel else campaign.places_at(record)
     modes = [_mode(mean, places, repeatability) for mean in measured.means]
     added = [_mode(mean, places, repeatability, ADDED) for mean in measured.added]
-    asked = campaign.asked(record) if measured.repeats else NOTHING
-    every, struck = edited(modes, added, asked, record.pose, campaign.source)
-    if KINDS[record.kind].signals and any(mode.shape for mode in every):
-        said += [
+    edits = campaign.asked(record) if measured.repeats else NOTHING
+    edited_modes, struck = edited(modes, added, edits, record.pose, campaign.source)
+    if KINDS[record.kind].signals and any(mode.shape for mode in edited_modes):
+        messages += [
             f"{record.pose}: the mode at {mode.frequency:.4g} Hz has no shape: no component stands out of the noise"
-            for mode in every
+            for mode in edited_modes
             if not (mode.shape or mode.blank or mode.uncertain)
         ]
-    kept = [one for mode in every if (one := _readable(mode, record.pose, said)) is not None]
-    said += left_blank(record.pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in kept])
-    said += left_blank(record.pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in kept])
+    kept = [
+        readable for mode in edited_modes if (readable := _readable(mode, record.pose, messages)) is not None
+    ]
+    messages += left_blank(record.pose, UNDETERMINED, [(mode.frequency, mode.blank) for mode in kept])
+    messages += left_blank(record.pose, UNCERTAIN, [(mode.frequency, mode.uncertain) for mode in kept])
     reported = {mode.frequency for mode in kept}
     for mean in (*measured.means, *measured.added):
         if mean.mode.frequency in reported:
-            said += level_messages(record.pose, mean.mode.frequency, mean.mode.shift, mean.between)
+            messages += level_messages(record.pose, mean.mode.frequency, mean.mode.shift, mean.between)
     for mode in kept:
         if mode.complexity < COMPLEX:
-            said.append(
+            messages.append(
                 f"{record.pose}: the shape of the mode at {mode.frequency:.4g} Hz is complex: its modal phase "
                 f"collinearity is {mode.complexity:.2f}, and only its real part is used"
             )
     if any(mode.sigma == 0.0 for mode in kept):
-        what = f"a mode of {record.pose} has no standard deviation"
+        problem = f"a mode of {record.pose} has no standard deviation"
         remedy = "measure repeats, state sigma in the table, or a repeatability above 0"
-        raise MeasurementError(what, f"{campaign.source}: record.{record.number}", remedy)
+        raise MeasurementError(problem, f"{campaign.source}: record.{record.number}", remedy)
     if any(mode.parts.scatter == mode.parts.fit == 0.0 for mode in kept):
-        said.append(
+        messages.append(
             f"{record.pose}: sigma is the repeatability alone where neither repeats nor the file state more"
         )
     return RecordResult(
@@ -122,7 +129,7 @@ def _result(measured: Measured, campaign: Campaign, repeatability: float) -> Rec
         tuple(kept),
         tuple(struck),
         tuple(measured.left_out),
-        tuple(said),
+        tuple(messages),
         tuple(measured.inspections),
         tuple(measured.repeats),
     )
@@ -134,11 +141,11 @@ def _mode(
     mode = mean.mode
     of_shape = np.array([mean.shape_scatter, mode.sigma_shape])
     sigma = float(np.sqrt(np.nansum(of_shape**2))) if np.nan_to_num(of_shape).any() else np.nan
-    found = combined(mode.shape, places, sigma) if places else Combined(dict(mode.shape))
-    shape, turned = found.values, turned_shape(found.values)
+    by_channel = combined(mode.shape, places, sigma) if places else Combined(dict(mode.shape))
+    shape, turned = by_channel.values, turned_shape(by_channel.values)
     parts = Parts(
         with_half(float(np.nan_to_num(mean.scatter)) * mode.frequency, mean.between),
-        # Where a mode lies between two lines is the same in every repeat, and no number of them averages it out.
+        # Where a mode lies between two lines is the same in every repeat: averaging does not reduce this error.
         max(with_half(mode.sigma_frequency, mode.shift), LEAST_LINE * mode.resolution),
         repeatability * mode.frequency,
     )
@@ -149,30 +156,32 @@ def _mode(
         damping=mode.damping,
         sigma_damping=damping if damping > LEAST * mode.damping else np.nan,
         shape={name: value.real for name, value in turned.items()},
-        sigma_shape=sigma * found.growth if len(shape) > 1 else np.nan,
+        sigma_shape=sigma * by_channel.growth if len(shape) > 1 else np.nan,
         complexity=collinearity(np.array(list(shape.values()))) if shape else np.nan,
         found_in=mode.found_in,
         files=len(mean.files),
         edited=edit,
         complex_shape=turned,
-        blank=found.blank,
-        uncertain=found.uncertain,
+        blank=by_channel.blank,
+        uncertain=by_channel.uncertain,
     )
 
 
-def _readable(mode: IdentifiedMode, pose: str, said: list[str]) -> IdentifiedMode | None:
-    """Return what a measurement file may hold of a mode, None for nothing; what is left out is said."""
+def _readable(mode: IdentifiedMode, pose: str, messages: list[str]) -> IdentifiedMode | None:
+    """Return the part of a mode that a measurement file may hold, None if there is none; report what is left out."""
     where = f"{pose}: the mode at {mode.frequency:.4g} Hz"
     if mode.sigma >= mode.frequency:
-        said.append(f"{where} is left out: the standard deviation of its frequency is {mode.sigma:.3g} Hz")
+        messages.append(
+            f"{where} is left out: the standard deviation of its frequency is {mode.sigma:.3g} Hz"
+        )
         return None
     if not SHAPE_SIGMA.range.holds(np.array(mode.sigma_shape)):
-        said.append(
+        messages.append(
             f"{where} has no shape: its standard deviation is {mode.sigma_shape:.3g} of the largest component"
         )
         mode = replace(mode, shape={}, sigma_shape=np.nan, complexity=np.nan, complex_shape={})
     if not DAMPING.sigma.range.holds(np.array(mode.sigma_damping)):
-        said.append(f"{where} has no damping ratio: its standard deviation is {mode.sigma_damping:.3g}")
+        messages.append(f"{where} has no damping ratio: its standard deviation is {mode.sigma_damping:.3g}")
         mode = replace(mode, damping=np.nan, sigma_damping=np.nan)
     return mode
 
@@ -180,7 +189,7 @@ def _readable(mode: IdentifiedMode, pose: str, said: list[str]) -> IdentifiedMod
 def _measurements_of(results: Sequence[RecordResult], campaign: Campaign) -> Measurements:
     """Return the modes of all records as measurements.
 
-    The band is stated if all records have the same one.
+    The band is stated if it is the same for all records.
 
     Raises
     ------
@@ -197,7 +206,9 @@ def _measurements_of(results: Sequence[RecordResult], campaign: Campaign) -> Mea
     channels = [name for name in campaign.channels if any(name in mode.shape for _, _, mode in rows)]
     settings = list(dict.fromkeys(path for record, _, _ in rows for path in record.settings))
     components = (
-        {} if campaign.model is None else {one.name: one.unit for one in campaign.model.mechanism.pose}
+        {}
+        if campaign.model is None
+        else {component.name: component.unit for component in campaign.model.mechanism.pose}
     )
     bands = {record.band for record in campaign.records}
     points = np.array([[record.point[name] for name in components] for record, _, _ in rows])

@@ -30,15 +30,15 @@ from pkmodes.support.ordering import listed
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Periods of the lower end of the band that a record of blows has at least.
+#: Shortest record of blows, in periods of the lower end of the band.
 PERIODS_OF_BLOWS = 2.0
-#: Relative difference of the rates of two files that is rounding.
+#: Largest relative difference between the rates of two files that counts as rounding.
 ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class _Blows:
-    """The signals of a file of blows, and the force of the campaign that acts in it; None if it names none."""
+    """The signals of a file of blows, and the campaign's force that acts in it; None if the campaign has none."""
 
     signals: TimeSignals
     acting: Place | None
@@ -50,14 +50,14 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     Raises
     ------
     MeasurementError
-        If the file is faulty, has no force, or fewer blows than the campaign says.
+        If the file is faulty, has no force, or has fewer blows than the campaign states.
     """
-    one = _blows(path, record, setup, campaign)
-    names = () if one.acting is None else (one.acting.name,)
-    found = _modes([one], names, record, campaign, one.signals.source)
-    unnamed = (one.signals.force,) if not names and one.signals.force not in NAMELESS else ()
-    seen = one.signals.seen | set(map(unsigned, names))
-    return replace(found, seen=seen, unnamed=unnamed, forces=names)
+    blows = _blows(path, record, setup, campaign)
+    names = () if blows.acting is None else (blows.acting.name,)
+    file_modes = _modes([blows], names, record, campaign, blows.signals.source)
+    unnamed = (blows.signals.force,) if not names and blows.signals.force not in NAMELESS else ()
+    names_in_file = blows.signals.names_in_file | set(map(unsigned, names))
+    return replace(file_modes, names_in_file=names_in_file, unnamed=unnamed, forces=names)
 
 
 def roving_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:
@@ -73,45 +73,45 @@ def roving_modes(points: Mapping[str, Point], record: Record, campaign: Campaign
     MeasurementError
         If a file is faulty, or they differ in their sensors or rates.
     """
-    every = [_blows(point.path, record, setup, campaign) for setup, point in points.items()]
-    first = every[0].signals
-    for one in (each.signals for each in every):
-        if one.seen != first.seen or abs(one.step / first.step - 1.0) > ROUNDING:
-            what = f"expected the sensors and the rate of {first.source}"
-            raise MeasurementError(what, one.source, "measure all points alike")
-    names = [name for name in first.names if all(name in one.signals.names for one in every)]
+    files = [_blows(point.path, record, setup, campaign) for setup, point in points.items()]
+    first = files[0].signals
+    for signals in (file.signals for file in files):
+        if signals.names_in_file != first.names_in_file or abs(signals.step / first.step - 1.0) > ROUNDING:
+            problem = f"expected the sensors and the rate of {first.source}"
+            raise MeasurementError(problem, signals.source, "measure all points alike")
+    names = [name for name in first.names if all(name in file.signals.names for file in files)]
     if not names:
-        what = "expected a sensor that is not silent at any point that was hit, found none"
-        raise MeasurementError(what, record.pose, "check the sensors and their cables")
-    every = [replace(one, signals=one.signals.of(names)) for one in every]
-    acting = [one.acting.key for one in every if one.acting is not None]
-    return _modes(every, acting, record, campaign, record.pose, list(points.values()))
+        problem = "expected a sensor that is not silent at any point that was hit, found none"
+        raise MeasurementError(problem, record.pose, "check the sensors and their cables")
+    files = [replace(file, signals=file.signals.of(names)) for file in files]
+    acting = [file.acting.key for file in files if file.acting is not None]
+    return _modes(files, acting, record, campaign, record.pose, list(points.values()))
 
 
 def _blows(path: Path, record: Record, setup: str, campaign: Campaign) -> _Blows:
     """Read a file of blows."""
-    given = time_signals(path, record, setup, campaign)
-    if not given.forces:
-        _refuse_without_force(path, record, given.source)
-    if len(given.pieces) > 1:
-        what = f"expected one piece of even sampling, found {len(given.pieces)}"
-        raise MeasurementError(what, given.source, "measure the blows again, or leave the file out")
-    if not np.ptp(given.forces[0]):
-        what = "expected blows, found a constant force"
-        raise MeasurementError(what, given.source, "check the hammer's cable")
-    seconds = len(given.forces[0]) * given.step
+    signals = time_signals(path, record, setup, campaign)
+    if not signals.forces:
+        _refuse_without_force(path, record, signals.source)
+    if len(signals.pieces) > 1:
+        problem = f"expected one piece of even sampling, found {len(signals.pieces)}"
+        raise MeasurementError(problem, signals.source, "measure the blows again, or leave the file out")
+    if not np.ptp(signals.forces[0]):
+        problem = "expected blows, found a constant force"
+        raise MeasurementError(problem, signals.source, "check the hammer's cable")
+    seconds = len(signals.forces[0]) * signals.step
     if seconds * record.band[0] < PERIODS_OF_BLOWS:
-        what = (
+        problem = (
             f"expected at least {PERIODS_OF_BLOWS:g} periods of {record.band[0]:g} Hz, found {seconds:.3g} s"
         )
-        raise MeasurementError(what, given.source, "measure longer, or narrow the band")
-    return _Blows(given, _acting(given.force, setup, campaign, given.source))
+        raise MeasurementError(problem, signals.source, "measure longer, or narrow the band")
+    return _Blows(signals, _acting(signals.force, setup, campaign, signals.source))
 
 
 def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
-    """Say which signals a file has, one of which may be the force."""
+    """Refuse a file without a force, listing its signals, one of which may be the force."""
     functions = read_signals(path, replace(asked_of(record), force=False)).functions
-    names = list(dict.fromkeys(one.response for one in functions))
+    names = list(dict.fromkeys(function.response for function in functions))
     of_file = (
         f"of {listed([*map(shown, names)], MOST_NAMES)} say in the record which it is, names = {{ force = "
     )
@@ -125,35 +125,35 @@ def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | N
     Raises
     ------
     MeasurementError
-        If it is none of the campaign's forces, or one of several.
+        If it is none of the campaign's forces, or could be any of several.
     """
     forces = campaign.forces_in(setup)
     if not forces:
         return None
-    found = of_reference(name, forces)
-    if found is None:
-        what = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
+    force = of_reference(name, forces)
+    if force is None:
+        problem = f"expected a force of the campaign, {', '.join(map(shown, forces))}, found {shown(name)}"
         remedy = 'name each [[force]] as in the files; where these say only "force", give each its setup'
-        raise MeasurementError(what, source, remedy)
-    return found
+        raise MeasurementError(problem, source, remedy)
+    return force
 
 
 def _modes(
-    every: Sequence[_Blows],
+    files: Sequence[_Blows],
     forces: Sequence[str],
     record: Record,
     campaign: Campaign,
     source: str,
     points: Sequence[Point] = (),
 ) -> FileModes:
-    """Return the modes of files of blows, their shapes at the forces with these names, or else at the sensors."""
-    signals = [one.signals for one in every]
-    fit, more = with_bridges(
-        lambda given: _fit(given, forces, record, campaign, source, points), signals, source
+    """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
+    signals = [file.signals for file in files]
+    fit, bridge_messages = with_bridges(
+        lambda recordings: _fit(recordings, forces, record, campaign, source, points), signals, source
     )
-    said = (*(message for one in signals for message in one.messages), *more)
-    together = replace(signals[0], pieces=tuple(piece for one in signals for piece in one.pieces))
-    return with_levels(fit, said, together, record.exponential)
+    messages = (*(message for recording in signals for message in recording.messages), *bridge_messages)
+    joint = replace(signals[0], pieces=tuple(piece for recording in signals for piece in recording.pieces))
+    return with_levels(fit, messages, joint, record.exponential)
 
 
 def _fit(
@@ -164,30 +164,30 @@ def _fit(
     source: str,
     points: Sequence[Point],
 ) -> tuple[Fit, tuple[str, ...]]:
-    """Return the fit of files of blows, and what to say of it."""
+    """Return the fit of files of blows, and messages about it."""
     hits, step, sensors = record.hits, signals[0].step, signals[0].names
-    said = list[str]()
+    messages = list[str]()
     lengths, values, coherences, sizes = list[int](), list[Complex](), list[Array | None](), list[float]()
-    for one in signals:
-        with in_file(one.source):
-            lengths.append(samples_of_blows(step, one.forces[0], hits))
-    for one in signals:
-        with in_file(one.source):
+    for recording in signals:
+        with in_file(recording.source):
+            lengths.append(samples_of_blows(step, recording.forces[0], hits))
+    for recording in signals:
+        with in_file(recording.source):
             functions = impact_estimate(
                 step,
-                one.forces[0],
-                one.pieces[0],
+                recording.forces[0],
+                recording.pieces[0],
                 hits=hits,
                 exponential=record.exponential,
                 longest=min(lengths),
             )
-        said += [f"{one.source}: {message}" for message in functions.messages]
+        messages += [f"{recording.source}: {message}" for message in functions.messages]
         f = functions.frequencies
-        values.append(functions.H * one.as_accelerations(2j * np.pi * f)[:, :, None])
+        values.append(functions.H * recording.as_accelerations(2j * np.pi * f)[:, :, None])
         coherences.append(functions.coherence)
         sizes.append(functions.sigma_size)
-    known = [one for one in coherences if one is not None]
-    coherence = np.concatenate(known, axis=2) if len(known) == len(signals) else None
+    stated = [coherence for coherence in coherences if coherence is not None]
+    coherence = np.concatenate(stated, axis=2) if len(stated) == len(signals) else None
     reference = signals[0].force if len(signals) == 1 else ""
     responses = Responses(f, np.concatenate(values, axis=2), coherence, sensors, (), (reference,))
     if forces:
@@ -200,20 +200,20 @@ def _fit(
         responses = replace(responses, values=responses.values + np.concatenate(changes, axis=1))
     with in_file(source):
         fit = frf_fit(responses, functions.averages, record, campaign)
-    said += remarks_on(fit, source)
+    messages += remarks_on(fit, source)
 
     def wider(mode: Mode) -> Mode:
-        # The functions of a file have a size in common: that of one component of the shape, or of all.
+        # The functions of a file share an error of size: that of one component of the shape, or of all.
         if len(signals) > 1:
             return replace(mode, sigma_shape=float(np.hypot(mode.sigma_shape, max(sizes))))
         return replace(mode, sigma_size=float(np.hypot(mode.sigma_size, max(sizes))))
 
     estimate = _complete(fit.estimate, float(1.0 / f[1]), record.exponential)
-    return replace(fit, estimate=estimate.changed(wider)), tuple(said)
+    return replace(fit, estimate=estimate.changed(wider)), tuple(messages)
 
 
 def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
-    """Return the modes of blows with the participations of complete decays: the record cuts them off.
+    """Return the modes of blows with the participations of complete decays, which the record cuts off.
 
     Parameters
     ----------

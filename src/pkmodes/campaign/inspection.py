@@ -1,4 +1,4 @@
-"""What a report shows of the fit of a file: a few functions, thinned to what can be seen, and the poles.
+"""The parts of a file's fit that a report shows: a few functions, thinned to visible detail, and the poles.
 
 A campaign may have gigabytes of functions; only what is drawn is kept.
 """
@@ -16,9 +16,9 @@ from pkmodes.identification.estimates import Stabilisation
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Functions of a file that are drawn at most.
+#: Most functions of a file that are drawn.
 CURVES = 4
-#: Parts of the band, of each of which the lines with the lowest and the highest value are drawn.
+#: Parts of the band; the lines with the lowest and the highest value of each are drawn.
 PARTS = 180
 
 
@@ -50,17 +50,17 @@ class Inspection:
     Attributes
     ----------
     setup, file : str
-        Name of the file without its folder.  Where files of all setups were fitted together, what they are called
-        together, and no setup.
+        Name of the file without its folder.  If files of all setups were fitted together, their common name, and no
+        setup.
     others : int
-        Number of further files of the setup, or of each setup, of which nothing is drawn.
+        Number of further files of the setup, or of each setup, that are not drawn.
     stabilisation : Stabilisation
     frequencies, total : ndarray, shape (f,)
         Sum of the magnitudes of all measured functions, each relative to its rms.
     curves : tuple of Curve
-        Those that show the modes best, each mode in at least one of them as far as there is room.
+        Those that show the modes best; each mode appears in at least one of them as far as there is room.
     functions : int
-        Of how many they were chosen.
+        Number of functions from which they were chosen.
     tones : tuple of float
         Lines without bandwidth that were found [Hz].
     """
@@ -94,8 +94,8 @@ class Repeats:
     modes: tuple[Mapping[int, float], ...]
 
 
-def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
-    """Return what is drawn of a fit, of one of several files."""
+def inspection(setup: str, file: str, further_files: int, fit: Fit) -> Inspection:
+    """Return what is drawn of the fit of one of several files."""
     estimate = fit.estimate
     f, (F, S, R) = estimate.frequencies, estimate.measured.shape
     places = [
@@ -108,7 +108,7 @@ def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
     total = np.zeros(F)
     for size in sizes.values():
         total += size / np.sqrt(np.mean(size**2))
-    modes = [*estimate.modes, *(one for one in estimate.added if not isinstance(one, str))]
+    modes = [*estimate.modes, *(mode for mode in estimate.added if not isinstance(mode, str))]
     at = [int(np.argmin(np.abs(f - mode.frequency))) for mode in modes]
     heights = np.array([size[at] / np.sqrt(np.mean(size**2)) for size in sizes.values()])
     chosen = [places[k] for k in _chosen(heights)]
@@ -116,7 +116,7 @@ def inspection(setup: str, file: str, others: int, fit: Fit) -> Inspection:
     return Inspection(
         setup,
         file,
-        others,
+        further_files,
         estimate.stabilisation,
         f[shown],
         total[shown],
@@ -141,14 +141,14 @@ def _curve(fit: Fit, s: int, r: int) -> Curve:
 
 
 def _chosen(heights: Array) -> list[int]:
-    """Return the functions that together show the modes best, in their order.
+    """Return the functions that together show the modes best, in ascending order.
 
-    One by one, that which adds most to how high each mode stands in the best of those chosen.
+    Greedy: each step takes the function that most raises the modes above the best of those already chosen.
 
     Parameters
     ----------
     heights : ndarray, shape (functions, modes)
-        Of each function at each mode, relative to its rms.
+        Magnitude of each function at each mode, relative to its rms.
     """
     best, chosen = np.zeros(heights.shape[1:]), list[int]()
     for _ in range(min(CURVES, len(heights))):

@@ -22,15 +22,15 @@ from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
 
-#: Files that a regression needs.
+#: Fewest files for a regression.
 FEWEST = 3
-#: What the pooled scatter is worth beside that of a mode, in repeats, as for the scatter itself.
+#: Weight of the pooled scatter against that of a single mode, in repeats, as in `averaging`.
 PRIOR = 4.0
 
 
 @dataclass(frozen=True, eq=False)
 class _Regression:
-    """The regression of a mode's ln f on the level of the files: both (n,), and the variance of ln f by the fits."""
+    """Regression of a mode's ln f on the level of the files, both (n,), and the variance of ln f from the fits."""
 
     level: Array
     fitted: Array
@@ -43,7 +43,7 @@ class _Regression:
 
 
 def between_files(groups: Sequence[Mapping[int, Found]]) -> list[LevelShift | None]:
-    """Return for each mode how its frequency changes with the levels of the files; None where no change is seen."""
+    """Return, for each mode, how its frequency changes with the level of the files; None for no detectable change."""
     fits = [_regression(list(group.values())) for group in groups]
     usable = [fit for fit in fits if fit is not None]
     freedom = sum(fit.freedom for fit in usable)
@@ -76,8 +76,8 @@ def _shift(fit: _Regression, pooled: float, freedom: int) -> LevelShift | None:
 
 def widest(shifts: Sequence[LevelShift | None]) -> LevelShift | None:
     """Return the change with the largest spread, None for none."""
-    known = [shift for shift in shifts if shift is not None]
-    return max(known, key=lambda shift: shift.spread, default=None)
+    changes = [shift for shift in shifts if shift is not None]
+    return max(changes, key=lambda shift: shift.spread, default=None)
 
 
 def with_half(sigma: float, shift: LevelShift | None) -> float:
@@ -88,7 +88,7 @@ def with_half(sigma: float, shift: LevelShift | None) -> float:
 def level_messages(
     pose: str, frequency: float, within: LevelShift | None, between: LevelShift | None
 ) -> list[str]:
-    """Return what to say of a mode whose frequency changes with the level."""
+    """Return messages about a mode whose frequency changes with the level."""
     return [
         f"{pose}: the mode at {frequency:.4g} Hz changes with the level: {shift.high:.5g} to {shift.low:.5g} Hz "
         f"while {falls} {plain(shift.fall, 2)}-fold; half the difference is in sigma"

@@ -25,7 +25,7 @@ from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
 from pkmodes.support.numbers import plain
 
-#: A mode must be in this share of the repeats.
+#: Least share of the repeats in which a mode must be found.
 OFTEN = 0.5
 
 
@@ -36,11 +36,11 @@ class Measured:
     Attributes
     ----------
     means, added : sequence of Mean
-        The modes found, and those that the user adds, by the frequencies asked for.
+        The modes found, and those that the user adds, in the order of the requested frequencies.
     inspections : sequence of Inspection
-        Of the first file of each setup, if they were asked for.
+        Of the first file of each setup, if requested.
     places : sequence of sequence of tuple
-        Of each setup its files, each with whether it has the sensors and forces that it should have.
+        The files of each setup, each with whether it has the sensors and forces that it should have.
     """
 
     record: Record
@@ -55,10 +55,10 @@ class Measured:
 
 @dataclass(frozen=True, eq=False)
 class _Setup:
-    """The files of a setup that could be read, what to say of them, and those left out; `places` as in `Measured`."""
+    """The readable files of a setup, messages about them, and those left out; `places` as in `Measured`."""
 
     names: Sequence[str]
-    found: Sequence[FileModes]
+    file_modes: Sequence[FileModes]
     messages: Sequence[str]
     left_out: Sequence[LeftOut]
     inspection: Inspection | None
@@ -75,73 +75,79 @@ def measured(
     keep_going : bool
         Whether faulty files are left out instead of refused.
     inspect : bool
-        Whether what a report draws is kept.
+        Whether the parts of the fits that a report draws are kept.
 
     Raises
     ------
     MeasurementError
-        If a file is faulty, or a mode that the user asks for cannot be added.
+        If a file is faulty, or a mode that the user requests cannot be added.
     """
     try:
         return _measured(record, kind, campaign, keep_going, inspect)
     except UnknownOffsetError as error:
-        alone = _measured(replace(record, clocks={}), kind, campaign, keep_going, inspect)
-        said = f"{record.pose}: each board is identified alone, with no phase between them: {error}"
-        return replace(alone, messages=[said, *alone.messages])
+        separate = _measured(replace(record, clocks={}), kind, campaign, keep_going, inspect)
+        message = f"{record.pose}: each board is identified alone, with no phase between them: {error}"
+        return replace(separate, messages=[message, *separate.messages])
 
 
 def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool) -> Measured:
-    asked = campaign.asked(record)
-    check_asked(asked, record, kind, campaign.source)
+    edits = campaign.asked(record)
+    check_asked(edits, record, kind, campaign.source)
     setups = _setups(record, kind, campaign, keep_going, inspect)
     means: dict[str, list[Mean]] = {}
-    added: dict[float, dict[str, Mean | str]] = {wanted: {} for wanted in asked.add}
+    added: dict[float, dict[str, Mean | str]] = {frequency: {} for frequency in edits.add}
     messages = copied_repeats(record)
     repeats: list[Repeats] = []
-    for setup, one in setups.items():
-        messages += one.messages
-        if not one.found:
+    for name, setup in setups.items():
+        messages += setup.messages
+        if not setup.file_modes:
             continue
-        groups = _groups(one)
-        more: dict[float, dict[int, Found]] = {}
-        for i, wanted in enumerate(asked.add):
-            group = added_group([file.added[i] for file in one.found], wanted, _least(one))
+        groups = _groups(setup)
+        added_groups: dict[float, dict[int, Found]] = {}
+        for i, frequency in enumerate(edits.add):
+            group = added_group([file.added[i] for file in setup.file_modes], frequency, _least(setup))
             if isinstance(group, str):
-                added[wanted][setup] = group
+                added[frequency][name] = group
             else:
-                more[wanted] = group
-        together = averaged([*groups, *more.values()])
-        means[setup] = together[: len(groups)]
-        for wanted, mean in zip(more, together[len(groups) :], strict=True):
-            added[wanted][setup] = mean
-        repeats.append(Repeats(setup, tuple(one.names), tuple(map(_frequencies, [*groups, *more.values()]))))
-    found, notes = joined(means, campaign.repeatability or 0.0) if means else ([], [])
-    further = [_joined(wanted, each, record, campaign, notes) for wanted, each in added.items() if means]
-    places = [each for one in setups.values() for each in one.places]
-    every = [file for one in setups.values() for file in one.found]
+                added_groups[frequency] = group
+        averages = averaged([*groups, *added_groups.values()])
+        means[name] = averages[: len(groups)]
+        for frequency, mean in zip(added_groups, averages[len(groups) :], strict=True):
+            added[frequency][name] = mean
+        repeats.append(
+            Repeats(name, tuple(setup.names), tuple(map(_frequencies, [*groups, *added_groups.values()])))
+        )
+    joint_means, notes = joined(means, campaign.repeatability or 0.0) if means else ([], [])
+    further = [
+        _joined(frequency, by_setup, record, campaign, notes)
+        for frequency, by_setup in added.items()
+        if means
+    ]
+    places = [files for setup in setups.values() for files in setup.places]
+    file_modes = [file for setup in setups.values() for file in setup.file_modes]
     messages += [
         *_single(record, setups),
         *lacking(record.pose, places),
-        *unnamed(record.pose, every, campaign),
+        *unnamed(record.pose, file_modes, campaign),
     ]
-    said = [*messages, *(f"{record.pose}: {note}" for note in notes)]
-    left_out = [one for each in setups.values() for one in each.left_out]
-    inspections = [one.inspection for one in setups.values() if one.inspection is not None]
-    return Measured(record, found, further, left_out, said, inspections, repeats, places)
+    all_messages = [*messages, *(f"{record.pose}: {note}" for note in notes)]
+    left_out = [faulty for setup in setups.values() for faulty in setup.left_out]
+    inspections = [setup.inspection for setup in setups.values() if setup.inspection is not None]
+    return Measured(record, joint_means, further, left_out, all_messages, inspections, repeats, places)
 
 
 def _setups(
     record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool
 ) -> dict[str, _Setup]:
-    """Return the setups of a record; those of a hammer that roved are one."""
+    """Return the setups of a record; those of a roving hammer are merged into one."""
     setups = {}
-    for setup, paths in record.separate.items():
-        files = {str(path): partial(_find, path, record, setup, kind, campaign) for path in paths}
-        one = _read(setup, files, record, campaign, keep_going, inspect)
-        left_out = {each.file for each in one.left_out}
+    for name, paths in record.separate.items():
+        files = {str(path): partial(_find, path, record, name, kind, campaign) for path in paths}
+        setup = _read(name, files, record, campaign, keep_going, inspect)
+        left_out = {faulty.file for faulty in setup.left_out}
         read = [path for path in paths if str(path) not in left_out]
-        has = [places_in(file.seen, record, setup, kind, campaign) for file in one.found]
-        setups[setup] = replace(one, places=[list(zip(read, has, strict=True))])
+        has = [places_in(file.names_in_file, record, name, kind, campaign) for file in setup.file_modes]
+        setups[name] = replace(setup, places=[list(zip(read, has, strict=True))])
     if kind.roving is None:
         return setups
     return _together(setups, kind.roving, record, campaign, keep_going, inspect)
@@ -155,12 +161,12 @@ def _together(
     keep_going: bool,
     inspect: bool,
 ) -> dict[str, _Setup]:
-    """Return the setups of a hammer that roved over a machine as one, fitted together; others as they are."""
-    given = _files(setups)
-    points = points_of(given, campaign)
+    """Return the setups of a roving hammer as one, fitted together; other setups are returned unchanged."""
+    files = _files(setups)
+    points = points_of(files, campaign)
     if not points:
         return setups
-    change = change_of({name: averaged(_groups(setups[name])) for name in given})
+    change = change_of({name: averaged(_groups(setups[name])) for name in files})
     apart = plain(100.0 * change.apart, 2)
     differ = f"{record.pose}: the frequencies differ by {apart} % between the points that were hit"
     if change.apart > change.allowed:
@@ -168,39 +174,42 @@ def _together(
     runs = {
         f"{record.pose}, file {i} of each setup": partial(
             roving,
-            {name: Point(path, given[name][path].modes, change.factors[name]) for name, path in each.items()},
+            {
+                name: Point(path, files[name][path].modes, change.factors[name])
+                for name, path in paths.items()
+            },
             record,
             campaign,
         )
-        for i, each in enumerate(points, start=1)
+        for i, paths in enumerate(points, start=1)
     }
     try:
         joint = _read("", runs, record, campaign, keep_going, inspect)
     except ApartError as error:
         return _with_message(setups, f"{record.pose}: each point is fitted by itself: {error}")
     noted = [f"{differ}: half of it is in sigma"] if change.apart > (campaign.repeatability or 0.0) else []
-    noted += _unused(record.pose, given, points)
-    together = replace(
+    noted += _unused(record.pose, files, points)
+    merged = replace(
         joint,
-        found=[file.changed(change.on) for file in joint.found],
+        file_modes=[file.changed(change.on) for file in joint.file_modes],
         messages=[*noted, *joint.messages],
-        left_out=[each for one in (*setups.values(), joint) for each in one.left_out],
-        places=[each for one in setups.values() for each in one.places],
+        left_out=[faulty for setup in (*setups.values(), joint) for faulty in setup.left_out],
+        places=[files for setup in setups.values() for files in setup.places],
     )
-    return {"": together}
+    return {"": merged}
 
 
 def _files(setups: Mapping[str, _Setup]) -> dict[str, dict[Path, FileModes]]:
-    """Return what each file gives of the setups of which any could be read."""
+    """Return the modes of each file, for the setups with any readable file."""
     return {
-        name: {path: file for (path, _), file in zip(one.places[0], one.found, strict=True)}
-        for name, one in setups.items()
-        if one.found
+        name: {path: file for (path, _), file in zip(setup.places[0], setup.file_modes, strict=True)}
+        for name, setup in setups.items()
+        if setup.file_modes
     }
 
 
 def _with_message(setups: Mapping[str, _Setup], message: str) -> dict[str, _Setup]:
-    """Return setups with something more to say, first."""
+    """Return setups with a message put before the others."""
     first = next(iter(setups))
     return {**setups, first: replace(setups[first], messages=[message, *setups[first].messages])}
 
@@ -208,19 +217,19 @@ def _with_message(setups: Mapping[str, _Setup], message: str) -> dict[str, _Setu
 def _unused(
     pose: str, files: Mapping[str, Mapping[Path, FileModes]], points: Sequence[Mapping[str, Path]]
 ) -> list[str]:
-    """Name the files of points that have more of them than others."""
-    more = [path.name for each in files.values() for path in list(each)[len(points) :]]
+    """Name the surplus files of points that have more files than other points."""
+    unused = [path.name for paths in files.values() for path in list(paths)[len(points) :]]
     few = "one file" if len(points) == 1 else f"{len(points)} files"
-    return [f"{pose}: as some point has only {few}, not used: {', '.join(more)}"] if more else []
+    return [f"{pose}: as some point has only {few}, not used: {', '.join(unused)}"] if unused else []
 
 
 def _least(setup: _Setup) -> float:
-    """Return in how many files of a setup a mode must be."""
-    return max(1.0, OFTEN * len(setup.found))
+    """Return the number of files of a setup in which a mode must be found."""
+    return max(1.0, OFTEN * len(setup.file_modes))
 
 
 def _groups(setup: _Setup) -> list[dict[int, Found]]:
-    return [g for g in grouped([file.modes for file in setup.found]) if len(g) >= _least(setup)]
+    return [g for g in grouped([file.modes for file in setup.file_modes]) if len(g) >= _least(setup)]
 
 
 def _read(
@@ -231,68 +240,68 @@ def _read(
     keep_going: bool,
     inspect: bool,
 ) -> _Setup:
-    """Return the modes in each file of a setup that can be read; `files` are what reads them, by name."""
-    every: list[FileModes] = []
+    """Return the modes in each readable file of a setup; `files` are the functions that read them, by name."""
+    results: list[FileModes] = []
     read: list[str] = []
     left_out: list[LeftOut] = []
     messages: list[str] = []
     drawn: Inspection | None = None
     for name, find in files.items():
         try:
-            found = find()
+            file_modes = find()
         except MeasurementError as error:
             if not keep_going:
                 raise
             left_out.append(LeftOut(name, f"{error.what} ({error.where})"))
             continue
-        if inspect and found.fit is not None and not every:
-            drawn = inspection(setup, Path(name).name, len(files) - 1, found.fit)
-        added = tuple(_added(one, record) for one in found.added)
-        modes = [*found.modes, *(one for one in added if not isinstance(one, str))]
-        messages += [*found.messages, *_beside_tones(modes, name, campaign.tones)]
-        inside = _in_band(found.modes, record, name, messages)
+        if inspect and file_modes.fit is not None and not results:
+            drawn = inspection(setup, Path(name).name, len(files) - 1, file_modes.fit)
+        added = tuple(_added(candidate, record) for candidate in file_modes.added)
+        modes = [*file_modes.modes, *(candidate for candidate in added if not isinstance(candidate, str))]
+        messages += [*file_modes.messages, *_beside_tones(modes, name, campaign.tones)]
+        inside = _in_band(file_modes.modes, record, name, messages)
         # The functions of a fit may be large.
-        every.append(replace(found, modes=tuple(inside), added=added, fit=None))
+        results.append(replace(file_modes, modes=tuple(inside), added=added, fit=None))
         read.append(Path(name).name)
-    return _Setup(read, every, messages, left_out, drawn)
+    return _Setup(read, results, messages, left_out, drawn)
 
 
 def _find(path: Path, record: Record, setup: str, kind: Kind, campaign: Campaign) -> FileModes:
     """Return the modes of a file of a setup, by the keys of its sensors and forces."""
-    found = kind.find(path, record, setup, campaign)
-    return found if kind.by_channel else found.changed(lambda mode: _named(mode, setup, campaign))
+    file_modes = kind.find(path, record, setup, campaign)
+    return file_modes if kind.by_channel else file_modes.changed(lambda mode: _named(mode, setup, campaign))
 
 
-def _added(one: Found | str, record: Record) -> Found | str:
+def _added(candidate: Found | str, record: Record) -> Found | str:
     """Return a mode that the user adds, or why there is none in a file."""
-    if isinstance(one, str):
-        return one
+    if isinstance(candidate, str):
+        return candidate
     low, high = record.band
-    return one if low <= one.frequency <= high else "its fit leaves the band"
+    return candidate if low <= candidate.frequency <= high else "its fit leaves the band"
 
 
 def _single(record: Record, setups: Mapping[str, _Setup]) -> list[str]:
-    """Say which setups have a single file."""
-    alone = [name for name, one in setups.items() if len(one.found) == 1]
-    of = f" of {'each setup' if len(alone) == len(setups) else ', '.join(alone)}" if len(setups) > 1 else ""
-    return [f"{record.pose}: a single file{of}: the scatter of repeats is unknown"] if alone else []
+    """Report which setups have a single file."""
+    single = [name for name, setup in setups.items() if len(setup.file_modes) == 1]
+    of = f" of {'each setup' if len(single) == len(setups) else ', '.join(single)}" if len(setups) > 1 else ""
+    return [f"{record.pose}: a single file{of}: the scatter of repeats is unknown"] if single else []
 
 
 def _joined(
-    wanted: float,
+    frequency: float,
     by_setup: Mapping[str, Mean | str],
     record: Record,
     campaign: Campaign,
     notes: list[str],
 ) -> Mean:
-    """Return a mode that the user adds over the setups in which it was found."""
-    found = {setup: [one] for setup, one in by_setup.items() if not isinstance(one, str)}
-    if not found:
-        reasons = [one for one in by_setup.values() if isinstance(one, str)]
-        refuse_added(wanted, f"{reasons[0]} ({record.pose})", campaign.source)
-    means, more = joined(found, campaign.repeatability or 0.0)
-    notes += more
-    return min(means, key=lambda mean: abs(mean.mode.frequency - wanted))
+    """Join a mode that the user adds over the setups in which it was found."""
+    fitted = {setup: [outcome] for setup, outcome in by_setup.items() if not isinstance(outcome, str)}
+    if not fitted:
+        reasons = [outcome for outcome in by_setup.values() if isinstance(outcome, str)]
+        refuse_added(frequency, f"{reasons[0]} ({record.pose})", campaign.source)
+    means, joining_notes = joined(fitted, campaign.repeatability or 0.0)
+    notes += joining_notes
+    return min(means, key=lambda mean: abs(mean.mode.frequency - frequency))
 
 
 def _frequencies(group: Mapping[int, Found]) -> dict[int, float]:
@@ -310,21 +319,21 @@ def _in_band(modes: Sequence[Found], record: Record, file: str, messages: list[s
 
 def _beside_tones(modes: Sequence[Found], file: str, tones: Sequence[float]) -> list[str]:
     """Name the modes that lie beside a stated tone or one of its multiples."""
-    found = []
+    sentences = []
     for mode in modes:
         for tone in tones:
             multiple = max(1, round(mode.frequency / tone))
             if abs(mode.frequency / (multiple * tone) - 1.0) <= NEAR:
-                found.append(
+                sentences.append(
                     f"{file}: the mode at {mode.frequency:.4g} Hz lies beside the tone at {multiple * tone:.4g} Hz"
                 )
-    return found
+    return sentences
 
 
 def _named(mode: Found, setup: str, campaign: Campaign) -> Found:
-    """Return a mode whose sensors have names of their own where they hold in one setup only."""
-    known = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
-    names = {name: place.key for name, place in known.items()}
+    """Return a mode by the keys of its sensors and forces, which are unique where they belong to a single setup."""
+    places = {**campaign.forces_in(setup), **campaign.sensors_in(setup)}
+    names = {name: place.key for name, place in places.items()}
     return replace(
         mode,
         shape={names.get(name, name): value for name, value in mode.shape.items()},

@@ -1,6 +1,6 @@
 """Sensors and forces of a campaign that its files lack.
 
-What is in no file at all has a wrong name, and is refused.  What only some files lack is said.
+A name found in no file at all is wrong, and is refused.  Names missing from only some files are reported.
 """
 
 from __future__ import annotations
@@ -17,28 +17,32 @@ from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.signals.reading import read_signals
 from pkmodes.support.ordering import joined, listed
 
-#: Whether a file has each place that it should have: a sensor or a force, by its key.
+#: Whether a file has each place that it should have, a sensor or a force, by its label.
 Places = Mapping[str, bool]
-#: Names in a file that an error shows.
+#: Most names in a file that an error shows.
 MOST = 6
 
 
 def places_in(
-    seen: frozenset[str] | None, record: Record, setup: str, kind: Kind, campaign: Campaign
+    names_in_file: frozenset[str] | None, record: Record, setup: str, kind: Kind, campaign: Campaign
 ) -> Places:
-    """Return whether a file has the places that hold in its setup; none for a file that needs no places.
+    """Return whether a file has the places that apply to its setup; empty for a file that needs none.
 
     Parameters
     ----------
-    seen : frozenset of str, or None
-        Names in the file: `FileModes.seen`.
+    names_in_file : frozenset of str, or None
+        Names in the file: `FileModes.names_in_file`.
     """
-    if seen is None:
+    if names_in_file is None:
         return {}
     sensors, forces = campaign.sensors_in(setup), campaign.forces_in(setup) if kind.forces else {}
-    found = {_label(one): name in seen for name, one in sensors.items()}
-    found |= {_label(one): one.key in seen for one in campaign.sensors if one.setup in record.clocks}
-    return found | {_label(one): unsigned(name) in seen for name, one in forces.items()}
+    presence = {_label(sensor): name in names_in_file for name, sensor in sensors.items()}
+    presence |= {
+        _label(sensor): sensor.key in names_in_file
+        for sensor in campaign.sensors
+        if sensor.setup in record.clocks
+    }
+    return presence | {_label(force): unsigned(name) in names_in_file for name, force in forces.items()}
 
 
 def _label(place: Place) -> str:
@@ -46,23 +50,25 @@ def _label(place: Place) -> str:
 
 
 def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[str]:
-    """Return sentences on what the files of a record lack, by setup."""
-    every = [places for files in setups for _, places in files]
-    wanted = list(dict.fromkeys(label for places in every for label in places))
-    nowhere = [label for label in wanted if not any(places.get(label) for places in every)]
-    said = [f"{pose}: no file of it has {joined(nowhere, 'or')} of the campaign"] if nowhere else []
+    """Return messages about what the files of a record lack."""
+    all_places = [places for files in setups for _, places in files]
+    labels = list(dict.fromkeys(label for places in all_places for label in places))
+    nowhere = [label for label in labels if not any(places.get(label) for places in all_places)]
+    messages = [f"{pose}: no file of it has {joined(nowhere, 'or')} of the campaign"] if nowhere else []
     for files in setups:
-        some = {label for _, places in files for label, has in places.items() if has}
+        present = {label for _, places in files for label, has in places.items() if has}
         for path, places in files:
-            absent = [label for label, has in places.items() if not has and label in some]
-            said += [f"{path}: it lacks {joined(absent)}, which its repeats have"] if absent else []
-    return said
+            absent = [label for label, has in places.items() if not has and label in present]
+            messages += [f"{path}: it lacks {joined(absent)}, which its repeats have"] if absent else []
+    return messages
 
 
 def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[str]:
-    """Return a sentence on references that no force names, if a hammer may have roved over them."""
-    names = list(dict.fromkeys(name for one in files for name in one.unnamed))
-    sensors = {one.name for one in campaign.sensors} & {name for one in files for name in one.seen or ()}
+    """Return a message about references that no force names, if a hammer may have roved over them."""
+    names = list(dict.fromkeys(name for file in files for name in file.unnamed))
+    sensors = {sensor.name for sensor in campaign.sensors} & {
+        name for file in files for name in file.names_in_file or ()
+    }
     if not names or not (campaign.forces or len(names) > len(sensors)):
         return []
     return [
@@ -77,7 +83,7 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
     Raises
     ------
     MeasurementError
-        With the names in the first file that should have it.
+        With the names in the files of the first record that should have it.
     """
     places = {**_numbered("sensor", campaign.sensors), **_numbered("force", campaign.forces)}
     for where, place in places.items():
@@ -86,31 +92,31 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
         if not wanting or any(has.get(label) for _, _, has in files):
             continue
         first = wanting[0][0]
-        own = [path for record, path in wanting if record is first]
-        beside = [path for one in own for path in first.beside(one).values()]
-        paths = first.setups[place.setup] if place.setup is not None else [*own, *beside]
+        main_paths = [path for record, path in wanting if record is first]
+        beside = [path for main_path in main_paths for path in first.beside(main_path).values()]
+        paths = first.setups[place.setup] if place.setup is not None else [*main_paths, *beside]
         of_sensors = isinstance(place, Sensor)
         names = list(dict.fromkeys(name for path in paths for name in _names(path, first, of_sensors)))
-        found = listed([shown(name) for name in names], MOST) or "none"
-        new = [name for name in names if name not in {one.name for one in places.values()}]
-        what = f"expected {label} in a file, found {found} in those of {first.pose}"
+        listing = listed([shown(name) for name in names], MOST) or "none"
+        new = [name for name in names if name not in {place.name for place in places.values()}]
+        problem = f"expected {label} in a file, found {listing} in those of {first.pose}"
         remedy = nearest(place.name, new, "correct the name, or remove it from the campaign")
         if not names and not of_sensors:
             remedy = (
                 "these files do not name their force: give each [[force]] the setup in which it acts alone"
             )
-        raise MeasurementError(what, f"{campaign.source}: {where}.name", remedy)
+        raise MeasurementError(problem, f"{campaign.source}: {where}.name", remedy)
 
 
 def _numbered(kind: str, places: Sequence[Place]) -> dict[str, Place]:
-    return {f"{kind}.{i}": one for i, one in enumerate(places, start=1)}
+    return {f"{kind}.{i}": place for i, place in enumerate(places, start=1)}
 
 
 def _names(path: Path, record: Record, sensors: bool) -> Iterator[str]:
     """Yield the names of the sensors in a file, or of the forces and references."""
     read = read_signals(path, asked_of(record))
-    for one in read.functions:
-        name = one.response if sensors or one.force else one.reference
-        if name and not (sensors and one.force):
+    for function in read.functions:
+        name = function.response if sensors or function.force else function.reference
+        if name and not (sensors and function.force):
             yield name
     yield from (name for mode in read.modes for name in mode.shape if sensors)

@@ -9,7 +9,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.units import QuantityError, base_units, check_plain_number, meant_as
 from pkmodes.signals.units import unit_text
 
-#: Standard gravity as pint knows it.  "g" alone is that of accelerometers' data sheets: no sensor measures grams.
+#: Standard gravity in pint's notation.  A bare "g" is standard gravity, as in data sheets: no sensor measures grams.
 GRAVITY = re.compile(r"(?<![A-Za-z])(m?)g0?(?![A-Za-z0-9])")
 EXAMPLE = 'give an acceleration, velocity or displacement, such as "m/s^2", "g0", "mm/s", "um" or "rad/s^2"'
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.+?)\s*", re.DOTALL)
@@ -17,7 +17,7 @@ NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.+?)
 
 @dataclass(frozen=True)
 class Motion:
-    """What the numbers of a sensor are.
+    """The quantity that a sensor's numbers represent.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class Motion:
         0 for a displacement, 1 for a velocity, 2 for an acceleration.
     angular : bool
     unit : str
-        As it was given.
+        As stated.
     of_volts : bool
         Whether the numbers are volts, and `unit` is a sensitivity.
     """
@@ -40,12 +40,12 @@ class Motion:
 
 
 def motion(unit: str, where: str) -> Motion:
-    """Return what a unit measures.
+    """Return the motion that a unit measures.
 
     Raises
     ------
     MeasurementError
-        If it is not one of a displacement, a velocity or an acceleration.
+        If it is not a unit of displacement, velocity or acceleration.
     """
     try:
         factor, powers = base(unit, where)
@@ -57,7 +57,7 @@ def motion(unit: str, where: str) -> Motion:
 
 
 def motion_or_none(unit: str) -> Motion | None:
-    """Return what a unit measures, None if it is not that of a motion."""
+    """Return the motion that a unit measures, None if it measures none."""
     try:
         return motion(unit, "")
     except MeasurementError:
@@ -65,7 +65,7 @@ def motion_or_none(unit: str) -> Motion | None:
 
 
 def motion_of_voltage(sensitivity: str, where: str) -> Motion:
-    """Return what volts mean for a sensor of a sensitivity such as ``"100 mV/g"``.
+    """Return the motion that one volt represents for a sensitivity such as ``"100 mV/g"``.
 
     Raises
     ------
@@ -79,19 +79,21 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
     match = NUMBER.fullmatch(sensitivity)
     value = float(match[1]) if match else 0.0
     if match is None or value == 0.0:
-        what = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
-        raise MeasurementError(what, where, "give the volts per unit of the motion")
+        problem = f'expected a sensitivity such as "100 mV/g0", found {shown(sensitivity)}'
+        raise MeasurementError(problem, where, "give the volts per unit of the motion")
     factor, powers = base(match[2], where)
     volt, of_volt = base_units("V")
-    left = {name: float(str(power)) for name, power in of_volt.items()}
+    remaining = {name: float(str(power)) for name, power in of_volt.items()}
     for name, power in powers.items():
-        left[name] = left.get(name, 0.0) - power
-    found = _of(float(volt) / (value * factor), {n: p for n, p in left.items() if p}, sensitivity, where)
-    return replace(found, of_volts=True)
+        remaining[name] = remaining.get(name, 0.0) - power
+    measured = _of(
+        float(volt) / (value * factor), {n: p for n, p in remaining.items() if p}, sensitivity, where
+    )
+    return replace(measured, of_volts=True)
 
 
 def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
-    """Return the factor of a unit to base units, g for kg, and their powers; ``g`` is that of accelerometers.
+    """Return a unit's factor to base units (gram for mass), and their powers; ``g`` is standard gravity.
 
     Raises
     ------
@@ -101,9 +103,9 @@ def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
     try:
         factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit_text(unit) or unit))
     except QuantityError as error:
-        what = str(error).replace(GRAVITY.sub(r"\1gravity", unit), unit)
+        problem = str(error).replace(GRAVITY.sub(r"\1gravity", unit), unit)
         remedy = 'give unit = "V", and this as sensitivity' if "V/" in unit else EXAMPLE
-        raise MeasurementError(what, where, remedy) from None
+        raise MeasurementError(problem, where, remedy) from None
     return float(factor), {name: float(str(power)) for name, power in powers.items()}
 
 
@@ -111,7 +113,7 @@ def _of(factor: float, powers: dict[str, float], text: str, where: str) -> Motio
     kind = next((name for name in ("meter", "radian") if powers.get(name) == 1.0), None)
     derivative = -powers.get("second", 0.0)
     if kind is None or derivative not in (0.0, 1.0, 2.0) or not powers.keys() <= {kind, "second"}:
-        what = f"expected the unit of a motion, found {shown(text)}"
+        problem = f"expected the unit of a motion, found {shown(text)}"
         remedy = 'give unit = "V", and this as sensitivity' if "V/" in text else EXAMPLE
-        raise MeasurementError(what, where, remedy)
+        raise MeasurementError(problem, where, remedy)
     return Motion(factor, int(derivative), kind == "radian", text)

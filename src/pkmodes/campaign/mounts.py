@@ -1,4 +1,4 @@
-"""Sensors on a platform that turns, and blows on it: what each shows of the platform's motion.
+"""Sensors on a turning platform, and blows on it: how each responds to the platform's motion.
 
 At a pose with the rotation R, a sensor at the point b of the platform and along the unit vector d of the base shows
 
@@ -25,7 +25,7 @@ from pkmodes.core.linalg.rotations import AXES, about, matrix_of
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
-#: What the names of the platform's displacements and rotations begin with.
+#: Prefixes of the names of the platform's displacements and rotations.
 DISPLACEMENT, ROTATION = "p_", "r_"
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -78,7 +78,7 @@ class Mount:
         return tuple(name for name in self.platform.components if name.startswith(kind))
 
     def weights(self, R: Array) -> dict[str, float]:
-        """Return what it shows of each component of the motion of a platform with the rotation R, (3, 3)."""
+        """Return its reading per unit of each motion component of a platform with the rotation R, (3, 3)."""
         d = np.array(self.direction)
         d = R @ d if self.turns else d
         moved, turned = (np.zeros(3), d) if self.angular else (d, np.cross(R @ np.array(self.at), d))
@@ -87,7 +87,7 @@ class Mount:
 
 
 def along(axes: Sequence[str], numbers: Sequence[float]) -> Vector:
-    """Return the vector that has these numbers along these axes, and 0 along the others."""
+    """Return the vector with these components along these axes, and 0 along the others."""
     x, y, z = about(axes, np.asarray(numbers, dtype=float)).tolist()
     return x, y, z
 
@@ -97,6 +97,6 @@ def spread(mounts: Sequence[Mount]) -> float:
 
     It makes rotations comparable with displacements.
     """
-    places = np.array([one.at for one in mounts if not one.angular] or [ORIGIN])
+    places = np.array([mount.at for mount in mounts if not mount.angular] or [ORIGIN])
     size = float(np.sqrt(((places - places.mean(axis=0)) ** 2).sum(axis=1).mean()))
     return size if size > 0.0 else 1.0

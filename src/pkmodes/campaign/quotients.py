@@ -15,41 +15,43 @@ from pkmodes.campaign.motion import Motion, base, motion_or_none
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.functions import Array, Complex, Function, computed
 
-#: Powers of the base units of a force and of a torque, which is that of an angle.
+#: Powers of the base units of a force and of a torque, the force of an angle.
 FORCES = ({"gram": 1.0, "meter": 1.0, "second": -2.0}, {"gram": 1.0, "meter": 2.0, "second": -2.0})
-#: What a force over a displacement, a velocity and an acceleration is called.
+#: Names of a force over a displacement, a velocity and an acceleration.
 INVERSES = ("dynamic stiffness", "mechanical impedance", "dynamic mass")
 UNKNOWN = "an unknown unit"
 
 
-def force_factor(one: Function, source: str, said: Motion | None = None) -> float:
-    """Return the factor of the denominator of a frequency response to SI units, 1 where the file does not say it.
+def force_factor(function: Function, source: str, declared: Motion | None = None) -> float:
+    """Return the factor of the denominator of a frequency response to SI units, 1 if the file does not state it.
 
     Parameters
     ----------
-    said : Motion, optional
-        What the campaign says of the sensor.
+    declared : Motion, optional
+        Motion of the sensor as declared in the campaign.
 
     Raises
     ------
     MeasurementError
-        If the file says that it is not a motion over a force.
+        If the file states that it is not a motion over a force.
     """
-    where, found = _place(one, source), _words(one)
-    below = None if one.reference_unit is None else motion_or_none(one.reference_unit)
-    if _is_force(one.unit):
+    where, words = _place(function, source), _words(function)
+    below = None if function.reference_unit is None else motion_or_none(function.reference_unit)
+    if _is_force(function.unit):
         kind = f", a {INVERSES[below.derivative]}" if below else ""
-        what = f"expected a motion over a force, found {found}{kind}"
-        what += f", and the campaign says {shown(said.unit)}" if said else ""
+        problem = f"expected a motion over a force, found {words}{kind}"
+        problem += f", and the campaign says {shown(declared.unit)}" if declared else ""
         remedy = (
             "export motion over force; or, if one force acted at a time, write invert = true in the record"
         )
-        raise MeasurementError(what, where, remedy if below else "leave it out: it shows no motion")
+        raise MeasurementError(problem, where, remedy if below else "leave it out: it shows no motion")
     if below:
-        what = f"expected a motion over a force, found {found}, a transmissibility, whose poles are not modes"
+        problem = (
+            f"expected a motion over a force, found {words}, a transmissibility, whose poles are not modes"
+        )
         remedy = 'measure the force; or give the responses in time, without a force, as kind = "ambient"'
-        raise MeasurementError(what, where, remedy)
-    return 1.0 if one.reference_unit is None else force_in(one.reference_unit)
+        raise MeasurementError(problem, where, remedy)
+    return 1.0 if function.reference_unit is None else force_in(function.reference_unit)
 
 
 def force_in(unit: str) -> float:
@@ -64,20 +66,22 @@ def inverted(functions: Sequence[Function], source: str) -> tuple[Function, ...]
     Raises
     ------
     MeasurementError
-        If the file says that one is not a force over a motion, or has as many references as sensors: whether these
-        are the inverse of a matrix or reciprocals of single functions, nothing tells.
+        If the file states that one is not a force over a motion, or has as many references as sensors: these may be
+        the inverse of a matrix or reciprocals of single functions.
     """
-    for one in functions:
-        force_below = _is_force(one.reference_unit)
-        if force_below or (one.unit is not None and not _is_force(one.unit)):
-            what = f"expected a force over a motion, as invert says, found {_words(one)}"
-            raise MeasurementError(what, _place(one, source), "leave invert out")
-    sensors = len({one.response for one in functions})
-    if 1 < sensors == len({one.reference for one in functions}):
-        what = f"cannot invert the functions of {sensors} sensors and {sensors} references: they may be reciprocals"
-        what += " one by one, or the inverse of their matrix"
-        raise MeasurementError(what, source, "export motion over force")
-    return tuple(computed(one, _reciprocal, (one.reference_unit, one.unit)) for one in functions)
+    for function in functions:
+        force_below = _is_force(function.reference_unit)
+        if force_below or (function.unit is not None and not _is_force(function.unit)):
+            problem = f"expected a force over a motion, as invert says, found {_words(function)}"
+            raise MeasurementError(problem, _place(function, source), "leave invert out")
+    sensors = len({function.response for function in functions})
+    if 1 < sensors == len({function.reference for function in functions}):
+        problem = f"cannot invert the functions of {sensors} sensors and {sensors} references: they may be"
+        problem += " reciprocals one by one, or the inverse of their matrix"
+        raise MeasurementError(problem, source, "export motion over force")
+    return tuple(
+        computed(function, _reciprocal, (function.reference_unit, function.unit)) for function in functions
+    )
 
 
 def _reciprocal(values: Array | Complex) -> Complex:
@@ -92,9 +96,9 @@ def _is_force(unit: str | None) -> bool:
     return {name: power for name, power in powers.items() if name != "radian"} in FORCES
 
 
-def _place(one: Function, source: str) -> str:
-    return f"{source}: {one.response}/{one.reference}".removesuffix("/")
+def _place(function: Function, source: str) -> str:
+    return f"{source}: {function.response}/{function.reference}".removesuffix("/")
 
 
-def _words(one: Function) -> str:
-    return f"{one.unit or UNKNOWN} over {one.reference_unit or UNKNOWN}"
+def _words(function: Function) -> str:
+    return f"{function.unit or UNKNOWN} over {function.reference_unit or UNKNOWN}"

@@ -65,15 +65,15 @@ class IdentifiedMode:
     complexity : float
         Modal phase collinearity; NaN without a shape.
     found_in : tuple of int, or None
-        In how many model orders, of how many.
+        Number of model orders in which it was found, and their total.
     files : int
-        In how many files it was found.
+        Number of files in which it was found.
     edited : str or None
-        "added" if the user asked for it.
+        "added" if the user added it.
     complex_shape : mapping of str to complex
         The shape before its imaginary part was left out.
     blank, uncertain : tuple of str
-        Components of a platform that turns which are left out: see `Combined`.
+        Components of a turning platform that are left out: see `Combined`.
     """
 
     frequency: float
@@ -133,7 +133,7 @@ class RecordResult:
     messages : tuple of str
         What the user should know.
     inspections : tuple of Inspection
-        Of the first file of each setup, if they were asked for.
+        Of the first file of each setup, if requested.
     repeats : tuple of Repeats
         Of each setup.
     """
@@ -173,9 +173,9 @@ class Identification:
     Attributes
     ----------
     repeatability : float
-        Relative; the given one, or that of poses measured twice.
+        Relative; as stated, or from poses measured twice.
     measurements : Measurements
-        What a diagnosis takes.
+        Input of a diagnosis.
     """
 
     records: tuple[RecordResult, ...]
@@ -185,4 +185,6 @@ class Identification:
 
     def as_json(self) -> dict[str, Any]:
         """Return them in the form described in docs/json.md, without NaN."""
-        return IdentifyDocument.of(self, records=tuple(one.document() for one in self.records)).as_json()
+        return IdentifyDocument.of(
+            self, records=tuple(record.document() for record in self.records)
+        ).as_json()

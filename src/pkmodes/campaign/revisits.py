@@ -11,14 +11,14 @@ from pkmodes.campaign.campaign import Record
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.support.numbers import plain
 
-#: Modes that must have been measured again.
+#: Fewest modes that must have been measured again.
 FEWEST = 3
 
 
 def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> tuple[float, list[str]]:
-    """Return the relative standard deviation of a frequency over approaches, and a sentence on it.
+    """Return the relative standard deviation of a frequency over approaches, and a message about it.
 
-    What repeats leave open of the means, or the fit of a single file, is taken off the variance between labels.
+    The variance of the means from repeats, or from the fit of a single file, is subtracted from that between labels.
 
     Raises
     ------
@@ -46,10 +46,10 @@ def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> 
             freedom += len(members) - 1
             modes += 1
     if modes < FEWEST:
-        what = (
+        problem = (
             f'expected at least {FEWEST} modes measured again for repeatability = "revisits", found {modes}'
         )
         remedy = 'measure a pose again under another label, or write a number such as "0.2 %"'
-        raise MeasurementError(what, f"{source}: repeatability", remedy)
+        raise MeasurementError(problem, f"{source}: repeatability", remedy)
     value = float(np.sqrt(max(squares, 0.0) / freedom))
     return value, [f"repeatability {plain(100.0 * value, 2)} %, from {modes} modes that were measured again"]

@@ -16,12 +16,12 @@ from pkmodes.identification.modes import Modes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Standard deviations of a change above which it is one.
+#: Number of standard deviations above which a change is real.
 SURE = 3.0
-#: Relative standard deviation of a frequency below which it is rounding, and sweeps of the polish.
+#: Least relative standard deviation of a frequency (less is rounding), and sweeps of the median polish.
 LEAST, SWEEPS = 1e-7, 20
-#: Difference of the frequencies of a mode at two points at most, in half-power bandwidths, for functions to have one
-#: pole.
+#: Largest difference of a mode's frequencies at two points for their functions to share a pole, in half-power
+#: bandwidths.
 SHIFT = 0.15
 
 
@@ -32,9 +32,9 @@ class Point:
     Attributes
     ----------
     modes : tuple of Found
-        Those of the file alone.
+        Those of this file alone.
     factor : float
-        On its frequencies, for those of the machine in the middle of its change.
+        On its frequencies, to get those of the machine in the middle of its change.
     """
 
     path: Path
@@ -49,10 +49,10 @@ class Point:
         exponential: float | None = None,
         length: float | None = None,
     ) -> Complex:
-        """Return what to add to the accelerances of the file, (F, S, R), for those of the machine in the middle.
+        """Return the correction of the file's accelerances, (F, S, R), to those of the machine in mid-change.
 
-        Accelerances are functions of the ratio of frequencies, with the same damping ratios: only the poles move, and
-        the residues with them.  The modes of the file say where; its noise stays as it is.
+        Accelerances scale with the ratio of frequencies at the same damping ratios: only the poles move, and the
+        residues with them.  The file's modes give their places; its noise is left unchanged.
 
         Parameters
         ----------
@@ -83,12 +83,12 @@ class Point:
 
 @dataclass(frozen=True)
 class Change:
-    """By how much a machine changed from point to point, and by how much it may, both relative to its frequencies.
+    """The change of a machine from point to point, and the largest allowed, both relative to its frequencies.
 
     Attributes
     ----------
     factors : mapping of str to float
-        On the frequencies of each setup, for those in the middle of the change; 1 where nothing changed surely.
+        On the frequencies of each setup, to get those in mid-change; 1 where no change is certain.
     """
 
     apart: float
@@ -96,7 +96,7 @@ class Change:
     factors: Mapping[str, float] = field(default_factory=dict)
 
     def on(self, mode: Found) -> Found:
-        """Return a mode of the functions of all points: the machine had both ends of the change."""
+        """Return a mode fitted to all points with half the change in its sigma: the machine had both of its ends."""
         sigma = float(np.hypot(mode.sigma_frequency, 0.5 * self.apart * mode.frequency))
         return replace(mode, sigma_frequency=sigma)
 
@@ -107,12 +107,16 @@ def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign)
     Parameters
     ----------
     files : mapping of str to mapping of Path to FileModes
-        What each file of each setup gives.  If a setup has more files than another one, its last ones are in no
+        The modes of each file of each setup.  If a setup has more files than another one, its last ones are in no
         repeat.
     """
     sensors = [campaign.sensors_in(setup) for setup in files]
-    forces = [_hit(setup, each.values(), campaign) for setup, each in files.items()]
-    if len(set(forces)) < 2 or not all(forces) or any(each != sensors[0] for each in sensors):
+    forces = [_hit(setup, by_path.values(), campaign) for setup, by_path in files.items()]
+    if (
+        len(set(forces)) < 2
+        or not all(forces)
+        or any(setup_sensors != sensors[0] for setup_sensors in sensors)
+    ):
         return []
     return [dict(zip(files, paths, strict=True)) for paths in zip(*files.values(), strict=False)]
 
@@ -125,20 +129,20 @@ def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozense
 
 
 def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
-    """Return by how much the machine changed from point to point, of which each has its modes.
+    """Return by how much the machine changed from point to point, given the modes of each.
 
-    Warmth and settling change all modes; what differs in single ones are fits of modes that a point hardly shows.  So
-    the logarithm of each frequency is that of the mode and a shift of the point, by a median polish (Tukey,
-    Exploratory Data Analysis, 1977, chapter 11) with weights.
+    Warming and settling shift all modes; differences in single modes come from fits of modes that a point hardly
+    shows.  So the logarithm of each frequency is modelled as that of the mode plus a shift of the point, by a
+    weighted median polish (Tukey, Exploratory Data Analysis, 1977, chapter 11).
     """
     groups = [
-        {i: one.mode for i, one in group.items() if one.mode.sigma_frequency < _allowed(one.mode)}
+        {i: mean.mode for i, mean in group.items() if mean.mode.sigma_frequency < _allowed(mean.mode)}
         for group in grouped_means(list(points.values()))
     ]
     groups = [group for group in groups if len(group) > 1]
     if not groups:
         return Change(0.0, np.inf, dict.fromkeys(points, 1.0))
-    widths = [min(_allowed(one) / one.frequency for one in group.values()) for group in groups]
+    widths = [min(_allowed(mode) / mode.frequency for mode in group.values()) for group in groups]
     logs, sigma = (np.full((len(groups), len(points)), np.nan) for _ in range(2))
     for k, group in enumerate(groups):
         for i, mode in group.items():
@@ -147,14 +151,14 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
     shifts = np.zeros(len(points))
     for _ in range(SWEEPS):
         of_modes = np.array([_median(*row) for row in zip(logs - shifts, sigma, strict=True)])
-        left = logs - of_modes[:, None]
-        shifts = np.array([_median(*column) for column in zip(left.T, sigma.T, strict=True)])
-    errors = [_error(*column) for column in zip((left - shifts).T, sigma.T, strict=True)]
+        residuals = logs - of_modes[:, None]
+        shifts = np.array([_median(*column) for column in zip(residuals.T, sigma.T, strict=True)])
+    errors = [_error(*column) for column in zip((residuals - shifts).T, sigma.T, strict=True)]
     shifts -= np.median(shifts)
     sure = np.where(np.abs(shifts) > SURE * np.array(errors), shifts, 0.0)
     low, high = min(sure), max(sure)
     factors = {
-        setup: float(np.exp(0.5 * (low + high) - one)) for setup, one in zip(points, sure, strict=True)
+        setup: float(np.exp(0.5 * (low + high) - shift)) for setup, shift in zip(points, sure, strict=True)
     }
     return Change(float(-np.expm1(low - high)), float(np.median(widths)), factors)
 
@@ -166,15 +170,15 @@ def _median(values: Array, sigma: Array) -> float:
     return float(values[order[np.searchsorted(weights, 0.5 * weights[-1])]]) if len(order) else 0.0
 
 
-def _error(left: Array, sigma: Array) -> float:
-    """Return the standard deviation of a weighted median: as stated, or larger as what is left of its values is."""
-    known = np.isfinite(left)
-    if not known.any():
+def _error(residuals: Array, sigma: Array) -> float:
+    """Return the standard deviation of a weighted median: as stated, or scaled up if the residuals are larger."""
+    finite = np.isfinite(residuals)
+    if not finite.any():
         return np.inf
-    larger = max(1.0, 1.4826 * float(np.median(np.abs(left[known]) / sigma[known])))
-    return float(larger * np.sqrt(0.5 * np.pi / (sigma[known] ** -2.0).sum()))
+    larger = max(1.0, 1.4826 * float(np.median(np.abs(residuals[finite]) / sigma[finite])))
+    return float(larger * np.sqrt(0.5 * np.pi / (sigma[finite] ** -2.0).sum()))
 
 
 def _allowed(mode: Found) -> float:
-    """Return the difference of the frequencies of a mode that is allowed [Hz]."""
+    """Return the allowed difference of a mode's frequencies [Hz]."""
     return SHIFT * 2.0 * mode.damping * mode.frequency

@@ -21,7 +21,7 @@ from pkmodes.core.base.errors import shown
 
 Array = NDArray[np.float64]
 T = TypeVar("T", bound=np.generic)
-#: Lines are the same that differ by less, in line spacings: tables round them.
+#: Lines that differ by less, in line spacings, are the same: tables round them.
 SAME_LINE = 0.01
 
 
@@ -45,54 +45,58 @@ def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Camp
         If their lines differ, or no sensor is in all of them.
     """
     files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
-    given, left_out = together(files, record.band)
+    responses, left_out = together(files, record.band)
     with in_file(record.pose):
-        fit = frf_fit(given, record.averages, record, campaign)
-    said = [message for one in files for message in one.messages]
+        fit = frf_fit(responses, record.averages, record, campaign)
+    messages = [message for file in files for message in file.messages]
     if left_out:
-        said.append(f"{record.pose}: not used, as only some of the points that were hit have it: {left_out}")
-    seen = frozenset[str]().union(*(one.seen for one in files))
-    return modes_of_fit(fit, [*said, *remarks_on(fit, record.pose)], seen)
+        messages.append(
+            f"{record.pose}: not used, as only some of the points that were hit have it: {left_out}"
+        )
+    names_in_file = frozenset[str]().union(*(file.names_in_file for file in files))
+    return modes_of_fit(fit, [*messages, *remarks_on(fit, record.pose)], names_in_file)
 
 
 def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
-    """Return the functions of a file, as of the machine in the middle of its change, and its forces by their keys."""
+    """Return a file's functions, corrected to the machine in mid-change, with its forces by their keys."""
     read = read_responses(point.path, record, setup, campaign)
-    given, forces = read.responses, campaign.forces_in(setup)
-    names = tuple(forces[name].key for name in given.names)
-    change = point.change(given.frequencies, names, given.references, record.exponential)
-    return replace(read, responses=replace(given, names=names, values=given.values + change))
+    responses, forces = read.responses, campaign.forces_in(setup)
+    names = tuple(forces[name].key for name in responses.names)
+    change = point.change(responses.frequencies, names, responses.references, record.exponential)
+    return replace(read, responses=replace(responses, names=names, values=responses.values + change))
 
 
 def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
-    """Return the functions of several points as those of one file, and the sensors that only some have.
+    """Return the functions of several points as those of one file, and the names of sensors that only some have.
 
-    A point in several files has the mean of its functions.
+    A point in several files gets the mean of its functions.
 
     Raises
     ------
     ApartError
         If their lines differ in the band [Hz], or no sensor is in all of them.
     """
-    inside = [_in_band(one, band) for one in files]
+    inside = [_in_band(file, band) for file in files]
     f = inside[0].frequencies
-    for one, given in zip(files, inside, strict=True):
-        _check_lines(one.source, given.frequencies, files[0].source, f)
-    sensors = list(dict.fromkeys(name for one in inside for name in one.references))
-    common = [name for name in sensors if all(_shows(one, name) for one in inside)]
+    for file, responses in zip(files, inside, strict=True):
+        _check_lines(file.source, responses.frequencies, files[0].source, f)
+    sensors = list(dict.fromkeys(name for responses in inside for name in responses.references))
+    common = [name for name in sensors if all(_shows(responses, name) for responses in inside)]
     if not common:
         which = ", ".join(map(shown, sensors))
         raise ApartError(f"expected a sensor that shows something of every point, found none among {which}")
-    kept = [_of_sensors(one, common) for one in inside]
-    names = [name for one in kept for name in one.names]
+    kept = [_of_sensors(responses, common) for responses in inside]
+    names = [name for responses in kept for name in responses.names]
     points = tuple(dict.fromkeys(names))
     at = [[i for i, name in enumerate(names) if name == point] for point in points]
     coherences = [
-        one.coherence for one in kept if one.coherence is not None and np.isfinite(one.coherence).all()
+        responses.coherence
+        for responses in kept
+        if responses.coherence is not None and np.isfinite(responses.coherence).all()
     ]
     joint = replace(
         kept[0],
-        values=_means([one.values for one in kept], at),
+        values=_means([responses.values for responses in kept], at),
         coherence=_means(coherences, at) if len(coherences) == len(kept) else None,
         names=points,
     )
@@ -101,12 +105,12 @@ def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[
 
 def _in_band(file: ResponseFile, band: tuple[float, float]) -> Responses:
     """Return the functions of a file on the lines of a band [Hz]."""
-    given = file.responses
-    f = given.frequencies
+    responses = file.responses
+    f = responses.frequencies
     rounding = SAME_LINE * float(np.median(np.diff(f)))
     inside = (f >= band[0] - rounding) & (f <= band[1] + rounding)
-    coherence = None if given.coherence is None else given.coherence[inside]
-    return replace(given, frequencies=f[inside], values=given.values[inside], coherence=coherence)
+    coherence = None if responses.coherence is None else responses.coherence[inside]
+    return replace(responses, frequencies=f[inside], values=responses.values[inside], coherence=coherence)
 
 
 def _check_lines(source: str, f: Array, first: str, of_first: Array) -> None:
@@ -125,27 +129,27 @@ def _step(f: Array) -> float:
 
 
 def _lines(f: Array) -> str:
-    """Return in words which lines there are [Hz]."""
+    """Describe the lines in words [Hz]."""
     ends = f" from {f[0]:.6g} Hz, {_step(f):.4g} Hz apart" if len(f) else ""
     return f"{len(f)} lines{ends}"
 
 
-def _shows(given: Responses, sensor: str) -> bool:
-    """Return whether a sensor measured something of every point in a file."""
-    if sensor not in given.references:
+def _shows(responses: Responses, sensor: str) -> bool:
+    """Return whether a sensor has a complete signal for every point in a file."""
+    if sensor not in responses.references:
         return False
-    values = given.values[:, :, given.references.index(sensor)]
+    values = responses.values[:, :, responses.references.index(sensor)]
     return bool(np.isfinite(values).all() and values.any(axis=0).all())
 
 
-def _of_sensors(given: Responses, names: Sequence[str]) -> Responses:
+def _of_sensors(responses: Responses, names: Sequence[str]) -> Responses:
     """Return the functions of some sensors."""
-    at = [given.references.index(name) for name in names]
-    coherence = None if given.coherence is None else given.coherence[:, :, at]
-    return replace(given, values=given.values[:, :, at], coherence=coherence, references=tuple(names))
+    at = [responses.references.index(name) for name in names]
+    coherence = None if responses.coherence is None else responses.coherence[:, :, at]
+    return replace(responses, values=responses.values[:, :, at], coherence=coherence, references=tuple(names))
 
 
 def _means(parts: Sequence[NDArray[T]], at: Sequence[Sequence[int]]) -> NDArray[T]:
-    """Return the means over places, side by side in several arrays, that are of one point."""
+    """Return the means over the columns, counted through all arrays, that belong to one point."""
     whole = np.concatenate(parts, axis=1)
     return np.stack([whole[:, places].mean(axis=1) for places in at], axis=1)

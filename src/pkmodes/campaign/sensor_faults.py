@@ -11,14 +11,14 @@ from pkmodes.signals.functions import Array, Function
 from pkmodes.signals.sensor_faults import clipped
 from pkmodes.support.numbers import plain
 
-#: Samples at an extreme value that are looked at in records of blows, whose pulses have few.
+#: Fewest samples at an extreme value that are examined in records of blows, whose pulses are short.
 OF_BLOWS = 3
-#: A sensor goes on while another has stopped if it has there this part of its usual standard deviation.
+#: A sensor keeps running while another has stopped if it shows this fraction of its usual standard deviation there.
 GOES_ON = 0.5
 
 
 def overloads(name: str, values: Array, source: str, *, of_blows: bool) -> list[str]:
-    """Return a sentence on a signal (N,) whose range was exceeded."""
+    """Return a message about a signal (N,) whose range was exceeded, none otherwise."""
     levels, share = clipped(values, OF_BLOWS) if of_blows else clipped(values)
     if not levels:
         return []
@@ -32,28 +32,28 @@ def overloads(name: str, values: Array, source: str, *, of_blows: bool) -> list[
 def silent(
     used: Sequence[Function], rests: Mapping[int, slice], time: Array, source: str
 ) -> tuple[set[int], list[str]]:
-    """Return which signals show nothing, or stopped while others went on, and a sentence on each.
+    """Return which signals are constant, or stopped while others went on, and a message about each.
 
     Parameters
     ----------
     rests : mapping of int to slice
-        Where some of the signals keep one value.
+        Where signals keep one value, by index.
     """
-    found, said = set[int](), list[str]()
-    moving = [one for i, one in enumerate(used) if i not in rests]
+    faulty, messages = set[int](), list[str]()
+    moving = [signal for i, signal in enumerate(used) if i not in rests]
     for i, rest in rests.items():
         name = used[i].response
         if rest.stop - rest.start == time.size:
-            found.add(i)
-            said += dead_channels([name], source)
-        elif any(_goes_on(one.values.real, rest) for one in moving):
-            found.add(i)
+            faulty.add(i)
+            messages += dead_channels([name], source)
+        elif any(_goes_on(signal.values.real, rest) for signal in moving):
+            faulty.add(i)
             first, last = time[rest.start], time[rest.stop - 1]
-            said.append(
+            messages.append(
                 f"{source}: {name} keeps one value from {first:.4g} s to {last:.4g} s while others go on: this file "
                 "gives no shape component of it"
             )
-    return found, said
+    return faulty, messages
 
 
 def _goes_on(values: Array, rest: slice) -> bool:

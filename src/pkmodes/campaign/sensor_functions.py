@@ -20,11 +20,11 @@ from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.functions import Asked, Function, Kind, SignalFile
 from pkmodes.signals.reading import read_signals
 
-#: Sensors are brought to accelerations: what most of them measure.
+#: All sensors are converted to accelerations, which most of them measure.
 ACCELERATION = 2
-#: Units are the same whose factors differ by less: files round them.
+#: Units whose factors differ by less are the same: files round them.
 SAME = 1e-3
-#: What a file should have, and its abscissa, in words.
+#: The content that a file should have, and its abscissa, in words.
 WORDS = {
     Kind.FRF: ("frequency response functions", "frequencies"),
     Kind.TIME: ("signals in time", "times"),
@@ -49,7 +49,7 @@ class SensorFunctions:
 
 
 def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
-    """Return what is wanted of a file of a record: the functions of some sensors, all by default."""
+    """Return the request for a file of a record: the functions of some sensors, all by default."""
     blows = record.kind == "impact"
     return Asked(record.rate, names, record.header, record.band, names=record.names, force=blows)
 
@@ -57,7 +57,7 @@ def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
 def sensor_functions(
     path: Path, kind: Kind, names: frozenset[str], record: Record, *, signs: bool = False
 ) -> SensorFunctions:
-    """Read the functions of the sensors with some names.
+    """Read the functions of the named sensors.
 
     Parameters
     ----------
@@ -74,79 +74,92 @@ def sensor_functions(
     MeasurementError
         If the file is faulty or has none of them, or their times or frequencies differ.
     """
-    asked = asked_of(record, names or None)
-    read = read_signals(path, asked)
+    request = asked_of(record, names or None)
+    read = read_signals(path, request)
     if signs:
         read = replace(read, functions=tuple(map(signed, read.functions)))
-    of_kind = [one for one in read.functions if one.kind is kind and not one.force]
-    used = [one for one in of_kind if one.response in names or (not names and kind is Kind.SPECTRUM)]
+    of_kind = [function for function in read.functions if function.kind is kind and not function.force]
+    used = [
+        function
+        for function in of_kind
+        if function.response in names or (not names and kind is Kind.SPECTRUM)
+    ]
     if not used:
-        _refuse_unknown_names(path, kind, names, replace(asked, sensors=None))
-    for one in used:
-        if not np.array_equal(one.abscissa, used[0].abscissa):
-            what = f"the {WORDS[kind][1]} of {shown(one.response)} differ from those of {shown(used[0].response)}"
-            raise MeasurementError(what, read.source, "measure all functions of a file together")
+        _refuse_unknown_names(path, kind, names, replace(request, sensors=None))
+    for function in used:
+        if not np.array_equal(function.abscissa, used[0].abscissa):
+            name, first = shown(function.response), shown(used[0].response)
+            problem = f"the {WORDS[kind][1]} of {name} differ from those of {first}"
+            raise MeasurementError(problem, read.source, "measure all functions of a file together")
     return SensorFunctions(read, tuple(used))
 
 
-def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], asked: Asked) -> None:
-    """Say what a file has instead of the campaign's sensors."""
-    read = read_signals(path, asked)
-    found = list(dict.fromkeys(one.response for one in read.functions if one.kind is kind and not one.force))
-    if not found:
-        what = f"expected {WORDS[kind][0]}, found {len(read.functions)} other functions"
-        what += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
-        raise MeasurementError(what, read.source, "choose another kind of record, or export other functions")
-    what = f"expected a sensor of the campaign, found {', '.join(map(shown, found[:6]))}"
-    remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(found[0])}"
-    remedy = nearest(found[0], names, remedy) if names else remedy
-    raise MeasurementError(what, read.source, remedy)
+def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], request: Asked) -> None:
+    """Refuse a file without the campaign's sensors, listing what it has instead."""
+    read = read_signals(path, request)
+    available = list(
+        dict.fromkeys(
+            function.response for function in read.functions if function.kind is kind and not function.force
+        )
+    )
+    if not available:
+        problem = f"expected {WORDS[kind][0]}, found {len(read.functions)} other functions"
+        problem += f"; skipped: {'; '.join(read.skipped)}" if read.skipped else ""
+        raise MeasurementError(
+            problem, read.source, "choose another kind of record, or export other functions"
+        )
+    problem = f"expected a sensor of the campaign, found {', '.join(map(shown, available[:6]))}"
+    remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(available[0])}"
+    remedy = nearest(available[0], names, remedy) if names else remedy
+    raise MeasurementError(problem, read.source, remedy)
 
 
-def refuse_repeated(name: str, what: str, source: str) -> NoReturn:
-    """Refuse what a file has several times under one name, of which the campaign may choose one."""
+def refuse_repeated(name: str, subject: str, source: str) -> NoReturn:
+    """Refuse a name that occurs several times in a file; the campaign may choose one of them by number."""
     remedy = f"if one of them counts, choose it by its number in the file, name = {shown(f'{name}#2')}"
-    raise MeasurementError(f"{what} occurs twice", source, f"{remedy}; give repeats as files of their own")
+    raise MeasurementError(f"{subject} occurs twice", source, f"{remedy}; give repeats as files of their own")
 
 
-def motion_of(one: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:
-    """Return what the numbers of a function are: as the campaign says, else by the unit in the file.
+def motion_of(function: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:
+    """Return the motion that a function measures: as the campaign declares, else by the unit in the file.
 
     Raises
     ------
     MeasurementError
-        If neither says it, if they contradict each other, or it is not a motion of the sensor's channels.
+        If neither states it, if they contradict each other, or it does not suit the sensor's channels.
     """
-    where = f"{source}: {one.response}"
-    if sensor.motion is None and one.unit is None:
-        what = "expected the unit of the sensor, found none in the file"
-        raise MeasurementError(what, where, 'give it in the campaign: unit = "m/s^2"')
-    found = sensor.motion or motion(str(one.unit), where)
-    check_motion(found, sensor, channels, where)
-    if sensor.motion is not None and one.unit is not None:
-        _check_agrees(one, sensor.motion, where)
-    return found
+    where = f"{source}: {function.response}"
+    if sensor.motion is None and function.unit is None:
+        problem = "expected the unit of the sensor, found none in the file"
+        raise MeasurementError(problem, where, 'give it in the campaign: unit = "m/s^2"')
+    measured = sensor.motion or motion(str(function.unit), where)
+    check_motion(measured, sensor, channels, where)
+    if sensor.motion is not None and function.unit is not None:
+        _check_agrees(function, sensor.motion, where)
+    return measured
 
 
-def _check_agrees(one: Function, said: Motion, where: str) -> None:
-    """Refuse a unit in the file that is another one than that of the campaign."""
-    unit = str(one.unit)
+def _check_agrees(function: Function, declared: Motion, where: str) -> None:
+    """Refuse a unit in the file that differs from that of the campaign."""
+    unit = str(function.unit)
     of_file = motion_or_none(unit)
-    if said.of_volts and not one.assumed:
+    if declared.of_volts and not function.assumed:
         agree = unit == "V"
     elif of_file is None:
         agree = False
     else:
-        # A type without a unit says "acceleration", of a rotation, too.
-        alike = of_file.derivative == said.derivative and (one.assumed or of_file.angular == said.angular)
-        agree = alike and (one.assumed or math.isclose(of_file.factor, said.factor, rel_tol=SAME))
+        # A type without a unit says "acceleration" even for a rotation.
+        alike = of_file.derivative == declared.derivative and (
+            function.assumed or of_file.angular == declared.angular
+        )
+        agree = alike and (function.assumed or math.isclose(of_file.factor, declared.factor, rel_tol=SAME))
     if not agree:
-        what = f"the campaign says {shown(said.unit)} of this sensor, and the file {shown(unit)}"
-        raise MeasurementError(what, where, "correct the campaign, or leave the unit out of it")
+        problem = f"the campaign says {shown(declared.unit)} of this sensor, and the file {shown(unit)}"
+        raise MeasurementError(problem, where, "correct the campaign, or leave the unit out of it")
 
 
 def check_size(values: NDArray[Any], source: str) -> None:
-    """Refuse numbers that no machine has: their squares would overflow.
+    """Refuse numbers outside any machine's range: their squares would overflow.
 
     Raises
     ------
@@ -154,12 +167,12 @@ def check_size(values: NDArray[Any], source: str) -> None:
     """
     size = float(np.nanmax(np.abs(values), initial=0.0))
     if size > 0.0 and not SMALLEST <= size <= LARGEST:
-        what = f"expected numbers in SI units of moderate size, found up to {size:.3g}"
-        raise MeasurementError(what, source, "check the units of the sensors")
+        problem = f"expected numbers in SI units of moderate size, found up to {size:.3g}"
+        raise MeasurementError(problem, source, "check the units of the sensors")
 
 
 def dead_channels(names: Sequence[str], source: str) -> list[str]:
-    """Return a sentence for each sensor that shows nothing."""
+    """Return a message for each sensor without a signal."""
     return [
         f"{source}: {name} shows nothing: all its values are equal; this file gives no shape component of it"
         for name in names

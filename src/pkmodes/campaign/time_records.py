@@ -1,6 +1,6 @@
 """Signals in time: the columns of a file as evenly sampled arrays.
 
-Modes of any record of them get what interpolated samples add to their errors, and the level of their vibration.
+Modes of such records also get the error that interpolated samples add, and the level of their vibration.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ from pkmodes.signals.sensor_faults import stopped
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Longest gap that is bridged, in periods of the upper end of the band.
+#: Longest gap that is bridged by interpolation, in periods of the upper end of the band.
 BRIDGED = 0.1
-#: Rates are the same that differ by less, relative.
+#: Rates that differ by less, relative, are the same.
 SAME_RATE = 1e-3
 
 
@@ -57,10 +57,10 @@ class TimeSignals:
     force : str
         Name of the force in the file.
     names : tuple of str
-        Of the S sensors that show something.
+        Of the S sensors with a signal.
     derivatives : ndarray of int, shape (S,)
         0 for displacements, 1 for velocities, 2 for accelerations.
-    seen : frozenset of str
+    names_in_file : frozenset of str
         Names of all the campaign's sensors in the file.
     messages : tuple of str
     gap : float
@@ -68,7 +68,7 @@ class TimeSignals:
     starts : tuple of float
         Times of the first samples of the pieces [s].
     once_more : TimeSignals or None
-        The same with as many samples interpolated once more; None if none are.
+        The same with as many further samples interpolated; None if none are.
     """
 
     source: str
@@ -78,19 +78,19 @@ class TimeSignals:
     force: str
     names: tuple[str, ...]
     derivatives: NDArray[np.intp]
-    seen: frozenset[str]
+    names_in_file: frozenset[str]
     messages: tuple[str, ...]
     gap: float = 0.0
     starts: tuple[float, ...] = ()
     once_more: TimeSignals | None = None
 
     def of(self, names: Sequence[str]) -> TimeSignals:
-        """Return those of some sensors."""
+        """Return the signals of some sensors."""
         at = [self.names.index(name) for name in names]
         pieces = tuple(piece[:, at] for piece in self.pieces)
-        more = None if self.once_more is None else self.once_more.of(names)
+        once_more = None if self.once_more is None else self.once_more.of(names)
         return replace(
-            self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at], once_more=more
+            self, pieces=pieces, names=tuple(names), derivatives=self.derivatives[at], once_more=once_more
         )
 
     def as_accelerations(self, s: ArrayLike) -> Complex:
@@ -106,7 +106,7 @@ def time_signals(
     Parameters
     ----------
     highest : float, optional
-        Frequency above which nothing is of interest [Hz]: long records are reduced to fewer samples.
+        Highest frequency of interest [Hz]: long records are reduced to fewer samples.
 
     Raises
     ------
@@ -117,56 +117,58 @@ def time_signals(
     functions = sensor_functions(path, Kind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file)
     read, used = functions.read, functions.used
     time = used[0].abscissa
-    forces = [one for one in read.functions if one.force]
+    forces = [function for function in read.functions if function.force]
     if len(forces) > 1:
-        what = f"expected one force, found {len(forces)}"
-        raise MeasurementError(what, read.source, "give one excitation in each file")
+        problem = f"expected one force, found {len(forces)}"
+        raise MeasurementError(problem, read.source, "give one excitation in each file")
     if forces and not np.array_equal(forces[0].abscissa, time):
-        what = f"the times of the force differ from those of {shown(used[0].response)}"
-        raise MeasurementError(what, read.source, "sample all signals of a file together")
-    names = [one.response for one in used]
+        problem = f"the times of the force differ from those of {shown(used[0].response)}"
+        raise MeasurementError(problem, read.source, "sample all signals of a file together")
+    names = [function.response for function in used]
     repeated = next((name for i, name in enumerate(names) if name in names[:i]), None)
     if repeated is not None:
         refuse_repeated(repeated, f"the signal {shown(repeated)}", read.source)
-    motions = [motion_of(one, sensors[one.response], campaign.channels, read.source) for one in used]
+    motions = [
+        motion_of(function, sensors[function.response], campaign.channels, read.source) for function in used
+    ]
     pieces, gaps = _pieces(time, record, read.source)
     fewer = 1 if highest is None else reduction(len(time), pieces[0].step, highest)
     overloaded, blows = list[str](), bool(forces)
-    for one in forces:
-        overloaded += overloads(one.response, one.values.real, read.source, of_blows=blows)
+    for force in forces:
+        overloaded += overloads(force.response, force.values.real, read.source, of_blows=blows)
     rests: dict[int, slice] = {}
-    columns, others = list[list[Array]](), list[list[Array]]()
+    columns, bridged_columns = list[list[Array]](), list[list[Array]]()
     bridged = any(piece.numbers is not None for piece in pieces)
-    for i, (one, of) in enumerate(zip(used, motions, strict=True)):
-        values = one.values.real  # a long signal fills much of the memory: one at a time
+    for i, (function, of) in enumerate(zip(used, motions, strict=True)):
+        values = function.values.real  # a long signal fills much of the memory: one at a time
         check_size(of.factor * np.array([values.min(), values.max()]), read.source)
         if (rest := stopped(values)) is not None:
             rests[i] = rest
-        overloaded += overloads(one.response, values, read.source, of_blows=blows)
+        overloaded += overloads(function.response, values, read.source, of_blows=blows)
         filled = [piece.filled(values) for piece in pieces]
-        columns.append([of.factor * reduced(one, fewer) for one in filled])
+        columns.append([of.factor * reduced(samples, fewer) for samples in filled])
         if bridged:
-            again = (piece.once_more(one) for piece, one in zip(pieces, filled, strict=True))
-            others.append([of.factor * reduced(one, fewer) for one in again])
+            again = (piece.once_more(samples) for piece, samples in zip(pieces, filled, strict=True))
+            bridged_columns.append([of.factor * reduced(samples, fewer) for samples in again])
     still, of_still = silent(used, rests, time, read.source)
     if len(still) == len(used):
-        what = f"expected signals, found only constant ones: {', '.join(names)}"
-        raise MeasurementError(what, read.source, "check the sensors and their cables")
+        problem = f"expected signals, found only constant ones: {', '.join(names)}"
+        raise MeasurementError(problem, read.source, "check the sensors and their cables")
     moving = [i for i in range(len(used)) if i not in still]
     if record.band[1] > 0.5 / pieces[0].step:
         half = 0.5 / pieces[0].step
-        what = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
-        raise MeasurementError(what, read.source, "narrow the band of the record, or sample faster")
-    units = [1.0 if one.unit is None else force_in(one.unit) for one in forces]
+        problem = f"expected a band below half the sampling rate, {half:.6g} Hz, found {record.band[1]:g} Hz"
+        raise MeasurementError(problem, read.source, "narrow the band of the record, or sample faster")
+    units = [1.0 if force.unit is None else force_in(force.unit) for force in forces]
     acting = tuple(
         piece.filled(np.asarray(force.values.real)) * unit
         for force, unit in zip(forces, units, strict=True)
         for piece in pieces
     )
-    found = TimeSignals(
+    signals = TimeSignals(
         read.source,
         pieces[0].step * fewer,
-        tuple(np.stack(each, axis=1) for each in zip(*(columns[i] for i in moving), strict=True)),
+        tuple(np.stack(parts, axis=1) for parts in zip(*(columns[i] for i in moving), strict=True)),
         acting,
         forces[0].response if forces else "",
         tuple(names[i] for i in moving),
@@ -177,80 +179,88 @@ def time_signals(
         tuple(float(time[piece.part.start]) for piece in pieces),
     )
     if not bridged:
-        return found
-    other = replace(
-        found,
-        pieces=tuple(np.stack(each, axis=1) for each in zip(*(others[i] for i in moving), strict=True)),
-        forces=tuple(piece.once_more(one) for piece, one in zip(pieces * len(forces), acting, strict=True)),
+        return signals
+    interpolated = replace(
+        signals,
+        pieces=tuple(
+            np.stack(parts, axis=1) for parts in zip(*(bridged_columns[i] for i in moving), strict=True)
+        ),
+        forces=tuple(
+            piece.once_more(force_samples)
+            for piece, force_samples in zip(pieces * len(forces), acting, strict=True)
+        ),
     )
-    return replace(found, once_more=other)
+    return replace(signals, once_more=interpolated)
 
 
 def _pieces(time: Array, record: Record, source: str) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
-    """Return the even parts of a record, and what to say of them; a rate prevails over times that are uneven."""
+    """Return the even parts of a record, and messages about them; a stated rate prevails over uneven times."""
     rate = record.rate
     try:
-        pieces, said = even_pieces(time, source, BRIDGED / record.band[1])
+        pieces, messages = even_pieces(time, source, BRIDGED / record.band[1])
     except MeasurementError:
         if rate is None or time.size < FEWEST:
             raise
-        pieces, said = stated_pieces(time, rate, source)
+        pieces, messages = stated_pieces(time, rate, source)
         by_times = (time.size - 1) / float(time[-1] - time[0])
         uneven = f"{source}: its times are uneven: the rate of the record, {rate:g} Hz, is used; by the times it is"
-        return pieces, (f"{uneven} {by_times:.6g} Hz", *said)
+        return pieces, (f"{uneven} {by_times:.6g} Hz", *messages)
     by_times = 1.0 / pieces[0].step
     if rate is not None and abs(by_times / rate - 1.0) > SAME_RATE:
         even = f"{source}: its times are even and used, {by_times:.6g} Hz; the record states {rate:g} Hz"
         lost = time.size * (rate / by_times - 1.0)
-        said = (*said, f"{even}: by that, {lost:.0f} samples are missing" if lost > 0.0 else even)
-    return pieces, said
+        messages = (*messages, f"{even}: by that, {lost:.0f} samples are missing" if lost > 0.0 else even)
+    return pieces, messages
 
 
 def _lost(time: Array, pieces: Sequence[Piece]) -> float:
-    """Return the median of the times that are lost between pieces [s]."""
+    """Return the median of the times lost between pieces [s]."""
     lost = [time[b.part.start] - time[a.part.stop - 1] - a.step for a, b in pairwise(pieces)]
     return float(np.median(lost)) if lost else 0.0
 
 
 def with_bridges(
     find: Callable[[Sequence[TimeSignals]], tuple[Fit, tuple[str, ...]]],
-    given: Sequence[TimeSignals],
+    recordings: Sequence[TimeSignals],
     source: str,
 ) -> tuple[Fit, tuple[str, ...]]:
-    """Return the fit of signals, and what to say of it; interpolated samples are in its standard deviations.
+    """Return the fit of signals and messages about it, with the effect of interpolated samples in its sigmas.
 
-    They add what interpolating as many once more changes, relative to the standard deviations, over all modes.
+    It is the change from interpolating as many further samples, relative to the standard deviations, rms over all
+    modes.
     """
-    fit, said = find(given)
-    if not fit.estimate.modes or all(one.once_more is None for one in given):
-        return fit, said
-    others = find([one.once_more or one for one in given])[0].estimate.modes
+    fit, messages = find(recordings)
+    if not fit.estimate.modes or all(recording.once_more is None for recording in recordings):
+        return fit, messages
+    bridged_modes = find([recording.once_more or recording for recording in recordings])[0].estimate.modes
     changes: list[float] = []
     for mode in fit.estimate.modes:
-        other = min(others, key=lambda one: abs(one.frequency - mode.frequency), default=mode)
-        if other is mode or abs(other.frequency / mode.frequency - 1.0) > APART:
+        counterpart = min(
+            bridged_modes, key=lambda candidate: abs(candidate.frequency - mode.frequency), default=mode
+        )
+        if counterpart is mode or abs(counterpart.frequency / mode.frequency - 1.0) > APART:
             continue
         for name in ("frequency", "damping"):
             sigma = getattr(mode, f"sigma_{name}")
-            changes += [(getattr(other, name) - getattr(mode, name)) / sigma] if sigma > 0.0 else []
+            changes += [(getattr(counterpart, name) - getattr(mode, name)) / sigma] if sigma > 0.0 else []
     if not changes:
-        what = "with as many samples interpolated once more no mode is found: none can be trusted"
-        return fit, (*said, f"{source}: {what}")
+        remark = "with as many samples interpolated once more no mode is found: none can be trusted"
+        return fit, (*messages, f"{source}: {remark}")
     moved = float(np.sqrt(np.mean(np.square(changes))))
 
     def wider(mode: Mode) -> Mode:
         names = "sigma_frequency", "sigma_damping", "sigma_shape", "sigma_size"
         return replace(mode, **{name: getattr(mode, name) * np.hypot(1.0, moved) for name in names})
 
-    what = f"as many samples interpolated once more move the modes by {moved:.2g} of their standard deviations, rms"
-    sentence = f"{source}: {what}: this is added in quadrature"
-    return replace(fit, estimate=fit.estimate.changed(wider)), (*said, sentence)
+    remark = f"as many samples interpolated once more move the modes by {moved:.2g} of their standard deviations, rms"
+    sentence = f"{source}: {remark}: this is added in quadrature"
+    return replace(fit, estimate=fit.estimate.changed(wider)), (*messages, sentence)
 
 
 def with_levels(
-    fit: Fit, messages: Sequence[str], given: TimeSignals, exponential: float | None = None
+    fit: Fit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
 ) -> FileModes:
-    """Return what a file gives, its modes with their levels.
+    """Return the modes of a file with their levels.
 
     Parameters
     ----------
@@ -259,15 +269,15 @@ def with_levels(
     exponential : float, optional
         Time constant of a window that the responses have had [s].
     """
-    found = modes_of_fit(fit, messages, given.seen)
+    file_modes = modes_of_fit(fit, messages, signals.names_in_file)
     modes = fit.estimate.modes
     if not modes:
-        return found
+        return file_modes
     poles = np.array([mode.pole for mode in modes])
-    roving = fit.references == given.names
+    roving = fit.references == signals.names
     at_sensors = [mode.participation if roving else mode.shape for mode in modes]
-    shapes = np.array(at_sensors) / given.as_accelerations(poles)
-    each = levels(given.step, given.pieces, poles, shapes, exponential)
-    pairs = zip(found.modes, each, strict=True)
+    shapes = np.array(at_sensors) / signals.as_accelerations(poles)
+    mode_levels = levels(signals.step, signals.pieces, poles, shapes, exponential)
+    pairs = zip(file_modes.modes, mode_levels, strict=True)
     with_levels = tuple(replace(mode, level=level.amplitude, shift=level.shift) for mode, level in pairs)
-    return replace(found, modes=with_levels)
+    return replace(file_modes, modes=with_levels)

@@ -1,7 +1,7 @@
-"""What the user asks of an identification: modes that are none, and frequencies from which a mode is fitted.
+"""The user's edits of an identification: modes that are not real, and frequencies at which a mode is to be fitted.
 
-A mode that is asked for needs no proof among all lines of a measurement, as one that a search finds, but only among
-those that it may be fitted to.  Its fit must still be a mode's: it stays near the frequency, and is more than noise.
+A requested mode needs no evidence against all lines of a measurement, as one found by a search does, but only against
+those that it may be fitted to.  Its fit must still be that of a mode: near the frequency, and above the noise.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-#: A frequency means the mode within this of it, relative; and an added mode replaces one within this.
+#: A frequency refers to the mode within this distance, relative; and an added mode replaces one within it.
 NEAR = 0.01
-#: A mode is added if its fit stays within this of the frequency asked for, relative.
+#: A mode is added if its fit stays within this distance of the requested frequency, relative.
 REACH = 0.03
 
 
@@ -25,41 +25,41 @@ class Asked:
     Attributes
     ----------
     strike : tuple of float
-        Where there is no mode: no other mode is fitted beside it when one is added.
+        Where there is no mode: what was found there is not fitted along with an added mode.
     add : tuple of float
-        From which a mode is fitted.
+        Where a mode is fitted.
     """
 
     strike: tuple[float, ...] = ()
     add: tuple[float, ...] = ()
 
 
-#: Nothing is asked for.
+#: No edits.
 NOTHING = Asked()
 
 
-def nearest(frequencies: Sequence[float] | NDArray[np.float64], wanted: float) -> int | None:
-    """Return the index of the frequency nearest to a wanted one, None if none is within `NEAR`."""
-    away = np.abs(np.asarray(frequencies, float) / wanted - 1.0)
+def nearest(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
+    """Return the index of the frequency nearest to a target, None if none is within `NEAR`."""
+    away = np.abs(np.asarray(frequencies, float) / target - 1.0)
     return int(away.argmin()) if away.size and away.min() <= NEAR else None
 
 
-def struck(frequencies: NDArray[np.float64], asked: Asked) -> NDArray[np.bool_]:
+def struck(frequencies: NDArray[np.float64], edits: Asked) -> NDArray[np.bool_]:
     """Return which of the frequencies (N,) are struck out."""
-    found = np.zeros(len(frequencies), bool)
-    for wanted in asked.strike:
-        i = nearest(np.where(found, np.inf, frequencies), wanted)
+    dropped = np.zeros(len(frequencies), bool)
+    for target in edits.strike:
+        i = nearest(np.where(dropped, np.inf, frequencies), target)
         if i is not None:
-            found[i] = True
-    return found
+            dropped[i] = True
+    return dropped
 
 
-def replaced(frequencies: Sequence[float] | NDArray[np.float64], asked: Asked, added: float) -> int | None:
-    """Return which of the frequencies an added mode replaces, None for none; those struck out stay what they are."""
-    every = np.asarray(frequencies, float)
-    return nearest(np.where(struck(every, asked), np.inf, every), added)
+def replaced(frequencies: Sequence[float] | NDArray[np.float64], edits: Asked, added: float) -> int | None:
+    """Return which of the frequencies an added mode replaces, None for none; those struck out are not replaced."""
+    candidates = np.asarray(frequencies, float)
+    return nearest(np.where(struck(candidates, edits), np.inf, candidates), added)
 
 
-def within_reach(frequency: float, wanted: float) -> bool:
-    """Return whether a fit that ended at a frequency is of the mode asked for."""
-    return abs(frequency / wanted - 1.0) <= REACH
+def within_reach(frequency: float, target: float) -> bool:
+    """Return whether a fit that ended at a frequency is the requested mode."""
+    return abs(frequency / target - 1.0) <= REACH

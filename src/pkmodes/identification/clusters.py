@@ -25,13 +25,13 @@ from pkmodes.identification.lscf import OrderPoles
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: No vibration mode of a machine that can be identified is damped more: its peak is gone.
+#: Highest damping ratio of an identifiable vibration mode of a machine: beyond it there is no peak.
 HIGHEST_DAMPING = 0.2
-#: Poles of one mode differ by less than this, average over a cluster: |difference| / sum of |Re|, plus 1 - MAC.  Two
-#: equal shapes reach it half a bandwidth apart, where one cannot tell two peaks.
+#: Largest average distance between the poles of one mode: |difference| / sum of |Re|, plus 1 - MAC.  Two equal shapes
+#: reach it half a bandwidth apart, where two peaks cannot be told apart.
 ONE_MODE = 0.5
-#: A mode must be found in this share of the orders.  Low orders have no poles to spare for weak modes; whether what
-#: is left exceeds noise is decided after the fit, so that this need not be strict.
+#: Least share of the orders in which a mode must be found.  Low orders have no poles to spare for weak modes; whether
+#: a mode exceeds the noise is decided after the fit, so this need not be strict.
 SHARE = 0.3
 
 
@@ -44,17 +44,17 @@ class Candidate:
     pole : complex
         Median of the cluster [1/s].
     shape : ndarray of complex128, shape (S,)
-        Of the pole nearest to it, at any scale.
+        Of the pole nearest to the median, at any scale.
     participation : ndarray of complex128, shape (R,)
         Likewise.
-    found : int
-        In how many orders.
+    order_count : int
+        Number of orders in which it was found.
     """
 
     pole: complex
     shape: Complex
     participation: Complex
-    found: int
+    order_count: int
 
 
 def candidates(by_order: Sequence[OrderPoles], low: float, high: float) -> list[Candidate]:
@@ -70,21 +70,21 @@ def candidates(by_order: Sequence[OrderPoles], low: float, high: float) -> list[
     ----------
     Reynders et al. 2012, sections 4 and 5.
     """
-    usable = [usable_poles(one.poles, low, high) for one in by_order]
-    poles = np.concatenate([one.poles[use] for one, use in zip(by_order, usable, strict=True)])
-    shapes = np.concatenate([one.shapes[use] for one, use in zip(by_order, usable, strict=True)])
-    parts = np.concatenate([one.participation[use] for one, use in zip(by_order, usable, strict=True)])
+    usable = [usable_poles(model.poles, low, high) for model in by_order]
+    poles = np.concatenate([model.poles[use] for model, use in zip(by_order, usable, strict=True)])
+    shapes = np.concatenate([model.shapes[use] for model, use in zip(by_order, usable, strict=True)])
+    parts = np.concatenate([model.participation[use] for model, use in zip(by_order, usable, strict=True)])
     order = np.repeat(np.arange(len(by_order)), [int(use.sum()) for use in usable])
     if not len(poles):
         return []
     labels = _labels(poles, shapes, parts)
-    found = []
+    clusters = []
     for label in range(1, int(labels.max()) + 1):
         members = np.flatnonzero(labels == label)
         count = len(np.unique(order[members]))
         if count >= math.ceil(SHARE * len(by_order)):
-            found.append(_candidate(poles[members], shapes[members], parts[members], count))
-    return sorted(found, key=lambda one: abs(one.pole))
+            clusters.append(_candidate(poles[members], shapes[members], parts[members], count))
+    return sorted(clusters, key=lambda cluster: abs(cluster.pole))
 
 
 def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
@@ -96,8 +96,8 @@ def usable_poles(poles: Complex, low: float, high: float) -> NDArray[np.bool_]:
 
 
 def orders_with(by_order: Sequence[OrderPoles], pole: complex) -> int:
-    """Return in how many orders a pole is within the half bandwidth of a mode."""
-    return sum(bool((np.abs(one.poles - pole) < abs(pole.real)).any()) for one in by_order)
+    """Return the number of orders that have a pole within the half bandwidth of a mode."""
+    return sum(bool((np.abs(model.poles - pole) < abs(pole.real)).any()) for model in by_order)
 
 
 def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32]:
@@ -112,7 +112,7 @@ def _labels(poles: Complex, shapes: Complex, parts: Complex) -> NDArray[np.int32
 
 
 def _alike(vectors: Complex) -> Array:
-    """Return the MAC of each vector with each."""
+    """Return the MAC of each pair of vectors."""
     sizes = np.linalg.norm(vectors, axis=1, keepdims=True)
     units = vectors / np.where(sizes > 0.0, sizes, 1.0)
     return np.asarray(np.abs(units.conj() @ units.T) ** 2)

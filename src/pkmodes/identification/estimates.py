@@ -1,4 +1,4 @@
-"""Results of modal identification: modes with what their fit leaves open, and what is drawn of it.
+"""Results of modal identification: modes with the uncertainty of their fit, and the functions that are drawn.
 
 A shape is complex, at any scale and phase.  It is turned to be as real as possible, which is the angle at which the
 sum of squares of its imaginary parts is least; how close it then is to real is the modal phase collinearity (Pappa,
@@ -30,16 +30,16 @@ class Mode:
     shape : ndarray of complex128, shape (S,)
         At the responses, at any scale; NaN where undetermined.
     sigma_frequency : float
-        One standard deviation of what the fit leaves open [Hz].
+        One standard deviation from the fit [Hz].
     sigma_damping : float
         Likewise.
     sigma_shape : float
         One standard deviation of the real part of a component of the shape turned as real as possible, relative to
         its largest component.
     found_in : tuple of int
-        In how many model orders, of how many.
+        Number of model orders in which it was found, and their total.
     participation : ndarray of complex128, shape (R,), or None
-        Of the references: its product with the shape is the residue of the functions.  None of responses alone.
+        Of the references: its product with the shape is the residue of the functions.  None for responses alone.
     sigma_size : float
         One standard deviation of the largest residue, relative; NaN where unknown.
     """
@@ -99,11 +99,11 @@ class Estimate:
     measured, synthesised : ndarray of complex128, shape (F, S, R)
         NaN where not measured.
     added : tuple of Mode or str
-        For each frequency from which the user asked for a mode: the mode, or why there is none.
+        For each frequency at which the user requested a mode: the mode, or why there is none.
     tones : tuple of float
-        Lines without bandwidth that were found, and that nobody had stated [Hz].
+        Lines without bandwidth that were found without having been stated [Hz].
     model_error : float
-        Largest part of the functions at a peak that the modes leave and that is not noise.
+        Largest fraction of the functions at a peak that the modes do not explain and that is not noise.
     left_out : tuple of float
         Frequencies of spurious modes, which only fit such an error [Hz].
     """
@@ -119,39 +119,41 @@ class Estimate:
     left_out: tuple[float, ...] = ()
 
     def changed(self, change: Callable[[Mode], Mode]) -> Estimate:
-        """Return it with another mode for each, also for each that the user asked for."""
-        added = tuple(one if isinstance(one, str) else change(one) for one in self.added)
+        """Return it with `change` applied to each mode, including those the user requested."""
+        added = tuple(
+            candidate if isinstance(candidate, str) else change(candidate) for candidate in self.added
+        )
         return replace(self, modes=tuple(map(change, self.modes)), added=added)
 
 
-def alike(one: Complex, other: Complex) -> float:
-    """Return the modal assurance criterion of two complex shapes (S,); 0 where one of them is nothing.
+def alike(first: Complex, second: Complex) -> float:
+    """Return the modal assurance criterion of two complex shapes (S,); 0 if one of them is zero.
 
     References
     ----------
     Allemang and Brown, Proceedings of the 1st International Modal Analysis Conference, 1982.
     """
-    size = np.vdot(one, one).real * np.vdot(other, other).real
-    return float(abs(np.vdot(one, other)) ** 2 / size) if size > 0.0 else 0.0
+    size = np.vdot(first, first).real * np.vdot(second, second).real
+    return float(abs(np.vdot(first, second)) ** 2 / size) if size > 0.0 else 0.0
 
 
 def collinearity(shape: Complex) -> float:
     """Return the modal phase collinearity of a shape (S,), NaN where undetermined."""
-    known = shape[np.isfinite(shape)]
-    xx, yy, xy = _moments(known)
+    finite = shape[np.isfinite(shape)]
+    xx, yy, xy = _moments(finite)
     total = xx + yy
     return (math.hypot(xx - yy, 2.0 * xy) / total) ** 2 if total > 0.0 else math.nan
 
 
 def turned_real(shape: Complex) -> Complex:
-    """Return a shape (S,) turned as real as possible and relative to its largest real part, which becomes 1.
+    """Return a shape (S,) rotated to be as real as possible, relative to its largest real part, which becomes 1.
 
     NaN where undetermined.
     """
-    known = np.isfinite(shape)
-    xx, yy, xy = _moments(shape[known])
+    finite = np.isfinite(shape)
+    xx, yy, xy = _moments(shape[finite])
     turned = shape * np.exp(-0.5j * math.atan2(2.0 * xy, xx - yy))
-    parts = turned.real[known]
+    parts = turned.real[finite]
     largest = parts[np.argmax(np.abs(parts))] if parts.size else 0.0
     return np.asarray(turned / largest) if largest else np.asarray(turned)
 

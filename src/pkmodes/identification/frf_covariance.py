@@ -1,4 +1,4 @@
-r"""What the fit of modes leaves open: the covariance of poles and shapes.
+r"""Uncertainty of fitted modes: the covariance of poles and shapes.
 
 Least squares of a model with Jacobian J and weights W has
 
@@ -32,17 +32,17 @@ from pkmodes.identification.frf_polish import Fit, Window, basis, columns, polis
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: A component of a shape known no better than this, relative to the largest one, is left blank.
+#: A component of a shape with a larger error than this, relative to the largest one, is left blank.
 DETERMINED = 0.5
-#: A reference whose mode is this much weaker than at its best reference says nothing about it.
+#: A reference at which a mode is this much weaker than at its best reference says nothing about it.
 WEAK = 0.05
-#: The variance is sought below the square of this relative difference.
+#: The variance is searched below the square of this relative difference.
 LARGEST = 0.1
 
 
 @dataclass(frozen=True, eq=False)
 class Uncertainty:
-    """What the fit of N modes leaves open.
+    """The uncertainty of N fitted modes.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Uncertainty:
     shapes : ndarray of complex128, shape (N, S, S)
         Covariances of the shapes at their scale.
     strength : ndarray, shape (N,)
-        The energy of each mode over that of noise, of which one unit is expected at each channel without the mode.
+        Energy of each mode relative to noise, whose expected energy is one unit at each channel.
     """
 
     poles: Array
@@ -60,16 +60,16 @@ class Uncertainty:
 
 
 def residual(at: Window, fit: Fit) -> Complex:
-    """Return what the fit leaves, (F, S, R)."""
+    """Return the residual of the fit, (F, S, R)."""
     E = basis(at, fit.poles)[:, : len(fit.poles)]
     return np.asarray(at.H - np.tensordot(E, fit.residues, 1))
 
 
 def removed(at: Window, fit: Fit) -> Complex:
-    """Return orthonormal columns that a fit takes from the noise of the lines, (F, K).
+    """Return orthonormal columns that a fit removes from the noise of the lines, (F, K).
 
-    With several channels a pole is shared, and takes less than a column from each: the derivative is left out from
-    two channels on.
+    Several channels share a pole, which removes less than a column from each: the derivative is left out for two or
+    more channels.
     """
     N = len(fit.poles)
     E = basis(at, fit.poles)
@@ -80,17 +80,17 @@ def removed(at: Window, fit: Fit) -> Complex:
 
 def channel_covariance(at: Window, fit: Fit, place: NDArray[np.int64], correlation: Complex) -> Complex:
     """Return the covariance of the noise between channels, (S R, S R), from the residual."""
-    left = residual(at, fit).reshape(len(at.s), -1)
+    remainder = residual(at, fit).reshape(len(at.s), -1)
     space = removed(at, fit)
     taken = float(np.einsum("fk,fk->", space.conj(), correlated(space, place, correlation)).real)
     lines = max(len(at.s) - taken, 1.0)
-    return np.asarray(left.T @ left.conj() / lines)
+    return np.asarray(remainder.T @ remainder.conj() / lines)
 
 
 def uncertainty(
     at: Window, fit: Fit, channels: Complex, place: NDArray[np.int64], correlation: Complex
 ) -> Uncertainty:
-    """Return what a fit leaves open.
+    """Return the uncertainty of a fit.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def _of(m: int, N: int, S: int) -> slice:
 
 
 def component_sigmas(shape: Complex, covariance: Complex) -> Array:
-    """Return the standard deviations of the real parts of shape / largest component, (S,); 0 for this one itself."""
+    """Return the standard deviations of the real parts of shape / largest component, (S,); 0 for the largest."""
     if not shape.size:
         return np.zeros(0)
     largest = int(np.argmax(np.abs(shape)))
@@ -145,9 +145,9 @@ def component_sigmas(shape: Complex, covariance: Complex) -> Array:
 
 
 def determined(shape: Complex, covariance: Complex) -> NDArray[np.bool_]:
-    """Return which components of a shape (S,) are known to a part `DETERMINED` of the largest that stands out.
+    """Return which components of a shape (S,) are known to a fraction `DETERMINED` of the largest significant one.
 
-    A sensor that only a reference near a node of the mode was measured with says nothing about it.
+    A sensor measured only with a reference near a node of the mode says nothing about it.
     """
     size, sigma = np.abs(shape), np.sqrt(np.maximum(covariance.diagonal().real, 0.0))
     sure = size * (size > 3.0 * sigma)
@@ -155,10 +155,10 @@ def determined(shape: Complex, covariance: Complex) -> NDArray[np.bool_]:
 
 
 def common_sigma(sigmas: Array) -> float:
-    """Return the one sigma for several components of which twice covers as many errors as if all were equal.
+    """Return a common sigma for several components: twice it covers as many errors as for equal components.
 
-    The root mean square would cover fewer: components with more noise than others exceed it more often than the
-    others stay below.
+    The root mean square would cover fewer: components with more noise exceed it more often than the others stay
+    below.
     """
     sigmas = sigmas[sigmas > 0.0]
     if not sigmas.size:
@@ -172,15 +172,15 @@ def common_sigma(sigmas: Array) -> float:
 
 
 def _strength(at: Window, fit: Fit, channels: Complex, gram: Complex, spread: Complex) -> Array:
-    """Return the energy of each mode that the others cannot stand in for, over that of noise."""
+    """Return the energy of each mode that the others cannot replace, relative to that of noise."""
     N = len(fit.poles)
-    own = gram[:N, :N]
-    size = np.sqrt(own.diagonal().real)
-    inverse = np.linalg.pinv(own / np.outer(size, size), rcond=1e-13, hermitian=True) / np.outer(size, size)
+    block = gram[:N, :N]
+    size = np.sqrt(block.diagonal().real)
+    inverse = np.linalg.pinv(block / np.outer(size, size), rcond=1e-13, hermitian=True) / np.outer(size, size)
     variance = (inverse @ spread[:N, :N] @ inverse).diagonal().real  # of a residue, for unit noise
     noise = channels.diagonal().real.reshape(at.weights.shape)
-    known = at.weights > 0.0
-    energy = (np.abs(fit.residues[:, known]) ** 2 / np.maximum(noise[known], 1e-300)).sum(axis=1)
+    measured = at.weights > 0.0
+    energy = (np.abs(fit.residues[:, measured]) ** 2 / np.maximum(noise[measured], 1e-300)).sum(axis=1)
     return np.asarray(energy / np.maximum(variance, 1e-300) + math.ulp(0.0))
 
 
@@ -191,19 +191,21 @@ def by_reference(at: Window, fit: Fit) -> tuple[Complex, Array]:
     for r in range(R):
         weights = np.zeros((S, R))
         weights[:, r] = at.weights[:, r]
-        alone = replace(at, H=at.H[..., r : r + 1], weights=weights[:, r : r + 1])
+        single = replace(at, H=at.H[..., r : r + 1], weights=weights[:, r : r + 1])
         if not weights.any() or (np.abs(fit.participation[:, r]) < WEAK).any():
             continue
-        one = polish(alone, fit.poles, np.ones((N, 1), complex))
-        if not one.converged or (np.abs(one.poles - fit.poles) > np.abs(fit.poles.real)).any():
+        refit = polish(single, fit.poles, np.ones((N, 1), complex))
+        if not refit.converged or (np.abs(refit.poles - fit.poles) > np.abs(fit.poles.real)).any():
             continue
-        E = basis(at, one.poles)
+        E = basis(at, refit.poles)
         for m in range(N):
-            others = np.delete(E, N + m, axis=1)
-            left = E[:, N + m] - others @ np.linalg.lstsq(others, E[:, N + m], rcond=1e-12)[0]
-            energy = float((weights[:, r] * np.abs(one.shapes[m]) ** 2).sum())
-            variances[r, m] = 0.5 / max(energy * float(np.vdot(left, left).real), 1e-300)
-        poles[r] = one.poles
+            other_columns = np.delete(E, N + m, axis=1)
+            unexplained = (
+                E[:, N + m] - other_columns @ np.linalg.lstsq(other_columns, E[:, N + m], rcond=1e-12)[0]
+            )
+            energy = float((weights[:, r] * np.abs(refit.shapes[m]) ** 2).sum())
+            variances[r, m] = 0.5 / max(energy * float(np.vdot(unexplained, unexplained).real), 1e-300)
+        poles[r] = refit.poles
     return poles, variances
 
 
@@ -219,12 +221,12 @@ def between(values: Sequence[Array], variances: Sequence[Array]) -> float:
     ----------
     Paule and Mandel 1982.
     """
-    freedom = sum(len(one) - 1 for one in values)
+    freedom = sum(len(sample) - 1 for sample in values)
 
-    def excess(more: float) -> float:
+    def excess(extra_variance: float) -> float:
         total = 0.0
         for value, variance in zip(values, variances, strict=True):
-            weights = 1.0 / (variance + more)
+            weights = 1.0 / (variance + extra_variance)
             total += float((weights * (value - (weights @ value) / weights.sum()) ** 2).sum())
         return total - freedom
 

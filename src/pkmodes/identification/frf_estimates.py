@@ -23,15 +23,15 @@ from pkmodes.core.base.errors import MeasurementError
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: A blow's force exceeds this part of the highest one of the file; weaker ones in between are bounces.
+#: Least force of a blow, relative to the highest of the file; weaker pulses in between are bounces.
 BLOW = 0.3
-#: A second pulse of the force above this part of the blow is a double hit; a hammer's own ringing is below.
+#: A second pulse above this fraction of the blow is a double hit; the hammer's own ringing stays below it.
 BOUNCE = 0.05
-#: Above this many standard deviations of its noise as well.
+#: Number of standard deviations of its noise above which the force is a signal.
 NOISE = 8.0
 #: Samples kept before the force begins.
 LEAD = 4
-#: Pulses of one contact are no further apart than this [s].
+#: Largest gap between pulses of one contact [s].
 CONTACT = 0.003
 
 
@@ -52,7 +52,7 @@ class ImpactEstimate:
     messages : tuple of str
         Double hits.
     sigma_size : float
-        Standard deviation of the size of all functions by the noise of the force while it acts, relative.
+        Relative standard deviation of the size of all functions, from the noise of the force while it acts.
     """
 
     frequencies: Array
@@ -83,9 +83,9 @@ def impact_estimate(
     hits : int
         Number of blows.
     exponential : float, optional
-        Time constant of a window that the responses have had, from the first sample [s].
+        Time constant of a window applied to the responses, from the first sample [s].
     longest : int, optional
-        Samples after each blow that are used at most, so that the functions of several files have the same lines.
+        Most samples used after each blow, so that the functions of several files have the same lines.
 
     Raises
     ------
@@ -118,7 +118,7 @@ def impact_estimate(
 
 
 def samples_of_blows(step: float, force: Array, hits: int = 1) -> int:
-    """Return the number of samples from a blow to the next or to the end, the least one of a file.
+    """Return the least number of samples in a file from a blow to the next one, or to the end.
 
     Raises
     ------
@@ -129,7 +129,7 @@ def samples_of_blows(step: float, force: Array, hits: int = 1) -> int:
 
 
 def _pulses(force: Array) -> tuple[Array, float]:
-    """Return a force from its rest, its blows positive, and their sign: the hammer's is only its own."""
+    """Return a force relative to its rest, with positive blows, and their original sign, which is a convention."""
     pulses = force - float(np.median(force))
     sign = 1.0 if pulses[int(np.argmax(np.abs(pulses)))] >= 0.0 else -1.0
     return sign * pulses, sign

@@ -1,7 +1,7 @@
 """Modes from frequency response functions.
 
 Poles of many model orders (`lscf`), clusters of them (`clusters`), and a fit by maximum likelihood to the lines
-around each group of clusters (`frf_refinement`), which decides what is a mode and says what it leaves open.
+around each group of clusters (`frf_refinement`), which decides what is a mode and gives its uncertainty.
 """
 
 from __future__ import annotations
@@ -31,20 +31,20 @@ from pkmodes.identification.residues import lsfd, with_residual_terms
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Poles of the highest order, and the number of orders up to it: some three times as many poles as a machine has
-#: modes in a band, as residual terms, noise and the hammer's spectrum take poles as well.
+#: Poles of the highest order, and number of orders up to it: about three times as many poles as a machine has modes
+#: in a band, as residual terms, noise and the hammer's spectrum take poles too.
 MOST_POLES, ORDERS = 60, 20
-#: Searches of what is left; each finds all modes that no stronger one hides.
+#: Most searches of the residual; each finds all modes that no stronger one hides.
 MOST_SEARCHES = 4
-#: Times that tones are sought and left out: a strong one hides others.
+#: Most passes in which tones are found and left out: a strong one hides others.
 MOST_PASSES = 4
-#: Modes this part of the band outside it are fitted as well, and not reported.
+#: Modes outside the band by up to this fraction of its width are fitted too, but not reported.
 MARGIN = 0.04
-#: A resonance near a tone has a half bandwidth of at least this part of the line spacing; a tone has none.
+#: Least half bandwidth, in line spacings, of a resonance near a tone; a tone has none.
 RESONANCE = 0.3
-#: Why a mode is not added that is none after the fit.
+#: Why a requested mode is not added that its fit shows not to be one.
 OUTSIDE = "its fit leaves the band, has no positive damping, or is a line without bandwidth"
-#: Half bandwidth, in line spacings, of a single line that stands out: no resonance that the lines resolve.
+#: Half bandwidth, in line spacings, below which a pole is a single line and no resonance that the lines resolve.
 NO_BANDWIDTH = 0.1
 
 
@@ -58,7 +58,7 @@ def identify_frf(
     averages: int | None = None,
     exponential: float | None = None,
     tones: Sequence[float] = (),
-    asked: Asked = NOTHING,
+    edits: Asked = NOTHING,
 ) -> Estimate:
     """Identify the modes in a band.
 
@@ -74,12 +74,13 @@ def identify_frf(
         0 for displacement, 1 for velocity, 2 for acceleration.
     coherence : ndarray, shape (F, S, R), optional
     averages : int, optional
-        Behind the coherence: then it gives the variance of the noise, otherwise only where there is more of it.
+        Number behind the coherence: with it, the coherence gives the variance of the noise; otherwise only its course
+        over the lines.
     exponential : float, optional
         Time constant of an exponential window of the responses [s].
     tones : sequence of float
         Lines at these frequencies and their multiples are not modes [Hz].
-    asked : Asked
+    edits : Asked
         Modes that the user adds.
 
     Raises
@@ -100,59 +101,63 @@ def identify_frf(
         by_order = _by_order(data)
         start = _candidates(by_order, data, low, high)
         modes, bounds = _with_hidden(data, *refined(data, start, low, high), low, high, power)
-        more = [] if last else _unasked(without_bandwidth(data, modes), asked)
-        if not more:
+        new_tones = [] if last else _unasked(without_bandwidth(data, modes), edits)
+        if not new_tones:
             break
-        lines += more
+        lines += new_tones
     modes, bounds, error, left_out = without_model_errors(data, modes, bounds, low, high)
 
     def mode(modes: Modes, bounds: Uncertainty, m: int) -> Mode:
         found_in = orders_with(by_order, modes.poles[m]), len(by_order)
         return _mode(modes, with_model_error(modes, bounds, error), m, scale, exponential, found_in)
 
-    found = with_added(data, modes, bounds, asked)
-    kept = _in_band(found.modes, data, band, exponential, tones)
-    places = [i for i in found.added if isinstance(i, int)]
+    extended = with_added(data, modes, bounds, edits)
+    kept = _in_band(extended.modes, data, band, exponential, tones)
+    places = [i for i in extended.added if isinstance(i, int)]
     reported = np.setdiff1d(np.flatnonzero(kept), places)
-    before = np.flatnonzero(found.struck & _in_band(modes, data, band, exponential, tones))
+    before = np.flatnonzero(extended.struck & _in_band(modes, data, band, exponential, tones))
     step = float(np.median(np.diff(f)))
-    each = [mode(found.modes, found.bounds, int(m)) for m in reported]
-    wide = found.modes.half_widths[reported] > NARROW * step
-    each = [
-        one for one, resolved in zip(each, wide, strict=True) if resolved or np.isfinite(one.shape).any()
-    ]  # a narrow pole without a shape: what a tone that drifts leaves beside the lines that are left out
-    each += [mode(modes, bounds, int(m)) for m in before]
+    reported_modes = [mode(extended.modes, extended.bounds, int(m)) for m in reported]
+    wide = extended.modes.half_widths[reported] > NARROW * step
+    reported_modes = [
+        candidate
+        for candidate, resolved in zip(reported_modes, wide, strict=True)
+        if resolved or np.isfinite(candidate.shape).any()
+    ]  # a narrow pole without a shape is what a drifting tone leaves beside the lines that are left out
+    reported_modes += [mode(modes, bounds, int(m)) for m in before]
     return Estimate(
-        modes=tuple(sorted(each, key=lambda one: one.frequency)),
+        modes=tuple(sorted(reported_modes, key=lambda candidate: candidate.frequency)),
         stabilisation=_stabilisation(by_order, band),
         frequencies=f,
         measured=measured,
-        synthesised=_response(data, found.modes, power, f) * scale[:, None],
+        synthesised=_response(data, extended.modes, power, f) * scale[:, None],
         added=tuple(
-            i if isinstance(i, str) else mode(found.modes, found.bounds, i) if kept[i] else OUTSIDE
-            for i in found.added
+            i if isinstance(i, str) else mode(extended.modes, extended.bounds, i) if kept[i] else OUTSIDE
+            for i in extended.added
         ),
         tones=distinct(lines, step),
         model_error=error,
         left_out=tuple(
-            one for one in left_out if band[0] <= one <= band[1] and nearest(asked.add, one) is None
+            frequency
+            for frequency in left_out
+            if band[0] <= frequency <= band[1] and nearest(edits.add, frequency) is None
         ),
     )
 
 
-def _unasked(lines: list[Line], asked: Asked) -> list[Line]:
-    """Return the lines at which the user asks for no mode."""
-    return [one for one in lines if nearest(asked.add, one.frequency) is None]
+def _unasked(lines: list[Line], edits: Asked) -> list[Line]:
+    """Return the lines at which the user has not requested a mode."""
+    return [line for line in lines if nearest(edits.add, line.frequency) is None]
 
 
 def _by_order(data: Lines) -> list[OrderPoles]:
-    """Return poles from all complete sensors; without any, from all functions as those of a single reference."""
-    known = data.known
-    complete = np.logical_and.reduce(known, axis=1)
+    """Return poles from all complete sensors; if there are none, from all functions as of a single reference."""
+    measured = data.measured
+    complete = np.logical_and.reduce(measured, axis=1)
     if complete.any():
         values, variance = data.H[:, complete], data.variance[:, complete]
     else:
-        values, variance = data.H[:, known][..., None], data.variance[:, known][..., None]
+        values, variance = data.H[:, measured][..., None], data.variance[:, measured][..., None]
     R = values.shape[2]
     top = min(MOST_POLES // R, max(len(data.frequencies) // (3 * R), 2))
     orders = np.unique(np.round(np.linspace(max(2, top // 8), top, ORDERS)).astype(int))
@@ -161,12 +166,14 @@ def _by_order(data: Lines) -> list[OrderPoles]:
 
 
 def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float) -> Modes:
-    """Return the clusters as a starting point, with participations of 1 if the poles have others."""
-    found = candidates(by_order, low, high)
-    R, N = data.H.shape[2], len(found)
-    poles = np.array([one.pole for one in found], complex)
-    shared = all(one.participation.size == R for one in found)
-    parts = np.array([one.participation if shared else np.ones(R) for one in found], complex).reshape(N, R)
+    """Return the clusters as a starting point, with participations of 1 if theirs do not match the references."""
+    clusters = candidates(by_order, low, high)
+    R, N = data.H.shape[2], len(clusters)
+    poles = np.array([cluster.pole for cluster in clusters], complex)
+    shared = all(cluster.participation.size == R for cluster in clusters)
+    parts = np.array(
+        [cluster.participation if shared else np.ones(R) for cluster in clusters], complex
+    ).reshape(N, R)
     first = lsfd(data.frequencies, data.H, data.weights(), poles, parts, 0)
     return Modes(poles, np.nan_to_num(first.shapes), parts)
 
@@ -174,16 +181,16 @@ def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float
 def _with_hidden(
     data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float, power: int
 ) -> tuple[Modes, Uncertainty]:
-    """Return the modes with those that a search finds in what they leave."""
+    """Return the modes with those that a search finds in their residual."""
     for _ in range(MOST_SEARCHES):
         fit = _response(data, modes, power, data.frequencies)
         poles = hidden(data, fit, significant(data))
         if not len(poles):
             break
-        more, more_bounds = refined(data, joined(modes, poles, data.frequencies, data.H - fit), low, high)
-        if len(more.poles) <= len(modes.poles):
+        extended, more_bounds = refined(data, joined(modes, poles, data.frequencies, data.H - fit), low, high)
+        if len(extended.poles) <= len(modes.poles):
             break
-        modes, bounds = more, more_bounds
+        modes, bounds = extended, more_bounds
     return modes, bounds
 
 
@@ -215,24 +222,24 @@ def _mode(
     """Return one of the modes, in the units of the functions."""
     pole = complex(without_window(modes.poles[m], exponential))
     shape, covariance = modes.shapes[m] * scale, scale[:, None] * bounds.shapes[m] * scale
-    known = determined(shape, covariance)
-    sigmas = component_sigmas(shape[known], covariance[np.ix_(known, known)])
-    largest = int(np.argmax(np.where(known, np.abs(shape), 0.0)))
+    resolved = determined(shape, covariance)
+    sigmas = component_sigmas(shape[resolved], covariance[np.ix_(resolved, resolved)])
+    largest = int(np.argmax(np.where(resolved, np.abs(shape), 0.0)))
     return Mode(
         pole=pole,
-        shape=np.where(known, shape, complex(np.nan, np.nan)),
+        shape=np.where(resolved, shape, complex(np.nan, np.nan)),
         sigma_frequency=float(bounds.poles[m, 1]) / (2.0 * math.pi),
         sigma_damping=float(bounds.poles[m, 0]) / abs(pole),
-        sigma_shape=common_sigma(sigmas) if known.any() else math.nan,
+        sigma_shape=common_sigma(sigmas) if resolved.any() else math.nan,
         found_in=found_in,
         participation=modes.participation[m],
         sigma_size=math.sqrt(max(covariance[largest, largest].real, 0.0) / 2.0) / abs(shape[largest])
-        if known.any()
+        if resolved.any()
         else math.nan,
     )
 
 
 def _stabilisation(by_order: list[OrderPoles], band: tuple[float, float]) -> Stabilisation:
-    orders = np.array([one.order for one in by_order], np.int64)
-    poles = tuple(one.poles[usable_poles(one.poles, *band)] for one in by_order)
-    return Stabilisation(orders, tuple(one[np.argsort(one.imag)] for one in poles))
+    orders = np.array([model.order for model in by_order], np.int64)
+    poles = tuple(model.poles[usable_poles(model.poles, *band)] for model in by_order)
+    return Stabilisation(orders, tuple(order_poles[np.argsort(order_poles.imag)] for order_poles in poles))

@@ -19,11 +19,11 @@ from pkmodes.identification.frf_noise import (
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Fewer lines hold no mode that could be told from noise.
+#: Fewest lines in which a mode can be told from noise.
 FEWEST_LINES = 24
-#: Lines this near to a tone's multiple are left out, in line spacings: a tone between two lines shows in both.
+#: Lines this close to a multiple of a tone are left out, in line spacings: a tone between two lines shows in both.
 TONE_REACH = 1.01
-#: Lines nearer to a tone than this, in line spacings, hold all that a spectral window spreads of it (Hann's).
+#: Lines closer to a tone than this, in line spacings, contain all of it that a spectral window (Hann's) spreads.
 SPREAD = 2.1
 
 
@@ -40,7 +40,7 @@ class Lines:
     H : ndarray of complex128, shape (F, S, R)
         NaN where not measured.
     variance : ndarray, shape (F, S, R)
-        Of the noise, as far as it is known beforehand.
+        Of the noise, as far as known beforehand.
     correlation : ndarray of complex128 or None
         Of the noise at lags of lines, if known.
     stated : bool
@@ -55,7 +55,7 @@ class Lines:
     stated: bool
 
     @property
-    def known(self) -> NDArray[np.bool_]:
+    def measured(self) -> NDArray[np.bool_]:
         """Which functions were measured, (S, R)."""
         return np.asarray(np.isfinite(self.H).all(axis=0))
 
@@ -65,9 +65,9 @@ class Lines:
         return float(np.median(np.diff(self.frequencies)))
 
     def weights(self) -> Array:
-        """Return the inverse standard deviation of each sensor's lines, (F, S), 0 for dead ones."""
-        known = np.isfinite(self.variance)
-        mean = np.where(known, self.variance, 0.0).sum(axis=2) / np.maximum(known.sum(axis=2), 1)
+        """Return the inverse standard deviation of each sensor's lines, (F, S), 0 for dead sensors."""
+        finite = np.isfinite(self.variance)
+        mean = np.where(finite, self.variance, 0.0).sum(axis=2) / np.maximum(finite.sum(axis=2), 1)
         return np.where(mean > 0.0, 1.0 / np.sqrt(np.where(mean > 0.0, mean, 1.0)), 0.0)
 
 
@@ -78,28 +78,28 @@ def used_lines(
     averages: int | None,
     exponential: float | None,
     tones: Sequence[float],
-    found: Sequence[float] = (),
+    found_tones: Sequence[float] = (),
 ) -> tuple[Lines, Array]:
-    """Return the lines that are used, each sensor relative to its rms, and this.
+    """Return the lines that are used, relative to the rms of each sensor, and these rms values.
 
-    Neither those at a multiple of a stated tone nor those around a tone that was found are.
+    Lines at a multiple of a stated tone and around a tone that was found are left out.
     """
-    known = np.isfinite(H).all(axis=0)
-    alive = known & (np.abs(np.where(known, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
+    measured = np.isfinite(H).all(axis=0)
+    alive = measured & (np.abs(np.where(measured, H, 0.0)).max(axis=0, initial=0.0) > 0.0)
     if len(f) < FEWEST_LINES:
-        what = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
-        raise MeasurementError(what, "the band", "measure with a finer line spacing, or use a wider band")
+        problem = f"expected at least {FEWEST_LINES} lines, found {len(f)}"
+        raise MeasurementError(problem, "the band", "measure with a finer line spacing, or use a wider band")
     if not alive.any():
         raise MeasurementError("found no function without gaps", "the band", "check the files")
     squares: Array = np.where(alive, (np.abs(np.where(alive, H, 0.0)) ** 2).mean(axis=0), np.nan)
     scale = np.sqrt(np.array([np.nanmean(row) if np.isfinite(row).any() else 1.0 for row in squares]))
     step = float(np.median(np.diff(f)))
     used = ~at_tones(f, tones, step)
-    for tone in found:
+    for tone in found_tones:
         used &= np.abs(f - tone) > SPREAD * step
     if used.sum() < FEWEST_LINES:
-        what = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
-        raise MeasurementError(what, "tones", "state only tones that the signals have")
+        problem = f"expected at least {FEWEST_LINES} lines beside the tones, found {int(used.sum())}"
+        raise MeasurementError(problem, "tones", "state only tones that the signals have")
     values = np.where(alive, H, np.nan)[used] / scale[:, None]
     variance = difference_variance(values)
     stated = coherence is not None and averages is not None
@@ -122,7 +122,7 @@ def at_tones(f: Array, tones: Sequence[float], step: float) -> NDArray[np.bool_]
 
 
 def _scaled_to(relative: Array, absolute: Array) -> Array:
-    """Return variances with the course of one estimate and the size of another."""
+    """Return variances with the course over the lines of one estimate and the size of another."""
     ratio = np.median(absolute / np.maximum(relative, 1e-300), axis=0)
     return np.asarray(relative * ratio)
 

@@ -1,4 +1,4 @@
-"""Modes told from errors of the model in frequency responses of a machine that is not linear.
+"""Telling modes from model errors in frequency responses of a nonlinear machine.
 
 The fit of `frf_refinement` adds modes until only noise is left.  If a joint softens with the amplitude, a transducer
 resonates or a hammer hits twice, no few linear modes fit the functions, and spurious ones fit the remainder:
@@ -33,25 +33,25 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Index = NDArray[np.int64]
 
-#: One peak: modes nearer than a bandwidth and alike, of which one leaves less than this part of the peak.
+#: One peak: similar modes closer than a bandwidth, one of which alone leaves less than this fraction of the peak.
 NEAR, PEAK = 1.0, 0.1
-#: A mode that is this much broader than the peak fits what is left of its skirts, with any shape.
+#: A mode this much broader than the peak fits the remainder of its skirts, whatever its shape.
 BROAD = 3.0
-#: Shapes at fewer sensors are alike by chance.
+#: Fewest sensors for comparing shapes: at fewer, shapes agree by chance.
 ENOUGH = 3
-#: Where one mode fits the peak, as many others beside it are spurious even if their shapes differ.
+#: If one mode fits the peak, this many others beside it are spurious even if their shapes differ.
 SEVERAL = 2
-#: A mode of at least this part of the response of all others at its frequency is never spurious,
+#: A mode with at least this fraction of the response of all others at its frequency is never spurious,
 STRONG = 0.2
 #: and a weaker one is if it is below this multiple of the error.
 SPURIOUS = 8.0
-#: The error is estimated from lines this far apart: the noise of nearer ones is correlated, too.
+#: The error is estimated from lines this far apart: between closer ones, noise is correlated too.
 LAG = 2 * LAGS
-#: Fewer pairs of lines tell no error, nor do fewer peaks: what is at one peak alone may be a mode.
+#: Fewest pairs of lines, and peaks, from which an error is estimated: what is at one peak alone may be a mode.
 FEWEST, PEAKS = 2 * LAG, 2
-#: Standard deviations of its estimate from which on there is an error.
+#: Number of standard deviations above which an estimated error is real.
 SURE = 4.0
-#: Modes that a sentence mentions at most.
+#: Most modes mentioned in a message.
 MENTIONED = 4
 
 
@@ -64,7 +64,7 @@ class Remaining(NamedTuple):
     bounds : Uncertainty
         Without the error.
     error : float
-        Largest part of the functions at a peak that the modes leave and that is not noise.
+        Largest fraction of the functions at a peak that the modes do not explain and that is not noise.
     left_out : ndarray
         Frequencies of the spurious ones [Hz], ascending.
     """
@@ -97,7 +97,7 @@ def without_model_errors(
 
 
 def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncertainty:
-    """Return uncertainties with what an error, a part of the functions, does to each pole and shape.
+    """Return uncertainties including the effect of an error, a fraction of the functions, on each pole and shape.
 
     The shape of a weak mode beside a strong one has an error in proportion to the strong one.
     """
@@ -112,23 +112,23 @@ def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncerta
 
 
 def not_linear(error: float, left_out: Sequence[float]) -> str:
-    """Return a sentence on modes that were left out.
+    """Return a message about modes that were left out.
 
     Parameters
     ----------
     error : float
-        What the modes leave, as a part of the functions at their peaks.
+        Error of the model, as a fraction of the functions at their peaks.
     left_out : sequence of float
         [Hz].
     """
-    some = ", ".join(f"{one:.4g}" for one in left_out[:MENTIONED])
-    more = f" and {len(left_out) - MENTIONED} more" if len(left_out) > MENTIONED else ""
-    one = len(left_out) == 1
-    modes, are = ("a mode", "is") if one else ("modes", "are")
+    examples = ", ".join(f"{frequency:.4g}" for frequency in left_out[:MENTIONED])
+    rest = f" and {len(left_out) - MENTIONED} more" if len(left_out) > MENTIONED else ""
+    single = len(left_out) == 1
+    modes, are = ("a mode", "is") if single else ("modes", "are")
     part = f" (up to {plain(100 * error, 2)} % of a peak)" if error > 0.0 else ""
     return (
         f"a few linear modes do not fit the functions to noise{part}: {modes} that would fit the remainder, at "
-        f"{some}{more} Hz, {are} left out; the machine or the measuring chain is not linear"
+        f"{examples}{rest} Hz, {are} left out; the machine or the measuring chain is not linear"
     )
 
 
@@ -136,9 +136,9 @@ def not_linear(error: float, left_out: Sequence[float]) -> str:
 
 
 def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
-    """Return modes that only fit what one mode at a peak leaves there, for the highest peak that has such ones."""
+    """Return modes that only fit the remainder of one mode at a peak, for the highest peak that has any."""
     drop = np.zeros(len(modes.poles), bool)
-    if data.known.any(axis=1).sum() < ENOUGH:
+    if data.measured.any(axis=1).sum() < ENOUGH:
         return drop
     height = np.linalg.norm(np.nan_to_num(modes.residues), axis=(1, 2)) / np.abs(modes.poles.real)
     for k in np.argsort(-height).tolist():
@@ -146,47 +146,47 @@ def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
         broad = modes.half_widths > BROAD * modes.half_widths[k]
         alike = np.array([i for i in beside if broad[i] or copies(modes, int(i), k, NEAR)], np.int64)
         both = len(beside) >= SEVERAL and len(beside) > len(alike)
-        for some in [beside, alike] if both else [alike]:
-            if len(some) and _left_without(data, modes, some, k) < PEAK:
-                drop[some] = True
+        for subset in [beside, alike] if both else [alike]:
+            if len(subset) and _left_without(data, modes, subset, k) < PEAK:
+                drop[subset] = True
                 return drop
     return drop
 
 
 def _beside(modes: Modes, height: Array, k: int) -> Index:
-    """Return the lower modes that are nearer to a mode than a bandwidth, or to one of these."""
+    """Return the lower modes that are within a bandwidth of a mode, directly or through others of them."""
     width, at = np.abs(modes.poles.real), modes.poles.imag
-    found = np.arange(len(height)) == k
+    members = np.arange(len(height)) == k
     while True:
-        near = (np.abs(at[:, None] - at[found]) < NEAR * (width[:, None] + width[found])).any(axis=1)
-        more = found | (near & (height < height[k]))
-        if (more == found).all():
-            return np.setdiff1d(np.flatnonzero(found), [k])
-        found = more
+        near = (np.abs(at[:, None] - at[members]) < NEAR * (width[:, None] + width[members])).any(axis=1)
+        grown = members | (near & (height < height[k]))
+        if (grown == members).all():
+            return np.setdiff1d(np.flatnonzero(members), [k])
+        members = grown
 
 
-def _left_without(data: Lines, modes: Modes, some: Index, k: int) -> float:
-    """Return what a fit without some modes leaves, as a part of mode k at its peak, or of the functions at theirs."""
-    kept = ~np.isin(np.arange(len(modes.poles)), some)
+def _left_without(data: Lines, modes: Modes, dropped: Index, k: int) -> float:
+    """Return the remainder of a fit without some modes, relative to mode k at its peak or the functions at theirs."""
+    kept = ~np.isin(np.arange(len(modes.poles)), dropped)
     fewer, place = modes.only(kept), int(kept[:k].sum())
-    one = group_fit(data, fewer, next(group for group in groups(fewer.poles) if place in group))
-    if not np.isfinite(one.fit.cost):
+    fitted = group_fit(data, fewer, next(group for group in groups(fewer.poles) if place in group))
+    if not np.isfinite(fitted.fit.cost):
         return math.inf
-    s, known = one.at.s, one.at.weights > 0.0
-    left = (residual(one.at, one.fit) * one.at.sigma[:, None, None])[:, known]
-    m = int(np.flatnonzero(one.members == place)[0])
-    mode = (one.fit.residues[m] / (s - one.fit.poles[m])[:, None, None])[:, known]
-    functions = data.H[one.lines][:, known]
-    parts = [_part(left, mode, s, one.fit.poles[m])]
-    parts += [_part(left, functions, s, pole) for pole in modes.poles[some]]
+    s, measured = fitted.at.s, fitted.at.weights > 0.0
+    remainder = (residual(fitted.at, fitted.fit) * fitted.at.sigma[:, None, None])[:, measured]
+    m = int(np.flatnonzero(fitted.members == place)[0])
+    mode = (fitted.fit.residues[m] / (s - fitted.fit.poles[m])[:, None, None])[:, measured]
+    functions = data.H[fitted.lines][:, measured]
+    parts = [_part(remainder, mode, s, fitted.fit.poles[m])]
+    parts += [_part(remainder, functions, s, pole) for pole in modes.poles[dropped]]
     return max(parts)
 
 
-def _part(left: Complex, whole: Complex, s: Complex, pole: complex) -> float:
-    """Return what is left within the half bandwidths of a pole, as a part of something there; inf where it is not."""
+def _part(remainder: Complex, whole: Complex, s: Complex, pole: complex) -> float:
+    """Return the remainder within the half bandwidths of a pole, relative to `whole`; inf if that is zero there."""
     near = np.abs(s.imag - pole.imag) < abs(pole.real)
     size = float(np.linalg.norm(whole[near]))
-    return float(np.linalg.norm(left[near])) / size if near.any() and size > 0.0 else math.inf
+    return float(np.linalg.norm(remainder[near])) / size if near.any() and size > 0.0 else math.inf
 
 
 # On their skirts -----------------------------------------------------------------------------------------------
@@ -198,37 +198,37 @@ def _on_skirts(data: Lines, modes: Modes) -> NDArray[np.bool_]:
     strong = size >= STRONG
     if strong.all() or strong.sum() < PEAKS:
         return np.zeros(len(size), bool)
-    alone, _ = settled(data, modes.only(strong))
-    return np.asarray(~strong & (size < SPURIOUS * _at_most_peaks(slow_errors(data, alone))))
+    strong_only, _ = settled(data, modes.only(strong))
+    return np.asarray(~strong & (size < SPURIOUS * _at_most_peaks(slow_errors(data, strong_only))))
 
 
 def _at_most_peaks(errors: Array) -> float:
-    """Return the error that half of the peaks or more have; 0 where it is known at too few."""
-    known = np.sort(errors[np.isfinite(errors)])
-    return float(known[(len(known) - 1) // 2]) if len(known) >= PEAKS else 0.0
+    """Return the error that at least half of the peaks have; 0 if it is known at too few."""
+    finite = np.sort(errors[np.isfinite(errors)])
+    return float(finite[(len(finite) - 1) // 2]) if len(finite) >= PEAKS else 0.0
 
 
 def _relative_sizes(data: Lines, modes: Modes) -> Array:
-    """Return the size of each mode at the line nearest to it as a part of that of all others there, (N,)."""
-    known, at = data.known, modes.poles.imag / (2.0 * math.pi)
+    """Return the size of each mode at the line nearest to it, relative to that of all others there, (N,)."""
+    measured, at = data.measured, modes.poles.imag / (2.0 * math.pi)
     nearest = np.abs(data.frequencies - at[:, None]).argmin(axis=1)
     s = 2j * math.pi * data.frequencies[nearest]
-    own = modes.residues[:, known] / (s - modes.poles)[:, None]
-    others = np.linalg.norm(data.H[nearest][:, known] - own, axis=1)
-    return np.asarray(np.linalg.norm(own, axis=1) / np.maximum(others, 1e-300))
+    own_response = modes.residues[:, measured] / (s - modes.poles)[:, None]
+    other_sizes = np.linalg.norm(data.H[nearest][:, measured] - own_response, axis=1)
+    return np.asarray(np.linalg.norm(own_response, axis=1) / np.maximum(other_sizes, 1e-300))
 
 
 def slow_errors(data: Lines, modes: Modes) -> Array:
-    """Return the part of the functions at each peak that modes leave and that varies slowly over the lines, (N,).
+    """Return the fraction of the functions at each peak that modes leave and that varies slowly over the lines, (N,).
 
-    What is left at lines some way apart is uncorrelated if it is noise, and correlated if it is a model error.
+    Residuals at lines some way apart are uncorrelated if they are noise, and correlated if they are a model error.
     NaN for a peak of few lines.
     """
-    known, f = data.known, data.frequencies
-    left = _left(data, modes)[:, known]
+    measured, f = data.measured, data.frequencies
+    remainder = _left(data, modes)[:, measured]
     later = np.minimum(np.searchsorted(data.place, data.place + LAG), len(f) - 1)
     paired = data.place[later] == data.place + LAG
-    found = np.full(len(modes.poles), np.nan)
+    errors = np.full(len(modes.poles), np.nan)
     for k, (centre, half) in enumerate(
         zip(modes.poles.imag / (2.0 * math.pi), modes.half_widths, strict=True)
     ):
@@ -236,19 +236,19 @@ def slow_errors(data: Lines, modes: Modes) -> Array:
         first = np.flatnonzero(near & paired & near[later])
         if len(first) < FEWEST:
             continue
-        products = (left[first].conj() * left[later[first]]).real
-        whole = float((np.abs(data.H[first][:, known]) ** 2).mean())
-        noise = float((np.abs(np.diff(left[near], axis=0)) ** 2).mean()) / 2.0
+        products = (remainder[first].conj() * remainder[later[first]]).real
+        whole = float((np.abs(data.H[first][:, measured]) ** 2).mean())
+        noise = float((np.abs(np.diff(remainder[near], axis=0)) ** 2).mean()) / 2.0
         slow = float(products.mean())
         sure = slow > SURE * noise / math.sqrt(products.size)
-        found[k] = math.sqrt(slow / whole) if sure and whole > 0.0 else 0.0
-    return found
+        errors[k] = math.sqrt(slow / whole) if sure and whole > 0.0 else 0.0
+    return errors
 
 
 def _left(data: Lines, modes: Modes) -> Complex:
-    """Return what modes leave of the functions, without what is smooth, at the lines of their groups, (F, S, R)."""
-    left = np.zeros(data.H.shape, complex)
+    """Return the residual of modes, without its smooth part, at the lines of their groups, (F, S, R)."""
+    remainder = np.zeros(data.H.shape, complex)
     for members in groups(modes.poles):
-        one = group_fit(data, modes, members)
-        left[one.lines] = residual(one.at, one.fit) * one.at.sigma[:, None, None]
-    return left
+        fitted = group_fit(data, modes, members)
+        remainder[fitted.lines] = residual(fitted.at, fitted.fit) * fitted.at.sigma[:, None, None]
+    return remainder

@@ -24,13 +24,13 @@ from scipy.optimize import nnls
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: The noise may change over the band, as the force does: it is estimated in this many parts.
+#: Parts of the band in which the noise is estimated, as it may vary over the band like the force.
 PARTS = 12
-#: Relative to the mean square of a channel: the noise of a function without any.
+#: Noise assumed for a function without any, relative to the mean square of a channel.
 NOISELESS = 1e-16
 #: Sum of squares of the coefficients 1, -3, 3, -1; and the median of |e|^2 for circular noise of unit variance.
 DIFFERENCE, MEDIAN = 20.0, math.log(2.0)
-#: Noise that overlapping or tapered blocks have coloured is correlated over two lines; a few more show other causes.
+#: Noise coloured by overlapping or tapered blocks is correlated over two lines; a few more lags show other causes.
 LAGS = 5
 
 
@@ -84,10 +84,10 @@ def exponential_correlation(step: float, tau: float, lags: int) -> Complex:
 
 
 def line_sigma(residual: Complex, fit: Complex) -> Array:
-    """Return the relative noise of each line, (F,), of variance a + b |fit|^2 with a and b not negative, rms 1.
+    """Return the relative noise of each line, (F,), of variance a + b |fit|^2 with non-negative a and b, rms 1.
 
-    Noise of the force, or of the gain, is in proportion to the response: most of it is at the peak, where it tells
-    most.
+    Noise of the force, or of the gain, is proportional to the response: it is largest at the peak, which carries most
+    of the information.
 
     Parameters
     ----------
@@ -100,8 +100,8 @@ def line_sigma(residual: Complex, fit: Complex) -> Array:
     A = np.stack([np.ones(len(size)), size / size.max()], axis=1)
     variance = np.full(len(size), squares.mean())
     for _ in range(4):  # each line's square scatters by its own variance
-        found = nnls(A / variance[:, None], squares / variance)[0]
-        variance = np.maximum(A @ found, 1e-3 * squares.mean())
+        coefficients = nnls(A / variance[:, None], squares / variance)[0]
+        variance = np.maximum(A @ coefficients, 1e-3 * squares.mean())
     return np.asarray(np.sqrt(variance / variance.mean()))
 
 
@@ -110,9 +110,9 @@ def residual_correlation(
 ) -> Complex:
     """Return the correlation of the noise at lags 0 to `LAGS` of lines, from the residuals of several fits.
 
-    A fit takes the part of the noise that its columns span, which leaves negative correlation in its residual even
-    where the noise has none.  That part is as strong as the noise is at slow variation over the lines, by which the
-    correction is scaled.
+    A fit removes the part of the noise that its columns span, which leaves negative correlation in its residual even
+    if the noise has none.  That part is as strong as the slowly varying part of the noise, by which the correction is
+    scaled.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ def residual_correlation(
         return np.array([1.0] + [0.0] * LAGS, complex)
     raw, removed = sums / np.maximum(pairs, 1.0), taken / np.maximum(pairs, 1.0)
     correlation = raw / raw[0].real
-    for _ in range(10):  # a contraction: each pass takes the part `removed` of the one before
+    for _ in range(10):  # a contraction: each pass shrinks the change by the factor `removed`
         slow = max(1.0 + 2.0 * float((_taper(LAGS) * correlation)[1:].real.sum()), 0.0)
         estimate = raw + slow * removed * raw[0].real / (1.0 - slow * removed[0].real)
         correlation = estimate / estimate[0].real
@@ -152,7 +152,7 @@ def correlated(functions: Complex, place: NDArray[np.int64], correlation: Comple
 
 
 def _pairs(place: NDArray[np.int64], lag: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return the indices of the lines that have another one `lag` places before, and of those."""
+    """Return the indices of the lines that have another one `lag` places before, and of those earlier lines."""
     before = np.searchsorted(place, place - lag)
     there = place[np.minimum(before, len(place) - 1)] == place - lag
     return np.flatnonzero(there), before[there].astype(np.int64)

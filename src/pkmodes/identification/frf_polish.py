@@ -24,20 +24,20 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature that a mode as far outside the
-#: window as this is wide has in it.
+#: Coefficients of the smooth part at each channel: a cubic leaves 1 % of the curvature of a mode that lies one window
+#: width outside the window.
 SMOOTH = 4
-#: Gauss-Newton converges in a few steps or, for modes that the lines cannot tell apart, not at all.
+#: Most steps: Gauss-Newton converges in a few or, for modes that the lines cannot tell apart, not at all.
 MOST_STEPS = 25
 #: Relative decrease of the cost that ends the iteration: far below what one line's noise contributes.
 CONVERGED = 1e-7
-#: Damping of the steps (Levenberg and Marquardt), relative to the diagonal: to begin with, and where it gives up.
+#: Damping of the steps (Levenberg and Marquardt), relative to the diagonal: initial, and at which the fit gives up.
 FIRST_DAMPING, LAST_DAMPING = 1e-4, 1e8
 
 
 @dataclass(frozen=True, eq=False)
 class Window:
-    """Lines with what is smooth projected out.
+    """Lines with the smooth part projected out.
 
     Attributes
     ----------
@@ -182,12 +182,12 @@ def _normal(
     gram = E.conj().T @ E
     X = np.tensordot(E.conj(), at.H, (0, 0))
     residues = shapes[:, :, None] * participation[:, None, :]
-    left = X - np.tensordot(gram[:, :N], residues, 1)
-    explained = (residues.conj() * at.weights * (X[:N] + left[:N])).sum().real
+    remainder = X - np.tensordot(gram[:, :N], residues, 1)
+    explained = (residues.conj() * at.weights * (X[:N] + remainder[:N])).sum().real
     functions, channels = columns(shapes, participation)
     P = len(functions)
     weighted = (channels.conj() * at.weights).reshape(P, -1)
-    gradient = (weighted * left[functions].reshape(P, -1)).sum(axis=1)
+    gradient = (weighted * remainder[functions].reshape(P, -1)).sum(axis=1)
     A = (weighted @ channels.reshape(P, -1).T) * gram[np.ix_(functions, functions)]
     idle = A.diagonal().real <= 0.0  # a sensor without data
     A[idle, idle] = 1.0
@@ -200,10 +200,10 @@ def _shapes_given(at: Window, poles: Complex, participation: Complex) -> Complex
     gram, X = E.conj().T @ E, np.tensordot(E.conj(), at.H, (0, 0))
     shapes = np.empty((len(poles), at.H.shape[1]), complex)
     for s, w in enumerate(at.weights):
-        left = gram * ((participation.conj() * w) @ participation.T)
+        matrix = gram * ((participation.conj() * w) @ participation.T)
         right = (participation.conj() * w * X[:, s]).sum(axis=1)
-        size = np.sqrt(np.maximum(left.diagonal().real, 1e-300))
-        solved = np.linalg.lstsq(left / (size[:, None] * size), right / size, rcond=1e-12)[0]
+        size = np.sqrt(np.maximum(matrix.diagonal().real, 1e-300))
+        solved = np.linalg.lstsq(matrix / (size[:, None] * size), right / size, rcond=1e-12)[0]
         shapes[:, s] = solved / size
     return shapes
 

@@ -1,4 +1,4 @@
-"""Refinement of candidates: groups of modes are fitted in turn, and what is not a mode is dropped.
+"""Refinement of candidates: groups of modes are fitted in turn, and candidates that are no modes are dropped.
 
 Modes that overlap are a group, and are fitted to the lines around them.  A candidate is dropped if
 
@@ -38,36 +38,36 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Modes nearer than this many half bandwidths of both together are fitted together.
+#: Modes closer than this multiple of the sum of their half bandwidths are fitted together.
 OVERLAP = 4.0
-#: Lines up to this many half bandwidths from a mode are used: 94 % of what is known of its pole is within 10.
+#: Lines up to this many half bandwidths from a mode are used: 94 % of the information about its pole is within 10.
 REACH = 10.0
-#: but at least so many lines on each side, so that noise can be told from what is smooth,
+#: but at least this many lines on each side, so that noise can be told from the smooth part,
 FEWEST = 24
-#: and at most so many in a window: a mode over more lines is determined by every second or third as well.
+#: and at most this many in a window: a mode over more lines is determined equally well by every second or third.
 MOST = 400
-#: The fits of neighbours settle in two or three sweeps; each drop needs another.
+#: Most sweeps: the fits of neighbours settle in two or three, and each dropped mode needs another.
 MOST_SWEEPS = 10
 #: Relative change of the poles in a sweep, in units of their damping, below which the fits have settled.
 SETTLED = 1e-3
-#: Probability that noise alone makes a mode somewhere in a measurement.
+#: Probability that noise alone produces a mode somewhere in a measurement.
 FALSE_ALARM = 0.01
-#: Damping ratios that a search tells apart at each line.
+#: Number of damping ratios that a search resolves at each line.
 DAMPINGS = 4
-#: A copy: nearer than this part of a bandwidth, with shapes of at least this MAC.
+#: A copy: closer than this fraction of a bandwidth, with shapes of at least this MAC.
 COPY_NEAR, COPY_ALIKE = 0.5, 0.9
 
 
 def groups(poles: Complex) -> list[NDArray[np.int64]]:
     """Return the indices of modes to be fitted together, each group by ascending frequency."""
     order = np.argsort(poles.imag)
-    found: list[list[int]] = []
+    grouped: list[list[int]] = []
     for i in order:
-        if found and any(_near(poles[i], poles[k]) for k in found[-1]):
-            found[-1].append(int(i))
+        if grouped and any(_near(poles[i], poles[k]) for k in grouped[-1]):
+            grouped[-1].append(int(i))
         else:
-            found.append([int(i)])
-    return [np.array(group) for group in found]
+            grouped.append([int(i)])
+    return [np.array(group) for group in grouped]
 
 
 def lines_around(frequencies: Array, poles: Complex) -> NDArray[np.int64]:
@@ -87,13 +87,13 @@ def lines_around(frequencies: Array, poles: Complex) -> NDArray[np.int64]:
     return chosen[:: max(1, len(chosen) // MOST)]
 
 
-def _near(one: complex, other: complex) -> bool:
-    return abs(one.imag - other.imag) < OVERLAP * (abs(one.real) + abs(other.real))
+def _near(first: complex, second: complex) -> bool:
+    return abs(first.imag - second.imag) < OVERLAP * (abs(first.real) + abs(second.real))
 
 
 @dataclass(frozen=True, eq=False)
 class GroupFit:
-    """The fit of a group of modes: which, in which window, at which lines."""
+    """The fit of a group of modes: its members, window and lines."""
 
     members: NDArray[np.int64]
     at: Window
@@ -103,7 +103,7 @@ class GroupFit:
 
 
 def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, Uncertainty]:
-    """Return the modes that are left of candidates, with what their fit leaves open.
+    """Return the modes that remain of candidates, with the uncertainty of their fit.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, 
 
 
 def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
-    """Return modes fitted until they no longer change, none of them dropped, with what their fit leaves open."""
+    """Return modes fitted until they no longer change, none of them dropped, with the uncertainty of their fit."""
     modes = start
     for _ in range(MOST_SWEEPS):
         before = modes
@@ -150,45 +150,47 @@ def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
 
 
 def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
-    """Return uncertainties with the scatter between references, at modes that several of them see."""
+    """Return uncertainties including the scatter between references, for modes that several of them see."""
     (N, R), size = modes.participation.shape, np.abs(modes.poles)
     if R < 2:
         return bounds
     poles, variances = np.full((R, N), np.nan, complex), np.full((R, N), np.nan)
-    for one in fits:
-        poles[:, one.members], variances[:, one.members] = by_reference(one.at, one.fit)
+    for fitted in fits:
+        poles[:, fitted.members], variances[:, fitted.members] = by_reference(fitted.at, fitted.fit)
     several = [m for m in range(N) if np.isfinite(variances[:, m]).sum() >= 2]
     sigmas = bounds.poles.copy()
     for part in range(2):
         values, spreads = [], []
         for m in several:
-            known = np.isfinite(variances[:, m])
-            each = variances[known, m]
-            each = each * sigmas[m, part] ** 2 * (1.0 / each).sum()  # those of one fit, with its correlations
-            each_pole = poles[known, m]
+            finite = np.isfinite(variances[:, m])
+            variance = variances[finite, m]
+            variance = (
+                variance * sigmas[m, part] ** 2 * (1.0 / variance).sum()
+            )  # those of one fit, with its correlations
+            each_pole = poles[finite, m]
             values.append((each_pole.real if part == 0 else each_pole.imag) / size[m])
-            spreads.append(each / size[m] ** 2)
-        more = between(values, spreads)
-        seen = np.maximum(np.isfinite(variances).sum(axis=0), 1)
-        sigmas[:, part] = np.sqrt(sigmas[:, part] ** 2 + more * size**2 / seen)
+            spreads.append(variance / size[m] ** 2)
+        between_variance = between(values, spreads)
+        reference_counts = np.maximum(np.isfinite(variances).sum(axis=0), 1)
+        sigmas[:, part] = np.sqrt(sigmas[:, part] ** 2 + between_variance * size**2 / reference_counts)
     return replace(bounds, poles=sigmas)
 
 
 def significant(data: Lines, false_alarm: float = FALSE_ALARM, lines: int | None = None) -> float:
-    """Return the energy over noise that noise alone exceeds with a probability over some lines, all by default."""
+    """Return the relative energy that noise alone exceeds with a given probability over lines, all by default."""
     tried = DAMPINGS * (len(data.frequencies) if lines is None else lines)
-    return float(gamma.isf(false_alarm / tried, max(int(data.known.sum()), 1)))
+    return float(gamma.isf(false_alarm / tried, max(int(data.measured.sum()), 1)))
 
 
 def _sweep(data: Lines, modes: Modes) -> tuple[list[GroupFit], Modes]:
-    """Fit each group in turn, with the newest of the others subtracted."""
+    """Fit each group in turn, with the latest fits of the others subtracted."""
     fits = []
     poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
     for members in groups(poles):
-        one = group_fit(data, Modes(poles, shapes, parts), members)
-        poles[members], shapes[members] = one.fit.poles, one.fit.shapes
-        parts[members] = one.fit.participation
-        fits.append(one)
+        fitted = group_fit(data, Modes(poles, shapes, parts), members)
+        poles[members], shapes[members] = fitted.fit.poles, fitted.fit.shapes
+        parts[members] = fitted.fit.participation
+        fits.append(fitted)
     return fits, Modes(poles, shapes, parts)
 
 
@@ -208,18 +210,18 @@ def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit
 def without_others(
     data: Lines, modes: Modes, members: NDArray[np.int64], lines: NDArray[np.int64] | NDArray[np.bool_]
 ) -> Complex:
-    """Return the functions at some lines without the other modes, and without the conjugates of all."""
-    others = np.setdiff1d(np.arange(len(modes.poles)), members)
+    """Return the functions at some lines without the other modes, and without the conjugates of all modes."""
+    outside = np.setdiff1d(np.arange(len(modes.poles)), members)
     s, residues = 2j * math.pi * data.frequencies[lines][:, None], modes.residues
-    H = data.H[lines] - np.tensordot(1.0 / (s - modes.poles[others]), residues[others], 1)
+    H = data.H[lines] - np.tensordot(1.0 / (s - modes.poles[outside]), residues[outside], 1)
     return np.asarray(H - np.tensordot(1.0 / (s - modes.poles.conj()), residues.conj(), 1))
 
 
 def _line_sigma(at: Window, fit: Fit, weights: Array, H: Complex) -> Array:
-    known = weights > 0.0
-    scale = np.sqrt(weights[known])
-    left = residual(at, fit)
-    return line_sigma(left[:, known] * scale, (H - left)[:, known] * scale)
+    measured = weights > 0.0
+    scale = np.sqrt(weights[measured])
+    remainder = residual(at, fit)
+    return line_sigma(remainder[:, measured] * scale, (H - remainder)[:, measured] * scale)
 
 
 def _noise_of(at: Window, fit: Fit, variance: Array) -> Array:
@@ -236,65 +238,65 @@ def _uncertainties(data: Lines, modes: Modes, fits: list[GroupFit]) -> Uncertain
     correlation = data.correlation if data.correlation is not None else _correlation(fits)
     N, S = modes.shapes.shape
     poles, shapes, strength = np.empty((N, 2)), np.empty((N, S, S), complex), np.empty(N)
-    for one in fits:
-        channels = channel_covariance(one.at, one.fit, one.place, correlation)
+    for fitted in fits:
+        channels = channel_covariance(fitted.at, fitted.fit, fitted.place, correlation)
         if data.stated:
-            channels = _at_least(channels, np.nan_to_num(data.variance[one.lines].mean(axis=0)).ravel())
-        bounds = uncertainty(one.at, one.fit, channels, one.place, correlation)
-        poles[one.members], shapes[one.members] = bounds.poles, bounds.shapes
-        strength[one.members] = bounds.strength
+            channels = _at_least(channels, np.nan_to_num(data.variance[fitted.lines].mean(axis=0)).ravel())
+        bounds = uncertainty(fitted.at, fitted.fit, channels, fitted.place, correlation)
+        poles[fitted.members], shapes[fitted.members] = bounds.poles, bounds.shapes
+        strength[fitted.members] = bounds.strength
     return Uncertainty(poles, shapes, strength)
 
 
 def _at_least(channels: Complex, variance: Array) -> Complex:
-    """Return a covariance with variances not below given ones, with its correlations kept."""
-    own = channels.diagonal().real
-    more = np.sqrt(np.maximum(variance / np.maximum(own, 1e-300), 1.0))
-    more = np.where(own > 0.0, more, 1.0)
-    return np.asarray(channels * np.outer(more, more))
+    """Return a covariance with variances raised to at least those given, keeping its correlations."""
+    own_variance = channels.diagonal().real
+    factor = np.sqrt(np.maximum(variance / np.maximum(own_variance, 1e-300), 1.0))
+    factor = np.where(own_variance > 0.0, factor, 1.0)
+    return np.asarray(channels * np.outer(factor, factor))
 
 
 def _correlation(fits: list[GroupFit]) -> Complex:
-    relative = [residual(one.at, one.fit) * np.sqrt(one.at.weights) for one in fits]
-    known = [one.at.weights > 0.0 for one in fits]
+    relative = [residual(fitted.at, fitted.fit) * np.sqrt(fitted.at.weights) for fitted in fits]
+    measured = [fitted.at.weights > 0.0 for fitted in fits]
     return residual_correlation(
-        [left[:, use] for left, use in zip(relative, known, strict=True)],
-        [one.place for one in fits],
-        [removed(one.at, one.fit) for one in fits],
+        [remainder[:, use] for remainder, use in zip(relative, measured, strict=True)],
+        [fitted.place for fitted in fits],
+        [removed(fitted.at, fitted.fit) for fitted in fits],
     )
 
 
 def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
-    """Return which fits failed or have left the ranges of a mode."""
+    """Return which fits failed or left the range of frequency or damping of a mode."""
     frequency = modes.frequencies
     damping = -modes.poles.real / np.abs(modes.poles)
     wrong = (frequency < low) | (frequency > high) | (damping <= 0.0) | (damping > HIGHEST_DAMPING)
-    for one in fits:
-        wrong[one.members] |= not np.isfinite(one.fit.cost)
+    for fitted in fits:
+        wrong[fitted.members] |= not np.isfinite(fitted.fit.cost)
     return wrong
 
 
 def _weakest(modes: Modes, strength: Array, fits: list[GroupFit], threshold: float) -> NDArray[np.bool_]:
-    """Return the weakest mode of each group, if it is not significant: without it, its neighbours are stronger."""
+    """Return the weakest mode of each group if it is not significant: without it, its neighbours become stronger."""
     drop = np.zeros(len(modes.poles), bool)
-    for one in fits:
-        weakest = one.members[np.argmin(strength[one.members])]
+    for fitted in fits:
+        weakest = fitted.members[np.argmin(strength[fitted.members])]
         drop[weakest] = strength[weakest] < threshold
     return drop
 
 
 def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.bool_]:
     drop = np.zeros(len(modes.poles), bool)
-    for one in fits:
-        for a, i in enumerate(one.members):
-            for k in one.members[:a]:
+    for fitted in fits:
+        for a, i in enumerate(fitted.members):
+            for k in fitted.members[:a]:
                 if copies(modes, i, k):
                     drop[i if strength[i] < strength[k] else k] = True
     return drop
 
 
 def copies(modes: Modes, i: int, k: int, near: float = COPY_NEAR) -> bool:
-    """Return whether two modes are nearer than a part of a bandwidth and so much alike that they may be one."""
+    """Return whether two modes are closer than a fraction of a bandwidth and so similar that they may be one."""
     width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
     close = abs(modes.poles[i].imag - modes.poles[k].imag) < near * width
     return bool(close and alike(modes.shapes[i], modes.shapes[k]) > COPY_ALIKE)

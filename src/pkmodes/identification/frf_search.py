@@ -1,4 +1,4 @@
-r"""Search for modes in what a fit leaves: weak ones that the poles of no model order settle on.
+r"""Search for modes in the residual of a fit: weak ones on which the poles of no model order settle.
 
 Matched filters for a single mode, 1/(j omega - lambda) without its smooth part, at every line and for several
 dampings; the energies of the channels, each relative to its noise, add up (Kay, Fundamentals of Statistical Signal
@@ -22,13 +22,13 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Half bandwidths that are tried, in line spacings: a filter loses 0.5 dB for a mode between two of them.
+#: Half bandwidths tried, in line spacings: a filter loses 0.5 dB for a mode between two of them.
 HALF_WIDTHS = (0.35, 0.7, 1.4, 2.8, 5.6, 11.0, 22.0)
-#: Lines of a filter on each side, in half bandwidths, and at least.
+#: Lines of a filter on each side: in half bandwidths, and the fewest.
 REACH, FEWEST = 6, 20
-#: Smooth part of each filter, as in the fit.
+#: Coefficients of the smooth part of each filter, as in the fit.
 SMOOTH = 3
-#: A residual below this part of the fit may be its model error: a nonlinearity, a window, a calibration.
+#: A residual below this fraction of the fit may be its model error: a nonlinearity, a window, a calibration.
 MODEL_ERROR = 0.05
 
 
@@ -39,12 +39,12 @@ def hidden(data: Lines, fit: Complex, least: float) -> Complex:
     ----------
     data : Lines
     fit : ndarray of complex128, shape (F, S, R)
-        What the modes so far explain of them.
+        Response of the modes so far.
     least : float
-        The energy over noise that counts.
+        Least energy relative to noise.
     """
-    frequencies, place, known = data.frequencies, data.place, data.known
-    residual, fit = (data.H - fit)[:, known], fit[:, known]
+    frequencies, place, measured = data.frequencies, data.place, data.measured
+    residual, fit = (data.H - fit)[:, measured], fit[:, measured]
     correlation = np.ones(1, complex) if data.correlation is None else data.correlation
     lines = int(place[-1]) + 1
     grid = np.zeros((lines, residual.shape[1]), complex)
@@ -72,11 +72,11 @@ def hidden(data: Lines, fit: Complex, least: float) -> Complex:
     return np.array(poles, complex)
 
 
-def joined(modes: Modes, poles: Complex, frequencies: Array, left: Complex) -> Modes:
-    """Return modes with further poles, whose shapes and participations are those of what is left there."""
-    left = np.nan_to_num(left)
+def joined(modes: Modes, poles: Complex, frequencies: Array, remainder: Complex) -> Modes:
+    """Return modes with further poles, whose shapes and participations are those of the remainder there."""
+    remainder = np.nan_to_num(remainder)
     nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
-    peaks = left[nearest] * -poles.real[:, None, None]
+    peaks = remainder[nearest] * -poles.real[:, None, None]
     parts = np.linalg.svd(peaks)[2][:, 0]
     return Modes(
         np.concatenate([modes.poles, poles]),

@@ -1,4 +1,4 @@
-r"""Resonances told from lines without bandwidth in frequency responses.
+r"""Telling resonances from lines without bandwidth in frequency responses.
 
 Mains, fans and motors are not driven by the measured force: what they add is on one line, or on the few that a
 spectral window spreads it over.  A pole can be fitted to it as well, or several, with half bandwidths below the line
@@ -29,17 +29,17 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Half bandwidth in line spacings below which a pole may be a tone's.
+#: Half bandwidth, in line spacings, below which a pole may be that of a tone.
 NARROW = 1.0
-#: Poles nearer to each other than this, in line spacings, may be fitted to one tone.
+#: Poles closer to each other than this, in line spacings, may have been fitted to one tone.
 TOGETHER = 5.0
-#: Lines that are used on each side.
+#: Lines used on each side.
 BEYOND = 24
-#: Fewer lines tell nothing.
+#: Fewest lines from which skirts can be judged.
 FEWEST = 8
-#: Probability that noise alone makes skirts, and that it makes a line that is reported.
+#: Probability that noise alone produces skirts, and that it produces a line that is reported.
 FALSE_ALARM, NOISE = 1e-3, 1e-9
-#: The residue of the skirts differs by less than this part from that of the peak: halfway between a tone and a mode.
+#: Largest relative difference between the residues of a mode's skirts and its peak: halfway from a mode to a tone.
 SHARE = 0.5
 #: Least ratio of a damping to its standard deviation.
 DAMPED = 2.0
@@ -54,7 +54,7 @@ class Line:
     frequency : float
         [Hz].
     sure : bool
-        Whether it exceeds the noise by so much that it is a tone, and no bump of the noise.
+        Whether it exceeds the noise by enough to be a tone, and no bump of the noise.
     """
 
     frequency: float
@@ -65,22 +65,22 @@ def without_bandwidth(data: Lines, modes: Modes) -> list[Line]:
     """Return the lines without bandwidth among narrow modes."""
     step = data.step
     narrow = np.flatnonzero(modes.half_widths < NARROW * step)
-    found: list[Line] = []
+    lines: list[Line] = []
     for cluster in _clusters(modes.poles.imag / (2.0 * math.pi * step), narrow):
         at, pole = _single(data, modes, cluster, step)
         if len(at[0]) < FEWEST:  # all lines around it are left out already
-            found.append(Line(float(modes.frequencies[cluster[0]]), sure=False))
+            lines.append(Line(float(modes.frequencies[cluster[0]]), sure=False))
         elif pole is not None and not _resonance(*at, pole, step):
             frequency = pole.imag / (2.0 * math.pi)
-            found.append(Line(frequency, _stands_out(*at, frequency, step)))
-    return found
+            lines.append(Line(frequency, _stands_out(*at, frequency, step)))
+    return lines
 
 
 def distinct(lines: Sequence[Line], step: float) -> tuple[float, ...]:
-    """Return the frequencies of the tones [Hz]: of those found near each other, at lines of a spacing, the first."""
+    """Return the frequencies of the tones [Hz]: of those found close together, in line spacings, the first."""
     kept: list[float] = []
     for line in lines:
-        if line.sure and all(abs(line.frequency - other) > TOGETHER * step for other in kept):
+        if line.sure and all(abs(line.frequency - frequency) > TOGETHER * step for frequency in kept):
             kept.append(line.frequency)
     return tuple(sorted(kept))
 
@@ -110,8 +110,8 @@ def _single(
 
 def _resonance(f: Array, H: Complex, pole: complex, step: float) -> bool:
     """Return whether a pole is that of a mode: its lines have its skirts, and damping."""
-    known = np.isfinite(H).all(axis=0)
-    values = H[:, known]
+    measured = np.isfinite(H).all(axis=0)
+    values = H[:, measured]
     beyond = np.abs(f - pole.imag / (2.0 * math.pi)) > SPREAD * step
     skirts, variance, factor = _residues(f[beyond], values[beyond], pole)
     whole, rest, _ = _residues(f, values, pole)
@@ -134,11 +134,11 @@ def _stands_out(f: Array, H: Complex, frequency: float, step: float) -> bool:
 
 
 def _known(f: Array, pole: complex) -> float:
-    """Return what lines of unit noise tell of a pole of unit residue, beside this and the smooth part [s^2]."""
+    """Return the information of lines of unit noise on a pole of unit residue, with a free smooth part [s^2]."""
     at = window(f, np.zeros((len(f), 1, 1), complex), np.ones((1, 1)), np.ones(len(f)))
     g, slope = basis(at, np.array([pole])).T
-    left = slope - g * (np.vdot(g, slope) / np.vdot(g, g))
-    return float(np.vdot(left, left).real)
+    remainder = slope - g * (np.vdot(g, slope) / np.vdot(g, g))
+    return float(np.vdot(remainder, remainder).real)
 
 
 def _residues(f: Array, values: Complex, pole: complex) -> tuple[Complex, Array, float]:
@@ -147,9 +147,9 @@ def _residues(f: Array, values: Complex, pole: complex) -> tuple[Complex, Array,
     g = 1.0 / (2j * math.pi * f - pole)
     smooth = np.linalg.qr(np.vander((f - middle) / half, 4))[0]
     g = g - smooth @ (smooth.T @ g)
-    left = values - smooth @ (smooth.T @ values)
+    remainder = values - smooth @ (smooth.T @ values)
     size = float(np.vdot(g, g).real)
-    found = (g.conj() @ left) / size
-    rest = left - np.outer(g, found)
+    residues = (g.conj() @ remainder) / size
+    rest = remainder - np.outer(g, residues)
     variance = (np.abs(rest) ** 2).sum(axis=0) / max(len(f) - 5, 1)
-    return found, np.maximum(variance, 1e-300), 1.0 / size
+    return residues, np.maximum(variance, 1e-300), 1.0 / size

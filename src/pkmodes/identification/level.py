@@ -35,35 +35,35 @@ from scipy.stats import f as fisher
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: Half width h of the band-pass: this part of the frequency, or of the distance to the next mode.
+#: Half width h of the band-pass: this fraction of the frequency, or of the distance to the next mode.
 OF_FREQUENCY, OF_DISTANCE = 0.2, 0.22
 #: Reach of the band-pass in half widths.
 REACH = 5.0
-#: Standard deviations of the kernel between samples of z, whose noise is then nearly independent; and those that are
-#: left out after the highest level, which is some two of them after a blow.
+#: Distance between samples of z, whose noise is then nearly independent, in standard deviations of the kernel; and
+#: the time left out after the highest level, which comes about two of them after a blow.
 APART, AFTER = 2.5, 2.5
-#: Samples of z are sought at so many places in between, for the highest level.
+#: Factor by which z is sampled more finely to find the highest level.
 FINE = 4
-#: A segment has so many samples at least; a decay has at least this number of segments and at most that one.
+#: Fewest samples of a segment; fewest and most segments of a decay.
 SAMPLES, FEWEST, MOST = 2, 6, 24
-#: The amplitude falls at least by this factor; it is followed while it stays this factor above the noise, and until
-#: it has fallen by the last one, when 99 % of the energy is gone.
+#: Least factor by which the amplitude falls; it is followed while it stays above the noise by the second factor, and
+#: until it has fallen by the third, when 99 % of the energy is gone.
 FALL, ABOVE, FALLEN = 2.5, 6.0, 10.0
-#: A free decay: its logarithmic amplitude leaves a parabola over time by no more than this (rms), and it decays at
-#: the mode's rate within this factor.
+#: A free decay: its logarithmic amplitude deviates from a parabola over time by no more than this (rms), and it
+#: decays at the mode's rate within this factor.
 SMOOTH, RATE = 0.1, 2.0
-#: Another blow raises the level by this factor.
+#: Factor by which another blow raises the level.
 RISE = 2.0
-#: Decays that are sought in a record.
+#: Most decays looked for in a record.
 DECAYS = 12
-#: Probability that the scatter of a linear mode is taken for a change.
+#: Probability that the scatter of a linear mode is mistaken for a change.
 FALSE_ALARM = 1e-4
-#: The change must go on, to this probability, after the first part of the fall of the logarithmic level: what a blow
-#: or the force of a sweep adds at the beginning of a decay moves the frequency there only.
+#: The change must continue, to this probability, after the first part of the fall of the logarithmic level: what a
+#: blow or the force of a sweep adds at the beginning of a decay shifts the frequency only there.
 FIRST, LATER = 0.3, 0.01
-#: Least relative change of a frequency that is reported: less is below what neighbours leave in a band-pass.
+#: Least relative change of a frequency that is reported: less is below the effect of neighbours in a band-pass.
 LEAST = 1e-4
-#: Relative noise of the frequency of a segment at least.
+#: Least relative noise of the frequency of a segment.
 ROUNDING = 1e-9
 
 
@@ -76,7 +76,7 @@ class Level:
     amplitude : float
         Of the vibration along its shape, where most of its energy is; in the unit of the responses.
     shift : LevelShift or None
-        How its frequency changes while it decays; None where no change is seen.
+        How its frequency changes while it decays; None for no detectable change.
     """
 
     amplitude: float
@@ -111,7 +111,7 @@ def levels(
     """
     lost = 1.0 / exponential if exponential else 0.0
     spectra = [np.fft.rfft(piece - piece.mean(axis=0), axis=0) for piece in pieces]
-    found = []
+    mode_levels = []
     for m, pole in enumerate(poles):
         half, along = _half_width(poles, m), along_shape(shapes[m])
         decays: list[Segments] = []
@@ -127,20 +127,20 @@ def levels(
                 for total, power in ((second, 2), (fourth, 4))
             )
         amplitude = math.sqrt(fourth / second) if second > 0.0 else 0.0
-        found.append(Level(amplitude, shift_over(pole.imag / (2.0 * math.pi), decays)))
-    return found
+        mode_levels.append(Level(amplitude, shift_over(pole.imag / (2.0 * math.pi), decays)))
+    return mode_levels
 
 
 def _half_width(poles: Complex, m: int) -> float:
     f = poles.imag / (2.0 * math.pi)
-    others = np.abs(np.delete(f, m) - f[m])
-    return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * others.min(initial=np.inf)))
+    distances = np.abs(np.delete(f, m) - f[m])
+    return float(min(OF_FREQUENCY * f[m], OF_DISTANCE * distances.min(initial=np.inf)))
 
 
 def along_shape(shape: Complex) -> Complex:
     """Return the coefficients of the responses (S,) that follow a shape, of unit length."""
-    known = np.nan_to_num(shape)
-    return np.asarray(known.conj() / max(float(np.linalg.norm(known)), 1e-300))
+    components = np.nan_to_num(shape)
+    return np.asarray(components.conj() / max(float(np.linalg.norm(components)), 1e-300))
 
 
 def followed(
@@ -154,12 +154,12 @@ def followed(
     samples = max(round(seconds * 2.0 * math.pi * half * FINE / APART), len(lines), 1)
     turn = np.exp(2j * math.pi * (first - f0 * seconds) * np.arange(samples) / samples)
     z = np.fft.ifft(band, samples) * turn * (2.0 * samples / length)
-    # the spectrum is that of a periodic signal: its beginning reaches into its end
+    # the spectrum is that of a periodic signal: its beginning wraps into its end
     return np.asarray(z[: max(samples - 2 * FINE, 0)]), seconds / samples
 
 
 def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, float]]:
-    """Yield independent samples of the free decays in z, at about a rate [1/s], with the sigma of their noise."""
+    """Yield independent samples of the free decays in z, of about this rate [1/s], with the sigma of their noise."""
     after = math.ceil(FINE * AFTER / APART)
     if len(z) < FINE * FEWEST * SAMPLES + after:
         return
@@ -178,19 +178,19 @@ def _decays(z: Complex, step: float, rate: float) -> Iterator[tuple[Complex, flo
 
 
 def _risen(level: Array, start: int) -> int:
-    """Return where a level that decays rises again."""
+    """Return where a decaying level rises again."""
     lowest = np.minimum.accumulate(level[start - 1 :])
     risen = np.flatnonzero(level[start - 1 :] > RISE * lowest)
     return start - 1 + int(risen[0]) if risen.size else len(level)
 
 
 def _noise(z: Complex, step: float, rate: float) -> float:
-    """Return the standard deviation of the noise, from what a decay leaves of the last part of z."""
+    """Return the standard deviation of the noise, from the last part of z without a decay."""
     tail = z[-max(len(z) // 8, 6) :]
     decay = np.exp(-rate * step * np.arange(len(tail)))
     basis = np.stack([decay, decay * np.arange(len(tail))], axis=1)
-    left = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
-    return float(np.sqrt((np.abs(left) ** 2).sum() / max(len(tail) - 2, 1)))
+    remainder = tail - basis @ np.linalg.lstsq(basis, tail, rcond=None)[0]
+    return float(np.sqrt((np.abs(remainder) ** 2).sum() / max(len(tail) - 2, 1)))
 
 
 def _decays_freely(part: Complex, step: float, rate: float) -> bool:
@@ -207,12 +207,12 @@ def _segments(part: Complex, step: float, noise: float, lost: float) -> Segments
     phase = np.unwrap(np.angle(part))
     level = np.log(np.abs(part)) + lost * step * np.arange(len(part))  # without the window
     frequencies, variances, means = [], [], []
-    for some in np.array_split(np.arange(len(part)), count):
-        t = step * (some - some.mean())
+    for indices in np.array_split(np.arange(len(part)), count):
+        t = step * (indices - indices.mean())
         slope = t / (t @ t) / (2.0 * math.pi)
-        frequencies.append(float(slope @ phase[some]))
-        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[some]) ** 2).sum()))
-        means.append(float(level[some].mean()))
+        frequencies.append(float(slope @ phase[indices]))
+        variances.append(0.5 * noise**2 * float((slope**2 / np.abs(part[indices]) ** 2).sum()))
+        means.append(float(level[indices].mean()))
     return Segments(np.array(frequencies), np.array(variances), np.array(means))
 
 
@@ -245,9 +245,9 @@ class Segments:
     Attributes
     ----------
     frequency : ndarray
-        Less that of the mode [Hz].
+        Relative to that of the mode [Hz].
     variance : ndarray
-        By the noise [Hz^2].
+        From the noise [Hz^2].
     level : ndarray
         Logarithm of the amplitude.
     """
@@ -262,15 +262,16 @@ def shift_over(f0: float, decays: Sequence[Segments]) -> LevelShift | None:
     if not decays:
         return None
     level, frequency, variance = (
-        np.concatenate([getattr(one, name) for one in decays]) for name in ("level", "frequency", "variance")
+        np.concatenate([getattr(decay, name) for decay in decays])
+        for name in ("level", "frequency", "variance")
     )
     variance = np.maximum(variance, (ROUNDING * f0) ** 2)  # signals without noise
     highest, lowest = float(level.max()), float(level.min())
-    chance, found = _regression(level, frequency, variance, highest)
+    chance, coefficients = _regression(level, frequency, variance, highest)
     later = level < highest - FIRST * (highest - lowest)
     again, of_later = _regression(level[later], frequency[later], variance[later], highest)
     ends = _laws(np.array([highest, highest - FIRST * (highest - lowest), lowest]), highest)
-    high, middle, low = f0 + ends @ found
+    high, middle, low = f0 + ends @ coefficients
     shift = LevelShift(float(high), float(low), math.exp(highest - lowest))
     same = (middle - low) * float(np.diff(ends[[2, 1]] @ of_later)[0]) > 0.0
     sure = chance < FALSE_ALARM and again < LATER and same
@@ -285,8 +286,10 @@ def _regression(level: Array, frequency: Array, variance: Array, highest: float)
         return 1.0, np.zeros(laws.shape[1])
     variance = variance + _excess(laws, frequency, variance)
     constant = _squares(laws[:, :1], frequency, variance)[0]
-    left, found = _squares(laws, frequency, variance)
-    return float(fisher.sf((constant - left) / terms / max(left / freedom, 1e-300), terms, freedom)), found
+    residual_sum, coefficients = _squares(laws, frequency, variance)
+    return float(
+        fisher.sf((constant - residual_sum) / terms / max(residual_sum / freedom, 1e-300), terms, freedom)
+    ), coefficients
 
 
 def _laws(level: Array, highest: float) -> Array:
@@ -298,8 +301,8 @@ def _laws(level: Array, highest: float) -> Array:
 def _squares(A: Array, b: Array, variance: Array) -> tuple[float, Array]:
     """Return the weighted sum of squares that a fit leaves, and its coefficients."""
     scale = 1.0 / np.sqrt(variance)
-    found = np.linalg.lstsq(A * scale[:, None], b * scale, rcond=None)[0]
-    return float((((b - A @ found) * scale) ** 2).sum()), np.asarray(found)
+    coefficients = np.linalg.lstsq(A * scale[:, None], b * scale, rcond=None)[0]
+    return float((((b - A @ coefficients) * scale) ** 2).sum()), np.asarray(coefficients)
 
 
 def _excess(A: Array, b: Array, variance: Array) -> float:

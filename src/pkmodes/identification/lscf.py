@@ -30,9 +30,10 @@ from pkmodes.identification.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-#: The part of the unit circle that the band covers: the rest keeps its two ends apart.
+#: Fraction of the unit circle that the band covers: the rest keeps its two ends apart.
 COVERED = 0.9
-#: Relative to the mean of the diagonal: below rounding of the sums of any measurement, above that of exact ones.
+#: Regularisation relative to the mean of the diagonal: below the rounding of the sums of any measurement, above that
+#: of exact functions.
 RIDGE = 1e-13
 
 
@@ -113,8 +114,8 @@ def _of_order(sums: Complex, n: int, S: int, R: int, step: float, low: float) ->
     inner = (numerators.reshape(S * (n + 1), size) @ A.reshape(size, R)).reshape(S, n + 1, R)
     at_pole = np.einsum("pi,oir->por", scaled, inner)
     shapes = np.einsum("por,pr->po", at_pole, vectors)
-    left = np.linalg.svd(np.einsum("pi,iqr->pqr", scaled, A))[0][:, :, -1]
-    return OrderPoles(poles, shapes, left.conj(), n)
+    left_vectors = np.linalg.svd(np.einsum("pi,iqr->pqr", scaled, A))[0][:, :, -1]
+    return OrderPoles(poles, shapes, left_vectors.conj(), n)
 
 
 def _denominator(M: Complex, n: int, R: int) -> Complex:
@@ -132,6 +133,6 @@ def _roots(A: Complex) -> tuple[Complex, Complex]:
     companion[:R] = -A[1:].transpose(1, 0, 2).reshape(R, n * R)
     companion[R:, :-R] = np.eye((n - 1) * R)
     values, vectors = np.linalg.eig(companion)
-    known = np.abs(values) > 1e-8  # a root at infinity has no frequency
-    first = vectors[:R, known].T  # inverse^(n - 1) v, the largest block of the roots inside the circle
-    return values[known], first / np.maximum(np.linalg.norm(first, axis=1, keepdims=True), 1e-300)
+    finite = np.abs(values) > 1e-8  # a root at infinity has no frequency
+    first = vectors[:R, finite].T  # inverse^(n - 1) v, the largest block of the roots inside the circle
+    return values[finite], first / np.maximum(np.linalg.norm(first, axis=1, keepdims=True), 1e-300)

@@ -78,21 +78,28 @@ def lsfd(
     shapes = np.full((N, S), np.nan, complex)
     upper, lower = np.full((S, R), np.nan, complex), np.full((S, R), np.nan, complex)
     for o in range(S):
-        known = np.flatnonzero(np.isfinite(H[:, o]).all(axis=0))
-        if not known.size:
+        measured = np.flatnonzero(np.isfinite(H[:, o]).all(axis=0))
+        if not measured.size:
             continue
-        one = ahead[:, None] * parts[:, known].T
-        other = behind[:, None] * parts[:, known].T.conj()
-        shared = np.concatenate([one + other, 1j * (one - other)], axis=2)  # of the real and imaginary parts
-        own = np.zeros((F, known.size, known.size, 4), complex)
-        place = np.arange(known.size)
-        own[:, place, place] = _terms(derivative, s)[:, None]
-        A = np.concatenate([shared, own.reshape(F, known.size, -1)], axis=2) * weights[:, o, None, None]
-        found = _least_squares(A.reshape(F * known.size, -1), (H[:, o, known] * weights[:, o, None]).ravel())
-        shapes[:, o] = found[:N] + 1j * found[N : 2 * N]
-        rest = found[2 * N :].reshape(known.size, 4)
-        upper[o, known] = rest[:, 0] + 1j * rest[:, 1]
-        lower[o, known] = rest[:, 2] + 1j * rest[:, 3]
+        direct = ahead[:, None] * parts[:, measured].T
+        conjugate = behind[:, None] * parts[:, measured].T.conj()
+        shared = np.concatenate(
+            [direct + conjugate, 1j * (direct - conjugate)], axis=2
+        )  # of the real and imaginary parts
+        own_terms = np.zeros((F, measured.size, measured.size, 4), complex)
+        place = np.arange(measured.size)
+        own_terms[:, place, place] = _terms(derivative, s)[:, None]
+        A = (
+            np.concatenate([shared, own_terms.reshape(F, measured.size, -1)], axis=2)
+            * weights[:, o, None, None]
+        )
+        solution = _least_squares(
+            A.reshape(F * measured.size, -1), (H[:, o, measured] * weights[:, o, None]).ravel()
+        )
+        shapes[:, o] = solution[:N] + 1j * solution[N : 2 * N]
+        rest = solution[2 * N :].reshape(measured.size, 4)
+        upper[o, measured] = rest[:, 0] + 1j * rest[:, 1]
+        lower[o, measured] = rest[:, 2] + 1j * rest[:, 3]
     return Residues(poles, shapes, parts, upper, lower, power)
 
 
@@ -100,24 +107,24 @@ def with_residual_terms(frequencies: Array, H: Complex, weights: Array, modes: M
     """Fit the residual terms alone, to known modes of the displacement; see `lsfd`."""
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
     derivative: Complex = np.asarray(s**power, dtype=complex)
-    left = H - derivative[:, None, None] * modes.response(frequencies)
+    remainder = H - derivative[:, None, None] * modes.response(frequencies)
     terms = _terms(derivative, s)[:, [0, 2]]
     upper, lower = np.full(H.shape[1:], np.nan, complex), np.full(H.shape[1:], np.nan, complex)
     for o in range(H.shape[1]):
-        known = np.isfinite(H[:, o]).all(axis=0)
-        if not known.any():
+        measured = np.isfinite(H[:, o]).all(axis=0)
+        if not measured.any():
             continue
         A = terms * weights[:, o, None]
         size = np.linalg.norm(A, axis=0)
-        found = np.linalg.lstsq(A / size, left[:, o, known] * weights[:, o, None], rcond=None)[0]
-        upper[o, known], lower[o, known] = found / size[:, None]
+        solution = np.linalg.lstsq(A / size, remainder[:, o, measured] * weights[:, o, None], rcond=None)[0]
+        upper[o, measured], lower[o, measured] = solution / size[:, None]
     return Residues(modes.poles, modes.shapes, modes.participation, upper, lower, power)
 
 
 def _terms(derivative: Complex, s: Complex) -> Complex:
     """Return the columns of the real and imaginary parts of U and D, (F, 4)."""
-    one, other = derivative, derivative / s**2  # -1/omega^2 is 1/s^2
-    return np.stack([one, 1j * one, other, 1j * other], axis=1)
+    upper, lower = derivative, derivative / s**2  # -1/omega^2 is 1/s^2
+    return np.stack([upper, 1j * upper, lower, 1j * lower], axis=1)
 
 
 def _least_squares(A: NDArray[Any], b: NDArray[Any]) -> Array:
@@ -125,5 +132,5 @@ def _least_squares(A: NDArray[Any], b: NDArray[Any]) -> Array:
     both = np.concatenate([A.real, A.imag])
     size = np.linalg.norm(both, axis=0)
     size = np.where(size > 0.0, size, 1.0)
-    found = np.linalg.lstsq(both / size, np.concatenate([b.real, b.imag]), rcond=1e-12)[0]
-    return np.asarray(found / size)
+    solution = np.linalg.lstsq(both / size, np.concatenate([b.real, b.imag]), rcond=1e-12)[0]
+    return np.asarray(solution / size)

@@ -31,20 +31,20 @@ from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 
 Array = NDArray[np.float64]
-#: Least standard deviation in distances of lines.
+#: Least standard deviation in line spacings.
 LEAST = 0.29
 #: Power of the frequency in the slow factor, and its least and largest value.
 SLOPE, SLOPES = 2, (0, 4)
 #: Lines on either side of a peak that are fitted.
 SIDE = 4
-#: Median of the second difference of ln P over the lines, in size: of a single record 1.34 with Hann's window and
-#: 1.95 without one, of two averages with Hann's window 0.85, of ten 0.4; peaks are few lines and do not count.
+#: Largest median of the absolute second difference of ln P over the lines: 1.34 for a single record with Hann's
+#: window and 1.95 without one, 0.85 for two averages with it, 0.4 for ten; peaks span too few lines to matter.
 SCATTER = 1.1
-#: A peak exceeds the higher of the lowest points between it and higher power, on either side, by this factor.
+#: Least ratio of a peak to the higher of the two lowest points between it and higher power on either side.
 PROMINENT = 1.6
-#: A peak that the user asks for exceeds what it stands on by this part of it.
+#: Least height of a peak that the user requests, relative to the background it stands on.
 DISTINCT = 0.25
-#: Power relative to the highest in the band below which nothing is a mode.
+#: Least power of a mode, relative to the highest in the band.
 LOWEST = 3e-3
 
 
@@ -58,7 +58,7 @@ class _Peak:
 
 
 def identify_spectrum(
-    frequencies: Array, power: Array, *, band: tuple[float, float], asked: Asked = NOTHING
+    frequencies: Array, power: Array, *, band: tuple[float, float], edits: Asked = NOTHING
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify frequencies from power spectra.
 
@@ -70,8 +70,8 @@ def identify_spectrum(
         Power spectral densities of S responses, at any scale.
     band : tuple of float
         Where modes are wanted [Hz].
-    asked : Asked
-        Modes that the user adds: a maximum of any height near the frequency will do.
+    edits : Asked
+        Modes that the user adds: a maximum of any height near the frequency suffices.
 
     Returns
     -------
@@ -79,7 +79,7 @@ def identify_spectrum(
         Poles are imaginary, as no damping is known, shapes and their standard deviations NaN.  The functions are
         the spectra, (F, S, 1).
     tuple of str
-        Sentences on what was found besides modes.
+        Messages about findings other than modes.
 
     Raises
     ------
@@ -97,32 +97,34 @@ def identify_spectrum(
     _check_averaged(P)
     total = P.sum(axis=1)
     peaks = [_fitted(f, total, k) for k in _tops(total)]
-    kept, said = _apart([peak for peak in peaks if peak is not None], float(np.median(np.diff(f))))
-    added = tuple(_added(f, total, wanted) for wanted in asked.add)
-    more = [peak for peak in added if isinstance(peak, _Peak)]
-    for peak in more:
-        before = replaced([one.frequency for one in kept], asked, peak.frequency)
+    kept, messages = _apart([peak for peak in peaks if peak is not None], float(np.median(np.diff(f))))
+    added = tuple(_added(f, total, target) for target in edits.add)
+    added_peaks = [peak for peak in added if isinstance(peak, _Peak)]
+    for peak in added_peaks:
+        before = replaced([kept_peak.frequency for kept_peak in kept], edits, peak.frequency)
         if before is not None:
             del kept[before]
     modes = tuple(_mode(peak, P.shape[1]) for peak in kept)
     stabilisation = Stabilisation(np.zeros(0, np.int64), ())
-    drawn = np.array([_shape(f, peak) - peak.floor for peak in (*kept, *more)])
-    drawn = drawn.reshape(len(kept) + len(more), len(f)).sum(axis=0)
+    drawn = np.array([_shape(f, peak) - peak.floor for peak in (*kept, *added_peaks)])
+    drawn = drawn.reshape(len(kept) + len(added_peaks), len(f)).sum(axis=0)
     share = P / np.where(total > 0.0, total, 1.0)[:, None]
     synthesised = (drawn[:, None] * share)[:, :, None].astype(complex)
-    also = tuple(one if isinstance(one, str) else _mode(one, P.shape[1]) for one in added)
-    return Estimate(modes, stabilisation, f, P[:, :, None].astype(complex), synthesised, also), said
+    also = tuple(
+        candidate if isinstance(candidate, str) else _mode(candidate, P.shape[1]) for candidate in added
+    )
+    return Estimate(modes, stabilisation, f, P[:, :, None].astype(complex), synthesised, also), messages
 
 
-def _added(f: Array, total: Array, wanted: float) -> _Peak | str:
-    """Return the peak that is fitted to the maximum nearest to a frequency, or why there is none."""
+def _added(f: Array, total: Array, target: float) -> _Peak | str:
+    """Return the peak fitted to the maximum nearest to a frequency, or why there is none."""
     inner = np.arange(1, len(total) - 1)
     tops = inner[(total[inner] > total[inner - 1]) & (total[inner] >= total[inner + 1])]
-    for k in sorted(tops, key=lambda k: abs(f[k] - wanted)):
-        if abs(f[k] - wanted) > REACH * wanted + 0.5 * (f[k + 1] - f[k - 1]):
+    for k in sorted(tops, key=lambda k: abs(f[k] - target)):
+        if abs(f[k] - target) > REACH * target + 0.5 * (f[k + 1] - f[k - 1]):
             break
         peak = _fitted(f, total, int(k))
-        if peak is not None and within_reach(peak.frequency, wanted) and peak.height > DISTINCT * peak.floor:
+        if peak is not None and within_reach(peak.frequency, target) and peak.height > DISTINCT * peak.floor:
             return peak
     return "the spectrum has no peak within 3 % of it"
 
@@ -141,7 +143,7 @@ def _check_averaged(P: Array) -> None:
 
 def _tops(total: Array) -> list[int]:
     """Return the lines that are prominent maxima."""
-    found = []
+    tops = []
     for k in range(1, len(total) - 1):
         if total[k] <= LOWEST * total.max() or total[k] < total[k - 1] or total[k] <= total[k + 1]:
             continue
@@ -150,8 +152,8 @@ def _tops(total: Array) -> list[int]:
         left = total[(before[-1] if before.size else 0) : k].min()
         right = total[k + 1 : (after[0] + 1 if after.size else len(total))].min()
         if total[k] > PROMINENT * max(left, right):
-            found.append(k)
-    return found
+            tops.append(k)
+    return tops
 
 
 def _shape(f: Array, peak: _Peak, slope: int = SLOPE) -> Array:
@@ -167,7 +169,7 @@ def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
     def peak(p: Array) -> _Peak:
         return _Peak(float(p[0]), 0.0, math.exp(p[1]), math.exp(p[2]), math.exp(p[3]))
 
-    # the width is at least that of half a line: narrower ones cannot be told from it
+    # the least width is about half a line: narrower peaks cannot be told from it
     top, low = math.log(total[k]), math.log(max(P.min(), 1e-9 * total[k]))
     start = np.array([f[k], top, math.log(step), low - 0.5])
     lowest = [f[k] - step, top - 3.0, math.log(0.3 * step), low - 20.0]
@@ -193,18 +195,18 @@ def _fitted(f: Array, total: Array, k: int) -> _Peak | None:
 
 
 def _apart(peaks: list[_Peak], step: float) -> tuple[list[_Peak], tuple[str, ...]]:
-    """Return one row for peaks closer than a line, and what to say of the others."""
+    """Return the peaks with those closer than a line merged, and messages about the ones dropped."""
     kept: list[_Peak] = []
-    said: list[str] = []
-    for peak in sorted(peaks, key=lambda one: -one.height):
-        near = [one for one in kept if abs(one.frequency - peak.frequency) < step]
+    messages: list[str] = []
+    for peak in sorted(peaks, key=lambda candidate: -candidate.height):
+        near = [earlier for earlier in kept if abs(earlier.frequency - peak.frequency) < step]
         if near:
-            said.append(
+            messages.append(
                 f"peaks at {peak.frequency:.4g} and {near[0].frequency:.4g} Hz are closer than a line: one row"
             )
         else:
             kept.append(peak)
-    return sorted(kept, key=lambda one: one.frequency), tuple(said)
+    return sorted(kept, key=lambda peak: peak.frequency), tuple(messages)
 
 
 def _mode(peak: _Peak, sensors: int) -> Mode:

@@ -24,13 +24,13 @@ from pkmodes.core.base.errors import MeasurementError
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Ratio of the ends of a part of the band.
+#: Ratio of the upper to the lower end of a part of the band.
 RATIO = 1.4
 #: Least width of a part in lines of the longest piece.
 LEAST_LINES = 100
 #: Width of a guard relative to the part.
 GUARD = 0.3
-#: Periods of the lower end of the band that a piece of a record has at least.
+#: Shortest piece of a record, in periods of the lower end of the band.
 FEWEST_PERIODS = 8.0
 
 
@@ -105,11 +105,11 @@ def parts(low: float, high: float, nyquist: float, seconds: float) -> list[Part]
     if len(ends) > 2 and high - ends[-2] < 0.5 * (ends[-1] - ends[-2]):
         del ends[-2]
     ends[-1] = high
-    found = []
+    band_parts = []
     for a, b in pairwise(ends):
         guard = GUARD * (b - a)
-        found.append(Part(a, b, max(a - guard, 0.0), min(b + guard, nyquist)))
-    return found
+        band_parts.append(Part(a, b, max(a - guard, 0.0), min(b + guard, nyquist)))
+    return band_parts
 
 
 def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[Lines]:
@@ -124,12 +124,12 @@ def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[Line
         Samples to pad each piece to with zeros; 0: no padding, so that the lines of noise are independent.
     """
     total = sum(len(piece) for piece in pieces) * t_step
-    found = []
+    spectra = []
     for piece in pieces:
         n = longest or len(piece)
         spectrum = np.fft.rfft(piece - piece.mean(axis=0), n, axis=0) * t_step / math.sqrt(0.5 * total)
-        found.append(Lines(np.asarray(np.fft.rfftfreq(n, t_step), float), spectrum))
-    return found
+        spectra.append(Lines(np.asarray(np.fft.rfftfreq(n, t_step), float), spectrum))
+    return spectra
 
 
 def powers(padded: Sequence[Lines], part: Part) -> Complex:
@@ -138,8 +138,9 @@ def powers(padded: Sequence[Lines], part: Part) -> Complex:
     Products of all pairs of responses at each line would not fit into memory with hundreds of sensors.
     """
     weighted = (
-        (one.values * (part.window(one.frequencies) * one.step)[:, None]).T @ one.values.conj()
-        for one in (piece.within(part) for piece in padded)
+        (selected.values * (part.window(selected.frequencies) * selected.step)[:, None]).T
+        @ selected.values.conj()
+        for selected in (piece.within(part) for piece in padded)
     )
     return np.asarray(sum(weighted))
 
@@ -157,10 +158,10 @@ def correlations(padded: Sequence[Lines], part: Part, references: Array, lags: N
     lags : ndarray, shape (K,)
     """
     total: Complex = np.zeros((), dtype=complex)
-    for one in (piece.within(part) for piece in padded):
-        weighted = one.values * (part.window(one.frequencies) * one.step)[:, None]
-        total = total + weighted[:, :, None] * (one.values.conj() @ references)[:, None, :]
-    turns = np.exp(2j * math.pi * np.outer(lags, (one.frequencies - part.start) / part.rate))
+    for selected in (piece.within(part) for piece in padded):
+        weighted = selected.values * (part.window(selected.frequencies) * selected.step)[:, None]
+        total = total + weighted[:, :, None] * (selected.values.conj() @ references)[:, None, :]
+    turns = np.exp(2j * math.pi * np.outer(lags, (selected.frequencies - part.start) / part.rate))
     return np.asarray(np.tensordot(turns, total, 1))
 
 

@@ -29,21 +29,21 @@ from pkmodes.support.ordering import joined
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Factor on standard deviations for what the peaks and the choice of an order leave out: measured on simulated
-#: records of 40 s, where 2 sigma without it cover 90 to 93 %.
+#: Factor on standard deviations for what the peak fit and the choice of an order ignore: calibrated on simulated
+#: records of 40 s, in which 2 sigma without it cover 90 to 93 %.
 ALLOWANCE = 1.15
-#: Model orders whose shapes have less than this multiple of the least sigma count as well: what they differ by, such
-#: as how much of a strong neighbour's shape is in that of a weak mode, no order shows alone.
+#: Shapes of model orders with sigmas below this multiple of the least one are compared too: their differences, such
+#: as how much of a strong neighbour's shape is in that of a weak mode, show in no single order.
 AS_SURE = 2.0
-#: What to say of a record of tones alone.
+#: Message about a record that holds only tones.
 NOTHING_ELSE = (
     "besides tones the record holds only the rounding of its numbers, in which no mode can be found"
 )
-#: No standard deviation of the logarithm of a rate above this is told from it.
+#: Standard deviations of the logarithm of a rate are capped here.
 MOST_RELATIVE = 3.0
-#: Lines averaged for what is drawn.
+#: Averaged lines that are drawn.
 DRAWN = 400
-#: Rate of decay times length of record below which a mode at a tone is what its subtraction left.
+#: Decay rate times record length below which a mode at a tone is a remainder of its subtraction.
 REST = 12.0
 
 
@@ -53,7 +53,7 @@ def identify_responses(
     *,
     band: tuple[float, float],
     tones: Sequence[float] = (),
-    asked: Asked = NOTHING,
+    edits: Asked = NOTHING,
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify modes from responses without a force.
 
@@ -67,7 +67,7 @@ def identify_responses(
         Where modes are wanted [Hz].
     tones : sequence of float
         Frequencies of lines that are not modes, as are their multiples [Hz].
-    asked : Asked
+    edits : Asked
         Modes that the user adds.
 
     Returns
@@ -75,7 +75,7 @@ def identify_responses(
     Estimate
         Its functions are the spectral densities of the responses, (F, S, 1).
     tuple of str
-        Sentences on what was found besides modes.
+        Messages about findings other than modes.
 
     Raises
     ------
@@ -88,152 +88,180 @@ def identify_responses(
     pieces = usable_pieces(t_step, pieces, band)
     found_tones = find_tones(t_step, pieces, band, tones)
     without = without_tones(t_step, pieces, found_tones, band)
-    alone = tones_alone(t_step, pieces, without, found_tones, band)
-    found_tones = found_tones if alone is None else alone
+    only_tones = tones_alone(t_step, pieces, without, found_tones, band)
+    found_tones = found_tones if only_tones is None else only_tones
     record = prepared(t_step, without)
-    found: list[PartMode] = []
+    part_modes: list[PartMode] = []
     poles: list[list[Complex]] = [[np.zeros(0, complex)] for _ in ORDERS]
-    wanted: Wanted = {} if alone is None else dict.fromkeys(asked.add, NOTHING_ELSE)
-    for part in parts(*band, 0.5 / t_step, record.seconds) if alone is None else ():
-        modes_found, more = modes_of_part(record, part, poles, asked)
-        found += modes_found
-        wanted = more | wanted
+    requested: Wanted = {} if only_tones is None else dict.fromkeys(edits.add, NOTHING_ELSE)
+    for part in parts(*band, 0.5 / t_step, record.seconds) if only_tones is None else ():
+        modes_found, part_requested = modes_of_part(record, part, poles, edits)
+        part_modes += modes_found
+        requested = part_requested | requested
     kept = [
-        one for one in beside_all(record, distinct(found)) if not rest_of_tone(one.mode, found_tones, record)
+        part_mode
+        for part_mode in beside_all(record, distinct(part_modes))
+        if not rest_of_tone(part_mode.mode, found_tones, record)
     ]
-    narrow = lines_among(record.plain, [one.mode for one in kept], found_tones)
-    kept = [one for i, one in enumerate(kept) if i not in narrow]
-    longest = max(record.plain, key=lambda one: len(one.frequencies))
-    swept = [one for one in kept if at_end_of_line(longest, t_step, one.mode)]
-    kept = [one for one in kept if one not in swept]
-    kept, wanted = with_wanted(record, kept, wanted, found_tones, asked)
-    modes = tuple(_mode(record, one) for one in kept if band[0] <= one.mode.undamped <= band[1])
-    listed = [wanted.get(f, "it is outside the band") for f in asked.add]
-    added = tuple(one if isinstance(one, str) else _mode(record, one) for one in listed)
-    every = (*modes, *(one for one in added if isinstance(one, Mode)))
-    stabilisation = Stabilisation(np.array(ORDERS), tuple(np.concatenate(some) for some in poles))
-    unasked = [line for line in narrow.values() if nearest(asked.add, line.frequency) is None]
+    narrow = lines_among(record.plain, [part_mode.mode for part_mode in kept], found_tones)
+    kept = [part_mode for i, part_mode in enumerate(kept) if i not in narrow]
+    longest = max(record.plain, key=lambda piece: len(piece.frequencies))
+    swept = [part_mode for part_mode in kept if at_end_of_line(longest, t_step, part_mode.mode)]
+    kept = [part_mode for part_mode in kept if part_mode not in swept]
+    kept, requested = with_wanted(record, kept, requested, found_tones, edits)
+    modes = tuple(
+        _mode(record, part_mode) for part_mode in kept if band[0] <= part_mode.mode.undamped <= band[1]
+    )
+    listed = [requested.get(f, "it is outside the band") for f in edits.add]
+    added = tuple(
+        candidate if isinstance(candidate, str) else _mode(record, candidate) for candidate in listed
+    )
+    all_modes = (*modes, *(candidate for candidate in added if isinstance(candidate, Mode)))
+    stabilisation = Stabilisation(
+        np.array(ORDERS), tuple(np.concatenate(order_poles) for order_poles in poles)
+    )
+    unasked = [line for line in narrow.values() if nearest(edits.add, line.frequency) is None]
     found_tones = sorted((*found_tones, *unasked), key=lambda tone: tone.frequency)
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
-    estimate = Estimate(modes, stabilisation, *_drawn(record, every, band), added, lines)
-    said = _sentences(found_tones, every, record.seconds)
+    estimate = Estimate(modes, stabilisation, *_drawn(record, all_modes, band), added, lines)
+    messages = _sentences(found_tones, all_modes, record.seconds)
     if swept:
-        at = ", ".join(f"{one.mode.undamped:.4g}" for one in swept)
-        said = (
-            *said,
+        at = ", ".join(f"{part_mode.mode.undamped:.4g}" for part_mode in swept)
+        messages = (
+            *messages,
             f"at {at} Hz a line begins, ends, turns or stands, as of a sweep: no mode can be told there",
         )
-    return estimate, said if alone is None else (*said, NOTHING_ELSE)
+    return estimate, messages if only_tones is None else (*messages, NOTHING_ELSE)
 
 
-def _mode(record: PreparedRecord, one: PartMode) -> Mode:
-    mode, pole = one.mode, one.mode.pole
+def _mode(record: PreparedRecord, part_mode: PartMode) -> Mode:
+    mode, pole = part_mode.mode, part_mode.mode.pole
     tried = []
-    for k, of in enumerate(one.orders):
-        i = int(np.argmin(np.abs(one.part.pole(of.values) - pole)))
-        tried.append((sigma(record.plain, one.part, one.references, FIRST, of, i, record.scales).shape, k, i))
+    for k, of in enumerate(part_mode.orders):
+        i = int(np.argmin(np.abs(part_mode.part.pole(of.values) - pole)))
+        tried.append(
+            (
+                sigma(record.plain, part_mode.part, part_mode.references, FIRST, of, i, record.scales).shape,
+                k,
+                i,
+            )
+        )
     of_shape, k, i = min(tried)
-    as_sure = [one.orders[n].shapes[:, j] * record.scales for s, n, j in tried if s < AS_SURE * of_shape]
-    of_shape = math.hypot(of_shape, apart(one.orders[k].shapes[:, i] * record.scales, as_sure))
+    as_sure = [
+        part_mode.orders[n].shapes[:, j] * record.scales for s, n, j in tried if s < AS_SURE * of_shape
+    ]
+    of_shape = math.hypot(of_shape, apart(part_mode.orders[k].shapes[:, i] * record.scales, as_sure))
     # |pole| by the damped frequency and the logarithm of the rate, and the damping ratio by these
     omega = abs(pole)
     by = np.array([2 * math.pi * pole.imag, pole.real**2]) / omega
     of_damping = np.array([0.0, mode.rate / omega]) - mode.rate / omega**2 * by
     frequency = ALLOWANCE * math.sqrt(max(float(by @ mode.covariance @ by), 0.0)) / (2 * math.pi)
-    # the estimate of a rate is nearly log-normal: its upper side, as a low estimate would also claim a low sigma
+    # the estimate of a rate is nearly log-normal: use its upper side, as a low estimate would also claim a low sigma
     relative = math.sqrt(max(float(of_damping @ mode.covariance @ of_damping), 0.0)) * omega / mode.rate
     damping = ALLOWANCE * mode.rate / omega * math.expm1(min(relative, MOST_RELATIVE))
-    shape = np.where(record.scales > 0.0, one.orders[k].shapes[:, i] * record.scales, np.nan)
-    return Mode(pole, shape, frequency, damping, ALLOWANCE * of_shape, (one.found, len(ORDERS)))
+    shape = np.where(record.scales > 0.0, part_mode.orders[k].shapes[:, i] * record.scales, np.nan)
+    return Mode(pole, shape, frequency, damping, ALLOWANCE * of_shape, (part_mode.order_count, len(ORDERS)))
 
 
-def apart(shape: Complex, others: Sequence[Complex]) -> float:
-    """Return how far other shapes (S,) are from one, rms of the real parts relative to its largest component."""
+def apart(shape: Complex, other_shapes: Sequence[Complex]) -> float:
+    """Return the distance of other shapes (S,) from one, rms of the real parts relative to its largest component."""
     largest = int(np.argmax(np.abs(shape)))
     unit = np.delete(shape / shape[largest], largest)
-    differences = [(np.delete(other / other[largest], largest) - unit).real for other in others]
+    differences = [
+        (np.delete(other_shape / other_shape[largest], largest) - unit).real for other_shape in other_shapes
+    ]
     return math.sqrt(float(np.mean(np.square(differences)))) if unit.size else 0.0
 
 
-def _sentences(found: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> tuple[str, ...]:
-    said = [tone.sentence for tone in found]
+def _sentences(tones: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> tuple[str, ...]:
+    sentences = [tone.sentence for tone in tones]
     for mode in modes:
-        for tone in found:
+        for tone in tones:
             if abs(mode.frequency - tone.frequency) < max(2.0 * mode.damping * mode.frequency, 2.0 / seconds):
-                said.append(
+                sentences.append(
                     f"the mode at {mode.frequency:.4g} Hz is beside the tone at {tone.frequency:.4g} Hz"
                 )
     doubtful = [f"{mode.frequency:.4g}" for mode in modes if mode.damping < 2.0 * mode.sigma_damping]
     if doubtful:
         modes_are = "the modes at {} Hz are" if len(doubtful) > 1 else "the mode at {} Hz is"
         why = "damping is within two standard deviations of 0; a longer record tells"
-        said.append(f"{modes_are.format(joined(doubtful))} doubtful: {why}")
-    return tuple(said)
+        sentences.append(f"{modes_are.format(joined(doubtful))} doubtful: {why}")
+    return tuple(sentences)
 
 
-def distinct(found: Sequence[PartMode]) -> list[PartMode]:
-    """Return the modes by frequency, one of those that two overlapping parts found: the more central one."""
+def distinct(part_modes: Sequence[PartMode]) -> list[PartMode]:
+    """Return the modes by frequency; of a mode that two overlapping parts found, keep the more central one."""
     kept: list[PartMode] = []
-    for one in sorted(found, key=_eccentricity):
-        f, rate = one.mode.frequency, one.mode.rate
-        for other in kept:
-            if other.part is one.part:
+    for candidate in sorted(part_modes, key=_eccentricity):
+        f, rate = candidate.mode.frequency, candidate.mode.rate
+        for kept_mode in kept:
+            if kept_mode.part is candidate.part:
                 continue
-            apart = 2 * math.pi * abs(f - other.mode.frequency) / (rate + other.mode.rate)
-            if apart < 0.5 or (apart < 2.0 and alike(one.mode.shape, other.mode.shape) > 0.8):
+            apart = 2 * math.pi * abs(f - kept_mode.mode.frequency) / (rate + kept_mode.mode.rate)
+            if apart < 0.5 or (apart < 2.0 and alike(candidate.mode.shape, kept_mode.mode.shape) > 0.8):
                 break
         else:
-            if one.part.low <= f <= one.part.high or _eccentricity(one) < 1.3:
-                kept.append(one)
-    return sorted(kept, key=lambda one: one.mode.frequency)
+            if candidate.part.low <= f <= candidate.part.high or _eccentricity(candidate) < 1.3:
+                kept.append(candidate)
+    return sorted(kept, key=lambda part_mode: part_mode.mode.frequency)
 
 
-def beside_all(record: PreparedRecord, found: Sequence[PartMode]) -> list[PartMode]:
-    """Return the modes fitted again beside those of all parts of the band."""
-    again = list(found)
-    for one in sorted(found, key=lambda one: one.mode.gain):
-        again.remove(one)
+def beside_all(record: PreparedRecord, part_modes: Sequence[PartMode]) -> list[PartMode]:
+    """Return the modes refitted beside those of all parts of the band."""
+    again = list(part_modes)
+    for part_mode in sorted(part_modes, key=lambda part_mode: part_mode.mode.gain):
+        again.remove(part_mode)
         mode = refined(
-            one.mode, [other.mode for other in again], record.plain, (one.part.start, one.part.stop)
+            part_mode.mode,
+            [neighbour.mode for neighbour in again],
+            record.plain,
+            (part_mode.part.start, part_mode.part.stop),
         )
         if mode is not None:
-            again.append(replace(one, mode=mode))
-    return sorted(again, key=lambda one: one.mode.frequency)
+            again.append(replace(part_mode, mode=mode))
+    return sorted(again, key=lambda part_mode: part_mode.mode.frequency)
 
 
 def with_wanted(
-    record: PreparedRecord, found: Sequence[PartMode], wanted: Wanted, tones: Sequence[Tone], asked: Asked
+    record: PreparedRecord,
+    part_modes: Sequence[PartMode],
+    requested: Wanted,
+    tones: Sequence[Tone],
+    edits: Asked,
 ) -> tuple[list[PartMode], Wanted]:
-    """Return the modes that those asked for do not replace, and these without what is left of a tone."""
-    kept, more = list(found), dict(wanted)
-    for frequency, one in wanted.items():
-        if isinstance(one, str):
+    """Return the modes that requested ones do not replace, and the requested ones without remainders of tones."""
+    kept, outcomes = list(part_modes), dict(requested)
+    for frequency, candidate in requested.items():
+        if isinstance(candidate, str):
             continue
-        if rest_of_tone(one.mode, tones, record):
-            more[frequency] = "what is fitted there is left of a tone"
+        if rest_of_tone(candidate.mode, tones, record):
+            outcomes[frequency] = "what is fitted there is left of a tone"
             continue
-        before = replaced([each.mode.undamped for each in kept], asked, one.mode.undamped)
+        before = replaced([part_mode.mode.undamped for part_mode in kept], edits, candidate.mode.undamped)
         if before is not None:
             del kept[before]
-    return kept, more
+    return kept, outcomes
 
 
-def rest_of_tone(mode: Refined, found: Sequence[Tone], record: PreparedRecord) -> bool:
-    """Return whether a mode is as narrow as lines and at a tone: what its subtraction left."""
-    near = any(abs(mode.frequency - tone.frequency) * record.seconds < 3.0 for tone in found)
+def rest_of_tone(mode: Refined, tones: Sequence[Tone], record: PreparedRecord) -> bool:
+    """Return whether a mode is as narrow as a line and at a tone: a remainder of its subtraction."""
+    near = any(abs(mode.frequency - tone.frequency) * record.seconds < 3.0 for tone in tones)
     return near and mode.rate * record.seconds < REST
 
 
-def _eccentricity(one: PartMode) -> float:
-    middle, half = 0.5 * (one.part.low + one.part.high), 0.5 * (one.part.high - one.part.low)
-    return abs(one.mode.frequency - middle) / half
+def _eccentricity(part_mode: PartMode) -> float:
+    middle, half = (
+        0.5 * (part_mode.part.low + part_mode.part.high),
+        0.5 * (part_mode.part.high - part_mode.part.low),
+    )
+    return abs(part_mode.mode.frequency - middle) / half
 
 
 def _drawn(
     record: PreparedRecord, modes: Sequence[Mode], band: tuple[float, float]
 ) -> tuple[Array, Complex, Complex]:
     """Return averaged spectral densities of the responses in the band, and the modes' share of them."""
-    piece = max(record.plain, key=lambda one: len(one.frequencies))
+    piece = max(record.plain, key=lambda piece: len(piece.frequencies))
     inside = slice(*np.searchsorted(piece.frequencies, band))
     f, power = piece.frequencies[inside], np.abs(piece.values[inside]) ** 2 * record.scales**2 * piece.step
     group = max(len(f) // DRAWN, 1)

@@ -1,4 +1,4 @@
-r"""Frequency and damping of greatest likelihood, from the spectral lines around each mode.
+r"""Maximum-likelihood frequency and damping, from the spectral lines around each mode.
 
 Correlations use a record poorly: errors of frequency and damping from subspace identification are three to five times
 the least possible ones, and their standard deviations are as uncertain as those errors.  The lines of a stationary
@@ -31,15 +31,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-#: Below this variance of I / P the response is a transient: it is 1 for noise.
+#: Variance of I / P below which the response is a transient: it is 1 for noise.
 TRANSIENT = 0.25
 #: Largest odd part of a peak relative to the even one.
 ODD = 2.0
-#: One standard deviation of it before the fit, where the response is noise, most of which drives several modes.
+#: Prior standard deviation of the odd part if the response is to noise, which mostly drives several modes.
 LIKELY_ODD = 0.2
-#: Iterations, and the change of the logarithm of the likelihood that ends them.
+#: Most iterations, and the change of the log-likelihood that ends them.
 MOST_STEPS, ENOUGH = 40, 1e-4
-#: Rates of decay stay between these times the distance of the lines and the width of the fitted range.
+#: Least decay rate, relative to the inverse of the record length.
 LEAST_RATE = 1e-2
 
 
@@ -73,7 +73,7 @@ class PeakFit:
     covariance : ndarray, shape (m, 2, 2)
         Of frequency and logarithm of the rate.
     likelihood : float
-        Its logarithm.
+        The log-likelihood.
     scatter : float
         Variance of I / P: 1 for noise.
     density : ndarray, shape (F,)
@@ -89,7 +89,7 @@ class PeakFit:
 
 
 def fit_peaks(powers: Powers, frequencies: Sequence[float], rates: Sequence[float]) -> PeakFit:
-    """Return the fit of greatest likelihood of peaks and a background, linear in frequency in its logarithm.
+    """Return the maximum-likelihood fit of peaks and a background whose logarithm is linear in frequency.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def _fit(powers: Powers, frequencies: Sequence[float], rates: Sequence[float], t
     low = np.array([ends[0]] * m + [math.log(LEAST_RATE / powers.seconds.max())] * m + [level - 40.0] * m)
     high = np.array([ends[1]] * m + [math.log(2.0 * math.pi * half)] * m + [level + 40.0] * m)
     odd = [ODD] * m
-    low = np.concatenate([low, [level - 40.0, -5.0], [-one for one in odd]])
+    low = np.concatenate([low, [level - 40.0, -5.0], [-limit for limit in odd]])
     high = np.concatenate([high, [level + 40.0, 5.0], odd])
     p = np.clip(p, low, high)
     density, slopes = _density(p, m, powers, x, transient)

@@ -24,11 +24,11 @@ from pkmodes.identification.ssi_selection import Refined
 from pkmodes.identification.tones import Tone
 
 Array = NDArray[np.float64]
-#: Half the width of the band that is followed, in half bandwidths and at least in lines.
+#: Half width of the band that is followed: in half bandwidths, and the least in lines.
 WIDE, LEAST_LINES = 3.0, 3.0
 #: Samples of the amplitude for each line of the band.
 FINE = 4
-#: Rates of decay times length of record, and quantiles of the statistic of responses.
+#: Decay rates times record length, and quantiles of the statistic for responses.
 DECAYS = np.array([1.5, 3.0, 6.0, 12.0, 25.0, 50.0, 100.0, 200.0, 400.0, 800.0])
 QUANTILES = {
     0.01: np.array([1.05, 1.08, 1.14, 1.27, 1.41, 1.54, 1.64, 1.72, 1.82, 1.84]),
@@ -37,16 +37,16 @@ QUANTILES = {
     0.5: np.array([1.42, 1.51, 1.60, 1.73, 1.84, 1.90, 1.95, 1.97, 1.99, 1.99]),
     0.99: np.array([2.63, 2.75, 2.74, 2.96, 2.99, 2.79, 2.58, 2.38, 2.25, 2.19]),
 }
-#: Above this no amplitude is constant, however long the record: half way from a tone to a response.
+#: Statistic above which no amplitude is constant, however long the record: half way from a tone to a response.
 CONSTANT = 1.5
-#: Below this rate of decay times length of record a peak is narrower than a line under Hann's window, 1.44 / length.
+#: Decay rate times record length below which a peak is narrower than a line under Hann's window, 1.44 / length.
 NARROWEST = 4.5
 #: Standard deviation of the logarithm of a rate above which two standard deviations of the damping reach 0.
 UNCERTAIN = 0.36
-#: Damping ratio below which a peak is rather a tone's than a machine's.
+#: Damping ratio below which a peak is more likely a tone than a mode of a machine.
 LIGHTEST = 5e-4
-#: A narrow peak at a multiple or half-multiple of a line, up to so many halves, is an order of it: damping ratios
-#: below the first and distances within the second part of the frequency, and a line.
+#: A narrow peak at a multiple of half a line's frequency is an order of it: largest damping ratio, largest relative
+#: distance (plus a line), and most halves.
 NARROW, OFF_ORDER, MOST_HALVES = 0.003, 0.001, 12
 
 
@@ -59,7 +59,7 @@ class Followed:
     statistic : float
         Mean of the fourth power of the amplitude over the square of the mean power.
     off : float
-        Distance of the mean frequency of the power from the peak, in half bandwidths or lines, the larger ones.
+        Distance of the mean frequency of the power from the peak, in half bandwidths or lines, whichever are wider.
     """
 
     statistic: float
@@ -67,7 +67,7 @@ class Followed:
 
 
 def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
-    """Return which modes are lines, or cannot be told from one, by their place, with what to say of each.
+    """Return which modes are lines, or cannot be told from one, by index, with a message about each.
 
     Parameters
     ----------
@@ -78,31 +78,31 @@ def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequen
         Those that were found before.
     """
     seconds = sum(1.0 / lines.step for lines in pieces)
-    seen = [followed(pieces, mode) for mode in modes]
-    found: dict[int, Tone] = {}
-    for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
-        if one.off < 1.0 and one.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
+    amplitudes = [followed(pieces, mode) for mode in modes]
+    line_tones: dict[int, Tone] = {}
+    for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True)):
+        if amplitude.off < 1.0 and amplitude.statistic < min(quantile(0.01, mode.rate * seconds), CONSTANT):
             sentence = (
                 f"{mode.undamped:.4g} Hz is a line: its amplitude is as constant as a tone's, no mode's is"
             )
-            found[i] = Tone(mode.frequency, sentence)
-    known, more = [*tones, *found.values()], True
-    while more:  # an order that is found leads to others
+            line_tones[i] = Tone(mode.frequency, sentence)
+    known_lines, searching = [*tones, *line_tones.values()], True
+    while searching:  # each order found may lead to others
         orders = {
-            i: _as_order(mode, one, known, seconds)
-            for i, (mode, one) in enumerate(zip(modes, seen, strict=True))
-            if i not in found
+            i: _as_order(mode, amplitude, known_lines, seconds)
+            for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True))
+            if i not in line_tones
         }
         added = {i: Tone(modes[i].frequency, sentence) for i, sentence in orders.items() if sentence}
-        found, known, more = found | added, [*known, *added.values()], bool(added)
-    for i, (mode, one) in enumerate(zip(modes, seen, strict=True)):
-        if i not in found and (sentence := _not_told(mode, one, seconds, bool(known))):
-            found[i] = Tone(mode.frequency, sentence)
-    return found
+        line_tones, known_lines, searching = line_tones | added, [*known_lines, *added.values()], bool(added)
+    for i, (mode, amplitude) in enumerate(zip(modes, amplitudes, strict=True)):
+        if i not in line_tones and (sentence := _not_told(mode, amplitude, seconds, bool(known_lines))):
+            line_tones[i] = Tone(mode.frequency, sentence)
+    return line_tones
 
 
 def followed(pieces: Sequence[Lines], mode: Refined) -> Followed:
-    """Return what the amplitude of a response does at a peak, over the pieces of a record."""
+    """Return the statistics of a response's amplitude at a peak, over the pieces of a record."""
     width, along = mode.rate / (2.0 * math.pi), along_shape(mode.shape)
     powers, of_lines, away = [], [], []
     for lines in pieces:
@@ -120,14 +120,14 @@ def followed(pieces: Sequence[Lines], mode: Refined) -> Followed:
 
 
 def quantile(share: float, decays: float) -> float:
-    """Return which value of the statistic so many responses are below, for a rate times the length of a record."""
+    """Return the `share` quantile of the statistic of responses, for a decay rate times record length."""
     return float(np.interp(math.log(max(decays, 1e-300)), np.log(DECAYS), QUANTILES[share]))
 
 
-def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: float) -> str:
-    """Return what to say of a narrow peak at an order of a line, unless it is clearly a mode."""
+def _as_order(mode: Refined, amplitude: Followed, tones: Sequence[Tone], seconds: float) -> str:
+    """Return a message about a narrow peak at an order of a line; "" if it is none, or clearly a mode."""
     decays = mode.rate * seconds
-    like_a_mode = quantile(0.5, decays) < one.statistic < quantile(0.99, decays)
+    like_a_mode = quantile(0.5, decays) < amplitude.statistic < quantile(0.99, decays)
     damped = mode.covariance[1, 1] < UNCERTAIN**2
     if mode.rate > NARROW * 2.0 * math.pi * mode.frequency or (like_a_mode and damped):
         return ""
@@ -144,16 +144,16 @@ def _as_order(mode: Refined, one: Followed, tones: Sequence[Tone], seconds: floa
     return ""
 
 
-def _not_told(mode: Refined, one: Followed, seconds: float, lines: bool) -> str:
-    """Return what to say of a peak that may be a tone's as well as a mode's; more may be if the record has lines."""
+def _not_told(mode: Refined, amplitude: Followed, seconds: float, lines: bool) -> str:
+    """Return a message about a peak that may be a tone as well as a mode, likelier beside other lines, or ""."""
     decays = mode.rate * seconds
     uncertain = mode.covariance[1, 1] > UNCERTAIN**2
     light = mode.rate < LIGHTEST * 2.0 * math.pi * mode.frequency
     if light or decays < NARROWEST:
-        like_a_mode = one.statistic > quantile(0.5, decays)
+        like_a_mode = amplitude.statistic > quantile(0.5, decays)
     else:
-        like_a_mode = not uncertain or one.statistic > quantile(0.2 if lines else 0.05, decays)
-    beats = lines and uncertain and one.statistic > quantile(0.99, decays)
+        like_a_mode = not uncertain or amplitude.statistic > quantile(0.2 if lines else 0.05, decays)
+    beats = lines and uncertain and amplitude.statistic > quantile(0.99, decays)
     if like_a_mode and not beats:
         return ""
     return (

@@ -22,23 +22,24 @@ from pkmodes.identification.ssi_likelihood import PeakFit, Powers, fit_peaks
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Logarithm of the ratio of likelihoods above which a peak is more than a bump of noise: three parameters, tried at
-#: some hundred places.
+#: Log-likelihood ratio above which a peak is more than a bump of noise: three parameters, tried at about a hundred
+#: places.
 SIGNIFICANT = 12.0
-#: Half the range of a fit in half bandwidths and in lines.
+#: Half range of a fit: in half bandwidths, and the least in lines.
 HALF_WIDTHS, LEAST_LINES = 10.0, 24.0
-#: A modal filter may reduce a mode by this factor relative to noise; neighbours beyond are fitted in the power.
+#: Largest factor by which a modal filter may reduce a mode relative to noise; neighbours beyond it are fitted in the
+#: power.
 AMPLIFIED = 4.0
-#: Modes that are farther away are removed too, as what they add around a peak is coherent with it and shifts it, if
-#: that costs no more than this factor; to this ratio of frequencies.
+#: Modes farther away, up to this ratio of frequencies, are removed too if that costs no more than this factor: what
+#: they add around a peak is coherent with it and shifts it.
 AMPLIFIED_FAR, FAR = 1.5, 3.0
-#: Rate of decay times length of record, below which a line has no bandwidth that can be seen.
+#: Decay rate times record length below which a line has no visible bandwidth.
 UNRESOLVED = 1.5
-#: Half bandwidths, those of both fits together, by which a fit may move a candidate, and a factor on its bandwidth.
+#: Largest shift of a candidate by a fit, in sums of both half bandwidths, and largest factor on its bandwidth.
 SHIFT, WIDENED = 0.75, 4.0
-#: Half bandwidths of a peak that must be seen on either side.
+#: Half bandwidths of a peak that must be visible on either side.
 SEEN = 1.2
-#: No more than this damping ratio is a mode with a peak.
+#: Highest damping ratio of a mode with a peak.
 HIGHEST_DAMPING = 0.2
 
 
@@ -82,35 +83,44 @@ def start(pole: complex, shape: Complex) -> Refined:
 
 def refined(
     mode: Refined,
-    others: Sequence[Refined],
+    neighbours: Sequence[Refined],
     lines: Sequence[Lines],
     ends: tuple[float, float],
     least: float = SIGNIFICANT,
 ) -> Refined | None:
-    """Return a mode refined beside others, None if no peak of its own is left.
+    """Return a mode refined beside its neighbours, None if no peak of its own remains.
 
     Parameters
     ----------
     mode : Refined
-    others : sequence of Refined
+    neighbours : sequence of Refined
     lines : sequence of Lines
         Of pieces without padding.
     ends : tuple of float
         Of the lines that may be used [Hz].
     least : float
-        Logarithm of the ratio of likelihoods that is needed.
+        Least log-likelihood ratio.
     """
     seconds = max(1.0 / piece.step for piece in lines)
     half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)
     low, high = max(mode.frequency - half, ends[0]), min(mode.frequency + half, ends[1])
-    reach = [one for one in others if low - 0.5 * half < one.frequency < high + 0.5 * half]
-    far = [one for one in others if one not in reach and 1 / FAR < one.frequency / mode.frequency < FAR]
+    reach = [
+        neighbour for neighbour in neighbours if low - 0.5 * half < neighbour.frequency < high + 0.5 * half
+    ]
+    far = [
+        neighbour
+        for neighbour in neighbours
+        if neighbour not in reach and 1 / FAR < neighbour.frequency / mode.frequency < FAR
+    ]
     row, beside = _filter(mode, reach, far)
-    beside = [one for one in beside if low < one.frequency < high]
+    beside = [neighbour for neighbour in beside if low < neighbour.frequency < high]
     powers = _powers(lines, row, low, high)
     if len(powers.values) < 12:
         return None
-    near = [one.frequency for one in beside], [max(one.rate, 0.5 / seconds) for one in beside]
+    near = (
+        [neighbour.frequency for neighbour in beside],
+        [max(neighbour.rate, 0.5 / seconds) for neighbour in beside],
+    )
     without = fit_peaks(powers, *near)
     fit = fit_peaks(powers, [mode.frequency, *near[0]], [max(mode.rate, 0.5 / seconds), *near[1]])
     gain = fit.likelihood - without.likelihood
@@ -129,16 +139,16 @@ def _accepted(
     inside = ends[0] < f < ends[1] and rate < HIGHEST_DAMPING * 2.0 * math.pi * f
     if rate * seconds < UNRESOLVED or not inside:
         return None
-    # what became another peak than the candidate's has the wrong shape
+    # a fit that moved to another peak than the candidate's has the wrong shape
     if abs(f - mode.frequency) > SHIFT * (rate + mode.rate) / (2.0 * math.pi) + 1.0 / seconds:
         return None
     width = rate / (2.0 * math.pi)
-    seen = ends[0] < f - SEEN * width and f + SEEN * width < ends[1]
-    if rate > WIDENED * (mode.rate + 5.0 / seconds) or not seen:
+    visible = ends[0] < f - SEEN * width and f + SEEN * width < ends[1]
+    if rate > WIDENED * (mode.rate + 5.0 / seconds) or not visible:
         return None
-    for one in reach:
-        apart = 2.0 * math.pi * abs(f - one.frequency) / (rate + one.rate)
-        if apart < 0.5 and alike(mode.shape, one.shape) > 0.9:
+    for neighbour in reach:
+        apart = 2.0 * math.pi * abs(f - neighbour.frequency) / (rate + neighbour.rate)
+        if apart < 0.5 and alike(mode.shape, neighbour.shape) > 0.9:
             return None
     return Refined(f, rate, fit.covariance[0], mode.shape, gain)
 
@@ -146,19 +156,19 @@ def _accepted(
 def _filter(mode: Refined, reach: Sequence[Refined], far: Sequence[Refined]) -> tuple[Complex, list[Refined]]:
     """Return the filter of a mode (S,), and the neighbours that it does not remove."""
     removed: list[Refined] = []
-    left: list[Refined] = []
+    remaining: list[Refined] = []
     row = mode.shape.conj() / np.vdot(mode.shape, mode.shape).real
-    for some, limit in ((reach, AMPLIFIED), (far, AMPLIFIED_FAR)):
-        for one in sorted(some, key=lambda one: abs(one.frequency - mode.frequency)):
-            tried = [mode.shape, *(other.shape for other in removed), one.shape]
+    for group, limit in ((reach, AMPLIFIED), (far, AMPLIFIED_FAR)):
+        for neighbour in sorted(group, key=lambda neighbour: abs(neighbour.frequency - mode.frequency)):
+            tried = [mode.shape, *(removed_mode.shape for removed_mode in removed), neighbour.shape]
             inverse = np.linalg.pinv(np.column_stack(tried))[0]
             amplified = float(np.linalg.norm(inverse) * np.linalg.norm(mode.shape))
             if len(tried) <= len(mode.shape) and amplified < limit:
-                removed.append(one)
+                removed.append(neighbour)
                 row = inverse
             else:
-                left.append(one)
-    return row, left
+                remaining.append(neighbour)
+    return row, remaining
 
 
 def _powers(lines: Sequence[Lines], row: Complex, low: float, high: float) -> Powers:

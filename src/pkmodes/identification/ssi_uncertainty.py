@@ -54,7 +54,7 @@ def sigma(
     order : Order
     i : int
     scales : ndarray, shape (S,)
-        What a response is multiplied by for its shape component.
+        Factors from responses to components of the shape.
     """
     s = complex(part.pole(order.values[i : i + 1])[0])
     variances = np.zeros(2)
@@ -70,15 +70,19 @@ def sigma(
         ratio = (changes - (shape / shape[largest]) * changes[:, largest : largest + 1]) / shape[largest]
         variances += [_variance(dabs) / (2.0 * math.pi) ** 2, _variance(dzeta)]
         of_shape += [_variance(column) for column in ratio.real.T]
-    others = np.delete(of_shape, largest)
+    other_variances = np.delete(of_shape, largest)
     frequency, damping = np.sqrt(variances)
-    return Sigma(float(frequency), float(damping), math.sqrt(float(others.mean())) if others.size else 0.0)
+    return Sigma(
+        float(frequency),
+        float(damping),
+        math.sqrt(float(other_variances.mean())) if other_variances.size else 0.0,
+    )
 
 
 def _changes(
     lines: Lines, part: Part, references: Array, first: int, order: Order, i: int
 ) -> tuple[Complex, Complex]:
-    """Return what each line contributes to eigenvalue and shape: (F,) and (F, S)."""
+    """Return the contribution of each line to eigenvalue and shape: (F,) and (F, S)."""
     Y = lines.values
     S, r = references.shape
     blocks = order.rows.shape[1] // S

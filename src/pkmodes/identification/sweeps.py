@@ -1,4 +1,4 @@
-"""Where the line of a sweep begins, ends, turns or stands: no mode can be told there.
+"""Where the line of a sweep begins, ends, turns back or stands still: no mode can be identified there.
 
 While a motor changes its speed, orders of it, also those of its steps and bearings, pass through the band, and excite
 modes as they pass.  Where an order begins or ends, the spectrum has an edge or a peak as well, which nothing in it
@@ -19,25 +19,25 @@ from pkmodes.identification.level import along_shape, followed
 from pkmodes.identification.ssi_bands import Lines
 from pkmodes.identification.ssi_selection import Refined
 
-#: Half width of the band-pass in half bandwidths of the peak, and at least in parts of the frequency.
+#: Half width of the band-pass: in half bandwidths of the peak, and the least relative to the frequency.
 WIDE, LEAST_WIDE = 3.0, 0.015
-#: Half bandwidths from a peak at which a line has passed it; at least this part of the half width of the band-pass,
-#: within which noise moves a frequency.
+#: Distance at which a line has passed a peak: in half bandwidths, and the least relative to the half width of the
+#: band-pass, within which noise shifts a frequency.
 PASSED, LEAST_PASSED = 1.75, 0.25
-#: Power relative to the highest below which nothing is left of a line.
+#: Power, relative to the highest, below which a line is gone.
 LEFT = 1e-3
-#: The same where what remains is of another mode, into which the first has faded; a line that moves is as strong.
+#: The same if the first mode has faded into another mode; a moving line stays as strong.
 FADED = 0.1
-#: Part of the time in which a mode rings down to that, before which a line is gone at once.
+#: Fraction of the time in which a mode rings down to `LEFT`: a line that is gone earlier is gone at once.
 AT_ONCE = 0.5
-#: Least share of the power near a frequency that is in one pass, and the longest pass as a part of the record.
+#: Least share of the power near a frequency that is in one pass, and longest pass as a fraction of the record.
 ONE_PASS, SHORT = 0.6, 0.25
 #: Standard deviations of the kernel of the band-pass over which a frequency is averaged.
 AVERAGED = 2.0
 
 
 def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
-    """Return whether the line of a sweep begins, ends, turns or stands at a mode.
+    """Return whether the line of a sweep begins, ends, turns back or stands still at a mode.
 
     Parameters
     ----------
@@ -69,12 +69,12 @@ def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
         moved.append(float(np.sign(away[side][passed])) if passed < min(gone, len(away[side])) else 0.0)
         samples.append(min(passed, gone))
     one_pass = power[max(top - samples[0], 0) : top + samples[1] + 1].sum()
-    every = power[np.abs(away) < reach].sum()
+    all_power = power[np.abs(away) < reach].sum()
     comes = any(moved) and moved[0] * moved[1] >= 0.0  # a line that moves, and does not pass
-    return bool(comes and one_pass > ONE_PASS * every > 0.0 and sum(samples) < SHORT * len(away))
+    return bool(comes and one_pass > ONE_PASS * all_power > 0.0 and sum(samples) < SHORT * len(away))
 
 
 def _first(held: NDArray[np.bool_], count: int) -> int:
-    """Return the first place from which a condition holds for so many samples; the length if it never does."""
-    found = np.flatnonzero(np.convolve(held, np.ones(count))[count - 1 : len(held)] >= count)
-    return int(found[0]) if found.size else len(held)
+    """Return the first index from which a condition holds for `count` samples; the length if it never does."""
+    starts = np.flatnonzero(np.convolve(held, np.ones(count))[count - 1 : len(held)] >= count)
+    return int(starts[0]) if starts.size else len(held)

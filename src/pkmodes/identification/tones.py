@@ -24,25 +24,25 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Power of a line relative to the median of its surroundings, and half the width of these in lines.
+#: Least power of a line relative to the median of its surroundings, and the half width of these in lines.
 STANDS_OUT, SURROUNDINGS = 40.0, 40
-#: Segments, and the least share of power with constant complex amplitude of a tone.
+#: Segments, and least share of a tone's power that has constant complex amplitude.
 SEGMENTS, CONSTANT = 12, 0.85
-#: A given tone is searched within this fraction of its frequency, and this many lines.
+#: A stated tone is searched within this fraction of its frequency, plus this many lines.
 NEAR, NEAR_LINES = 0.003, 2.0
-#: Times that a tone is fitted and subtracted, as the first leaves a little if its frequency drifts; and that each
-#: line is tried.
+#: Number of times that a tone is fitted and subtracted, as the first leaves a remainder if its frequency drifts; and
+#: that each line is tried.
 PASSES = 2
-#: Largest distance from a multiple of the step, in steps, that the arithmetic of a conversion of units leaves.
+#: Largest distance from a multiple of the step, in steps, that the arithmetic of unit conversion leaves.
 OFF_STEP = 0.01
-#: Differences relative to the range that are arithmetic, too.
+#: Differences, relative to the range, that are arithmetic too.
 ARITHMETIC = 1e-9
-#: Power besides strong tones relative to that of the rounding, up to which there is nothing but rounding.
+#: Largest power besides strong tones, relative to that of the rounding, for which there is nothing but rounding.
 ALONE = 1.25
 #: Rounding of any arithmetic, relative to the mean square of the record: no instrument has a range of 140 dB.
 RANGE = 1e-14
-#: A tone is strong if a line at it has this many times the power of the rounding; lines that it may reach on either
-#: side, and the largest share of all lines that strong tones may reach.
+#: Least power of a line at a strong tone, relative to that of the rounding; lines that it may affect on either side;
+#: and largest share of all lines that strong tones may affect.
 STRONG, REACH, SHARE = 100.0, 40, 0.25
 
 
@@ -55,7 +55,7 @@ class Tone:
     frequency : float
         In Hz.
     sentence : str
-        What to say of it.
+        Message about it.
     """
 
     frequency: float
@@ -63,7 +63,7 @@ class Tone:
 
 
 def no_bandwidth(frequency: float) -> str:
-    """Return what to say of a tone that was found."""
+    """Return a message about a tone that was found."""
     return f"{frequency:.4g} Hz is a line without bandwidth: a tone, no mode"
 
 
@@ -73,7 +73,7 @@ def around(band: tuple[float, float]) -> tuple[float, float]:
 
 
 def find_tones(
-    t_step: float, pieces: Sequence[Array], band: tuple[float, float], given: Sequence[float] = ()
+    t_step: float, pieces: Sequence[Array], band: tuple[float, float], stated_tones: Sequence[float] = ()
 ) -> list[Tone]:
     """Return the tones of a record in and near the band, by frequency.
 
@@ -84,7 +84,7 @@ def find_tones(
     pieces : sequence of ndarray, shape (N, S)
     band : tuple of float
         In Hz.
-    given : sequence of float
+    stated_tones : sequence of float
         Frequencies that, with their multiples, are tones whatever they look like [Hz].
     """
     piece = max(pieces, key=len)
@@ -92,59 +92,59 @@ def find_tones(
     seconds = len(signal) * t_step
     power = (np.abs(np.fft.rfft(signal * np.hanning(len(signal))[:, None], axis=0)) ** 2).sum(axis=1)
     f = np.asarray(np.fft.rfftfreq(len(signal), t_step), float)
-    found = [
+    tones = [
         Tone(at, f"{at:.4g} Hz is given as a tone or is a multiple of one: no mode")
-        for at in _given(f, power, band, given, seconds)
+        for at in _given(f, power, band, stated_tones, seconds)
     ]
     peaks = _peaks(power, *np.searchsorted(f, around(band)))
     for k in PASSES * peaks:  # again, as a tone found later may have hidden this one
-        if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in found):
+        if any(abs(f[k] - tone.frequency) * seconds < 4.0 for tone in tones):
             continue
         at = _refined(signal, t_step, float(f[k]))
         if _constant_share(signal, t_step, at) > CONSTANT:
             signal = signal - _sinusoid(signal, t_step, at)
-            found.append(Tone(at, no_bandwidth(at)))
-    return sorted(found, key=lambda tone: tone.frequency)
+            tones.append(Tone(at, no_bandwidth(at)))
+    return sorted(tones, key=lambda tone: tone.frequency)
 
 
 def without_tones(
     t_step: float, pieces: Sequence[Array], tones: Sequence[Tone], band: tuple[float, float]
 ) -> list[Array]:
     """Return the pieces of a record (N, S) without tones [Hz]."""
-    left = [np.array(piece, float) for piece in pieces]
+    cleaned = [np.array(piece, float) for piece in pieces]
     inside = [tone for tone in tones if 0.5 * band[0] < tone.frequency < 2.0 * band[1]]
-    for piece in left:
+    for piece in cleaned:
         for tone in inside:
             for _ in range(PASSES):
                 at = _refined(piece, t_step, tone.frequency)
                 piece -= _sinusoid(piece, t_step, at)
-    return left
+    return cleaned
 
 
 def _given(
-    f: Array, power: Array, band: tuple[float, float], given: Sequence[float], seconds: float
+    f: Array, power: Array, band: tuple[float, float], stated_tones: Sequence[float], seconds: float
 ) -> list[float]:
-    """Return where the given tones and their multiples are in the band."""
-    found = []
-    for one in given:
-        for multiple in range(1, int(1.05 * band[1] / one) + 1):
-            at = multiple * one
+    """Return the frequencies of the stated tones and their multiples in the band."""
+    frequencies = []
+    for tone in stated_tones:
+        for multiple in range(1, int(1.05 * band[1] / tone) + 1):
+            at = multiple * tone
             reach = min(NEAR * at, 0.5) + NEAR_LINES / seconds
             near = slice(*np.searchsorted(f, [at - reach, at + reach]))
             if at > 0.9 * band[0] and power[near].size:
-                found.append(float(f[near][np.argmax(power[near])]))
-    return found
+                frequencies.append(float(f[near][np.argmax(power[near])]))
+    return frequencies
 
 
 def _peaks(power: Array, low: int, high: int) -> list[int]:
     """Return the lines that stand out of their surroundings, the strongest first."""
-    found = []
+    peaks = []
     for k in range(max(low, 2), min(high, len(power) - 2)):
         if power[k] == power[k - 2 : k + 3].max():
             around = np.median(power[max(k - SURROUNDINGS, 0) : k + SURROUNDINGS + 1])
             if power[k] > STANDS_OUT * around:
-                found.append(k)
-    return sorted(found, key=lambda k: -power[k])
+                peaks.append(k)
+    return sorted(peaks, key=lambda k: -power[k])
 
 
 def _refined(signal: Array, t_step: float, near: float) -> float:
@@ -199,14 +199,14 @@ def tones_alone(
     tones: Sequence[Tone],
     band: tuple[float, float],
 ) -> list[Tone] | None:
-    """Return the strong tones of a record that without them is the rounding of its numbers; None for any other.
+    """Return the strong tones of a record that is otherwise only the rounding of its numbers; None for any other.
 
     Parameters
     ----------
     t_step : float
         In s.
     pieces, without_tones : sequence of ndarray, shape (N, S)
-        The record, and what is left of it without its tones.
+        The record, and its remainder without its tones.
     tones : sequence of Tone
         Those that were found in and near the band.
     band : tuple of float
@@ -218,8 +218,8 @@ def tones_alone(
     before, after = _powers(whole), _powers(without_tones[longest][:, live])
     f = np.arange(len(after)) / (t_step * len(whole))
     of_steps = np.array([step_of(column) ** 2 / 12.0 for column in whole.T])
-    # That of the arithmetic is so small that nothing else is below it in the band; of the whole rounding of steps the
-    # band has a share that nobody knows.
+    # The rounding of the arithmetic is so small that nothing else is below it in the band; the share of the rounding
+    # of steps that lies in the band is unknown.
     low, high = around(band)
     inside = (f > low) & (f < high)
     for floor, counted in ((of_steps, np.full(len(f), True)), (RANGE * whole.var(axis=0), inside)):

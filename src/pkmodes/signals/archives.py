@@ -37,21 +37,21 @@ from pkmodes.support.ordering import listed
 T = TypeVar("T")
 #: A time and three accelerations.
 Row = tuple[float, float, float, float]
-#: Bytes that a record may have when it is unpacked: some, and so many times its file; and in all.  A table of
-#: measured numbers that is compressed has a tenth of its size at least.
+#: Most bytes of an unpacked record: a base, plus this multiple of its file's size; and in all.  A table of measured
+#: numbers compresses to no less than a tenth of its size.
 ROOM, EXPANDED, LARGEST = 16_000_000, 20, 500_000_000
-#: Bytes that are unpacked at a time, each of which may become 32,000; and what a file may refer back to.
+#: Bytes unpacked at a time, each of which may become 32,000; and the window to which a file may refer back.
 BLOCK, WINDOW = 128, 1 << 23
-#: Files of an archive, and measurements of a file, at most.
+#: Most files in an archive, and measurements in a file.
 MOST_FILES = 20_000
-#: Bytes of samples that are read at once, and what is between two of them.
+#: Bytes of samples read at once, and what separates two samples.
 PART, ROW_END = 1 << 16, re.compile(rb"(\])\s*,\s*(?=\[)")
 ZSTANDARD, GZIP, ZIP = b"\x28\xb5\x2f\xfd", b"\x1f\x8b", WORKBOOKS[0]
-#: The first byte of what Shake&Tune wrote before version 5.1, which runs code where it is read.
+#: The first byte of files from Shake&Tune before version 5.1: pickles, which run code when they are read.
 PICKLE = b"\x80"
-#: What the columns of samples are, and the unit in which Klipper measures accelerations.
+#: The columns of samples, and the unit in which Klipper measures accelerations.
 COLUMNS, UNIT = ("time", "accel_x", "accel_y", "accel_z"), "mm/s^2"
-#: What only a workbook has, which is an archive too.
+#: A file found only in workbooks, which are archives too.
 OF_WORKBOOKS = "[Content_Types].xml"
 INCOMPLETE = "the file is damaged or incomplete: copy it again"
 UNPACK = "unpack it, and name its files in the record"
@@ -69,7 +69,7 @@ class Measurement(Named):
     samples: msgspec.Raw
 
 
-def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
+def read_shake_and_tune(path: Path, request: Asked) -> SignalFile:
     """Read one measurement of Shake&Tune.
 
     Raises
@@ -82,19 +82,20 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
     kept = bytearray()
     for number, line in enumerate(_lines(_unpacked(path, source)), start=1):
         if number == 1 and line.startswith(PICKLE):
-            what = "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it before version 5.1"
+            problem = "expected measurements in JSON, found a Python pickle, as Shake&Tune wrote it "
+            problem += "before version 5.1"
             remedy = f"write each as a table {','.join(COLUMNS)}, or measure again with a newer version"
-            raise MeasurementError(what, source, remedy)
+            raise MeasurementError(problem, source, remedy)
         name = _decoded(line, Named, f"{source}: line {number}").name
         if len(names) == MOST_FILES:
             raise MeasurementError(
                 f"expected at most {MOST_FILES:,} measurements, found more", source, INCOMPLETE
             )
-        if name == asked.member or names.keys() <= {name}:
+        if name == request.member or names.keys() <= {name}:
             kept = line
         names[name] = None
         del line
-    chosen = _chosen(names, asked.member, source, "measurement")
+    chosen = _chosen(names, request.member, source, "measurement")
     where = f"{source}/{chosen}"
     parts = list(_samples(_decoded(kept, Measurement, where).samples, where))
     del kept
@@ -103,15 +104,15 @@ def read_shake_and_tune(path: Path, asked: Asked) -> SignalFile:
     def variable(name: str, values: Array) -> Variable:
         return Variable(name, "an array", values.shape, lambda: values)
 
-    found = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
-    found[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
-    read = functions_of(found, where, replace(asked, member=""), "Shake&Tune")
-    return replace(read, functions=tuple(replace(one, unit=UNIT) for one in read.functions))
+    variables = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
+    variables[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
+    read = functions_of(variables, where, replace(request, member=""), "Shake&Tune")
+    return replace(read, functions=tuple(replace(function, unit=UNIT) for function in read.functions))
 
 
-def _samples(given: msgspec.Raw, where: str) -> Iterator[Array]:
-    """Yield parts of the samples, (n, 4): as objects of Python all of them would take five times their text."""
-    text = memoryview(given)
+def _samples(raw_samples: msgspec.Raw, where: str) -> Iterator[Array]:
+    """Yield parts of the samples, (n, 4): as Python objects, all of them would take five times the text's memory."""
+    text = memoryview(raw_samples)
     if bytes(text[:1]) != b"[":
         raise MeasurementError("expected a measurement of Shake&Tune: no list of samples", where, INCOMPLETE)
     start, end = 1, len(text) - 1
@@ -127,8 +128,8 @@ def _decoded(line: bytes | bytearray, kind: type[T], where: str) -> T:
     try:
         return msgspec.json.decode(line, type=kind)
     except RecursionError:
-        what = "expected a measurement of Shake&Tune, found lists in very many lists"
-        raise MeasurementError(what, where, INCOMPLETE) from None
+        problem = "expected a measurement of Shake&Tune, found lists in very many lists"
+        raise MeasurementError(problem, where, INCOMPLETE) from None
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise MeasurementError(f"expected a measurement of Shake&Tune: {error}", where, INCOMPLETE) from None
 
@@ -149,32 +150,32 @@ def _lines(parts: Iterable[bytes]) -> Iterator[bytearray]:
 
 
 def _unpacked(path: Path, source: str) -> Iterator[bytes]:
-    """Yield what a file of one or several frames of Zstandard holds, part by part."""
+    """Yield the content of a file of one or several Zstandard frames, part by part."""
     try:
         import zstandard
     except ImportError:
-        what = "expected signals, found a file compressed by Zstandard, which needs the library zstandard"
-        raise MeasurementError(what, source, "install it with pip install 'pkmodes[zstd]'") from None
-    unpacking, total, most = zstandard.ZstdDecompressor(max_window_size=WINDOW), 0, _most_unpacked(path)
+        problem = "expected signals, found a file compressed by Zstandard, which needs the library zstandard"
+        raise MeasurementError(problem, source, "install it with pip install 'pkmodes[zstd]'") from None
+    unpacking, total, limit = zstandard.ZstdDecompressor(max_window_size=WINDOW), 0, _most_unpacked(path)
     frame = unpacking.decompressobj()
     with path.open("rb") as file:
-        left = b""
-        while left or (left := file.read(BLOCK)):
+        unread = b""
+        while unread or (unread := file.read(BLOCK)):
             if frame.eof:
                 frame = unpacking.decompressobj()
             try:
-                part = frame.decompress(left)
+                part = frame.decompress(unread)
             except zstandard.ZstdError as error:
                 raise MeasurementError(f"cannot unpack the file: {error}", source, INCOMPLETE) from None
-            left = frame.unused_data
+            unread = frame.unused_data
             total += len(part)
-            _check_size(total, most, source, "record less in one file")
+            _check_size(total, limit, source, "record less in one file")
             yield part
     if not frame.eof:
         raise MeasurementError("expected a complete file, found its beginning", source, INCOMPLETE)
 
 
-def read_archive(path: Path, asked: Asked) -> SignalFile:
+def read_archive(path: Path, request: Asked) -> SignalFile:
     """Read one table of a zip or tar archive.
 
     Raises
@@ -182,19 +183,19 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If it is damaged, or has no such table.
     """
-    source, most = fspath(path), _most_unpacked(path)
+    source, limit = fspath(path), _most_unpacked(path)
     try:
         with path.open("rb") as file:
             zipped = file.read(len(ZIP)) == ZIP
         with opened_zip(path) if zipped else nullcontext() as archive:
-            files = _of_zip(archive, most, source) if archive else _of_tar(path, most, source)
+            files = _of_zip(archive, limit, source) if archive else _of_tar(path, limit, source)
             if OF_WORKBOOKS in files:
                 check_text(ZIP, source)
             tables = {name: load for name, load in files.items() if _is_table(name)}
             if not tables:
-                what = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
-                raise MeasurementError(what, source, UNPACK)
-            chosen = _chosen(tables, asked.member, source, "table")
+                problem = f"expected an archive of tables, found {listed([*map(shown, files)], 4) or 'nothing'} in it"
+                raise MeasurementError(problem, source, UNPACK)
+            chosen = _chosen(tables, request.member, source, "table")
             content = [tables[chosen]()]
     except MeasurementError:
         raise
@@ -203,70 +204,72 @@ def read_archive(path: Path, asked: Asked) -> SignalFile:
             raise
         reason = (str(error) or type(error).__name__).splitlines()[0].rstrip(":")
         raise MeasurementError(f"cannot read the archive: {reason}", source, UNPACK) from None
-    return tabulated(content.pop(), f"{source}/{chosen}", asked)  # which may then forget it
+    return tabulated(content.pop(), f"{source}/{chosen}", request)  # which may then release it
 
 
 def _is_table(name: str) -> bool:
-    """Return whether a file of an archive is a table, and not one that macOS puts beside each."""
+    """Return whether a file in an archive is a table, and not one of those that macOS adds beside each file."""
     place = PurePosixPath(name)
     return place.suffix.lower() in TABLE.suffixes and not place.name.startswith(".")
 
 
-def _of_zip(archive: zipfile.ZipFile, most: int, source: str) -> dict[str, Callable[[], bytes]]:
-    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
+def _of_zip(archive: zipfile.ZipFile, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
+    """Return a function for each file of an archive, by name, that reads it if it has at most `limit` bytes."""
 
-    def load(one: zipfile.ZipInfo) -> bytes:
-        _check_size(one.file_size, most, source)
-        with archive.open(one) as file:
-            return file.read(most)
+    def load(entry: zipfile.ZipInfo) -> bytes:
+        _check_size(entry.file_size, limit, source)
+        with archive.open(entry) as file:
+            return file.read(limit)
 
-    return {one.filename: partial(load, one) for one in archive.infolist() if not one.is_dir()}
+    return {entry.filename: partial(load, entry) for entry in archive.infolist() if not entry.is_dir()}
 
 
-def _of_tar(path: Path, most: int, source: str) -> dict[str, Callable[[], bytes]]:
-    """Return the files of an archive by name, and how each is read, if it has at most so many bytes."""
+def _of_tar(path: Path, limit: int, source: str) -> dict[str, Callable[[], bytes]]:
+    """Return a function for each file of an archive, by name, that reads it if it has at most `limit` bytes."""
 
     def load(number: int) -> bytes:
-        files = tar_files(path)  # which closes the archive when it is forgotten
-        one = next(islice(files, number, None))
-        _check_size(one.size, most, source)
-        return one.read(most)
+        files = tar_files(path)  # closes the archive when it is released
+        entry = next(islice(files, number, None))
+        _check_size(entry.size, limit, source)
+        return entry.read(limit)
 
-    found: dict[str, Callable[[], bytes]] = {}
+    loaders: dict[str, Callable[[], bytes]] = {}
     total = 0
-    for number, one in enumerate(tar_files(path)):
-        total += one.size
-        _check_size(total, LARGEST, source)  # before the next one is looked for, which unpacks this one
-        found[one.name] = partial(load, number)
+    for number, entry in enumerate(tar_files(path)):
+        total += entry.size
+        _check_size(total, LARGEST, source)  # before looking for the next one, which unpacks this one
+        loaders[entry.name] = partial(load, number)
         if number == MOST_FILES:
-            what = f"expected an archive of at most {MOST_FILES:,} files, found more"
-            raise MeasurementError(what, source, UNPACK)
-    return found
+            problem = f"expected an archive of at most {MOST_FILES:,} files, found more"
+            raise MeasurementError(problem, source, UNPACK)
+    return loaders
 
 
 def _most_unpacked(path: Path) -> int:
-    """Return the bytes that a record in a file may have."""
+    """Return the largest allowed size of an unpacked record in a file [bytes]."""
     return min(LARGEST, ROOM + EXPANDED * path.stat().st_size)
 
 
-def _check_size(size: int, most: int, source: str, remedy: str = UNPACK) -> None:
-    if size > most:
-        what = f"expected at most {most / 1e6:.4g} MB when unpacked, found more"
-        raise MeasurementError(what, source, remedy)
+def _check_size(size: int, limit: int, source: str, remedy: str = UNPACK) -> None:
+    if size > limit:
+        problem = f"expected at most {limit / 1e6:.4g} MB when unpacked, found more"
+        raise MeasurementError(problem, source, remedy)
 
 
-def _chosen(names: Mapping[str, object], asked: str, source: str, what: str) -> str:
-    """Return the name that is asked for; the only one where none is."""
-    if asked in names:
-        return asked
-    every = listed([*map(shown, names)], 6)
-    if asked:
-        remedy = nearest(asked, names, f"it has {every}")
-        raise MeasurementError(f"expected a {what} {shown(asked)}, found none", source, remedy)
+def _chosen(names: Mapping[str, object], requested_name: str, source: str, record_kind: str) -> str:
+    """Return the requested name; the only one if none is requested."""
+    if requested_name in names:
+        return requested_name
+    listing = listed([*map(shown, names)], 6)
+    if requested_name:
+        remedy = nearest(requested_name, names, f"it has {listing}")
+        raise MeasurementError(
+            f"expected a {record_kind} {shown(requested_name)}, found none", source, remedy
+        )
     if len(names) != 1:
-        found = f"expected one {what}, found {len(names) or 'none'}"
+        problem = f"expected one {record_kind}, found {len(names) or 'none'}"
         example = shown(f"{Path(source).name}/{next(iter(names), 'NAME')}")
-        raise MeasurementError(found, source, f"name the one that is meant, files = [{example}]: {every}")
+        raise MeasurementError(problem, source, f"name the one that is meant, files = [{example}]: {listing}")
     return next(iter(names))
 
 

@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.functions import Array
 
-#: A frequency response needs two lines to have a spacing, a signal two samples to have a rate.
+#: Fewest points: a frequency response needs two lines for a spacing, a signal two samples for a rate.
 FEWEST = 2
-#: How far a coherence may lie outside 0 to 1: what sums over a thousand averages in single precision, or four
-#: decimals, leave of rounding.  More is another quantity, or another unit.
+#: Largest distance of a coherence from the range 0 to 1: rounding of sums over a thousand averages in single
+#: precision, or of four decimals.  More is another quantity, or another unit.
 ROUNDING = 1e-4
-#: Largest values, at least and at most, of a coherence in per cent: one up to 2 % would be no measurement.
+#: Range of the largest value of a coherence in per cent: one that stays below 2 % would be no measurement.
 PER_CENT = (2.0, 100.0 * (1.0 + ROUNDING))
 
 
@@ -25,22 +25,22 @@ def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
     Parameters
     ----------
     before : int
-        How many values of the same signal came before them.
+        Number of values of the same signal before them.
 
     Raises
     ------
     MeasurementError
-        With the number of the first one.
+        With the number of the first bad value.
     """
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
-        with np.errstate(invalid="ignore"):  # some of single precision that are no numbers
-            what = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
-        raise MeasurementError(what, where, "export the file again, or leave this signal out of it")
+        with np.errstate(invalid="ignore"):  # some NaN of single precision
+            problem = f"expected finite numbers, found {values[bad[0]]} as value {before + bad[0] + 1}"
+        raise MeasurementError(problem, where, "export the file again, or leave this signal out of it")
 
 
 def within(abscissa: Array, band: tuple[float, float] | None) -> slice:
-    """Return the points of an ascending abscissa in a band, all without one."""
+    """Return the points of an ascending abscissa in a band; all points if the band is None."""
     if band is None:
         return slice(0, abscissa.size)
     return slice(int(np.searchsorted(abscissa, band[0])), int(np.searchsorted(abscissa, band[1], "right")))
@@ -55,19 +55,19 @@ def check_abscissa(abscissa: Array, where: str) -> None:
         With the number of the first wrong point.
     """
     if abscissa.size < FEWEST:
-        what = f"expected at least {FEWEST} points, found {abscissa.size or 'none'}"
-        raise MeasurementError(what, where, "export the whole measurement")
+        problem = f"expected at least {FEWEST} points, found {abscissa.size or 'none'}"
+        raise MeasurementError(problem, where, "export the whole measurement")
     check_finite(abscissa, where)
     late = np.flatnonzero(np.diff(abscissa) <= 0.0)
     if late.size:
         before, after = abscissa[late[0]], abscissa[late[0] + 1]
-        what = f"expected ascending times or frequencies, found {after:.10g} after {before:.10g}"
+        problem = f"expected ascending times or frequencies, found {after:.10g} after {before:.10g}"
         remedy = "sort the points, and give each time or frequency once, with enough digits"
-        raise MeasurementError(what, f"{where}, point {late[0] + 2}", remedy)
+        raise MeasurementError(problem, f"{where}, point {late[0] + 2}", remedy)
 
 
 def outside_coherence(values: NDArray[Any]) -> tuple[int, str, str] | None:
-    """Return the index of the first coherence that is none, what is wrong with it and what to do; None if all are.
+    """Return the index of the first invalid coherence, the problem and its remedy; None if all are valid.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def check_coherence(values: NDArray[Any], where: str) -> None:
     MeasurementError
         With the number of the first wrong value.
     """
-    found = outside_coherence(values)
-    if found is not None:
-        index, what, remedy = found
-        raise MeasurementError(f"{what} as value {index + 1}", where, remedy)
+    fault = outside_coherence(values)
+    if fault is not None:
+        index, problem, remedy = fault
+        raise MeasurementError(f"{problem} as value {index + 1}", where, remedy)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.signals.functions import Array
 
 EPOCH = datetime(1970, 1, 1)
-#: [us].
+#: Length of a day [us].
 DAY = 86_400_000_000
 
 
@@ -34,7 +34,7 @@ def seconds_of(texts: Iterable[str]) -> tuple[Array, int | None]:
     seconds : ndarray, shape (n,)
         [s].
     bad : int or None
-        The first text that is none.
+        Index of the first text that is no time.
     """
     moments = array("q")
     for i, text in enumerate(texts):
@@ -42,15 +42,15 @@ def seconds_of(texts: Iterable[str]) -> tuple[Array, int | None]:
         if value is None:
             return np.zeros(0), i
         moments.append(value)
-    found: NDArray[np.int64] = np.frombuffer(moments, np.int64) if moments else np.zeros(0, np.int64)
-    first = found[:1].copy()
-    if found.size and first[0] < DAY:  # without dates: a step back by most of a day is midnight
-        days = np.cumsum(found[1:] - found[:-1] < -DAY // 2, dtype=np.int64)
+    microseconds: NDArray[np.int64] = np.frombuffer(moments, np.int64) if moments else np.zeros(0, np.int64)
+    first = microseconds[:1].copy()
+    if microseconds.size and first[0] < DAY:  # without dates: a step back by most of a day is midnight
+        days = np.cumsum(microseconds[1:] - microseconds[:-1] < -DAY // 2, dtype=np.int64)
         days *= DAY
-        found[1:] += days
+        microseconds[1:] += days
         del days
-    found -= first
-    seconds = found.astype(np.float64)
+    microseconds -= first
+    seconds = microseconds.astype(np.float64)
     seconds *= 1e-6
     return seconds, None
 

@@ -22,20 +22,20 @@ from pkmodes.signals.checks import check_abscissa, check_finite
 from pkmodes.signals.functions import Array, Complex
 from pkmodes.signals.scanning import INCOMPLETE, Binary, Scanner, read_numbers, text_of
 
-#: Lines of the header at least.
+#: Fewest lines of the header.
 LINES = 11
 #: Suffixes of the names of degrees of freedom by the number of their direction.
 DIRECTIONS = {
-    one * number: f":{sign}{name}"
+    factor * number: f":{sign}{name}"
     for number, name in enumerate(("X", "Y", "Z", "RX", "RY", "RZ"), start=1)
-    for one, sign in ((1, "+"), (-1, "-"))
+    for factor, sign in ((1, "+"), (-1, "-"))
 }
 #: Ordinate data types: whether the values are complex, and of double precision.
 ORDINATES = {2: (False, False), 4: (False, True), 5: (True, False), 6: (True, True)}
 #: Columns in which the fields of a line begin and end.
 DOFS = ((0, 5), (20, 30), (41, 51), (51, 55), (66, 76), (76, 80))
 FORM = ((0, 10), (10, 20), (20, 30), (30, 43), (43, 56))
-#: Points that are converted at once.
+#: Points converted at once.
 CHUNK = 1_000_000
 
 T = TypeVar("T")
@@ -43,7 +43,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Axis:
-    """What a header says of an axis: its specific data type, and the label of its unit."""
+    """An axis in a header: its specific data type, and the label of its unit."""
 
     data_type: int
     label: str
@@ -91,12 +91,12 @@ def read_header(scanner: Scanner, lines: int = LINES) -> Header:
     scanner : Scanner
         At the line after the number of the dataset.
     lines : int
-        How many the dataset declares.
+        Number that the dataset declares.
 
     Raises
     ------
     MeasurementError
-        If a field that is needed is missing or wrong.
+        If a required field is missing or wrong.
     """
     if not LINES <= lines <= 100:
         scanner.refuse(f"expected {LINES} header lines, found {lines} declared")
@@ -136,30 +136,30 @@ def rotates(dof: tuple[int, int]) -> bool:
 def _fields(
     scanner: Scanner,
     line: bytes,
-    what: str,
+    subject: str,
     columns: Sequence[tuple[int, int]],
     read: Callable[[str], T],
     split: bool = False,
 ) -> list[T]:
-    """Return the fields in some columns of a line, or between blanks if it is not in columns.
+    """Return the fields in given columns of a line, or between blanks if it is not in columns.
 
-    Letters outside ASCII take one column in some files, and one for each of their bytes in others.
+    A non-ASCII letter takes one column in some files, and one for each of its bytes in others.
     """
     texts = [line.decode("utf-8", "replace"), line.decode("latin-1")]
     cells = [[text[low:high].replace("D", "E") for low, high in columns] for text in texts]
     if split:
         cells.append(texts[1].replace("D", "E").split()[: len(columns)])
-    found: list[T] = []
-    for each in cells:
+    fields: list[T] = []
+    for row_cells in cells:
         try:
-            found = [read(cell) for cell in each]
+            fields = [read(cell) for cell in row_cells]
         except ValueError:
             continue
-        if len(found) == len(columns):
+        if len(fields) == len(columns):
             break
-    if len(found) != len(columns):
-        scanner.refuse(f"expected {what} in the header, found {shown(texts[1].strip())}")
-    return found
+    if len(fields) != len(columns):
+        scanner.refuse(f"expected {subject} in the header, found {shown(texts[1].strip())}")
+    return fields
 
 
 def _axis(scanner: Scanner, line: bytes) -> Axis:
@@ -169,7 +169,7 @@ def _axis(scanner: Scanner, line: bytes) -> Axis:
 
 @dataclass(frozen=True)
 class Stored:
-    """Points of a binary dataset in its file: their place, and their type with the fields ``y`` and perhaps ``x``."""
+    """Points of a binary dataset in its file: their place, and their type with a field ``y`` and perhaps ``x``."""
 
     path: Path
     offset: int
@@ -195,7 +195,7 @@ class Stored:
         return values
 
     def chunks(self, part: str) -> Iterator[NDArray[Any]]:
-        """Yield the field `part` of some points after the other, in the precision of the file.
+        """Yield the field `part` of chunks of points, in the precision of the file.
 
         Raises
         ------
@@ -222,7 +222,7 @@ class Points:
     Attributes
     ----------
     header : Header
-        What the dataset says of its data.
+        Describes the data.
     where : str
         The dataset, for messages.
     abscissa : ndarray or None
@@ -237,7 +237,7 @@ class Points:
     values: Array | Complex | Stored
 
     def check_finite(self, inside: slice) -> None:
-        """Refuse values that are not finite among some of the points.
+        """Refuse non-finite values in a range of points.
 
         Raises
         ------
@@ -261,14 +261,14 @@ def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
     scanner : Scanner
         At the line after the number of the dataset.
     binary : Binary, optional
-        How its data are stored, if not as text.
+        Storage of its data, if not as text.
     path : path
         The file.
 
     Raises
     ------
     MeasurementError
-        If it is not what it declares to be.
+        If it does not match what it declares.
     """
     if binary is None:
         return _from_text(scanner)
@@ -300,16 +300,16 @@ def _from_text(scanner: Scanner) -> Points:
 def _type(header: Header, binary: Binary, scanner: Scanner) -> np.dtype[Any]:
     """Return the type of a point, which must fill the bytes that the dataset declares.
 
-    pyuff declares those of one number for each point, whatever a point is.  Such a dataset is as long as its header
-    says, which is sound if it is closed there.
+    pyuff always declares the bytes of one number for each point.  Such a dataset has the length that its header
+    implies, which is valid if it is closed there.
     """
     size = 8 if header.double else 4
     values = ("y", f"{binary.order}{f'c{2 * size}' if header.complex else f'f{size}'}")
     types = [np.dtype([values])]
     if not header.even:
-        types = [np.dtype([("x", f"{binary.order}f{each}"), values]) for each in (size, 4)]
-    fitting = [one for one in types if header.count * one.itemsize == binary.bytes]
+        types = [np.dtype([("x", f"{binary.order}f{x_size}"), values]) for x_size in (size, 4)]
+    fitting = [point_type for point_type in types if header.count * point_type.itemsize == binary.bytes]
     if not fitting and binary.bytes != header.count * size:
-        what = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
-        scanner.refuse(f"{what}, found {binary.bytes} declared")
+        problem = f"expected {header.count * types[0].itemsize} bytes for {header.count} points"
+        scanner.refuse(f"{problem}, found {binary.bytes} declared")
     return (fitting or types)[0]

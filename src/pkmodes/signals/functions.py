@@ -1,4 +1,4 @@
-"""What a file of measured signals holds: functions of time or frequency, and mode shapes; and what is asked of it."""
+"""The content of a file of measured signals: functions of time or frequency, and mode shapes; and requests for it."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.support.ordering import listed
 
-#: What signals in time have beside sensors, and what a file may call otherwise: see `Asked.names`.
+#: The signal in time besides sensors, and the names that a file may replace: see `Asked.names`.
 FORCE = "force"
 WORDS = ("time", "frequency", FORCE)
-#: Names in a file that an error shows.
+#: Most names in a file that an error shows.
 MOST_NAMES = 12
 
 Array = NDArray[np.float64]
@@ -38,7 +38,7 @@ class Function:
     Attributes
     ----------
     kind : Kind
-        What it is.
+        Kind of function.
     response : str
         Name of the sensor: of the column, or of the degree of freedom of a universal file, such as ``12:+X``; ``12``
         without a direction.
@@ -55,7 +55,7 @@ class Function:
     force : bool
         Whether this is the excitation, in time.
     assumed : bool
-        Whether the file gives the kind of its values and no unit: ``unit`` is then that of SI.
+        Whether the file states the kind of its values but no unit: ``unit`` is then that of SI.
     """
 
     kind: Kind
@@ -85,35 +85,37 @@ class StoredFunction(Function):
     values: Array | Complex = field(init=False, repr=False)
 
     def __getattr__(self, name: str) -> Array | Complex:
-        # Called only for what the instance does not have; `values` is never set.
+        # Called only for missing attributes; `values` is never set.
         if name == "values":
             return self.load()
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
 
 
 def computed(
-    one: Function, of: Callable[[Array | Complex], Array | Complex], units: Sequence[str | None] | None = None
+    function: Function,
+    of: Callable[[Array | Complex], Array | Complex],
+    units: Sequence[str | None] | None = None,
 ) -> Function:
     """Return a function whose values are computed from those of another, at each access.
 
     Parameters
     ----------
     of : callable
-        From the values of the one to those of the other.
+        Computes the values from those of `function`.
     units : sequence of str or None, optional
-        Its unit and that of its denominator, if they are others.
+        Its unit and that of its denominator, if they differ.
     """
-    unit, reference_unit = units or (one.unit, one.reference_unit)
+    unit, reference_unit = units or (function.unit, function.reference_unit)
     return StoredFunction(
-        one.kind,
-        one.response,
-        one.reference,
-        one.abscissa,
+        function.kind,
+        function.response,
+        function.reference,
+        function.abscissa,
         unit,
         reference_unit,
-        one.force,
-        one.assumed,
-        load=lambda: of(one.values),
+        function.force,
+        function.assumed,
+        load=lambda: of(function.values),
     )
 
 
@@ -149,11 +151,11 @@ class SignalFile:
     modes : tuple of ModeShape
         In the order of the file.
     messages : tuple of str
-        What the user must know of a file that could be read: lost samples that it states, parts that were skipped.
+        What the user must know of a readable file: lost samples that it states, parts that were skipped.
     stated : mapping of str to str
-        What comments of a table state of it: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
+        Statements in comments of a table: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
     skipped : tuple of str
-        Why functions of the file are not among them.
+        Reasons why functions of the file are not included.
     """
 
     source: str
@@ -166,22 +168,22 @@ class SignalFile:
 
 @dataclass(frozen=True)
 class Asked:
-    """What is wanted of a file.
+    """A request for the content of a file.
 
     Attributes
     ----------
     rate : float, optional
         Sampling rate [Hz] of signals without a column of times.
     sensors : frozenset of str, optional
-        Names of the sensors whose functions are wanted; all by default.  Forces in time are always read.
+        Names of the sensors whose functions are requested; all by default.  Forces in time are always read.
     columns : tuple of str
         Names of the columns of a table, instead of its header; it may have none.
     band : tuple of float, optional
         Frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none.
     member : str
-        Which of the records in a file that holds several; "" for the only one.
+        Record in a file that holds several; "" for the only one.
     names : mapping of str to str
-        What the file calls ``time``, ``frequency``, ``force`` and sensors, by these names.
+        Names in the file of ``time``, ``frequency``, ``force`` and sensors, by these names.
     force : bool
         Whether signals in time need a force.
     """
@@ -195,17 +197,18 @@ class Asked:
     force: bool = False
 
     def wants(self, *names: str) -> bool:
-        """Return whether a sensor that has any of these names is wanted."""
+        """Return whether a sensor with any of these names is requested."""
         return self.sensors is None or not self.sensors.isdisjoint(names)
 
-    def own_names(self, given: Collection[str], where: str) -> dict[str, str]:
-        """Return what names in a file are called here, "" for those that stand back.
+    def own_names(self, names_in_file: Collection[str], where: str) -> dict[str, str]:
+        """Return the names used here for those in a file, "" for those that give way to another one.
 
-        As `names` says; else sensors and ``force`` are also those that differ by capitals alone, where only one does.
+        They follow `names`; otherwise a name that differs from a sensor's or ``force`` only in case is taken for it,
+        if there is just one.
 
         Parameters
         ----------
-        given : collection of str
+        names_in_file : collection of str
             Names in the file.
         where : str
             For messages.
@@ -213,27 +216,36 @@ class Asked:
         Raises
         ------
         MeasurementError
-            If the file lacks a name that `names` says, other than of a sensor.
+            If the file lacks a name that `names` gives, other than of a sensor.
         """
-        own: dict[str, str] = {}
+        own_names: dict[str, str] = {}
         for name, theirs in self.names.items():
-            place = _alike(theirs, given)
+            place = _alike(theirs, names_in_file)
             if place is not None:
-                own[place] = name
+                own_names[place] = name
             elif name in WORDS:
-                listing = listed([shown(one) for one in given if one], MOST_NAMES) or "none"
-                what = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
-                raise MeasurementError(what, where, nearest(theirs, given, "correct the names of the record"))
-        meant = set(own.values())
-        own |= {name: "" for name in given if name in meant and name not in own}
+                listing = (
+                    listed([shown(candidate) for candidate in names_in_file if candidate], MOST_NAMES)
+                    or "none"
+                )
+                problem = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
+                raise MeasurementError(
+                    problem, where, nearest(theirs, names_in_file, "correct the names of the record")
+                )
+        meant = set(own_names.values())
+        own_names |= {name: "" for name in names_in_file if name in meant and name not in own_names}
         for name in (*sorted(self.sensors or ()), FORCE):
-            free = [one for one in given if one not in own and not (self.sensors and one in self.sensors)]
-            if name not in given and name not in meant and (place := _alike(name, free)) is not None:
-                own[place] = name
-        return own
+            free = [
+                candidate
+                for candidate in names_in_file
+                if candidate not in own_names and not (self.sensors and candidate in self.sensors)
+            ]
+            if name not in names_in_file and name not in meant and (place := _alike(name, free)) is not None:
+                own_names[place] = name
+        return own_names
 
 
-def _alike(name: str, given: Collection[str]) -> str | None:
-    """Return the name that is this one, or the only one that differs from it by capitals alone."""
-    alike = {one for one in given if one.casefold() == name.casefold()}
-    return name if name in given else alike.pop() if len(alike) == 1 else None
+def _alike(name: str, names_in_file: Collection[str]) -> str | None:
+    """Return the name equal to this one, or the only one that differs from it only in case."""
+    alike = {candidate for candidate in names_in_file if candidate.casefold() == name.casefold()}
+    return name if name in names_in_file else alike.pop() if len(alike) == 1 else None

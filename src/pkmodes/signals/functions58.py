@@ -14,7 +14,7 @@ from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, name_of, rot
 from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, StoredFunction
 from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
 
-#: Function types that are read.
+#: Function types that can be read.
 KINDS = {
     1: Kind.TIME,
     2: Kind.SPECTRUM,
@@ -23,7 +23,7 @@ KINDS = {
     6: Kind.COHERENCE,
     9: Kind.SPECTRUM,
 }
-#: What function types are that are not read, as far as a reason can be given.
+#: Function types that cannot be read, where a reason can be given.
 OTHERS = {
     0: "general, which says nothing",
     5: "a transmissibility, whose poles are not those of the structure: the force must be measured",
@@ -33,7 +33,7 @@ OTHERS = {
     11: "a probability density",
     12: "a spectrum without averages",
 }
-#: Specific data types: of an ordinate, and of an abscissa, where 0 and 1 say nothing.
+#: Specific data types: of an ordinate, and of an abscissa, for which 0 and 1 state nothing.
 FORCE = 13
 TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
 
@@ -42,7 +42,7 @@ TIMES, FREQUENCIES = (0, 1, 17), (0, 1, 18)
 class Abscissas:
     """Even abscissas in s or Hz by start, step and number of points: functions share them."""
 
-    known: dict[tuple[float, float, int], Array] = field(default_factory=dict)
+    shared: dict[tuple[float, float, int], Array] = field(default_factory=dict)
 
     def of(self, points: Points, factor: float) -> Array:
         """Return the abscissa of a dataset, times a factor.
@@ -56,7 +56,7 @@ class Abscissas:
             return points.abscissa * factor
         header = points.header
         key = (header.start * factor, header.step * factor, header.count)
-        if key not in self.known:
+        if key not in self.shared:
             even = np.arange(header.count, dtype=np.float64)
             with np.errstate(over="ignore"):
                 even *= key[1]  # in place: a long record fills much of the memory
@@ -64,12 +64,12 @@ class Abscissas:
             check_abscissa(even[:2], points.where)  # the ends are the farthest from 0, where rounding is
             check_abscissa(even[-2:], points.where)
             even.flags.writeable = False
-            self.known[key] = even
-        return self.known[key]
+            self.shared[key] = even
+        return self.shared[key]
 
 
 def converted(values: Array | Complex, kind: Kind) -> Array | Complex:
-    """Return values as their kind has them: gaps are NaN, a cross spectrum has its magnitude, a coherence is real."""
+    """Return values in the form of their kind: NaN for gaps, the magnitude of a cross spectrum, a real coherence."""
     if kind is not Kind.TIME and not (finite := np.isfinite(values)).all():
         values = np.where(finite, values, np.nan)
     if kind is Kind.FRF or not np.iscomplexobj(values):
@@ -83,7 +83,7 @@ def _loaded(stored: Stored, kind: Kind) -> Array | Complex:
 
 
 def function_of(
-    points: Points, units: FileUnits, abscissas: Abscissas, asked: Asked
+    points: Points, units: FileUnits, abscissas: Abscissas, request: Asked
 ) -> Function | str | None:
     """Return the function in a dataset 58.
 
@@ -95,18 +95,18 @@ def function_of(
         Of the file.
     abscissas : Abscissas
         Of the functions before it; one is added.
-    asked : Asked
-        What is wanted of the file.
+    request : Asked
+        The request for the file.
 
     Returns
     -------
     Function, str or None
-        The function, None if its sensor is not wanted, or why it is skipped.
+        The function, None if its sensor is not requested, or why it is skipped.
 
     Raises
     ------
     MeasurementError
-        If it is not what its type requires.
+        If it does not satisfy the requirements of its type.
     """
     header = points.header
     kind = KINDS.get(header.function)
@@ -120,15 +120,15 @@ def function_of(
         return "it is the spectrum of a force"
     response = name_of(header.response)
     force = of_force and kind is Kind.TIME
-    if not (force or asked.wants(response)):
+    if not (force or request.wants(response)):
         return None
     factor = (seconds_in if kind is Kind.TIME else hertz_in)(header.abscissa.label) or 1.0
     abscissa = abscissas.of(points, factor)
-    points.check_finite(within(abscissa, None if kind is Kind.TIME else asked.band))
+    points.check_finite(within(abscissa, None if kind is Kind.TIME else request.band))
     _check(points, kind)
     unit, reference_unit = _units(header, kind, units)
     assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
-    known: dict[str, Any] = {
+    common: dict[str, Any] = {
         "kind": kind,
         "response": response,
         "reference": _reference(header, kind),
@@ -139,38 +139,38 @@ def function_of(
         "assumed": assumed,
     }
     if isinstance(points.values, Stored):
-        return StoredFunction(load=partial(_loaded, points.values, kind), **known)
-    return Function(values=converted(points.values, kind), **known)
+        return StoredFunction(load=partial(_loaded, points.values, kind), **common)
+    return Function(values=converted(points.values, kind), **common)
 
 
 def _check(points: Points, kind: Kind) -> None:
-    """Refuse data that a kind of function cannot have."""
+    """Refuse data that do not suit the kind of function."""
     header, remedy = points.header, "export it again as what it is"
     if kind is Kind.FRF and not header.complex:
-        what = "expected complex values of a frequency response, found real ones, which have no phase"
-        raise MeasurementError(what, points.where, remedy)
+        problem = "expected complex values of a frequency response, found real ones, which have no phase"
+        raise MeasurementError(problem, points.where, remedy)
     if kind is Kind.TIME and header.complex:
         raise MeasurementError(
             "expected real values of a time signal, found complex ones", points.where, remedy
         )
     if header.count < FEWEST:
-        what = f"expected at least {FEWEST} points, found {header.count}"
-        raise MeasurementError(what, points.where, "export the whole measurement")
+        problem = f"expected at least {FEWEST} points, found {header.count}"
+        raise MeasurementError(problem, points.where, "export the whole measurement")
     if kind is Kind.COHERENCE:
         values = points.values.read("y") if isinstance(points.values, Stored) else points.values
         check_coherence(converted(values, kind), points.where)
 
 
 def _reference(header: Header, kind: Kind) -> str:
-    """Return the name of the excitation; an automatic spectrum has its own sensor there, which is none."""
-    own = kind is Kind.SPECTRUM and header.reference == header.response
-    return "" if kind is Kind.TIME or own or header.reference == (0, 0) else name_of(header.reference)
+    """Return the name of the excitation; an auto spectrum states its own sensor there, which is no excitation."""
+    own_sensor = kind is Kind.SPECTRUM and header.reference == header.response
+    return "" if kind is Kind.TIME or own_sensor or header.reference == (0, 0) else name_of(header.reference)
 
 
 def _units(header: Header, kind: Kind, units: FileUnits) -> tuple[str | None, str | None]:
     """Return the units of the values, and of the force of a frequency response.
 
-    A label says what the numbers are in; the units of the file hold for functions without one.
+    A label states the unit of the numbers; the units of the file apply to functions without one.
     """
 
     def of_axis(axis: Axis, dof: tuple[int, int]) -> str | None:

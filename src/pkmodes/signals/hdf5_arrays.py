@@ -1,7 +1,7 @@
 """Arrays of numbers in MATLAB files of version 7.3, which are HDF5: read by h5py, an extra.
 
-A file of HDF5 may refer to itself and to others: links lead back to what holds them, or to another file, and values
-lie elsewhere.  Only what is in the file itself is opened.
+An HDF5 file may refer to itself and to others: links may lead back to their own group, or to another file, and values
+may be stored elsewhere.  Only content of the file itself is opened.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ from pkmodes.signals.variables import (
     no_numbers,
 )
 
-#: Structs in one another at most, and links that are followed to an object.
+#: Deepest nesting of structs, and most links that are followed to an object.
 DEEPEST, MOST_LINKS = 8, 64
-#: Bytes of the name of a class at most.
+#: Most bytes in the name of a class.
 LONGEST_CLASS = 64
-#: Number of the filter of HDF5 whose bytes become a thousand each at most.
+#: Number of the HDF5 filter that expands each byte to a thousand at most.
 DEFLATE = 1
-#: The parts of complex numbers, and classes that are none.
+#: The parts of complex numbers, and classes that are not numeric.
 PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of another type")
 
 
@@ -49,30 +49,30 @@ def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[Variable]]:
     try:
         import h5py
     except ImportError:
-        what = "expected a MATLAB file of version 7 or older, found version 7.3, which needs h5py"
+        problem = "expected a MATLAB file of version 7 or older, found version 7.3, which needs h5py"
         remedy = "install it with pip install 'pkmodes[hdf5]', or save the file with save -v7"
-        raise MeasurementError(what, source, remedy) from None
-    most = ROOM + EXPANDED * path.stat().st_size
+        raise MeasurementError(problem, source, remedy) from None
+    limit = ROOM + EXPANDED * path.stat().st_size
     with loaded(lambda: h5py.File(path, "r"), source, "MATLAB") as file:
-        yield loaded(lambda: at_most(_variables(file, "", most, {_address(file)})), source, "MATLAB")
+        yield loaded(lambda: at_most(_variables(file, "", limit, {_address(file)})), source, "MATLAB")
 
 
 def _address(item: Any) -> int:
-    """Return where an object is in the file: several links may lead to it."""
+    """Return the address of an object in the file: several links may lead to it."""
     from h5py import h5o
 
     return int(h5o.get_info(item.id).addr)
 
 
-def _variables(group: Any, prefix: str, most: int, seen: set[int]) -> Iterator[Variable]:
+def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterator[Variable]:
     """Yield the arrays of a group; those of a struct, which is a group in it, under the names of its fields.
 
     Parameters
     ----------
-    most : int
-        Bytes that a part of an array may have.
-    seen : set of int
-        Where the groups are that have been looked at; others are added.
+    limit : int
+        Most bytes of a part of an array.
+    visited : set of int
+        Addresses of the groups already visited; extended here.
     """
     from h5py import Dataset, Group
 
@@ -85,30 +85,30 @@ def _variables(group: Any, prefix: str, most: int, seen: set[int]) -> Iterator[V
         item = _followed(group, name, [MOST_LINKS])
         if isinstance(item, Group):
             address = _address(item)
-            if prefix.count(".") < DEEPEST and address not in seen:
-                seen.add(address)
-                yield from _variables(item, f"{full}.", most, seen)
+            if prefix.count(".") < DEEPEST and address not in visited:
+                visited.add(address)
+                yield from _variables(item, f"{full}.", limit, visited)
         elif isinstance(item, Dataset):
-            yield _variable(item, full, most)
+            yield _variable(item, full, limit)
         else:
-            what = "a link that leads to nothing in the file" if item is None else "a type of numbers"
-            yield Variable(full, what, None, partial(no_numbers, full))
+            description = "a link that leads to nothing in the file" if item is None else "a type of numbers"
+            yield Variable(full, description, None, partial(no_numbers, full))
 
 
-def _followed(group: Any, name: str, left: list[int]) -> Any:
-    """Return what a link leads to; None if that is nothing, or in another file.
+def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
+    """Return the target of a link; None if it has none, or leads to another file.
 
     Parameters
     ----------
-    left : list of int
+    remaining_links : list of int
         Number of links that may still be followed.
     """
     from h5py import Group, HardLink, SoftLink
 
-    left[0] -= 1
+    remaining_links[0] -= 1
     try:
         link = group.get(name, getlink=True)
-    except (KeyError, TypeError):  # none of this name, and one of a kind that a program has defined
+    except (KeyError, TypeError):  # no such link, or one of a user-defined kind
         return None
     if isinstance(link, HardLink):
         return group[name]
@@ -116,32 +116,32 @@ def _followed(group: Any, name: str, left: list[int]) -> Any:
         return None
     item = group.file["/"] if link.path.startswith("/") else group
     for part in (part for part in link.path.split("/") if part not in ("", ".")):
-        if left[0] <= 0 or not isinstance(item, Group):
+        if remaining_links[0] <= 0 or not isinstance(item, Group):
             return None
-        item = _followed(item, part, left)
+        item = _followed(item, part, remaining_links)
     return item
 
 
-def _variable(item: Any, name: str, most: int) -> Variable:
-    """Return the variable that a dataset is."""
+def _variable(item: Any, name: str, limit: int) -> Variable:
+    """Return the variable of a dataset."""
     of = _class(item)
     try:
         dtype = item.dtype
-    except TypeError:  # one that NumPy does not have
+    except TypeError:  # a type unknown to NumPy
         of, dtype = "variable of another type", np.dtype("V")
     if item.is_virtual or item.external:
-        what = "an array whose values are in another file"
-        return Variable(name, what, None, partial(no_numbers, name))
+        description = "an array whose values are in another file"
+        return Variable(name, description, None, partial(no_numbers, name))
     if of in NO_NUMBERS or item.shape is None or not _is_of_numbers(dtype):
         return Variable(name, f"a {of}", None, partial(no_numbers, name))
     shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
-    what = f"an array of {' x '.join(map(str, shape))} values"
+    description = f"an array of {' x '.join(map(str, shape))} values"
     size = 16 if dtype.names else dtype.itemsize
-    return Variable(name, what, shape, partial(_values, item, most), size)
+    return Variable(name, description, shape, partial(_values, item, limit), size)
 
 
 def _class(item: Any) -> str:
-    """Return the class of a variable as MATLAB has written it, or that of numbers."""
+    """Return the class of a variable as written by MATLAB, "double" by default."""
     if "MATLAB_class" not in item.attrs:
         return "double"
     attribute = item.attrs.get_id("MATLAB_class")
@@ -158,9 +158,9 @@ def _is_of_numbers(dtype: Any) -> bool:
     return bool(dtype.kind in "iuf")
 
 
-def _values(item: Any, most: int) -> Values:
+def _values(item: Any, limit: int) -> Values:
     """Return the values of an array, in the type in which they are stored."""
-    _check_parts(item, most)
+    _check_parts(item, limit)
     if not item.dtype.names:
         return np.asarray(item[()]).ravel()
     values = np.empty(item.shape, np.complex128)
@@ -169,24 +169,24 @@ def _values(item: Any, most: int) -> Values:
     return values.ravel()
 
 
-def _check_parts(item: Any, most: int) -> None:
-    """Refuse an array whose parts are larger than an array may be, as stated or as they unpack.
+def _check_parts(item: Any, limit: int) -> None:
+    """Refuse an array whose parts are larger than an array may be, as stated or when unpacked.
 
-    HDF5 unpacks a part to its end, whatever its size is.
+    HDF5 unpacks a part to its end, whatever its size.
     """
     if item.chunks is None:
         return
     size = int(np.prod(item.chunks, dtype=np.float64)) * item.dtype.itemsize
-    if size > most:
-        raise ValueError(f"expected parts of at most {most:,} bytes, found parts of {size:,}")
+    if size > limit:
+        raise ValueError(f"expected parts of at most {limit:,} bytes, found parts of {size:,}")
     pipeline = item.id.get_create_plist()
     filters = [pipeline.get_filter(number)[0] for number in range(pipeline.get_nfilters())]
     if filters.count(DEFLATE) > 1:
         raise ValueError("expected an array that is compressed once, found it compressed again")
     for number in range(item.id.get_num_chunks() if DEFLATE in filters else 0):
         stored = item.id.get_chunk_info(number)
-        if stored.size > most:
-            raise ValueError(f"expected a part of at most {most:,} bytes, found {stored.size:,}")
+        if stored.size > limit:
+            raise ValueError(f"expected a part of at most {limit:,} bytes, found {stored.size:,}")
         _, packed = item.id.read_direct_chunk(stored.chunk_offset)
         try:
             unpacked = b"" if stored.filter_mask else zlib.decompressobj().decompress(packed, size + 1)

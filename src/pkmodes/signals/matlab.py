@@ -16,14 +16,14 @@ from pkmodes.signals.matlab_arrays import DamagedError, variables
 from pkmodes.signals.variables import MOST_VARIABLES, Variable, at_most, loaded
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
-#: Classes of variables of version 4 that are not arrays of numbers, in words.
+#: Non-numeric classes of variables in version 4, in words.
 TEXTS = {"char": "text", "sparse": "a sparse matrix"}
-#: Variables of version 4: bytes of the head; the type is below this; and bytes of a value by the tens of the type.
+#: Variables of version 4: bytes of the header; upper bound of the type; and bytes of a value by the tens of the type.
 HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5: 1}
 WHAT = "MATLAB"
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a MATLAB file.
 
     Raises
@@ -35,10 +35,10 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         head = file.read(1024)
     if HDF5 in head or head.startswith(b"MATLAB 7.3"):
-        with hdf5_variables(path, source) as found:
-            return functions_of(found, source, asked, WHAT, path.stat().st_size)
+        with hdf5_variables(path, source) as opened:
+            return functions_of(opened, source, request, WHAT, path.stat().st_size)
     with path.open("rb") as file:
-        return functions_of(_variables(file, path, head, source), source, asked, WHAT, path.stat().st_size)
+        return functions_of(_variables(file, path, head, source), source, request, WHAT, path.stat().st_size)
 
 
 def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[Variable]:
@@ -57,16 +57,16 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
     def values(name: str) -> Any:
         return loadmat(path, appendmat=False, variable_names=[name])[name].ravel(order="F")
 
-    found = []
+    matrices = []
     for name, shape, of in whosmat(path, appendmat=False):
         numeric = of not in TEXTS
-        what = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
-        found.append(Variable(name, what, tuple(shape) if numeric else None, partial(values, name)))
-    return found
+        description = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
+        matrices.append(Variable(name, description, tuple(shape) if numeric else None, partial(values, name)))
+    return matrices
 
 
 def _check_sizes(file: BinaryIO, length: int) -> None:
-    """Refuse a file of version 4 that ends before its variables: SciPy would make room for what they state."""
+    """Refuse a file of version 4 that ends before its variables: SciPy would allocate the sizes that they state."""
     at, count = 0, 0
     while at < length:
         count += 1
@@ -87,7 +87,7 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
 
 
 def recognises(head: bytes) -> bool:
-    """Return whether a file is one of MATLAB from version 5 on."""
+    """Return whether a file is a MATLAB file of version 5 or later."""
     return head.startswith((b"MATLAB 5.0 MAT-file", b"MATLAB 7.3 MAT-file", HDF5))
 
 

@@ -4,8 +4,8 @@ An element has a tag with its type and size.  A variable is an element with part
 and imaginary values if it is complex; it may be compressed as a whole ("MAT-File Format", The MathWorks).  SciPy's
 reader cannot be used for files that may be damaged: with wrong sizes it reads memory that is not the file's.
 
-Of each array only the first parts are kept until its values are asked for: a few compressed bytes may be gigabytes.
-What lies before those in a compressed struct is unpacked again, piece by piece, and thrown away.
+Only the first parts of each array are kept until its values are requested: a few compressed bytes may become
+gigabytes.  What precedes them in a compressed struct is unpacked again, piece by piece, and discarded.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ NUMERIC = range(6, 16)
 STRUCT = 2
 CLASSES = {1: "a cell array", STRUCT: "a struct", 3: "an object", 4: "text", 5: "a sparse matrix"}
 COMPLEX = 0x0800
-#: Bytes of a tag; and, at most, of the dimensions or name of a variable, and of the names of the fields of a struct.
+#: Bytes of a tag; and most bytes of the dimensions or name of a variable, and of the field names of a struct.
 TAG, HEAD, NAMES = 8, LONGEST_NAME, 64 * MOST_VARIABLES
-#: Structs in one another.
+#: Deepest nesting of structs.
 DEEPEST = 8
-#: Bytes that are unpacked at once.
+#: Bytes unpacked at once.
 BLOCK = 1 << 16
 
 
@@ -44,7 +44,7 @@ class DamagedError(ValueError):
 
 
 class _Stored:
-    """Bytes of a file from some place on.
+    """Bytes of a file from an offset.
 
     Parameters
     ----------
@@ -60,9 +60,9 @@ class _Stored:
     def read(self, size: int) -> bytes:
         """Return the next bytes, fewer only at the end."""
         self._file.seek(self._start + self.at)
-        found = self._file.read(max(0, min(size, self._size - self.at)))
-        self.at += len(found)
-        return found
+        content = self._file.read(max(0, min(size, self._size - self.at)))
+        self.at += len(content)
+        return content
 
     def skip_to(self, at: int) -> None:
         """Go to a later place."""
@@ -87,38 +87,38 @@ class _Unpacked:
     def read(self, size: int) -> bytes:
         """Return the next bytes, fewer only at the end."""
         content = bytearray()
-        while len(content) < size and (more := self._more(size - len(content))):
-            content += more
+        while len(content) < size and (part := self._more(size - len(content))):
+            content += part
         return bytes(content)
 
     def skip_to(self, at: int) -> None:
-        """Go to a later place, by unpacking what is before it."""
+        """Go to a later place by unpacking everything before it."""
         while self.at < at and self._more(at - self.at):
             pass
 
-    def _more(self, most: int) -> bytes:
-        """Return at most so many of the next bytes, none at the end."""
-        more = b""
+    def _more(self, limit: int) -> bytes:
+        """Return up to `limit` of the next bytes, none at the end."""
+        part = b""
         try:
-            while not more and not self._unpacking.eof:
+            while not part and not self._unpacking.eof:
                 packed = self._left or self._packed.read(BLOCK)
-                more = self._unpacking.decompress(packed, min(most, BLOCK))
+                part = self._unpacking.decompress(packed, min(limit, BLOCK))
                 self._left = self._unpacking.unconsumed_tail
-                if not packed and not more:
+                if not packed and not part:
                     break
         except zlib.error as error:
             raise DamagedError(f"cannot unpack a compressed variable: {error}") from None
-        self.at += len(more)
-        return more
+        self.at += len(part)
+        return part
 
-    def ends(self, least: int, most: int) -> bool:
+    def ends(self, least: int, highest: int) -> bool:
         """Return whether the bytes end at a place between two."""
-        self.skip_to(most + 1)
-        return least <= self.at <= most and self._unpacking.eof
+        self.skip_to(highest + 1)
+        return least <= self.at <= highest and self._unpacking.eof
 
 
 class _Reading:
-    """What is read of a file: the bytes of one element at a time, since those that unpack take memory.
+    """The state of reading a file: the bytes of one element at a time, as unpacked ones take memory.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ class _Reading:
         self._data: _Stored | _Unpacked | None = None
 
     def from_place(self, element: _Element, at: int) -> _Stored | _Unpacked:
-        """Return the bytes of an element from some place on: going on where they are, if that is before."""
+        """Return the bytes of an element from a place on, continuing from the current one if that is before it."""
         if self._data is None or self._element is not element or self._data.at > at:
             kind = _Unpacked if element.compressed else _Stored
             self._element, self._data = element, kind(self.file, element.start, element.size)
@@ -150,11 +150,11 @@ class _Element:
     compressed: bool = False
 
     def data(self, at: int) -> _Stored | _Unpacked:
-        """Return its bytes, unpacked, from some place on."""
+        """Return its bytes, unpacked, from a place on."""
         return self.reading.from_place(self, at)
 
     def check_end(self, end: int) -> None:
-        """Refuse a compressed element that ends elsewhere, perhaps after a padding that not every program writes."""
+        """Refuse a compressed element that does not end here or after a padding, which not every program writes."""
         data = self.data(end) if self.compressed else None
         if isinstance(data, _Unpacked) and not data.ends(end, -(-end // 8) * 8):
             raise DamagedError("expected one whole variable in a compressed element")
@@ -200,13 +200,13 @@ def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
         for variable in _variables(element, inner.start, inner.start + inner.size, order):
             if variable.name:  # what MATLAB stores for itself has none
                 yield variable
-        at += outer.start + outer.size if compressed else outer.next  # the first without padding
+        at += outer.start + outer.size if compressed else outer.next  # compressed elements have no padding
 
 
 def _variables(
     element: _Element, at: int, end: int, order: str, name_in: str = "", depth: int = 0
 ) -> Iterator[Variable]:
-    """Yield a variable from its parts, which begin and end at some places, or the fields of a struct.
+    """Yield a variable from its parts between two places, or the fields of a struct.
 
     Parameters
     ----------
@@ -231,13 +231,13 @@ def _variables(
             element.check_end(end)
         return
     if kind not in NUMERIC:
-        what = CLASSES.get(kind, "another kind of variable")
-        yield Variable(text, what, None, partial(no_numbers, text))
+        description = CLASSES.get(kind, "another kind of variable")
+        yield Variable(text, description, None, partial(no_numbers, text))
         return
-    what = f"an array of {' x '.join(map(str, sizes))} values"
+    description = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
-    left = end - at
-    if not count <= left <= 16.0 * count + HEAD:  # a byte for each number at least, two of eight at most
+    remaining = end - at
+    if not count <= remaining <= 16.0 * count + HEAD:  # a byte for each number at least, two of eight at most
         raise DamagedError(f"expected the values of {text}")
     is_complex, shape = bool(bits & COMPLEX), tuple(map(int, sizes))
     load = partial(_values, element, at, end, order, int(count), is_complex, text, whole=not depth)
@@ -247,7 +247,7 @@ def _variables(
         if (stored := TYPES.get(tag.type, "f8"))[0] in "iu" and tag.size == count * int(stored[1]):
             place = element.start + tag.start
             again = partial(_again, element.reading.file.name, f"{order}{stored}", int(count), place)
-    yield Variable(text, what, shape, load, int(left // count) if count else 8, again)
+    yield Variable(text, description, shape, load, int(remaining // count) if count else 8, again)
 
 
 def _fields(
@@ -306,7 +306,7 @@ def _values(
 
 
 def _again(path: str, dtype: str, count: int, offset: int) -> NDArray[Any]:
-    """Return whole numbers that have stayed in their file."""
+    """Return whole numbers that are still in their file."""
     values = np.fromfile(path, dtype, count, offset=offset)
     if values.size < count:
         raise MeasurementError("expected the file as it was, found it changed", path, "read it again")
@@ -320,18 +320,18 @@ def _numbers(element: _Element, tag: _Tag, order: str, count: int, name: str) ->
     return np.frombuffer(_part(element, tag, tag.size), f"{order}{kind}")
 
 
-def _part(element: _Element, tag: _Tag, most: int) -> bytes:
-    """Return the data of an element, of at most so many bytes."""
-    if tag.size > most:
-        raise DamagedError(f"expected at most {most:,} bytes of an element, found {tag.size:,}")
-    found = element.data(tag.start).read(tag.size)
-    if len(found) < tag.size:
-        raise DamagedError(f"expected {tag.size} bytes of an element, found {len(found)}")
-    return found
+def _part(element: _Element, tag: _Tag, limit: int) -> bytes:
+    """Return the data of an element, at most `limit` bytes."""
+    if tag.size > limit:
+        raise DamagedError(f"expected at most {limit:,} bytes of an element, found {tag.size:,}")
+    content = element.data(tag.start).read(tag.size)
+    if len(content) < tag.size:
+        raise DamagedError(f"expected {tag.size} bytes of an element, found {len(content)}")
+    return content
 
 
 def _tag(element: _Element, at: int, order: str, end: int | None = None) -> _Tag:
-    """Return the tag of an element at some place, which lies within others that end at `end`."""
+    """Return the tag of an element at a place, which lies within others that end at `end`."""
     data = element.data(at).read(TAG)
     if len(data) < TAG or (end is not None and at + TAG > end):
         raise DamagedError("expected an element, found the end of the file")

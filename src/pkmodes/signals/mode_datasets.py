@@ -23,12 +23,12 @@ NORMAL, MODES = 2, (2, 3, 7)
 REAL, COMPLEX = (2, 4), (5, 6)
 #: Components at a node by the data characteristic: translations, or translations and rotations.
 COMPONENTS = {2: 3, 3: 6}
-#: The location of data at nodes in dataset 2414.
+#: The code of data at nodes in dataset 2414.
 NODES = 1
 
 
 class Pole(NamedTuple):
-    """What a header says of a mode: its frequency [Hz] and dampings if it is normal, or its eigenvalue [1/s]."""
+    """The pole of a mode in a header: frequency [Hz] and dampings if it is normal, or its eigenvalue [1/s]."""
 
     frequency: float
     viscous: float
@@ -52,25 +52,25 @@ def read_55(scanner: Scanner) -> ModeShape | str:
     Raises
     ------
     MeasurementError
-        If it is not what it declares to be.
+        If it does not match what it declares.
     """
     for number in range(1, 6):
         scanner.line(f"line {number} of the header")
     kinds = _numbers(scanner, 6, "the kind of the data")
     analysis, characteristic, data_type, components = (int(kinds[i]) for i in (1, 2, 4, 5))
-    sizes = _numbers(scanner, 2, "the numbers of integers and reals", more=True)
+    sizes = _numbers(scanner, 2, "the numbers of integers and reals", allow_more=True)
     integers, reals = int(sizes[0]), int(sizes[1])
     if not (0 <= integers <= 1000 and 0 <= reals <= 1000):
         scanner.refuse(f"expected the numbers of integers and reals, found {integers} and {reals}")
     taken = sizes.size - 2
     while taken < integers:
-        taken += _numbers(scanner, 1, "the integers of the header", more=True).size
+        taken += _numbers(scanner, 1, "the integers of the header", allow_more=True).size
     specific = _collected(scanner, reals, "the reals of the header")
     needed = 1 if analysis == NORMAL else 2
     if analysis in MODES and specific.size < needed:
         scanner.refuse(f"expected the frequency or eigenvalue of the mode, found {specific.size} numbers")
-    found = [float(one) for one in specific] + [0.0] * 4
-    pole = Pole(found[0], found[2], found[3], complex(*found[:2]))
+    values = [float(number) for number in specific] + [0.0] * 4
+    pole = Pole(values[0], values[2], values[3], complex(*values[:2]))
     return _mode(scanner, analysis, (characteristic, components, data_type), pole)
 
 
@@ -83,7 +83,7 @@ def read_2414(scanner: Scanner) -> ModeShape | str:
         scanner.line(f"line {number} of the header")
     kinds = _numbers(scanner, 6, "the kind of the data")
     analysis, characteristic, data_type, components = (int(kinds[i]) for i in (1, 2, 4, 5))
-    if location != NODES or analysis not in MODES:  # before its numbers are asked for, which it may not have
+    if location != NODES or analysis not in MODES:  # before reading its numbers, which may be missing
         scanner.skip_to_end()
         return f"analysis type {analysis} at location {location:g} is not a mode at nodes"
     _numbers(scanner, 8, "the integers of the analysis")
@@ -145,22 +145,22 @@ def _shape(scanner: Scanner, components: int, is_complex: bool) -> dict[str, com
     return shape
 
 
-def _collected(scanner: Scanner, count: int, what: str) -> Array:
+def _collected(scanner: Scanner, count: int, subject: str) -> Array:
     """Return numbers that may fill several lines."""
-    found = np.empty(0)
-    while found.size < count:
-        found = np.concatenate([found, _numbers(scanner, 1, what, more=True)])
-    if found.size > count:
-        scanner.refuse(f"expected {count} numbers for {what}, found {found.size}")
-    return found
+    numbers = np.empty(0)
+    while numbers.size < count:
+        numbers = np.concatenate([numbers, _numbers(scanner, 1, subject, allow_more=True)])
+    if numbers.size > count:
+        scanner.refuse(f"expected {count} numbers for {subject}, found {numbers.size}")
+    return numbers
 
 
-def _numbers(scanner: Scanner, count: int, what: str, more: bool = False) -> Array:
+def _numbers(scanner: Scanner, count: int, subject: str, allow_more: bool = False) -> Array:
     """Return the numbers in the next line: `count` of them, or at least as many."""
-    line = scanner.line(what)
+    line = scanner.line(subject)
     numbers = None if is_delimiter(line) else numbers_in(line)
-    if numbers is None or numbers.size < count or (numbers.size > count and not more):
-        scanner.refuse(f"expected {what}, found {shown(text_of(line).strip())}")
+    if numbers is None or numbers.size < count or (numbers.size > count and not allow_more):
+        scanner.refuse(f"expected {subject}, found {shown(text_of(line).strip())}")
     if not np.all(np.isfinite(numbers)):
-        scanner.refuse(f"expected {what}, found a number that is not finite")
+        scanner.refuse(f"expected {subject}, found a number that is not finite")
     return numbers

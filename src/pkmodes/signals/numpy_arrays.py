@@ -28,11 +28,11 @@ NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
 WHAT, DATA = "NumPy", "data"
 #: Bytes at the beginning of an array, in which its header is.
 HEADER = 1 << 14
-#: Bytes of an array with fields, which is read as a whole, at most.
+#: Most bytes of an array with fields, which is read as a whole.
 LARGEST = 2_000_000_000
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a file of NumPy.
 
     Raises
@@ -44,18 +44,20 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         single = file.read(len(NPY)) == NPY
     if single:
-        found: Any = loaded(lambda: np.load(path, mmap_mode="r", allow_pickle=False), source, WHAT)
-        every = []
-        for field, kind in _fields(found.dtype):
-            part: Any = reduce(getitem, field, found)
-            every.append(_variable(".".join(field) or DATA, part.shape, kind.base, partial(np.asarray, part)))
-        return functions_of(every, source, asked, WHAT)
+        array: Any = loaded(lambda: np.load(path, mmap_mode="r", allow_pickle=False), source, WHAT)
+        variables = []
+        for field, kind in _fields(array.dtype):
+            part: Any = reduce(getitem, field, array)
+            variables.append(
+                _variable(".".join(field) or DATA, part.shape, kind.base, partial(np.asarray, part))
+            )
+        return functions_of(variables, source, request, WHAT)
     with loaded(lambda: opened_zip(path), source, WHAT) as archive:
         names = archive.namelist()
-        every = loaded(
-            lambda: at_most(one for name in names for one in _members(archive, name)), source, WHAT
+        variables = loaded(
+            lambda: at_most(variable for name in names for variable in _members(archive, name)), source, WHAT
         )
-        return functions_of(every, source, asked, WHAT, path.stat().st_size)
+        return functions_of(variables, source, request, WHAT, path.stat().st_size)
 
 
 def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
@@ -70,8 +72,8 @@ def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
         if math.prod(shape) * dtype.itemsize > LARGEST:
             raise ValueError(f"the array {name} has more than {LARGEST / 1e9:g} GB")
         with archive.open(name) as file:
-            found: Any = npy.read_array(file, allow_pickle=False)
-        return reduce(getitem, field, found)
+            array: Any = npy.read_array(file, allow_pickle=False)
+        return reduce(getitem, field, array)
 
     return [
         _variable(
@@ -85,7 +87,7 @@ def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
 
 
 def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[Any]]]:
-    """Yield the fields of a type, by their names in one another, and their types; the type itself without any."""
+    """Yield the fields of a type, by their nested names, and their types; the type itself if it has none."""
     if dtype.names is None:
         yield (), dtype
     for name in dtype.names or ():
@@ -95,8 +97,10 @@ def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[An
 
 def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> Variable:
     numeric = dtype.kind in "iufc"
-    what = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
-    return Variable(name, what, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize)
+    description = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
+    return Variable(
+        name, description, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize
+    )
 
 
 def _values(load: Callable[[], Any]) -> Any:
@@ -104,7 +108,7 @@ def _values(load: Callable[[], Any]) -> Any:
 
 
 def recognises(head: bytes) -> bool:
-    """Return whether a file is one of NumPy: an archive is one if its first member is an array."""
+    """Return whether a file is a NumPy file: an archive is one if its first member is an array."""
     return head.startswith(NPY) or (head.startswith(NPZ) and b".npy" in head[:256])
 
 

@@ -21,11 +21,12 @@ from pkmodes.signals.wav import WAV
 Reader = Callable[[Path, Asked], SignalFile]
 #: Formats by name, in the order in which they are tried.
 FORMATS: dict[str, Format[Reader]] = {
-    known.name: known for known in (UNIVERSAL_FILE, MATLAB, NUMPY, WAV, SHAKE_AND_TUNE, ARCHIVE, TABLE)
+    file_format.name: file_format
+    for file_format in (UNIVERSAL_FILE, MATLAB, NUMPY, WAV, SHAKE_AND_TUNE, ARCHIVE, TABLE)
 }
-#: Those that hold several records, each with a name.
+#: Formats that hold several records, each with a name.
 SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
-#: Number of bytes from which a format is recognised.
+#: Number of first bytes by which a format is recognised.
 HEAD = 4096
 EVERYTHING = Asked()
 WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
@@ -34,15 +35,17 @@ WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV fil
 def format_of(path: Path, head: bytes) -> Format[Reader] | None:
     """Return the format of a file: by its first bytes, then by its suffix; None if neither is known.
 
-    Any text may be a table, so there the suffix decides first: a universal file whose beginning is lost is none.
+    Any text may be a table, so for text the suffix decides first: a universal file without its beginning is no table.
     """
-    by_content = [one for one in FORMATS.values() if one.recognises(head)]
-    by_suffix = [one for one in FORMATS.values() if path.suffix.lower() in one.suffixes]
-    certain = [one for one in by_content if one is not TABLE]
+    by_content = [file_format for file_format in FORMATS.values() if file_format.recognises(head)]
+    by_suffix = [
+        file_format for file_format in FORMATS.values() if path.suffix.lower() in file_format.suffixes
+    ]
+    certain = [file_format for file_format in by_content if file_format is not TABLE]
     return next(iter([*certain, *by_suffix, *by_content]), None)
 
 
-def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> SignalFile:
+def read_signals(path: str | PathLike[str], request: Asked = EVERYTHING) -> SignalFile:
     """Read the measured signals or identified modes in a file.
 
     Parameters
@@ -50,8 +53,8 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     path : path-like
         A universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one of
         several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``.
-    asked : Asked
-        What is wanted of it; everything by default.
+    request : Asked
+        The request for its content; everything by default.
 
     Returns
     -------
@@ -68,22 +71,21 @@ def read_signals(path: str | PathLike[str], asked: Asked = EVERYTHING) -> Signal
     head = _head(place, source)
     if not head:
         raise MeasurementError("expected measured signals, found an empty file", source, REMEDY)
-    known = format_of(place, head)
-    if known is None:
-        what = "expected a file of measured signals, found another kind of content"
-        raise MeasurementError(what, source, REMEDY)
-    if member and known not in SEVERAL:
-        what = (
-            f"expected an archive or a file of Shake&Tune, MATLAB or NumPy, found another file ({known.name})"
-        )
-        raise MeasurementError(what, source, f"leave {shown(member)} out of its name")
-    if asked.names and known is UNIVERSAL_FILE:
-        what = "expected names of columns, variables or channels in the record, found a universal file"
+    file_format = format_of(place, head)
+    if file_format is None:
+        problem = "expected a file of measured signals, found another kind of content"
+        raise MeasurementError(problem, source, REMEDY)
+    if member and file_format not in SEVERAL:
+        problem = "expected an archive or a file of Shake&Tune, MATLAB or NumPy, "
+        problem += f"found another file ({file_format.name})"
+        raise MeasurementError(problem, source, f"leave {shown(member)} out of its name")
+    if request.names and file_format is UNIVERSAL_FILE:
+        problem = "expected names of columns, variables or channels in the record, found a universal file"
         raise MeasurementError(
-            what, source, "leave names out: a universal file says which signal is the force"
+            problem, source, "leave names out: a universal file says which signal is the force"
         )
     try:
-        return known.read(place, replace(asked, member=member))
+        return file_format.read(place, replace(request, member=member))
     except OSError as error:
         raise unreadable(error, source, WHAT) from None
 
@@ -92,7 +94,7 @@ def _within(path: Path) -> tuple[Path, str]:
     """Return the file of a path, and the record that the path names in it; "" for the file alone."""
     try:
         parents = () if path.exists() else path.parents
-        file = next((one for one in parents if one.is_file()), None)
+        file = next((parent for parent in parents if parent.is_file()), None)
     except OSError:  # such as a name that is too long; opening it says why
         file = None
     return (path, "") if file is None else (file, path.relative_to(file).as_posix())

@@ -1,4 +1,4 @@
-"""Fewer samples of long records: what lies far above the frequencies of interest is filtered out first.
+"""Reduction of long records: frequencies far above those of interest are filtered out, then samples are dropped.
 
 A linear-phase filter by Kaiser's window (Oppenheim and Schafer, Discrete-Time Signal Processing, 3rd edition, 2010,
 section 7.5.3) and every n-th sample.  Its band of transition is wide: what it aliases stays above the frequencies of
@@ -13,15 +13,15 @@ from scipy.signal import firwin, kaiserord
 
 from pkmodes.signals.functions import Array
 
-#: Samples of a record above which it is reduced: shorter ones fit into the memory of any machine.
+#: Samples above which a record is reduced: shorter ones fit into the memory of any machine.
 LONG = 2_000_000
-#: The new sampling rate is at least this many times the highest frequency of interest.
+#: Least ratio of the new sampling rate to the highest frequency of interest.
 RATE = 4.0
-#: The filter passes this many times that frequency, and aliases nothing into it.
+#: Ratio of the end of the passband to that frequency; nothing is aliased into the passband.
 PASSED = 1.5
-#: Ripple of the filter, and what is left of what it stops [dB].
+#: Ripple and stopband attenuation of the filter [dB].
 ATTENUATION = 100.0
-#: New samples that are computed at once.
+#: New samples computed at once.
 BLOCK = 4096
 
 
@@ -61,10 +61,10 @@ def reduced(signal: Array, factor: int) -> Array:
     count, beta = kaiserord(ATTENUATION, stopped - passed)
     taps = firwin(count | 1, 0.5 * (passed + stopped), window=("kaiser", beta))
     half, last = len(taps) // 2, len(signal) - 1
-    found = np.empty(last // factor + 1)
-    for low in range(0, len(found), BLOCK):
-        at = slice(low, min(low + BLOCK, len(found)))
-        # Beyond the ends the first and last values go on, so that a constant stays one.
+    filtered = np.empty(last // factor + 1)
+    for low in range(0, len(filtered), BLOCK):
+        at = slice(low, min(low + BLOCK, len(filtered)))
+        # The first and last values continue beyond the ends, so that a constant stays constant.
         around = np.arange(at.start * factor - half, (at.stop - 1) * factor + half + 1).clip(0, last)
-        found[at] = sliding_window_view(signal[around], len(taps))[::factor] @ taps
-    return found
+        filtered[at] = sliding_window_view(signal[around], len(taps))[::factor] @ taps
+    return filtered

@@ -21,26 +21,26 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.signals.functions import Array
 
 DELIMITER = b"    -1"
-#: The longest line of text, far above the 80 columns of the format: longer ones are binary data.
+#: Longest line of text, far above the 80 columns of the format: longer ones are binary data.
 LONGEST_LINE = 4096
 INCOMPLETE = "the file is damaged or incomplete: copy or export it again"
 #: A number; Fortran leaves out the E of an exponent with three digits, and writes D for double precision.
 NUMBER = re.compile(rb"[+-]?(?:\d+\.?\d*|\.\d+)(?:[EeDd][+-]?\d+|[+-]\d{3}(?![\d.]))?")
-#: Bytes of numbers and between them.
+#: Bytes in numbers and between them.
 NUMERALS = b"0123456789+-.eEdD \t\r\n"
-#: What programs write for a value that is none.
+#: What programs write for a missing value.
 NOT_A_NUMBER = re.compile(
     rb"[+-]?(?:nan(?:\(ind\))?|inf(?:inity)?|1\.#(?:qnan|snan|ind|inf)\d*)", re.IGNORECASE
 )
 NUMBER_OR_GAP = re.compile(rb"nan|" + NUMBER.pattern)
 EXPONENT = re.compile(rb"(?<=[\d.])[Dd](?=[+-]?\d)|(?<=[\d.])(?=[+-]\d{3}$)")
-#: Lines that are converted at once.
+#: Lines converted at once.
 CHUNK = 20_000
 
 
 @dataclass(frozen=True)
 class Binary:
-    """What the first line of a binary dataset declares: its byte order, header lines and bytes."""
+    """Declarations in the first line of a binary dataset: its byte order, header lines and bytes."""
 
     order: str
     lines: int
@@ -49,7 +49,7 @@ class Binary:
 
 @dataclass(frozen=True)
 class Dataset:
-    """The beginning of a dataset: its number, and how its data are stored."""
+    """The beginning of a dataset: its number, and the storage of its data."""
 
     number: int
     where: str
@@ -74,8 +74,8 @@ class Scanner:
         self.where = source
 
     @property
-    def left(self) -> int:
-        """Number of bytes after the current position."""
+    def remaining(self) -> int:
+        """Number of bytes from the current position to the end."""
         return self.size - self.file.tell()
 
     def datasets(self) -> Iterator[Dataset]:
@@ -88,8 +88,8 @@ class Scanner:
             start = self.file.tell() - len(line)
             self.where = f"{self.source}: dataset {count} at byte {start}"
             if not is_delimiter(line):
-                what = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
-                self.refuse(what)
+                problem = f"expected a line -1 that opens a dataset, found {shown(text_of(line).strip())}"
+                self.refuse(problem)
             yield self._opened(self.line("the number of a dataset"))
         if count == 0:
             self.refuse("expected datasets, found none")
@@ -108,7 +108,7 @@ class Scanner:
         return line
 
     def skip_to_end(self) -> None:
-        """Skip the lines of a dataset and the one that closes it."""
+        """Skip the lines of a dataset up to and including the one that closes it."""
         while not is_delimiter(self.line("a line -1 that closes the dataset")):
             pass
 
@@ -129,8 +129,8 @@ class Scanner:
 
     def check_left(self, count: int) -> None:
         """Refuse a dataset that declares more bytes than the file has."""
-        if count > self.left:
-            self.refuse(f"expected {count} bytes of data, found {self.left} to the end of the file")
+        if count > self.remaining:
+            self.refuse(f"expected {count} bytes of data, found {self.remaining} to the end of the file")
 
     def refuse(self, what: str, remedy: str = INCOMPLETE) -> NoReturn:
         """Raise an error at the current dataset."""
@@ -153,8 +153,8 @@ class Scanner:
     def _binary(self, rest: bytes) -> Binary:
         fields = rest.split()
         if len(fields) < 4 or not all(field.isdigit() for field in fields[:4]):
-            what = "expected the byte order, the format and the numbers of lines and bytes after 58b"
-            self.refuse(f"{what}, found {shown(text_of(rest).strip())}")
+            problem = "expected the byte order, the format and the numbers of lines and bytes after 58b"
+            self.refuse(f"{problem}, found {shown(text_of(rest).strip())}")
         order, form, lines, size = map(int, fields[:4])
         if order not in (1, 2):
             self.refuse(f"expected byte order 1 (little endian) or 2 (big endian), found {order}")
@@ -170,7 +170,7 @@ def is_delimiter(line: bytes) -> bool:
 
 
 def text_of(line: bytes) -> str:
-    """Return a line as text: UTF-8, or what most old measuring systems write."""
+    """Return a line as text: UTF-8, or Latin-1, which most old measuring systems write."""
     try:
         return line.decode("utf-8")
     except UnicodeDecodeError:
@@ -184,12 +184,12 @@ def begins_with_a_dataset(head: bytes) -> bool:
 
 
 def numbers_in(text: bytes) -> Array | None:
-    """Return the numbers in some text, NaN for what is written for none; None if it contains anything else.
+    """Return the numbers in a text, NaN for missing values; None if it contains anything else.
 
     Parameters
     ----------
     text : bytes
-        Numbers, with blanks between them or in columns that touch.
+        Numbers, separated by blanks or in adjacent columns.
     """
     gaps = bool(text.translate(None, NUMERALS))
     if gaps:
@@ -202,14 +202,14 @@ def numbers_in(text: bytes) -> Array | None:
         with warnings.catch_warnings():
             warnings.simplefilter(
                 "error", DeprecationWarning
-            )  # what NumPy before 2.3 does instead of an error
+            )  # which NumPy before 2.3 raises instead of an error
             return np.fromstring(text, sep=" ")
     except (ValueError, DeprecationWarning):
         pass
     if NUMBER.sub(b"", text.replace(b" nan ", b" ")).strip():
         return None
-    found = NUMBER_OR_GAP.findall(text) if gaps else NUMBER.findall(text)
-    return np.array([float(EXPONENT.sub(b"E", number)) for number in found])
+    numerals = NUMBER_OR_GAP.findall(text) if gaps else NUMBER.findall(text)
+    return np.array([float(EXPONENT.sub(b"E", number)) for number in numerals])
 
 
 def read_numbers(scanner: Scanner, count: int) -> Array:
@@ -220,7 +220,7 @@ def read_numbers(scanner: Scanner, count: int) -> Array:
     scanner : Scanner
         At the first line of the numbers.
     count : int
-        How many the dataset declares.
+        Number that the dataset declares.
 
     Returns
     -------
@@ -231,9 +231,9 @@ def read_numbers(scanner: Scanner, count: int) -> Array:
     MeasurementError
         If there are more or fewer, or anything else is between them, or the dataset is not closed.
     """
-    # Checked before the memory is taken: a damaged header may declare any number.
-    if 2 * count > scanner.left:
-        scanner.refuse(f"expected {count} values, found {scanner.left} bytes to the end of the file")
+    # Checked before allocating memory: a damaged header may declare any number.
+    if 2 * count > scanner.remaining:
+        scanner.refuse(f"expected {count} values, found {scanner.remaining} bytes to the end of the file")
     values, filled, closed = np.empty(count), 0, False
     while not closed:
         lines: list[bytes] = []

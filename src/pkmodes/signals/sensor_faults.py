@@ -1,4 +1,4 @@
-"""What the numbers of a signal show of its sensor: that its range was exceeded, or that it stopped."""
+"""Sensor faults that show in a signal: the sensor's range was exceeded, or it stopped."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ import numpy as np
 
 from pkmodes.signals.functions import Array
 
-#: Samples at an extreme value from which it is looked at, and how many times as many they are as at any of the next
-#: values where the range was exceeded.  A sine has at most 2.4 times as many, noise has fewer.
+#: Fewest samples at an extreme value for it to be examined; least ratio of these to the samples at any of the next
+#: values if the range was exceeded, and the number of next values.  A sine has a ratio of at most 2.4, noise less.
 FEWEST, MORE, NEXT = 10, 4.0, 3
-#: Values are the same that differ by less than this part of the range: files round them.
+#: Values that differ by less than this fraction of the range are the same: files round them.
 ALIKE = 1e-6
-#: An extreme value within this part of the range from the median is where the signal rests.
+#: An extreme value within this fraction of the range from the median is where the signal rests.
 RESTING = 0.05
-#: Part of a record for which a sensor that stopped keeps its value, and how many times as long as at any other time.
+#: Least fraction of a record for which a stopped sensor keeps its value, and least ratio to any other constant run.
 STOPPED, LONGER = 0.1, 10.0
 
-#: Samples that are looked at together.
+#: Samples examined at once.
 PART = 1_000_000
 
 
 def clipped(values: Array, fewest: int = FEWEST) -> tuple[tuple[float, ...], float]:
     """Return the extreme values at which a signal (N,) is cut off, and the share of its samples there.
 
-    Many samples, at least the `fewest`, are at such a value, and few at the next ones.
+    Many samples, at least `fewest`, are at such a value, and few at the next ones.
     """
     rest = float(np.median(values[:: 1 + len(values) // PART]))
     size = float(np.ptp(values))
@@ -39,15 +39,15 @@ def clipped(values: Array, fewest: int = FEWEST) -> tuple[tuple[float, ...], flo
         there = at(level)
         if there < fewest or abs(level - rest) <= RESTING * size:
             continue
-        most = 0
+        densest = 0
         for _ in range(NEXT):
             within = sign * beside - alike
             tops = (
                 np.max(sign * part, where=sign * part < within, initial=-np.inf) for part in _parts(values)
             )
             beside = sign * float(max(tops))
-            most = max(most, at(beside))
-        if there >= MORE * most:
+            densest = max(densest, at(beside))
+        if there >= MORE * densest:
             cut.append(level)
             count += there
     return tuple(cut), count / len(values)
@@ -64,13 +64,13 @@ def stopped(values: Array) -> slice | None:
         runs += [(int(lengths[k]), int(edges[k])) for k in np.argsort(lengths)[-2:]]
         begin = int(edges[-1])
     runs.append((len(values) - begin, begin))
-    (longest, start), *others = sorted(runs, reverse=True)
-    if longest < STOPPED * len(values) or longest < LONGER * (others[0][0] if others else 1):
+    (longest, start), *other_runs = sorted(runs, reverse=True)
+    if longest < STOPPED * len(values) or longest < LONGER * (other_runs[0][0] if other_runs else 1):
         return None
     return slice(start, start + longest)
 
 
 def _parts(values: Array) -> Iterator[Array]:
-    """Yield parts of a signal: a long one fills much of the memory."""
+    """Yield parts of a signal, as a long one fills much of the memory."""
     for low in range(0, len(values), PART):
         yield values[low : low + PART]

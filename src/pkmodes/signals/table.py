@@ -32,13 +32,13 @@ from pkmodes.signals.table_rates import (
 from pkmodes.signals.table_text import TableText, check_text, split_table
 from pkmodes.signals.units import hertz_in, quotient, radians_in, seconds_in, unit_text
 
-#: Larger tables would not fit into memory as text and as numbers.
+#: Most bytes of a table: larger ones would not fit into memory as text and as numbers.
 LARGEST_FILE = 1_000_000_000
-#: Phases without a unit are radians up to the first, between -pi and pi or up to 2 pi, and degrees from the second.
+#: Phases without a unit are radians up to the first (from -pi to pi, or up to 2 pi), and degrees from the second.
 RADIANS, DEGREES = 2.0 * np.pi, 40.0
-#: Bytes from which binary data are told from text.
+#: First bytes by which binary data are told from text.
 HEAD = 4096
-#: What any comment may state of lost samples; others are looked for in lines beginning with ``##`` only.
+#: Statement of lost samples in any comment; other wordings are looked for only in lines beginning with ``##``.
 LOST_SAMPLES = re.compile(
     r"\b(?:skipped|lost|missed|missing|dropped)[ _]samples?[ \t]*[:=][ \t]*0*[1-9]", re.IGNORECASE
 )
@@ -46,13 +46,13 @@ LOSS = re.compile(r"\b(?:drop|overflow|over-?run|overrange|lost|loss|miss(?:ed|i
 NONE_LOST = re.compile(r"\b(?:no|none|without|never)\b", re.IGNORECASE)
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 STATEMENT = re.compile(r"#\s*(unit|quantity|drives)\s*:(.*)", re.IGNORECASE)
-#: Lines about lost samples that are said, and letters of each.
+#: Most lines about lost samples that are reported, and most letters of each.
 MOST_LOSSES, LONGEST_LOSS = 20, 500
-#: A column: whole numbers may be of a smaller type than those of double precision.
+#: A column: whole numbers may have a smaller type than double precision.
 Numbers = NDArray[Any]
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a table.
 
     Raises
@@ -67,77 +67,81 @@ def read(path: Path, asked: Asked) -> SignalFile:
     with path.open("rb") as file:
         check_text(file.read(HEAD), source)  # before gigabytes of something else are read
         file.seek(0)
-        return tabulated(file.read(), source, asked)
+        return tabulated(file.read(), source, request)
 
 
-def tabulated(content: bytes, source: str, asked: Asked) -> SignalFile:
+def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
     """Return the signals in the content of a table: see `read`."""
     frame = framed(content, source)
     del content
-    text = split_table(frame.content, source, asked.columns)
+    text = split_table(frame.content, source, request.columns)
     frame_rate, losses = frame.rate, frame.losses
     del frame  # other copies of the table
-    said = []
-    if asked.rate is None:
-        asked = replace(asked, rate=frame_rate)
-    elif frame_rate not in (None, asked.rate):
-        said = [_other_rate(frame_rate, asked.rate)]
+    remarks = []
+    if request.rate is None:
+        request = replace(request, rate=frame_rate)
+    elif frame_rate not in (None, request.rate):
+        remarks = [_other_rate(frame_rate, request.rate)]
     rated = bool(rates_in(text.comments))
-    layout = layout_of(text.names, f"{source}: line {text.header_line}", asked, rated=rated)
-    wanted = [place for column in layout.columns for place in column.places]
+    layout = layout_of(text.names, f"{source}: line {text.header_line}", request, rated=rated)
+    places = [place for column in layout.columns for place in column.places]
     if layout.kind is Kind.FRF and layout.abscissa is not None and text.may_have_gaps:
         factor = _factor(layout, text)
-        text = text.without_gaps(layout.abscissa, wanted, lambda number: _counts(factor * number, asked.band))
-    read_places = ([] if layout.abscissa is None else [layout.abscissa]) + wanted
-    if not read_places:  # still checked, so that a damaged table is not taken for one without these sensors
+        text = text.without_gaps(
+            layout.abscissa, places, lambda number: _counts(factor * number, request.band)
+        )
+    read_places = ([] if layout.abscissa is None else [layout.abscissa]) + places
+    if (
+        not read_places
+    ):  # still checked, so that a damaged table is not mistaken for one without these sensors
         read_places = [0]
     clock = layout.abscissa is not None and is_clock(text.cell(layout.abscissa))
-    of_numbers = wanted if clock and wanted else read_places
+    of_numbers = places if clock and places else read_places
     numbers: dict[int, Numbers] = dict(zip(of_numbers, text.columns(of_numbers), strict=True))
     if clock:
         assert layout.abscissa is not None
         numbers[layout.abscissa] = _clock(layout.abscissa, text)
     rows = numbers[read_places[0]].size
     if rows < FEWEST:
-        what = f"expected at least {FEWEST} rows, found {rows}"
-        raise MeasurementError(what, source, "export the whole measurement")
+        problem = f"expected at least {FEWEST} rows, found {rows}"
+        raise MeasurementError(problem, source, "export the whole measurement")
     counts = not clock and _counts_samples(layout, numbers)
-    rate, more = _rate(text, asked, frame_rate) if layout.abscissa is None or counts else (None, [])
-    said += more
-    if rate is None:  # as far as anything says, times that count samples are seconds
+    rate, notes = _rate(text, request, frame_rate) if layout.abscissa is None or counts else (None, [])
+    remarks += notes
+    if rate is None:  # without any statement to the contrary, times that count samples are seconds
         abscissa = _abscissa(layout, numbers, text)
     else:
-        abscissa, more = _by_rate(rate, layout, rows, text)
-        said += more
+        abscissa, notes = _by_rate(rate, layout, rows, text)
+        remarks += notes
     for column in layout.columns:
         if column.kind is Kind.COHERENCE:
             _check_coherence(column, numbers, text)
-    channels = {f"{one.response}/{one.reference}".removesuffix("/") for one in layout.columns}
+    channels = {f"{column.response}/{column.reference}".removesuffix("/") for column in layout.columns}
     stated = _stated(text.comments, channels)
     functions = tuple(_function(column, numbers, abscissa, stated, source) for column in layout.columns)
-    messages = tuple(f"{source}: {one}" for one in (*said, *_losses(text.comments), *losses))
+    messages = tuple(f"{source}: {remark}" for remark in (*remarks, *_losses(text.comments), *losses))
     return SignalFile(source, functions, (), messages, stated)
 
 
 def _counts_samples(layout: Layout, numbers: dict[int, Numbers]) -> bool:
-    """Return whether what is called times may be numbers of samples."""
+    """Return whether so-called times may be sample numbers."""
     if layout.abscissa is None or layout.kind is not Kind.TIME or layout.label:
         return False
     return counts_samples(numbers[layout.abscissa])
 
 
-def _rate(text: TableText, asked: Asked, frame_rate: float | None) -> tuple[float | None, list[str]]:
-    """Return the rate [Hz] of the record, or else of the file, and what to say of it."""
-    if asked.rate is None:
+def _rate(text: TableText, request: Asked, frame_rate: float | None) -> tuple[float | None, list[str]]:
+    """Return the rate [Hz] of the record, or else of the file, and messages about it."""
+    if request.rate is None:
         return stated_rate(text.comments, text.source)
-    others = [other for other, _ in rates_in(text.comments) if not same_rate(other, asked.rate)]
-    if not others or asked.rate == frame_rate:
-        return asked.rate, []
-    return asked.rate, [_other_rate(others[0], asked.rate)]
+    contradicting = [rate for rate, _ in rates_in(text.comments) if not same_rate(rate, request.rate)]
+    if not contradicting or request.rate == frame_rate:
+        return request.rate, []
+    return request.rate, [_other_rate(contradicting[0], request.rate)]
 
 
 def _by_rate(rate: float, layout: Layout, rows: int, text: TableText) -> tuple[Array, list[str]]:
-    """Return the times of all rows by a rate [Hz], and what to say of samples that a column counts."""
+    """Return the times of all rows by a rate [Hz], and messages about samples that a column counts."""
     if layout.abscissa is not None:
         name = shown(text.names[layout.abscissa])
         return even_times(rows, rate), [f"its column {name} counts samples, of {rate:g} Hz"]
@@ -150,10 +154,10 @@ def _by_rate(rate: float, layout: Layout, rows: int, text: TableText) -> tuple[A
 
 
 def _counted(place: int, text: TableText) -> Array | None:
-    """Return the numbers of the samples in a column, from 0; None if it holds anything else."""
+    """Return the sample numbers in a column, from 0; None if it holds anything else."""
     try:
         (numbers,) = text.columns([place])
-    except MeasurementError:  # no column of the campaign: it may hold what it likes
+    except MeasurementError:  # no column of the campaign: it may hold anything
         return None
     return counted(np.asarray(numbers, np.float64))
 
@@ -169,9 +173,9 @@ def _abscissa(layout: Layout, numbers: dict[int, Numbers], text: TableText) -> A
     late = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
     if late.size:
         row = int(late[0]) + 1
-        what = f"expected ascending values, found {abscissa[row]:.10g} after {abscissa[row - 1]:.10g}"
+        problem = f"expected ascending values, found {abscissa[row]:.10g} after {abscissa[row - 1]:.10g}"
         where = f"{text.source}: line {text.line_of(row)}, column {name}"
-        raise MeasurementError(what, where, "sort the rows, and give each value once, with enough digits")
+        raise MeasurementError(problem, where, "sort the rows, and give each value once, with enough digits")
     return abscissa
 
 
@@ -189,12 +193,12 @@ def _factor(layout: Layout, text: TableText) -> float:
 
 
 def _counts(frequency: float, band: tuple[float, float] | None) -> bool:
-    """Return whether a line must have its values: in the band, without one above 0 Hz."""
+    """Return whether a line must have values: in the band or, without a band, above 0 Hz."""
     return frequency > 0.0 if band is None else band[0] <= frequency <= band[1]
 
 
-def _other_rate(stated: float | None, asked: float) -> str:
-    return f"the file states a rate of {stated:g} Hz; that of the record, {asked:g} Hz, is used"
+def _other_rate(stated: float | None, requested: float) -> str:
+    return f"the file states a rate of {stated:g} Hz; that of the record, {requested:g} Hz, is used"
 
 
 def _clock(place: int, text: TableText) -> Array:
@@ -202,20 +206,20 @@ def _clock(place: int, text: TableText) -> Array:
     times, bad = seconds_of(text.texts(place))
     if bad is not None:
         cell = next(islice(text.texts(place), bad, None))
-        what = f"expected a time, found {shown(cell) or 'nothing'}"
+        problem = f"expected a time, found {shown(cell) or 'nothing'}"
         where = f"{text.source}: line {text.line_of(bad)}, column {text.names[place]}"
-        raise MeasurementError(what, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
+        raise MeasurementError(problem, where, "write each time as 2024-05-03 10:00:00.005, or in seconds")
     return times
 
 
 def _check_coherence(column: Column, numbers: dict[int, Numbers], text: TableText) -> None:
     """Refuse a coherence outside 0 to 1, with its line."""
     (place,) = column.places
-    found = outside_coherence(numbers[place])
-    if found is not None:
-        row, what, remedy = found
+    fault = outside_coherence(numbers[place])
+    if fault is not None:
+        row, problem, remedy = fault
         where = f"{text.source}: line {text.line_of(row)}, column {text.names[place]}"
-        raise MeasurementError(what, where, remedy)
+        raise MeasurementError(problem, where, remedy)
 
 
 def _function(
@@ -254,12 +258,12 @@ def _complex(real: Numbers, imaginary: Numbers) -> Complex:
 
 
 def _phase_factor(column: Column, phase: Numbers, source: str) -> float:
-    """Return the factor of a phase to radians: it is in degrees where it is too large for radians."""
+    """Return the factor of a phase to radians; without a unit, it is in degrees if it is too large for radians."""
     label, largest = column.labels[1], float(max(phase.max(initial=0), -float(phase.min(initial=0))))
     where = f"{source}: phase of {column.response}"
     if not label and RADIANS < largest < DEGREES:
-        what = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
-        raise MeasurementError(what, where, "write it in the header: [deg] or [rad]")
+        problem = f"expected the unit of the phase, found none, and phases up to {largest:.4g}"
+        raise MeasurementError(problem, where, "write it in the header: [deg] or [rad]")
     factor = radians_in(label or ("rad" if largest <= RADIANS else "deg"))
     if factor is None:
         raise MeasurementError(f"expected a unit of angle, found {shown(label)}", where, "write deg or rad")
@@ -273,8 +277,8 @@ def _polar(magnitude: Numbers, phase: Numbers, factor: float, decibels: bool) ->
 
 
 def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
-    """Return what comments such as pkmodes itself writes state: quantity, drives, and the unit of each channel."""
-    found = {}
+    """Return statements in comments as written by pkmodes: quantity, drives, and the unit of each channel."""
+    statements = {}
     for match in (STATEMENT.fullmatch(text.rstrip(" ,;\t")) for text in comments):
         if match is None:
             continue
@@ -285,21 +289,21 @@ def _stated(comments: Iterable[str], channels: Set[str]) -> dict[str, str]:
                 continue
             word = f"unit {channel}"
         if value:
-            found[word] = value
-    return found
+            statements[word] = value
+    return statements
 
 
 def _losses(comments: Iterable[str]) -> list[str]:
-    """Return the comments that state lost or overloaded samples, other than none."""
-    found, more = list[str](), 0
+    """Return the comments that state lost or overloaded samples, unless they state that there are none."""
+    losses, omitted = list[str](), 0
     for text in comments:
         if not (_states_losses(text) if text.startswith("##") else LOST_SAMPLES.search(text)):
             continue
-        if len(found) < MOST_LOSSES:
-            found.append(f"the file states: {text.lstrip('# ').strip()[:LONGEST_LOSS]}")
+        if len(losses) < MOST_LOSSES:
+            losses.append(f"the file states: {text.lstrip('# ').strip()[:LONGEST_LOSS]}")
         else:
-            more += 1
-    return [*found, f"{more} more lines of it state such losses"] if more else found
+            omitted += 1
+    return [*losses, f"{omitted} more lines of it state such losses"] if omitted else losses
 
 
 def _states_losses(text: str) -> bool:
@@ -319,8 +323,8 @@ def looks_like_text(head: bytes) -> bool:
         text = head.decode("utf-8-sig", "strict" if len(head) < 4000 else "ignore")
     except UnicodeDecodeError:
         text = head.decode("latin-1")
-    strange = sum(not (one.isprintable() or one in "\t\r\n") for one in text)
-    return strange == 0 and any(one.isalpha() for one in text)
+    strange = sum(not (character.isprintable() or character in "\t\r\n") for character in text)
+    return strange == 0 and any(character.isalpha() for character in text)
 
 
 TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read)

@@ -1,7 +1,7 @@
-"""What the columns of a table are: by their names, the units with these, and what is asked of the file.
+"""The meaning of a table's columns: by their names, the units in these, and the request for the file.
 
-A name is ``time``, ``force``, ``re:acc_1/hammer``, ``mag:acc_1``, ``psd_x``, or that of a sensor.  Units stand in
-square brackets; many programs write them in parentheses, or those of times after a low line.
+A name is ``time``, ``force``, ``re:acc_1/hammer``, ``mag:acc_1``, ``psd_x``, or that of a sensor.  Units are in
+square brackets; many programs write them in parentheses, or those of times after an underscore.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from pkmodes.support.ordering import listed
 
 TIME = "time"
 FREQUENCIES = ("frequency", "freq")
-#: What programs call times and frequencies where no column has one of these names.
+#: Other names for times and frequencies, used if no column has one of those above.
 ALSO_TIMES, ALSO_FREQUENCIES = ("t", "timestamp", "datetime", "clock"), ("f", "frequencies")
 REAL, IMAGINARY, MAGNITUDE, PHASE, COHERENCE, POWER = "re:", "im:", "mag:", "phase:", "coh:", "psd_"
-#: The two parts of a frequency response, and how programs that draw it name them, such as ``Mag1 (dB)``.
+#: The two parts of a frequency response, by pairs of prefixes.
 PARTS = ((REAL, IMAGINARY), (MAGNITUDE, PHASE))
-#: A name of a function of frequency: what it is, its sensor, and a reference.
+#: A name of a function of frequency: its kind, its sensor, and a reference.
 SPECTRAL = re.compile(r"(re:|im:|mag:|phase:|coh:|psd_)([^/]*)(.*)", re.IGNORECASE)
 BODE = re.compile(r"(?:(?P<mag>mag(?:nitude)?|ampl(?:itude)?)|phase)[ _]?(?P<name>.*)", re.IGNORECASE)
 POWERS = ("psd_x", "psd_y", "psd_z")
@@ -76,8 +76,8 @@ class Layout:
     columns: tuple[Column, ...]
 
 
-def layout_of(cells: Sequence[str], where: str, asked: Asked, *, rated: bool = False) -> Layout:
-    """Return what the columns of a table are.
+def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool = False) -> Layout:
+    """Return the layout of a table's columns.
 
     Parameters
     ----------
@@ -85,66 +85,74 @@ def layout_of(cells: Sequence[str], where: str, asked: Asked, *, rated: bool = F
         Of the header, with units.
     where : str
         The line of the header, for messages.
-    asked : Asked
-        What is wanted of the file.
+    request : Asked
+        The request for the file.
     rated : bool
         Whether the file states a rate, which stands in for times.
 
     Raises
     ------
     MeasurementError
-        If there is no time or frequency, or more than one; if a wanted column occurs twice or lacks its other part.
+        If there is no time or frequency, or more than one; if a requested column is repeated or lacks its other part.
     """
-    heads = _own_heads([_head(cell, asked) for cell in cells], where, asked)
+    heads = _own_heads([_head(cell, request) for cell in cells], where, request)
     times = _named(heads, (TIME,), seconds_in)
     frequencies = _named(heads, FREQUENCIES, hertz_in)
-    if not times and not frequencies and asked.rate is None:
+    if not times and not frequencies and request.rate is None:
         free = [
-            ("", "") if asked.sensors and name in asked.sensors else (name, label) for name, label in heads
+            ("", "") if request.sensors and name in request.sensors else (name, label)
+            for name, label in heads
         ]
         times = _named(free, ALSO_TIMES, seconds_in)
         frequencies = {} if times else _named(free, ALSO_FREQUENCIES, hertz_in)
-    found = times | frequencies
-    if len(found) > 1:
-        what = f"expected one column of times or frequencies, found {len(found)}"
-        raise MeasurementError(what, where, "leave one of them out")
-    if not found and asked.rate is None and not rated:
-        what = f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MOST_NAMES)}"
+    abscissas = times | frequencies
+    if len(abscissas) > 1:
+        problem = f"expected one column of times or frequencies, found {len(abscissas)}"
+        raise MeasurementError(problem, where, "leave one of them out")
+    if not abscissas and request.rate is None and not rated:
+        problem = (
+            f"expected a column of times or frequencies, found {listed([*map(shown, cells)], MOST_NAMES)}"
+        )
         remedy = 'say in the record which it is, names = { time = "NAME" } or { frequency = "NAME" }'
-        raise MeasurementError(what, where, f'{remedy}, or give the rate there, rate = "3200 Hz"')
-    names = {i: name for i, (name, _) in enumerate(heads) if i not in found and name}
+        raise MeasurementError(problem, where, f'{remedy}, or give the rate there, rate = "3200 Hz"')
+    names = {i: name for i, (name, _) in enumerate(heads) if i not in abscissas and name}
     labels = [label for _, label in heads]
-    columns = _spectral(names, labels, where, asked) if frequencies else _signals(names, labels, asked)
+    columns = _spectral(names, labels, where, request) if frequencies else _signals(names, labels, request)
     _refuse_repeated(columns, cells, where)
-    place, label = next(iter(found.items()), (None, ""))
+    place, label = next(iter(abscissas.items()), (None, ""))
     return Layout(place, label, Kind.FRF if frequencies else Kind.TIME, tuple(columns))
 
 
-def _head(cell: str, asked: Asked) -> tuple[str, str]:
-    """Return the name in a cell and the label of its unit, "" without one; a sensor may be called as the whole."""
+def _head(cell: str, request: Asked) -> tuple[str, str]:
+    """Return the name in a cell and the label of its unit, "" without one; the whole cell may name a sensor."""
     name, label = parted(cell, ())
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
-        known = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
-        name, label = (match[1], match[2]) if known else (cell, None)
+        has_unit = unit_text(match[2]) is not None or match[2].lower().startswith(DECIBELS)
+        name, label = (match[1], match[2]) if has_unit else (cell, None)
     if label is None and unit_text(worded(cell)[1]) is not None:
         name, label = worded(cell)
-    whole = cell in (asked.sensors or ()) or cell in asked.names.values()
+    whole = cell in (request.sensors or ()) or cell in request.names.values()
     return (cell if whole else name), label or ""
 
 
-def _own_heads(heads: Sequence[tuple[str, str]], where: str, asked: Asked) -> list[tuple[str, str]]:
-    """Return names as they are called here, "" for columns that are not read, and the labels of their units."""
+def _own_heads(heads: Sequence[tuple[str, str]], where: str, request: Asked) -> list[tuple[str, str]]:
+    """Return the names used here, "" for columns that are not read, and the labels of their units."""
     split = [SPECTRAL.fullmatch(name) for name, _ in heads]
-    given = [match[2].strip() if match else name for (name, _), match in zip(heads, split, strict=True)]
-    own = asked.own_names(dict.fromkeys(given), where)
-    found = []
-    for (name, label), match, plain in zip(heads, split, given, strict=True):
+    plain_names = [match[2].strip() if match else name for (name, _), match in zip(heads, split, strict=True)]
+    own_names = request.own_names(dict.fromkeys(plain_names), where)
+    renamed = []
+    for (name, label), match, plain in zip(heads, split, plain_names, strict=True):
         after = AFTER_LOW_LINE.fullmatch(name)
-        if not label and own.get(plain) in (TIME, FREQUENCIES[0]) and after and _unit_of_abscissa(after[2]):
+        if (
+            not label
+            and own_names.get(plain) in (TIME, FREQUENCIES[0])
+            and after
+            and _unit_of_abscissa(after[2])
+        ):
             label = after[2]
-        called = own.get(plain, plain)
-        found.append((f"{match[1].lower()}{called}{match[3]}" if match else called, label))
-    return found
+        called = own_names.get(plain, plain)
+        renamed.append((f"{match[1].lower()}{called}{match[3]}" if match else called, label))
+    return renamed
 
 
 def _unit_of_abscissa(label: str) -> bool:
@@ -154,31 +162,31 @@ def _unit_of_abscissa(label: str) -> bool:
 def _named(
     heads: Sequence[tuple[str, str]], names: Sequence[str], factor_in: Callable[[str], float | None]
 ) -> dict[int, str]:
-    """Return the columns that have one of some names, with the label of their unit, perhaps after a low line."""
-    found = {}
+    """Return the columns with one of some names, and the label of their unit, perhaps after an underscore."""
+    labelled = {}
     for i, (name, label) in enumerate(heads):
         split = AFTER_LOW_LINE.fullmatch(name)
         if name.lower() in names:
-            found[i] = label
+            labelled[i] = label
         elif split and split[1].lower() in names and factor_in(split[2]) is not None:
-            found[i] = split[2]
-    return found
+            labelled[i] = split[2]
+    return labelled
 
 
-def _signals(names: Mapping[int, str], labels: Sequence[str], asked: Asked) -> list[Column]:
+def _signals(names: Mapping[int, str], labels: Sequence[str], request: Asked) -> list[Column]:
     """Return the columns of a table of signals."""
     return [
         Column(Kind.TIME, name, "", (i,), (labels[i],), name == FORCE)
         for i, name in names.items()
-        if name == FORCE or asked.wants(name)
+        if name == FORCE or request.wants(name)
     ]
 
 
-def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, asked: Asked) -> list[Column]:
+def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, request: Asked) -> list[Column]:
     """Return the columns of a table of functions of frequency."""
-    columns = _bode(names, labels, asked)
+    columns = _bode(names, labels, request)
     taken = {place for column in columns for place in column.places}
-    plain = asked.sensors is not None or not any(
+    plain = request.sensors is not None or not any(
         name.startswith((REAL, MAGNITUDE, COHERENCE, POWER)) for name in names.values()
     )
     places: dict[str, list[int]] = {}
@@ -191,33 +199,35 @@ def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, asked
         response, _, reference = (part.strip() for part in channel.partition("/"))
         parts = next((parts for parts in PARTS if name.startswith(parts)), None)
         if parts is not None:
-            if not asked.wants(response):
+            if not request.wants(response):
                 continue
             pair = [places.get(f"{part}{channel}", []) for part in parts]
-            if [len(one) for one in pair] != [1, 1]:
-                what = f"expected one column {shown(parts[0] + channel)} and one {shown(parts[1] + channel)}"
-                raise MeasurementError(what, where, "give both parts of each frequency response once")
+            if [len(candidates) for candidates in pair] != [1, 1]:
+                problem = (
+                    f"expected one column {shown(parts[0] + channel)} and one {shown(parts[1] + channel)}"
+                )
+                raise MeasurementError(problem, where, "give both parts of each frequency response once")
             if name.startswith(parts[0]):
                 both = (pair[0][0], pair[1][0])
                 of_both = (labels[both[0]], labels[both[1]])
                 polar = parts[0] == MAGNITUDE
                 columns.append(Column(Kind.FRF, response, reference, both, of_both, polar=polar))
         elif name.startswith(COHERENCE):
-            if asked.wants(response):
+            if request.wants(response):
                 columns.append(Column(Kind.COHERENCE, response, reference, (i,), (labels[i],)))
-        elif name.lower() in POWERS or (name.startswith(POWER) and asked.sensors is not None):
+        elif name.lower() in POWERS or (name.startswith(POWER) and request.sensors is not None):
             power = name[len(POWER) :]
-            if asked.wants(name, power):
+            if request.wants(name, power):
                 columns.append(Column(Kind.SPECTRUM, power, "", (i,), (labels[i],)))
-        elif plain and asked.wants(name):
+        elif plain and request.wants(name):
             columns.append(Column(Kind.SPECTRUM, name, "", (i,), (labels[i],)))
     return columns
 
 
-def _bode(names: Mapping[int, str], labels: Sequence[str], asked: Asked) -> list[Column]:
+def _bode(names: Mapping[int, str], labels: Sequence[str], request: Asked) -> list[Column]:
     """Return the frequency responses in columns such as ``Mag1 (dB)`` and ``Phase1 (deg)``.
 
-    The sensor is called as the column of the magnitude, or as what follows the word in it.
+    The sensor is named by the column of the magnitude, or by what follows the word in it.
     """
     magnitudes: dict[str, tuple[int, str]] = {}
     phases: dict[str, tuple[int, str]] = {}
@@ -226,18 +236,19 @@ def _bode(names: Mapping[int, str], labels: Sequence[str], asked: Asked) -> list
             (magnitudes if match["mag"] else phases)[match["name"].lower()] = i, match["name"]
     columns = []
     for key, (i, short) in magnitudes.items():
-        wanted = [one for one in (names[i], short) if one and asked.wants(one)]
-        if key in phases and wanted:
+        requested = [candidate for candidate in (names[i], short) if candidate and request.wants(candidate)]
+        if key in phases and requested:
             j, _ = phases[key]
-            columns.append(Column(Kind.FRF, wanted[0], "", (i, j), (labels[i], labels[j]), polar=True))
+            columns.append(Column(Kind.FRF, requested[0], "", (i, j), (labels[i], labels[j]), polar=True))
     return columns
 
 
 def _refuse_repeated(columns: Sequence[Column], cells: Sequence[str], where: str) -> None:
     """Refuse two columns of one function."""
-    seen: dict[tuple[Kind, str, str], Column] = {}
+    by_function: dict[tuple[Kind, str, str], Column] = {}
     for column in columns:
-        first = seen.setdefault((column.kind, column.response, column.reference), column)
+        first = by_function.setdefault((column.kind, column.response, column.reference), column)
         if first is not column:
-            what = f"the column {shown(cells[column.places[0]])} is repeated, first as column {first.places[0] + 1}"
-            raise MeasurementError(what, f"{where}, column {column.places[0] + 1}", "remove one of them")
+            name = shown(cells[column.places[0]])
+            problem = f"the column {name} is repeated, first as column {first.places[0] + 1}"
+            raise MeasurementError(problem, f"{where}, column {column.places[0] + 1}", "remove one of them")

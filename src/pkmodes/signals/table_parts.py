@@ -1,4 +1,4 @@
-"""Long texts, a part after the other: only the text and its numbers are in memory as a whole."""
+"""Long texts, part by part: only the text and its numbers are in memory as a whole."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
 
-#: Bytes of a part, whose cells take thirty times as much where a pattern is replaced; and of the longest line.
+#: Bytes of a part, whose cells take thirty times as much while a pattern is replaced; and of the longest line.
 PART, LONGEST_LINE = 1 << 16, 1 << 18
 #: Types of whole numbers, the smallest first.
 WHOLE = ("i1", "i2", "i4")
 
 
 def parts_of(text: bytes, start: int = 0) -> Iterator[tuple[int, int]]:
-    """Yield where parts of whole lines begin and end; a line that is longer than a part is one by itself."""
+    """Yield the start and end of parts of whole lines; a line longer than a part is a part by itself."""
     while start < len(text):
         end = text.rfind(b"\n", start, start + PART) + 1 if len(text) - start > PART else len(text)
         end = end or text.find(b"\n", start) + 1 or len(text)
@@ -26,14 +26,14 @@ def parts_of(text: bytes, start: int = 0) -> Iterator[tuple[int, int]]:
 
 
 def in_parts(text: bytes, change: Callable[[bytes], bytes], start: int = 0, before: bytes = b"") -> bytes:
-    """Return a text from some place on, changed part by part, as a pattern that is replaced takes many times it.
+    """Return a text from an offset, changed part by part, as replacing a pattern takes many times its memory.
 
     Parameters
     ----------
     change : callable
         Of a part, which has whole lines.
     before : bytes
-        What is put before it.
+        Text put before it.
     """
     return b"".join([before, *(change(text[low:high]) for low, high in parts_of(text, start))])
 
@@ -48,17 +48,17 @@ def check_lines(text: bytes, source: str) -> None:
     """
     for start, end in parts_of(text):
         if end - start > LONGEST_LINE:
-            what = f"expected lines of at most {LONGEST_LINE:,} bytes, found one of {end - start:,}"
+            problem = f"expected lines of at most {LONGEST_LINE:,} bytes, found one of {end - start:,}"
             number = text.count(b"\n", 0, start) + 1
             raise MeasurementError(
-                what, f"{source}: line {number}", "write each sample into a line of its own"
+                problem, f"{source}: line {number}", "write each sample into a line of its own"
             )
 
 
 def narrow(values: NDArray[np.float64]) -> NDArray[Any]:
-    """Return numbers as whole ones in the smallest type that has them all, or as they are.
+    """Return whole numbers in the smallest type that holds them all, others unchanged.
 
-    A cell of a digit and a separator has two bytes, and a number of double precision eight.
+    A cell of one digit and a separator has two bytes, a number of double precision eight.
     """
     if values.size and np.array_equal(values, np.rint(values)):
         low, high = values.min(), values.max()
@@ -69,5 +69,5 @@ def narrow(values: NDArray[np.float64]) -> NDArray[Any]:
 
 
 def joined(parts: Sequence[NDArray[Any]]) -> NDArray[Any]:
-    """Return parts of a column as one, of the smallest type that has the numbers of all."""
+    """Return parts of a column as one array, of the smallest type that holds the numbers of all."""
     return parts[0].copy() if len(parts) == 1 else np.concatenate(parts)

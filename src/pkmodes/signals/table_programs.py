@@ -1,7 +1,7 @@
-"""What programs write around a table: a preamble, a row of units, a last line with the rate.
+"""Text that programs write around a table: a preamble, a row of units, a last line with the rate.
 
-Each of `PROGRAMS` takes the lines of a file and returns what is a table of them, with blank lines for what it takes
-out, so that the numbers of lines stay those of the file.
+Each of `PROGRAMS` takes the content of a file and returns the table in it, with blank lines for the lines that it
+removes, so that line numbers stay those of the file.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ from pkmodes.signals.scanning import text_of
 from pkmodes.signals.table_parts import in_parts
 
 LABVIEW, END_OF_HEADER = b"LabVIEW Measurement", b"***End_of_Header***"
-#: Columns of LabVIEW that are no signals: times, and a text that few rows have.
+#: Columns of LabVIEW that are no signals: times, and a comment in few rows.
 X_VALUE, COMMENT = b"X_Value", b"Comment"
 NAMES, LINE_ENDS = (
     re.compile(rb"^[ \t]*X_Value[^\n]*", re.MULTILINE),
     re.compile(rb"(?<![\t \r])[\t \r]+(?=\n|\Z)"),
 )
-#: Entries of its header that say how many columns of times there are.
+#: Entries of its header that state the number of time columns.
 COLUMNS_OF_X = (b"X_Columns", b"Multi_Headings")
 #: The last line of a file of RepRapFirmware, such as ``Rate 1344, overflows 0``.
 REPRAP = re.compile(rb"\n[ \t]*Rate[ \t]+([0-9.]+),[ \t]*overflows[ \t]+([0-9]+)[ \t\r]*(?=\n|\Z)")
@@ -31,7 +31,7 @@ RATE = re.compile(rb"[0-9]+\.?[0-9]*|\.[0-9]+")
 
 @dataclass(frozen=True)
 class Framed:
-    """A table without what a program wrote around it.
+    """A table without the text that a program wrote around it.
 
     Attributes
     ----------
@@ -39,7 +39,7 @@ class Framed:
     rate : float, optional
         Sampling rate that the file states [Hz].
     losses : tuple of str
-        What it states of lost samples.
+        Its statements on lost samples.
     """
 
     content: bytes
@@ -48,7 +48,7 @@ class Framed:
 
 
 def _labview(content: bytes, source: str) -> Framed | None:
-    """Take the two headers of a LabVIEW measurement file (.lvm, version 2) away.
+    """Remove the two headers of a LabVIEW measurement file (.lvm, version 2).
 
     https://www.ni.com/en/support/documentation/supplemental/06/specification-for-the-labview-measurement-file---lvm-.html
     """
@@ -56,8 +56,8 @@ def _labview(content: bytes, source: str) -> Framed | None:
         return None
     end = content.rfind(END_OF_HEADER)
     if end < 0:
-        what = "expected a LabVIEW measurement file, found no end of its header"
-        raise MeasurementError(what, source, "export the file again")
+        problem = "expected a LabVIEW measurement file, found no end of its header"
+        raise MeasurementError(problem, source, "export the file again")
     entries = {}
     for line in io.BytesIO(content[:end]):
         key, *value = re.split(rb"[\t,;]", line.strip(), maxsplit=1)
@@ -65,17 +65,17 @@ def _labview(content: bytes, source: str) -> Framed | None:
             entries[key] = text_of(value[0]).strip()
     columns = entries.get(COLUMNS_OF_X[0], "One")
     if columns != "One" or entries.get(COLUMNS_OF_X[1], "No") != "No":
-        what = f"expected one column of times, found X_Columns {shown(columns)}"
-        raise MeasurementError(what, source, "write the file with one X column and one header")
+        problem = f"expected one column of times, found X_Columns {shown(columns)}"
+        raise MeasurementError(problem, source, "write the file with one X column and one header")
     if content.count(END_OF_HEADER) > 2:
-        what = "expected one measurement, found several in the file"
-        raise MeasurementError(what, source, "write each measurement into a file of its own")
+        problem = "expected one measurement, found several in the file"
+        raise MeasurementError(problem, source, "write each measurement into a file of its own")
     start = end + len(END_OF_HEADER)
     return Framed(in_parts(content, _plain_rows, start, before=b"\n" * content.count(b"\n", 0, start)))
 
 
 def _plain_rows(part: bytes) -> bytes:
-    """Return rows of LabVIEW without the blanks at their ends, where comments would be, and the times called so."""
+    """Return rows of LabVIEW without blanks at their ends, where comments would be, and with X_Value renamed time."""
     return LINE_ENDS.sub(b"", NAMES.sub(_names, part) if X_VALUE in part else part)
 
 
@@ -85,19 +85,21 @@ def _names(line: re.Match[bytes]) -> bytes:
 
 
 def _reprap(content: bytes, source: str) -> Framed | None:
-    """Take the last line of RepRapFirmware's accelerometer files away: rate, and overflows of its buffer."""
-    found = REPRAP.search(content[-200:])
-    if found is None:
+    """Remove the last line of RepRapFirmware's accelerometer files: the rate, and overflows of its buffer."""
+    last_line = REPRAP.search(content[-200:])
+    if last_line is None:
         return None
-    start = max(len(content) - 200, 0) + found.start()
-    if RATE.fullmatch(found[1]) is None:
+    start = max(len(content) - 200, 0) + last_line.start()
+    if RATE.fullmatch(last_line[1]) is None:
         number = content.count(b"\n", 0, start + 1) + 1
         where = f"{source}: line {number}"
         remedy = "correct it; or remove the line, and give the rate in the record"
-        raise MeasurementError(f"expected a sampling rate, found {shown(text_of(found[1]))}", where, remedy)
-    rate, overflows = float(found[1]), int(found[2])
-    rest = content[: start + 1] + content[start + len(found[0]) :]
-    lost = (f"the file states: {text_of(found[0]).strip()}",) if overflows else ()
+        raise MeasurementError(
+            f"expected a sampling rate, found {shown(text_of(last_line[1]))}", where, remedy
+        )
+    rate, overflows = float(last_line[1]), int(last_line[2])
+    rest = content[: start + 1] + content[start + len(last_line[0]) :]
+    lost = (f"the file states: {text_of(last_line[0]).strip()}",) if overflows else ()
     return Framed(rest, rate or None, lost)
 
 
@@ -105,12 +107,12 @@ PROGRAMS: tuple[Callable[[bytes, str], Framed | None], ...] = (_labview, _reprap
 
 
 def framed(content: bytes, source: str) -> Framed:
-    """Return a table without what the program that wrote it has put around it.
+    """Return a table without the text that the program wrote around it.
 
     Raises
     ------
     MeasurementError
-        If the program is known, and what it wrote is not one table.
+        If the program is known, but its file is not a single table.
     """
-    found = (program(content, source) for program in PROGRAMS)
-    return next((one for one in found if one is not None), Framed(content))
+    frames = (program(content, source) for program in PROGRAMS)
+    return next((frame for frame in frames if frame is not None), Framed(content))

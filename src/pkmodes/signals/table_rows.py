@@ -1,4 +1,4 @@
-"""Lines of a table that are rows, and what programs write after their last cells."""
+"""Rows of a table, and the separators that programs write after their last cells."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from itertools import islice
 from pkmodes.signals.scanning import text_of
 from pkmodes.signals.table_parts import in_parts
 
-#: Lines from which it is told whether rows end with a separator.
+#: First lines by which it is decided whether rows end with a separator.
 FIRST = 20
 
 
@@ -26,11 +26,11 @@ def without_ends(
     Parameters
     ----------
     count : int
-        Of the columns, 0 if only the names and the rows tell it.
+        Of the columns, 0 if only the names and the rows show it.
     """
     rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if is_row(line)]
-    most = count or max((len(row) for row in rows), default=len(names))
-    while len(names) > most and not names[-1]:
+    width = count or max((len(row) for row in rows), default=len(names))
+    while len(names) > width and not names[-1]:
         names = names[:-1]
     if all(len(row) <= len(names) or "".join(row[len(names) :]).strip(' \t\r\n"') for row in rows):
         return names, body

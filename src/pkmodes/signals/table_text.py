@@ -1,6 +1,6 @@
 """The text of a table: its header, its comments, and its columns of numbers.
 
-What separates the cells, and where numbers may have decimal commas, is as in every table (`pkmodes.measured.cells`).
+Separators of cells and decimal commas are as in every other table (`pkmodes.measured.cells`).
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ from pkmodes.signals.table_parts import check_lines, in_parts, joined, narrow, p
 from pkmodes.signals.table_rows import is_row, without_ends
 from pkmodes.signals.units import unit_text
 
-#: What separates cells where nothing else does; such a table is read as one with tabs.
+#: Separator of cells if there is no other; such a table is read as one with tabs.
 BLANKS = re.compile(rb"[ \t]+")
 AROUND_LINES = re.compile(rb"^[ \t]+|(?<![ \t])[ \t]+(?=\r?$)", re.MULTILINE)
-#: Carriage returns that end no line; a reader of numbers would take them for line ends.
+#: Carriage returns inside a line; a reader of numbers would take them for line ends.
 INSIDE_LINES = re.compile(rb"\r(?![\r\n]|\Z)")
-#: Within the rows, what is or may be a missing value: no number, or nothing between two separators or at an end.
+#: A possible missing value in the rows: no number, or nothing between two separators or at an end.
 GAP = re.compile(rb"[nN][aA][nN]|[iI][nN][fF]|[;,\t] *[;,\t\r\n]|^ *[;,\t]|[;,\t] *\Z", re.MULTILINE)
 MISSING = re.compile(r"[+-]?(?:nan|inf|infinity)|", re.IGNORECASE)
 REMEDY = "start with a row of names: time and the sensors, or frequency with re: and im: columns, or psd_x"
-#: Columns of a table, and letters of the name of one, at most.
+#: Most columns of a table, and most letters of a column's name.
 MOST_COLUMNS, LONGEST_NAME = 10_000, 1000
-#: What lines at the end have in which spreadsheet programs leave nothing but separators.
+#: Characters of the empty lines of separators that spreadsheet programs leave at the end.
 EMPTY = b" \t,;\r\n"
 COMMENT_LINES = re.compile(rb"^[ \t]*#.*\n?", re.MULTILINE)
 BLANK_LINES = re.compile(rb"^[ \t\r]*\n", re.MULTILINE)
@@ -80,53 +80,53 @@ class TableText:
         for match in COMMENT_LINES.finditer(self.body) if b"#" in self.body else ():
             yield text_of(match[0]).strip()
 
-    def columns(self, wanted: Sequence[int]) -> list[NDArray[Any]]:
+    def columns(self, places: Sequence[int]) -> list[NDArray[Any]]:
         """Read some columns.
 
         Returns
         -------
         list of ndarray, shape (rows,)
-            In double precision, or of a smaller type that has the same whole numbers.
+            In double precision, or in a smaller type that holds the same whole numbers.
 
         Raises
         ------
         MeasurementError
             If a cell is not a finite number or a row has too few or too many cells, with line and column.
         """
-        found: list[list[NDArray[Any]]] = [[] for _ in wanted]
+        columns: list[list[NDArray[Any]]] = [[] for _ in places]
         for start, end in parts_of(self.body):
             part = self.body[start:end]
             if (inside := INSIDE_LINES.search(part)) is not None:
                 line = self.first_line + self.body.count(b"\n", 0, start + inside.start())
-                what = "expected the end of the line, found a carriage return inside it"
-                raise MeasurementError(what, f"{self.source}: line {line}", "export the table again")
-            numbers = self._numbers(part, wanted)
+                problem = "expected the end of the line, found a carriage return inside it"
+                raise MeasurementError(problem, f"{self.source}: line {line}", "export the table again")
+            numbers = self._numbers(part, places)
             if numbers is None:
-                raise self._first_problem(wanted)
-            for column, values in zip(found, numbers, strict=True):
+                raise self._first_problem(places)
+            for column, values in zip(columns, numbers, strict=True):
                 column.append(narrow(values))
             del numbers
-        if not found or not sum(part.size for part in found[0]):
+        if not columns or not sum(part.size for part in columns[0]):
             raise MeasurementError("expected rows, found only a header", self.source, "add the rows")
-        return [joined(found.pop(0)) for _ in wanted]
+        return [joined(columns.pop(0)) for _ in places]
 
-    def _numbers(self, part: bytes, wanted: Sequence[int]) -> Array | None:
-        """Return some columns of some of the lines, (columns, rows); None if a cell or a row is no such."""
+    def _numbers(self, part: bytes, places: Sequence[int]) -> Array | None:
+        """Return columns of some of the lines, (columns, rows); None if a cell or a row is invalid."""
         if b"#" in part:
             part = COMMENT_LINES.sub(b"", part)
         rows = BLANK_LINES.sub(b"", part).replace(b'"', b"")
         if not rows.strip():
-            return np.empty((len(wanted), 0))
+            return np.empty((len(places), 0))
         if not self._has_even_rows(rows):
             return None
         if self.separator != ",":
             rows = rows.replace(b",", b".")
         lines = io.TextIOWrapper(io.BytesIO(rows), "latin-1")
         try:
-            found = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=wanted, ndmin=2).T
+            numbers = np.loadtxt(lines, delimiter=self.separator, comments=None, usecols=places, ndmin=2).T
         except ValueError:
             return None
-        return np.ascontiguousarray(found) if np.all(np.isfinite(found)) else None
+        return np.ascontiguousarray(numbers) if np.all(np.isfinite(numbers)) else None
 
     def cell(self, column: int) -> str:
         """Return the text of a cell of the first row, "" without rows."""
@@ -138,18 +138,18 @@ class TableText:
 
     @property
     def may_have_gaps(self) -> bool:
-        """Whether a cell may be empty or no finite number: a quick look, which may err on this side."""
+        """Whether a cell may be empty or no finite number: a quick check, which may give false alarms."""
         return GAP.search(self.body) is not None
 
     def without_gaps(
-        self, abscissa: int, wanted: Sequence[int], counts: Callable[[float], bool]
+        self, abscissa: int, places: Sequence[int], counts: Callable[[float], bool]
     ) -> TableText:
-        """Return the table without the rows that lack a wanted value and do not count.
+        """Return the table without the rows that lack a requested value and do not count.
 
         Parameters
         ----------
         counts : callable
-            Whether a row does, by the number in the column `abscissa`.
+            Whether a row counts, by the number in the column `abscissa`.
         """
 
         def without(part: bytes) -> bytes:
@@ -157,11 +157,11 @@ class TableText:
                 return part
             return b"".join(
                 line if keeps(line) else b"\n" for line in io.BytesIO(part)
-            )  # the numbers of lines stay
+            )  # keeps the line numbers
 
         def keeps(line: bytes) -> bool:
             cells = self._cells(self._row(line)) if is_row(line) else []
-            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in wanted):
+            if len(cells) != len(self.names) or not any(MISSING.fullmatch(cells[i]) for i in places):
                 return True
             at = number_in(cells[abscissa].replace(",", "."), None)
             return at is None or counts(at)
@@ -177,7 +177,7 @@ class TableText:
         return replace(self, body=self.body[start:], first_line=number + 1)
 
     def line_of(self, row: int) -> int:
-        """Return the number of the line of a row, both of which count from the header."""
+        """Return the line number of a row."""
         for index, (number, _) in enumerate(self._rows()):
             if index == row:
                 return number
@@ -204,24 +204,24 @@ class TableText:
     def _cells(self, line: str) -> list[str]:
         return [cell.strip() for cell in line.split(self.separator)]
 
-    def _first_problem(self, wanted: Sequence[int]) -> MeasurementError:
+    def _first_problem(self, places: Sequence[int]) -> MeasurementError:
         """Return the error for the first row that cannot be read."""
         for number, line in self._rows():
             cells = self._cells(line)
             if len(cells) == 1 < len(self.names) and any(map(str.isalpha, line)):
-                what = f"expected a row of numbers, found the text {shown(line.strip())}"
+                problem = f"expected a row of numbers, found the text {shown(line.strip())}"
                 remedy = "measure again if it says that something failed; otherwise remove the line"
-                return MeasurementError(what, f"{self.source}: line {number}", remedy)
+                return MeasurementError(problem, f"{self.source}: line {number}", remedy)
             if len(cells) != len(self.names):
-                what = f"expected {len(self.names)} cells, found {len(cells)}"
+                problem = f"expected {len(self.names)} cells, found {len(cells)}"
                 remedy = "give each row as many cells as the header; do not separate decimals by commas there"
-                return MeasurementError(what, f"{self.source}: line {number}", remedy)
-            for column in wanted:
+                return MeasurementError(problem, f"{self.source}: line {number}", remedy)
+            for column in places:
                 cell = cells[column] if self.separator == "," else cells[column].replace(",", ".")
                 if NUMBER.fullmatch(cell) is None or not np.isfinite(float(cell)):
-                    what = f"expected a finite number, found {shown(cells[column]) if cell else 'nothing'}"
+                    problem = f"expected a finite number, found {shown(cells[column]) if cell else 'nothing'}"
                     where = f"{self.source}: line {number}, column {self.names[column]}"
-                    return MeasurementError(what, where, "write a plain number, or leave the row out")
+                    return MeasurementError(problem, where, "write a plain number, or leave the row out")
         return MeasurementError("expected rows of numbers", self.source, REMEDY)
 
 
@@ -271,11 +271,11 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
         names_line, header = _header_among(comments, line, source, number, columns)
     separator, names = _separated(header, _first_row(content, start))
     if len(names) > MOST_COLUMNS or max(map(len, names)) > LONGEST_NAME:
-        what = (
+        problem = (
             f"expected the names of at most {MOST_COLUMNS:,} columns, each of at most {LONGEST_NAME} letters"
         )
-        found = f"{len(names):,} names, the longest of {max(map(len, names)):,}"
-        raise MeasurementError(f"{what}, found {found}", f"{source}: line {names_line}", REMEDY)
+        found_names = f"{len(names):,} names, the longest of {max(map(len, names)):,}"
+        raise MeasurementError(f"{problem}, found {found_names}", f"{source}: line {names_line}", REMEDY)
     head = content[:start]
     if separator == " ":
         separator = "\t"
@@ -285,16 +285,16 @@ def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> Tab
     names, body = without_ends(names, body, separator, len(columns))
     if columns:
         if len(columns) != len(names):
-            what = f"expected the names of {len(names)} columns, found {len(columns)}"
+            problem = f"expected the names of {len(names)} columns, found {len(columns)}"
             raise MeasurementError(
-                what, f"{source}: line {names_line}", "name each column of the table, in order"
+                problem, f"{source}: line {names_line}", "name each column of the table, in order"
             )
         names = tuple(columns)
     return _with_units(TableText(source, separator, names, names_line, head, body, number))
 
 
 def _first_line(content: bytes) -> tuple[int, int, str]:
-    """Return where the first line is that is not a comment, its number, and its text, "" if there is none."""
+    """Return the start of the first line that is not a comment, its number, and its text, "" if there is none."""
     start, number = 0, 1
     while start < len(content):
         end = content.find(b"\n", start) + 1 or len(content)
@@ -312,7 +312,7 @@ def _comments(head: bytes) -> Iterator[tuple[int, str]]:
 
 
 def _with_units(table: TableText) -> TableText:
-    """Return a table with the units of the row below its names in these, if that is such a row."""
+    """Return a table with the units from the row below its names added to them, if there is such a row."""
     units = _units_in(_first_row(table.body), table.separator)
     if units is None or len(units) != len(table.names):
         return table
@@ -321,7 +321,7 @@ def _with_units(table: TableText) -> TableText:
 
 
 def _first_row(content: bytes, start: int = 0) -> str:
-    """Return the first line from some place on that is not a comment, "" without one among a thousand."""
+    """Return the first line from an offset that is not a comment, "" if there is none among a thousand."""
     for _ in range(1000):
         end = content.find(b"\n", start) + 1 or len(content)
         if is_row(content[start:end]):
@@ -331,7 +331,7 @@ def _first_row(content: bytes, start: int = 0) -> str:
 
 
 def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
-    """Return what separates the cells, a blank where nothing else does, and those of the header."""
+    """Return the separator of the cells, a blank if there is no other, and the cells of the header."""
     separator = separator_of(header)
     words = header.split()
     if (separator not in header or _are_numbers(words)) and len(words) == len(row.split()) > 1:
@@ -340,7 +340,7 @@ def _separated(header: str, row: str) -> tuple[str, tuple[str, ...]]:
 
 
 def _units_in(row: str, separator: str) -> list[str] | None:
-    """Return the units in the row below the names; None if it is one of numbers, or has anything else."""
+    """Return the units in the row below the names; None if it holds numbers or anything else."""
     cells = [cell.strip().strip('"').strip() for cell in row.split(separator)]
     units = [cell[1:-1].strip() if cell[:1] + cell[-1:] in ("[]", "()") else cell for cell in cells]
     if not any(units) or max(map(len, units)) > LONGEST_NAME:
@@ -359,20 +359,20 @@ def _header_among(
         names = text.lstrip("# \t")
         separator = separator_of(names)
         of_blanks = separator not in names and len(names.split()) == len(row.split()) > 1
-        cells, others = names.split(separator), row.split(separator)
-        as_many = of_blanks or len(cells) == len(others)
+        cells, row_cells = names.split(separator), row.split(separator)
+        as_many = of_blanks or len(cells) == len(row_cells)
         as_many |= (
             len(cells) == len(row.rstrip(f"{separator} \t").split(separator)) > 1
-        )  # others end with a separator
+        )  # the row may end with a separator
         if not text.startswith("##") and as_many:
             last = line, names
     if last is not None:
         return last
     if columns:
         return number, row
-    what = f"expected the names of the columns, found {shown(row)}"
+    problem = f"expected the names of the columns, found {shown(row)}"
     remedy = f'{REMEDY}; or name them in the record: columns = ["time", "acc_1"]'
-    raise MeasurementError(what, f"{source}: line {number}", remedy)
+    raise MeasurementError(problem, f"{source}: line {number}", remedy)
 
 
 def _is_numbers(line: str) -> bool:
@@ -383,4 +383,4 @@ def _is_numbers(line: str) -> bool:
 
 def _are_numbers(words: Sequence[str]) -> bool:
     """Return whether all words are numbers, perhaps with decimal commas."""
-    return all(NUMBER.fullmatch(one.replace(",", ".")) and not one.endswith(",") for one in words)
+    return all(NUMBER.fullmatch(word.replace(",", ".")) and not word.endswith(",") for word in words)

@@ -1,7 +1,7 @@
 """The files in a tar archive, one after the other.
 
-The reader of Python's library takes what heads say of long names and attributes into memory, and keeps every head: a
-small compressed archive may have gigabytes of both.
+The reader in Python's library loads long names and attributes into memory, whatever their stated size, and keeps
+every header: a small compressed archive may have gigabytes of both.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-#: Bytes of a head, and of a name or of attributes at most.
+#: Bytes of a header, and most bytes of a name or of attributes.
 BLOCK, LONGEST = 512, 1 << 16
-#: Bytes that are unpacked at once, and in all of what is no file; and heads.
+#: Bytes unpacked at once; most bytes in all that are not in files; and most headers.
 PART, MOST_OTHERS, MOST_HEADS = 1 << 16, 1 << 26, 100_000
-#: First bytes of compressed archives, and what opens them.
+#: First bytes of compressed archives, and the functions that open them.
 COMPRESSED: dict[bytes, Callable[..., Any]] = {b"\x1f\x8b": gzip.open, b"BZh": bz2.open}
 NAMES, ATTRIBUTES = (tarfile.GNUTYPE_LONGNAME,), (tarfile.XHDTYPE, tarfile.SOLARIS_XHDTYPE)
-#: Heads that say nothing of the name of the next file.
+#: Headers that state nothing about the name of the next file.
 OTHERS = (tarfile.GNUTYPE_LONGLINK, tarfile.XGLTYPE)
 SPARSE = "expected whole files in it, found one with holes"
 
 
 class Entry(NamedTuple):
-    """A file in an archive: its name, its size, and what returns its bytes until the next one is asked for."""
+    """A file in an archive: its name, its size, and a function that returns its bytes until the next file is read."""
 
     name: str
     size: int
@@ -46,7 +46,7 @@ def tar_files(path: Path) -> Iterator[Entry]:
         head = file.read(4)
     opened = next((opener for mark, opener in COMPRESSED.items() if head.startswith(mark)), open)
     with opened(path, "rb") as file:
-        name, size, heads, others = "", -1, 0, 0
+        name, size, heads, other_bytes = "", -1, 0, 0
         while block := file.read(BLOCK):
             if block.count(0) == BLOCK and heads:
                 return
@@ -60,13 +60,15 @@ def tar_files(path: Path) -> Iterator[Entry]:
                 continue
             length = info.size if size < 0 else size
             if info.isreg():
-                start = [length]  # what is left of it
+                start = [length]  # bytes not read yet
                 yield Entry(name or info.name, length, partial(_some, file, start))
                 _skip(file, start[0] + -length % BLOCK)
             elif info.type in OTHERS or info.type not in tarfile.SUPPORTED_TYPES:
-                others += length
-                if others > MOST_OTHERS:
-                    raise tarfile.ReadError(f"expected files in it, found {others:,} bytes of something else")
+                other_bytes += length
+                if other_bytes > MOST_OTHERS:
+                    raise tarfile.ReadError(
+                        f"expected files in it, found {other_bytes:,} bytes of something else"
+                    )
                 _skip(file, length + -length % BLOCK)
             if heads > MOST_HEADS:
                 raise tarfile.ReadError(f"expected at most {MOST_HEADS:,} entries in it, found more")
@@ -75,12 +77,12 @@ def tar_files(path: Path) -> Iterator[Entry]:
 
 
 def _head(block: bytes) -> tarfile.TarInfo:
-    """Return what a head says.
+    """Parse a header.
 
     Raises
     ------
     tarfile.ReadError
-        If it is none.
+        If it is not a header.
     """
     try:
         info = tarfile.TarInfo.frombuf(block, "utf-8", "surrogateescape")
@@ -94,7 +96,7 @@ def _head(block: bytes) -> tarfile.TarInfo:
 
 
 def _attributes(content: bytes, name: str) -> tuple[str, int]:
-    """Return the name and the size that attributes state, the given name and -1 where they do not."""
+    """Return the name and the size stated in attributes; `name` and -1 if they are not stated."""
     size, at = -1, 0
     while at < len(content) and content[at]:
         digits, _, _ = content[at : at + 8].partition(b" ")
@@ -118,10 +120,10 @@ def _text(name: bytes) -> str:
     return name.decode("utf-8", "surrogateescape")
 
 
-def _read(file: Any, size: int, most: int) -> bytes:
-    """Return the bytes after a head, and skip their padding."""
-    if size > most:
-        raise tarfile.ReadError(f"expected names and attributes of at most {most:,} bytes, found {size:,}")
+def _read(file: Any, size: int, limit: int) -> bytes:
+    """Return the bytes after a header, and skip their padding."""
+    if size > limit:
+        raise tarfile.ReadError(f"expected names and attributes of at most {limit:,} bytes, found {size:,}")
     content: bytes = file.read(size)
     if len(content) < size:
         raise tarfile.ReadError("unexpected end of data")
@@ -129,19 +131,19 @@ def _read(file: Any, size: int, most: int) -> bytes:
     return content
 
 
-def _some(file: Any, left: list[int], most: int) -> bytes:
-    """Return the next bytes of a file of which so many are left."""
-    content: bytes = file.read(min(most, left[0]))
-    if len(content) < min(most, left[0]):
+def _some(file: Any, remaining: list[int], limit: int) -> bytes:
+    """Return the next bytes of a file, and count down those remaining."""
+    content: bytes = file.read(min(limit, remaining[0]))
+    if len(content) < min(limit, remaining[0]):
         raise tarfile.ReadError("unexpected end of data")
-    left[0] -= len(content)
+    remaining[0] -= len(content)
     return content
 
 
 def _skip(file: Any, count: int) -> None:
-    """Go on by some bytes, as not every file can be sought in."""
+    """Skip bytes by reading them, as not every file can seek."""
     while count > 0:
-        some = file.read(min(count, PART))
-        if not some:
+        skipped = file.read(min(count, PART))
+        if not skipped:
             raise tarfile.ReadError("unexpected end of data")
-        count -= len(some)
+        count -= len(skipped)

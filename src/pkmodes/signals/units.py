@@ -1,7 +1,7 @@
 """Units as measuring systems write them, as text that pint can parse.
 
-A file that says nothing else is in SI units.  Dataset 164 of a universal file gives the number of its units of length
-and force in one of SI (https://www.ceas3.uc.edu/sdrluff/files/164.asc: "to convert from universal file units to SI
+A file that states no units is in SI.  Dataset 164 of a universal file gives the number of its units of length and
+force in one of SI (https://www.ceas3.uc.edu/sdrluff/files/164.asc: "to convert from universal file units to SI
 divide by the appropriate factor"); the units of its functions then follow from their data types.
 """
 
@@ -21,7 +21,7 @@ NO_UNIT = frozenset({"", "none", "unknown", "eu", "-"})
 #: Standard gravity, which files call g; no signal is a mass.
 GRAVITY = re.compile(r"(?<![A-Za-z0-9_])(?:[gG]n?|g's)(?![A-Za-z0-9_])")
 FORCES = r"N\*m|N|mN|kN|lbf|kgf|poundal|dyn"
-#: Labels of a quotient, by what is above and below: a motion over a force, the inverse, a motion over another.
+#: Labels of a quotient, by numerator and denominator: a motion over a force, the inverse, a motion over another.
 QUOTIENTS = (
     re.compile(rf"\(?1/(?P<below>{FORCES})\)?\*?\(?(?P<above>[^()]+)\)?"),
     re.compile(rf"\(?(?P<above>[^()]+?)\)?/\(?(?P<below>{FORCES})\)?"),
@@ -42,7 +42,7 @@ FORCES_BY_FACTOR = {
 
 @dataclass(frozen=True)
 class FileUnits:
-    """Units of length and force of a universal file; None where they have no name here."""
+    """Units of length and force of a universal file; None if they have no known name."""
 
     length: str | None = "m"
     force: str | None = "N"
@@ -50,7 +50,7 @@ class FileUnits:
 
     @staticmethod
     def of(length: float, force: float) -> FileUnits:
-        """Return the units of which this many make one metre and one newton."""
+        """Return the units from their numbers in one metre and one newton."""
         return FileUnits(_named(length, LENGTHS), _named(force, FORCES_BY_FACTOR), True)
 
     def of_data(self, data_type: int, rotation: bool) -> str | None:
@@ -64,7 +64,7 @@ class FileUnits:
 
 
 def unit_text(label: str) -> str | None:
-    """Return the unit that a label states, such as ``m/s^2`` for ``m/s2``; None if it states none that is known."""
+    """Return the unit in a label, such as ``m/s^2`` for ``m/s2``; None if it states no known unit."""
     text = label.strip().strip("[]").strip()
     if text.lower() in NO_UNIT:
         return None
@@ -80,7 +80,7 @@ def unit_text(label: str) -> str | None:
 
 
 def quotient(label: str) -> tuple[str | None, str | None]:
-    """Return the units above and below from the label of a frequency response.
+    """Return the units of numerator and denominator from the label of a frequency response.
 
     ``(m/s^2)/N`` and ``(1/N)*(m/s^2)`` have both, ``m/s^2`` only the first.
     """
@@ -110,7 +110,7 @@ def hertz_in(label: str) -> float | None:
 
 
 def _factor_to(unit: str, label: str) -> float | None:
-    """Return the factor from the unit in a label to a base unit; None if it is one of another kind."""
+    """Return the factor from the unit in a label to a base unit; None if it is of another kind."""
     try:
         factor, powers = base_units(unit_text(label) or "")
     except QuantityError:
@@ -118,5 +118,12 @@ def _factor_to(unit: str, label: str) -> float | None:
     return float(factor) if {name: Decimal(str(p)) for name, p in powers.items()} == {unit: 1} else None
 
 
-def _named(factor: float, known: Mapping[float, str]) -> str | None:
-    return next((name for one, name in known.items() if math.isclose(factor, one, rel_tol=1e-4)), None)
+def _named(factor: float, names_by_factor: Mapping[float, str]) -> str | None:
+    return next(
+        (
+            name
+            for candidate, name in names_by_factor.items()
+            if math.isclose(factor, candidate, rel_tol=1e-4)
+        ),
+        None,
+    )

@@ -1,7 +1,7 @@
 """Universal files: functions in datasets 58 and 58b, modes in 55 and 2414, units in 164, nodes in 15 and 2411.
 
-Of nodes only their axes count: a direction is along those of its node.  Where sensors are, the campaign says.  Other
-datasets are skipped.
+Of nodes, only their axes are used: a direction is along those of its node.  The campaign states where sensors are.
+Other datasets are skipped.
 
 Functions that occur several times, alike in kind and degrees of freedom, are told apart by their place in the file:
 ``1:+Z#2`` is the second.
@@ -34,18 +34,18 @@ from pkmodes.support.ordering import listed
 
 #: The name of a function that occurs several times.
 NUMBERED = re.compile(r"(.+)#[0-9]+")
-#: Numbers of the datasets that are read.
+#: Numbers of the datasets of functions and of units.
 FUNCTIONS, UNITS = 58, 164
-#: Those of modes, and their readers.
+#: Readers of the datasets of modes, by number.
 MODES = {55: read_55, 2414: read_2414}
-#: Those of nodes, and the number of lines for each node.
+#: Lines for each node in the datasets of nodes, by number.
 NODES = {15: 1, 2411: 2}
-#: What others hold, where a file has nothing else.
+#: Content of other datasets, reported if a file has nothing else.
 OTHERS = {15: "nodes", 18: "coordinate systems", 82: "trace lines, which are for drawing", 151: "a header"}
 OTHERS |= {2411: "nodes", 2412: "elements", 2420: "coordinate systems"}
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a universal file.
 
     Raises
@@ -53,45 +53,45 @@ def read(path: Path, asked: Asked) -> SignalFile:
     MeasurementError
         If a dataset is damaged or incomplete.
     """
-    sensors = asked.sensors
+    sensors = request.sensors
     if sensors is not None:
         bases = (match[1] for name in sensors if (match := NUMBERED.fullmatch(name)) is not None)
-        asked = replace(asked, sensors=sensors.union(bases))
-    found, late = _read(path, asked, FileUnits())
+        request = replace(request, sensors=sensors.union(bases))
+    content, late = _read(path, request, FileUnits())
     if late is not None:
-        del found  # its functions, which may be large, are in the units that come after them
-        found, _ = _read(path, asked, late)
-    return replace(found, functions=tuple(_numbered(found.functions, sensors)))
+        del content  # its functions, which may be large, were read before their units were known
+        content, _ = _read(path, request, late)
+    return replace(content, functions=tuple(_numbered(content.functions, sensors)))
 
 
 def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) -> Iterator[Function]:
-    """Yield functions by the names of sensors, which may have numbers; all that are alike without one.
+    """Yield functions by the names of sensors, which may have numbers; without a number, all functions of that name.
 
-    Without sensors, those after the first have their numbers.
+    If `sensors` is None, all but the first of each name get their numbers.
     """
-    seen = Counter[tuple[str, str, str, bool]]()
-    for one in functions:
-        key = (one.kind, one.response, one.reference, one.force)
-        seen[key] += 1
-        number = f"{one.response}#{seen[key]}"
-        if one.force or (sensors is None and seen[key] == 1):
-            yield one
+    counts = Counter[tuple[str, str, str, bool]]()
+    for function in functions:
+        key = (function.kind, function.response, function.reference, function.force)
+        counts[key] += 1
+        number = f"{function.response}#{counts[key]}"
+        if function.force or (sensors is None and counts[key] == 1):
+            yield function
         elif sensors is None or number in sensors:
-            yield replace(one, response=number)
-        elif one.response in sensors and (
-            seen[key] == 1 or not any(name.startswith(f"{one.response}#") for name in sensors)
+            yield replace(function, response=number)
+        elif function.response in sensors and (
+            counts[key] == 1 or not any(name.startswith(f"{function.response}#") for name in sensors)
         ):
-            yield one
+            yield function
 
 
-def _read(path: Path, asked: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
-    """Read a universal file whose units are these until it states others.
+def _read(path: Path, request: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
+    """Read a universal file that is in these units until it states others.
 
     Returns
     -------
-    found : SignalFile
+    content : SignalFile
     late : FileUnits or None
-        Units that it states only after functions, which hold for these, too.
+        Units that it states only after functions, to which they also apply.
     """
     source = fspath(path)
     functions: list[Function] = []
@@ -101,19 +101,19 @@ def _read(path: Path, asked: Asked, units: FileUnits) -> tuple[SignalFile, FileU
     late = False
     contradictions: list[tuple[str, FileUnits, FileUnits]] = []
     abscissas = Abscissas()
-    others: dict[int, None] = {}
+    other_datasets: dict[int, None] = {}
     axes: dict[str, str] = {}
     with path.open("rb") as file:
         scanner = Scanner(file, path.stat().st_size, source)
         for dataset in scanner.datasets():
-            found: Function | ModeShape | str | None = None
+            outcome: Function | ModeShape | str | None = None
             if dataset.number == FUNCTIONS:
                 points = read_points(scanner, dataset.binary, path)
-                found = function_of(points, units, abscissas, asked)
+                outcome = function_of(points, units, abscissas, request)
             elif dataset.binary is not None:
                 _skip(scanner, dataset.binary)
             elif dataset.number in MODES:
-                found = MODES[dataset.number](scanner)
+                outcome = MODES[dataset.number](scanner)
             elif dataset.number == UNITS:
                 before, stated = stated, _units(scanner)
                 late |= bool(functions) and stated != units
@@ -122,58 +122,58 @@ def _read(path: Path, asked: Asked, units: FileUnits) -> tuple[SignalFile, FileU
                     contradictions.append((scanner.where, before, stated))
             elif dataset.number in NODES:
                 axes |= _axes(scanner, NODES[dataset.number])
-                others[dataset.number] = None
+                other_datasets[dataset.number] = None
             else:
                 scanner.skip_to_end()
-                others[dataset.number] = None
-            if isinstance(found, Function):
-                functions.append(found)
-            elif isinstance(found, ModeShape):
-                modes.append(found)
-            elif found is not None:
-                skipped.setdefault(found, []).append(dataset.where)
+                other_datasets[dataset.number] = None
+            if isinstance(outcome, Function):
+                functions.append(outcome)
+            elif isinstance(outcome, ModeShape):
+                modes.append(outcome)
+            elif outcome is not None:
+                skipped.setdefault(outcome, []).append(dataset.where)
     if functions and contradictions:  # shapes of modes have no unit
         _refuse_units(*contradictions[0])
     messages = tuple(f"{places[0]}: skipped: {_counted(why, places)}" for why, places in skipped.items())
     whys = [_counted(why, places) for why, places in skipped.items()]
-    whys += [f"dataset {number} holds {OTHERS.get(number, 'what is not read')}" for number in others]
-    used = [one.response for one in functions] + [name for mode in modes for name in mode.shape]
-    said = (*messages, *_different_axes(used, axes, source))
-    content = SignalFile(source, tuple(functions), tuple(modes), said, skipped=tuple(whys))
+    whys += [f"dataset {number} holds {OTHERS.get(number, 'what is not read')}" for number in other_datasets]
+    used = [function.response for function in functions] + [name for mode in modes for name in mode.shape]
+    all_messages = (*messages, *_different_axes(used, axes, source))
+    content = SignalFile(source, tuple(functions), tuple(modes), all_messages, skipped=tuple(whys))
     return content, stated if late else None
 
 
 def _axes(scanner: Scanner, lines: int) -> dict[str, str]:
-    """Read nodes: return the coordinate system of the displacements at each; none where a line is no node.
+    """Read nodes: return the coordinate system of the displacements at each; empty if any line is no node.
 
     https://www.ceas3.uc.edu/sdrluff/files/15.asc and 2411.asc.
     """
-    found: dict[str, str] = {}
+    systems: dict[str, str] = {}
     count, damaged = 0, False
     while not is_delimiter(line := scanner.line("a node, or a line -1 that closes the dataset")):
         node, _, system = (line[start : start + 10].strip().decode("latin-1") for start in (0, 10, 20))
         if count % lines == 0:
             damaged |= not (node.isdigit() and system.isdigit())
-            found[node] = system
+            systems[node] = system
         count += 1
-    return {} if damaged else found
+    return {} if damaged else systems
 
 
 def _different_axes(names: Sequence[str], axes: Mapping[str, str], source: str) -> list[str]:
-    """Say where the directions of a file are along different axes."""
+    """Return a message if the directions of a file are along different axes."""
     nodes = dict.fromkeys(name.partition(":")[0] for name in names)
-    own = {node: axes[node] for node in nodes if node in axes}
-    if len(set(own.values())) < 2:
+    systems = {node: axes[node] for node in nodes if node in axes}
+    if len(set(systems.values())) < 2:
         return []
-    each = listed([f"{system} at node {node}" for node, system in own.items()], 4)
+    listing = listed([f"{system} at node {node}" for node, system in systems.items()], 4)
     return [
-        f"{source}: directions are along axes that differ from node to node, those of coordinate system {each}: a "
+        f"{source}: directions are along axes that differ from node to node, those of coordinate system {listing}: a "
         "direction in the campaign has to be that of its node's axis"
     ]
 
 
 def _counted(why: str, places: Sequence[str]) -> str:
-    """Return why datasets were skipped, and how many if it is several."""
+    """Return why datasets were skipped, and their number if there are several."""
     return why if len(places) == 1 else f"{why} ({len(places)} datasets)"
 
 
@@ -186,16 +186,17 @@ def _skip(scanner: Scanner, binary: Binary) -> None:
 
 
 def _refuse_units(where: str, before: FileUnits, after: FileUnits) -> NoReturn:
-    """Refuse a file of functions in two systems of units: those hold for the whole file, wherever they stand."""
+    """Refuse a file of functions in two systems of units: units apply to the whole file, wherever they are stated."""
     first, second = (
-        f"{one.length or 'another length'} and {one.force or 'another force'}" for one in (before, after)
+        f"{units.length or 'another length'} and {units.force or 'another force'}"
+        for units in (before, after)
     )
-    what = f"expected one system of units, found {second} after {first}"
-    raise MeasurementError(what, where, "write the functions in each system into a file of their own")
+    problem = f"expected one system of units, found {second} after {first}"
+    raise MeasurementError(problem, where, "write the functions in each system into a file of their own")
 
 
 def _units(scanner: Scanner) -> FileUnits:
-    """Read dataset 164: how many of the file's units of length and of force make one of SI."""
+    """Read dataset 164: the numbers of the file's units of length and force in one of SI."""
     scanner.line("the code of the units")
     factors = numbers_in(scanner.line("the factors of the units"))
     if factors is None or factors.size < 2 or not np.all(np.isfinite(factors) & (factors > 0.0)):

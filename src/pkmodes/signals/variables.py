@@ -1,4 +1,4 @@
-"""Variables of files of named arrays, of MATLAB and of NumPy, and what reading their values may raise."""
+"""Variables in files of named arrays, of MATLAB and of NumPy, and the errors of reading their values."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError
 
 T = TypeVar("T")
-#: Numbers of any type, as files store them.
+#: Numbers of any type, as stored in files.
 Values = NDArray[Any]
-#: Values that are read of a file, in all.
+#: Most values read from a file, in all.
 MOST_VALUES = 100_000_000
-#: Bytes that compressed arrays may become: some, and so many times the file.  Measured signals of double precision
-#: that are compressed have a tenth of their size at least, but for channels that are constant.
+#: Most bytes of unpacked arrays: a base, and this multiple of the file's size.  Measured signals of double precision
+#: compress to no less than a tenth of their size, except for constant channels.
 ROOM, EXPANDED = 64_000_000, 20
-#: Variables of a file, with the fields of its structs.
+#: Most variables of a file, including the fields of its structs.
 MOST_VARIABLES = 20_000
-#: Letters of a name; MATLAB allows 63, and the fields of structs have those of all around them.
+#: Most letters of a name; MATLAB allows 63, and names of fields include those of all enclosing structs.
 LONGEST_NAME = 1024
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
 
@@ -31,20 +31,20 @@ class Variable(NamedTuple):
 
     Attributes
     ----------
-    what : str
-        What it is, for messages.
+    description : str
+        For messages.
     shape : tuple of int or None
         Of an array of numbers.
     load : callable
         Returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
     itemsize : int
-        Bytes of a value as it is loaded.
+        Bytes of a loaded value.
     again : callable, optional
-        Of whole numbers, returns the same when the file is closed.
+        For whole numbers: returns the values again after the file was closed.
     """
 
     name: str
-    what: str
+    description: str
     shape: tuple[int, ...] | None
     load: Callable[[], Values]
     itemsize: int = 8
@@ -52,17 +52,17 @@ class Variable(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Number of values, 0 if it is no array of numbers."""
+        """Number of values, 0 if it is not an array of numbers."""
         return int(np.prod(self.shape, dtype=np.float64)) if self.shape else 0
 
     @property
     def lengths(self) -> tuple[int, ...]:
         """Its sizes along the dimensions that have more than one value."""
-        return tuple(one for one in self.shape or () if one != 1)
+        return tuple(length for length in self.shape or () if length != 1)
 
 
 def no_numbers(name: str) -> NoReturn:
-    """Raise what a variable raises that is no array of numbers.
+    """Raise the error of a variable that is not an array of numbers.
 
     Raises
     ------
@@ -71,7 +71,7 @@ def no_numbers(name: str) -> NoReturn:
     raise ValueError(f"{name} is not an array of numbers")
 
 
-def at_most(found: Iterable[Variable]) -> list[Variable]:
+def at_most(variables: Iterable[Variable]) -> list[Variable]:
     """Return the variables of a file.
 
     Raises
@@ -79,14 +79,14 @@ def at_most(found: Iterable[Variable]) -> list[Variable]:
     ValueError
         If there are more than any measurement has.
     """
-    every = list(islice(found, MOST_VARIABLES + 1))
-    if len(every) > MOST_VARIABLES:
+    kept = list(islice(variables, MOST_VARIABLES + 1))
+    if len(kept) > MOST_VARIABLES:
         raise ValueError(f"expected at most {MOST_VARIABLES:,} variables, found more")
-    return every
+    return kept
 
 
-def loaded(load: Callable[[], T], source: str, what: str) -> T:
-    """Return what is read, and say of any failure that the file cannot be.
+def loaded(load: Callable[[], T], source: str, file_kind: str) -> T:
+    """Return the result of `load`, turning any failure into the error of an unreadable file.
 
     Raises
     ------
@@ -101,5 +101,5 @@ def loaded(load: Callable[[], T], source: str, what: str) -> T:
         reason: Exception = error
     except Exception as error:  # damage makes readers raise errors of many types
         reason = error
-    text = f"cannot read the {what} file: {str(reason) or type(reason).__name__}"
-    raise MeasurementError(text, source, f"the file is damaged or no {what} file: {REMEDY}") from None
+    text = f"cannot read the {file_kind} file: {str(reason) or type(reason).__name__}"
+    raise MeasurementError(text, source, f"the file is damaged or no {file_kind} file: {REMEDY}") from None

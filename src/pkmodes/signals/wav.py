@@ -1,7 +1,7 @@
 """Sound files (.wav), as data loggers and audio interfaces write them: channels ``1``, ``2``, ... in their order.
 
-Numbers are parts of full scale, which the file gives no unit.  The chunks of the file are walked through before SciPy
-reads it, which would take memory for what a damaged header declares (Multimedia Programming Interface and Data
+Numbers are fractions of full scale, for which the file gives no unit.  The chunks of the file are checked before
+SciPy reads it, which would allocate the sizes in a damaged header (Multimedia Programming Interface and Data
 Specifications 1.0, IBM and Microsoft, 1991).
 """
 
@@ -23,9 +23,9 @@ from pkmodes.signals.functions import FORCE, Array, Asked, Function, Kind, Signa
 from pkmodes.signals.variables import MOST_VALUES, loaded
 
 RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
-#: Bytes of the head of the file, of that of a chunk, and of the form of the numbers.
+#: Bytes of the header of the file, of the header of a chunk, and of the number format.
 HEAD, CHUNK, FORM = 12, 8, 16
-#: Codes of numbers: integers, floating, and either of them with more channels.
+#: Codes of number formats: integers, floating point, and either of them with more channels.
 INTEGERS, FLOATING, EXTENDED = 1, 3, 0xFFFE
 BITS = {INTEGERS: (8, 16, 24, 32), FLOATING: (32, 64), EXTENDED: (8, 16, 24, 32, 64)}
 MOST_CHANNELS = 1024
@@ -33,7 +33,7 @@ INCOMPLETE = "open it in a sound editor and export it again, as WAV with 16, 24 
 
 
 class _Form(NamedTuple):
-    """What a file says of its numbers: their code, channels, sampling rate [Hz], bytes of a sample and bits."""
+    """The number format of a file: code, channels, sampling rate [Hz], bytes of a sample and bits."""
 
     code: int
     channels: int
@@ -42,7 +42,7 @@ class _Form(NamedTuple):
     bits: int
 
 
-def read(path: Path, asked: Asked) -> SignalFile:
+def read(path: Path, request: Asked) -> SignalFile:
     """Read a sound file.
 
     Raises
@@ -55,21 +55,21 @@ def read(path: Path, asked: Asked) -> SignalFile:
         form = _checked(file, path.stat().st_size, source)
     samples = loaded(lambda: _samples(path), source, "WAV")
     signals = dict(zip(map(str, range(1, form.channels + 1)), samples.T, strict=True))  # as stored
-    own = asked.own_names(signals, source)
-    said = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
-    rest = [name for name in signals if name not in (asked.sensors or signals) and name not in own]
-    if asked.force and FORCE not in own.values() and len(rest) == 1:
-        own[rest[0]] = FORCE
-        said.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
+    own_names = request.own_names(signals, source)
+    messages = [f"{source}: its numbers are parts of full scale: sizes are known but for a factor"]
+    rest = [name for name in signals if name not in (request.sensors or signals) and name not in own_names]
+    if request.force and FORCE not in own_names.values() and len(rest) == 1:
+        own_names[rest[0]] = FORCE
+        messages.append(f"{source}: channel {rest[0]}, which is that of no sensor, is taken for the force")
     time = np.arange(len(samples)) / form.rate
     functions = []
     for name, stored in signals.items():
-        called = own.get(name, name)
-        if called and (called == FORCE or asked.wants(called)):
+        called = own_names.get(name, name)
+        if called and (called == FORCE or request.wants(called)):
             values = _parts_of_full_scale(stored)
             check_finite(values, f"{source}: channel {name}")
             functions.append(Function(Kind.TIME, called, "", time, values, None, None, called == FORCE))
-    return SignalFile(source, tuple(functions), (), tuple(said))
+    return SignalFile(source, tuple(functions), (), tuple(messages))
 
 
 def _samples(path: Path) -> NDArray[Any]:
@@ -83,7 +83,7 @@ def _samples(path: Path) -> NDArray[Any]:
 
 
 def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
-    """Return the samples of a channel, whose full scale is 1; those of eight bits have their middle at half of it."""
+    """Return the samples of a channel relative to full scale; unsigned eight-bit samples are centred first."""
     values: Array = stored.astype(np.float64)
     if stored.dtype.kind != "f":
         size = 2.0 ** (8 * stored.dtype.itemsize - 1)  # SciPy puts 24 bits into the upper ones of 32
@@ -93,12 +93,12 @@ def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
 
 
 def _checked(file: BinaryIO, length: int, source: str) -> _Form:
-    """Walk through all chunks of a file and return the form of its numbers.
+    """Check all chunks of a file and return its number format.
 
     Raises
     ------
     MeasurementError
-        If a chunk is longer than the file, or the numbers are not what is read here.
+        If a chunk is longer than the file, or the numbers are in an unsupported format.
     """
     order = "<" if file.read(HEAD).startswith(RIFF[0]) else ">"
     form, data, at = None, list[int](), HEAD
@@ -107,24 +107,25 @@ def _checked(file: BinaryIO, length: int, source: str) -> _Form:
         name, size = struct.unpack(f"{order}4sI", file.read(CHUNK))
         if size > length - at - CHUNK:
             words = shown(name.decode("latin-1").strip())
-            what = f"expected {size} bytes of the chunk {words}, found {length - at - CHUNK} to the end of the file"
-            raise MeasurementError(what, source, INCOMPLETE)
+            message = f"expected {size} bytes of the chunk {words}, "
+            message += f"found {length - at - CHUNK} to the end of the file"
+            raise MeasurementError(message, source, INCOMPLETE)
         if name == b"fmt " and size >= FORM:
-            code, channels, rate, _, each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
-            form = _Form(code, channels, rate, each, bits)
+            code, channels, rate, _, bytes_each, bits = struct.unpack(f"{order}HHIIHH", file.read(FORM))
+            form = _Form(code, channels, rate, bytes_each, bits)
         elif name == b"data":
             data.append(size)
         at += CHUNK + size + size % 2
     if form is None or len(data) != 1:
-        what = "expected one chunk of samples and one on their form"
-        raise MeasurementError(what, source, INCOMPLETE)
+        message = "expected one chunk of samples and one on their form"
+        raise MeasurementError(message, source, INCOMPLETE)
     if (problem := _problem(form, data[0])) is not None:
         raise MeasurementError(problem, source, INCOMPLETE)
     return form
 
 
 def _problem(form: _Form, size: int) -> str | None:
-    """Return what is wrong with so many bytes of samples in some form, None if nothing is."""
+    """Return the problem with `size` bytes of samples in a format, None if there is none."""
     if form.bits not in BITS.get(form.code, ()):
         return f"expected plain numbers of 8 to 64 bits, found {form.bits} bits of type {form.code}"
     if not 1 <= form.channels <= MOST_CHANNELS or form.bytes_each != form.channels * form.bits // 8:
@@ -139,7 +140,7 @@ def _problem(form: _Form, size: int) -> str | None:
 
 
 def recognises(head: bytes) -> bool:
-    """Return whether a file is one of sound."""
+    """Return whether a file is a sound file."""
     return head.startswith(RIFF) and head[8:HEAD] == WAVE
 
 

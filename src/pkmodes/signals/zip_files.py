@@ -1,4 +1,4 @@
-"""Zip archives, whose tables of contents are looked at before they are read."""
+"""Zip archives, whose directories are checked before they are read."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import struct
 import zipfile
 from pathlib import Path
 
-#: Bytes of the table of contents at most: an entry has 46 and its name, and takes ten times as much memory.
+#: Most bytes of the central directory: an entry has 46 and its name, and takes ten times as much memory.
 LARGEST_DIRECTORY = 1_000_000
-#: What the last record of an archive begins with, and that of one with more entries; their sizes, and the longest
-#: comment after the first.
+#: First bytes of the last record of an archive, and of that of an archive with more entries; their sizes, and the
+#: longest comment after the first.
 END, END_64 = b"PK\x05\x06", b"PK\x06\x06"
 SIZE, SIZE_64, COMMENT = 22, 56 + 20, 1 << 16
 
@@ -20,7 +20,7 @@ def opened_zip(path: Path) -> zipfile.ZipFile:
     Raises
     ------
     zipfile.BadZipFile
-        If it is none, or has very many files.
+        If it is no zip archive, or has very many files.
     """
     length = path.stat().st_size
     with path.open("rb") as file:
@@ -31,6 +31,6 @@ def opened_zip(path: Path) -> zipfile.ZipFile:
     at_64 = tail.rfind(END_64, 0, max(at, 0))
     if 0 <= at_64 <= len(tail) - SIZE_64 and size == 0xFFFFFFFF:
         size = struct.unpack_from("<Q", tail, at_64 + 40)[0]
-    if LARGEST_DIRECTORY < size <= length:  # a larger one is damage, which its reader names
+    if LARGEST_DIRECTORY < size <= length:  # a larger one is damage, which the reader reports
         raise zipfile.BadZipFile(f"expected an archive of a few files, found {size:,} bytes of their names")
     return zipfile.ZipFile(path)
