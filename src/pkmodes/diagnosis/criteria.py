@@ -70,9 +70,9 @@ class ShapeCriteria:
 
     def __post_init__(self) -> None:
         if not self.sharper < 1.0:
-            what = f"expected a factor below 1, found {self.sharper:g}: the search would not end"
+            problem = f"expected a factor below 1, found {self.sharper:g}: the search would not end"
             remedy = f"choose a smaller one; the default is {ShapeCriteria.sharper:g}"
-            raise PkmodesError(what, "ShapeCriteria.sharper", remedy)
+            raise PkmodesError(problem, "ShapeCriteria.sharper", remedy)
 
 
 @dataclass(frozen=True)
@@ -324,6 +324,6 @@ class ClaimOfChanges(ClaimCriteria):
 
 def of_changes(criteria: Criteria) -> Criteria:
     """Return the thresholds of what changed between two states of one machine."""
-    same = {one.name: getattr(criteria.claim, one.name) for one in fields(ClaimCriteria)}
+    same = {threshold.name: getattr(criteria.claim, threshold.name) for threshold in fields(ClaimCriteria)}
     same["specific"] = max(same["specific"], ClaimOfChanges.least_specific)
     return replace(criteria, claim=ClaimOfChanges(**same))

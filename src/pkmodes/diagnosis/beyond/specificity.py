@@ -40,7 +40,7 @@ SAME = 1e-3
 class Law(NamedTuple):
     """A law: what varies, and with what, in words; its signature, and that without the variation, (D,)."""
 
-    what: str
+    quantity: str
     along: str
     varying: Array
     constant: Array
@@ -61,14 +61,14 @@ def p_outside(tried: Tried, final: Fit) -> float:
     varying = _unit(plain, [law.varying for law in laws(tried)])
     changes = modal_changes(fitter, plain)
     common = np.vstack([changes, np.zeros((len(plain.white) - len(changes), changes.shape[1]))])
-    for some, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
-        if len(some) < few:
+    for subspace, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
+        if len(subspace) < few:
             continue
-        plausible = Plausible.of(some, float(np.sqrt(gain)))
+        plausible = Plausible.of(subspace, float(np.sqrt(gain)))
         if plausible.different >= min(few, len(plausible.axes)):
             along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
-            combined, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, left))
+            combined, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, squares))
     return max(kinds)
 
 
@@ -87,8 +87,8 @@ def like_a_law(tried: Tried, final: Fit) -> Law | None:
     for law in laws(tried):
         both = np.stack([_beside(plain, law.constant), _beside(plain, law.varying)], axis=1)
         basis = orthonormal(both)
-        left = plain.white - basis @ (basis.T @ plain.white)
-        cost = float(left @ left) + 2.0 * price
+        residual = plain.white - basis @ (basis.T @ plain.white)
+        cost = float(residual @ residual) + 2.0 * price
         if cost <= limit:
             best, limit = law, cost
     return best
@@ -99,7 +99,9 @@ def laws(tried: Tried) -> Iterator[Law]:
     fitter, plain = tried.search.store.fitter, tried.plain
     data, rows = slice(0, fitter.prior_rows.start), fitter.observations.frequency_rows
     single = [
-        (one.name, fitter.indices(one)[0]) for one in tried.search.candidates if len(one.parameters) == 1
+        (candidate.name, fitter.indices(candidate)[0])
+        for candidate in tried.search.candidates
+        if len(candidate.parameters) == 1
     ]
     raw = fitter.signatures(plain, [i for _, i in single])[1] if single else np.zeros((len(plain.white), 0))
     alike = np.zeros((len(plain.white), 1))
@@ -138,9 +140,9 @@ def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
 
 def _unit(plain: Fit, signatures: Iterable[Array]) -> Directions:
     """Return the directions of signatures beside the uncertain values, without those of which nothing is left."""
-    left = [(_beside(plain, each), float(np.linalg.norm(each))) for each in signatures]
-    sizes = [(each, float(np.linalg.norm(each)), whole) for each, whole in left]
-    return [(each[:, None] / size, 0) for each, size, whole in sizes if size > SAME * whole]
+    projected = [(_beside(plain, signature), float(np.linalg.norm(signature))) for signature in signatures]
+    sizes = [(remainder, float(np.linalg.norm(remainder)), whole) for remainder, whole in projected]
+    return [(remainder[:, None] / size, 0) for remainder, size, whole in sizes if size > SAME * whole]
 
 
 def _beside(plain: Fit, signature: Array) -> Array:

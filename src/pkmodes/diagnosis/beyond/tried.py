@@ -70,8 +70,8 @@ class Tried:
     @cached_property
     def directions(self) -> Directions:
         """Directions of everything that was tried: of terms, of these from their starts, and of the catalogue."""
-        fitter, some = self.search.store.fitter, [term for term in self.terms if not term.starts]
-        of_terms = score(fitter, self.plain, some).directions
+        fitter, sized = self.search.store.fitter, [term for term in self.terms if not term.starts]
+        of_terms = score(fitter, self.plain, sized).directions
         started = [term for term in self.terms if term.starts]
         of_catalogue = self.search.scores(self.plain).directions
         return (*of_terms, *of_starts(fitter, self.plain, started), *of_catalogue)
@@ -91,20 +91,20 @@ def tried(
     held : sequence of int
         Held-out setups.
     """
-    terms = tuple(one for one in structure.candidates if one.form)
+    terms = tuple(term for term in structure.candidates if term.form)
     setups, scatter = catalogue.setups, catalogue.fitter.shape_scatter
-    found, c = None, catalogue.criteria
+    result, c = None, catalogue.criteria
     for _ in range(1 + SHARPENED if terms else 0):
         fitter = fitter_of(structure, catalogue, held, scatter)
-        every = AllSetups(structure, setups.data, fitter, list(held))
-        found = _Explorer(every, terms, catalogue, progress, found).explored()
-        scatters = [] if found is None else [found.search.store.shape_scatter(fit) for fit in found.fits]
-        sharper = min((one for one in scatters if one is not None), default=scatter)
+        all_setups = AllSetups(structure, setups.data, fitter, list(held))
+        result = _Explorer(all_setups, terms, catalogue, progress, result).explored()
+        scatters = [] if result is None else [result.search.store.shape_scatter(fit) for fit in result.fits]
+        sharper = min((estimate for estimate in scatters if estimate is not None), default=scatter)
         sharper = max(sharper, c.shapes.least_scatter)
         if sharper >= c.shapes.sharper * scatter:
             break
         scatter = sharper
-    return found
+    return result
 
 
 def fitter_of(structure: Structure, catalogue: Evidence, held: Sequence[int], scatter: float) -> Fitter:
@@ -172,7 +172,7 @@ class _Explorer:
     def explored(self) -> Tried | None:
         """Try all terms; None if the structure cannot be evaluated."""
         self.progress(f"scoring {len(self.terms)} terms, each one form at one place")
-        errors, seen = Hypothesis(), list[Hypothesis]()
+        errors, attempted = Hypothesis(), list[Hypothesis]()
         plain = self.store.fit(errors, self.fitter.padded(self.catalogue.outcome.nuisances.values))
         if plain is None:
             return None
@@ -180,32 +180,34 @@ class _Explorer:
         for _ in range(ROUNDS):
             if any(self._explains(fit) for fit in fits[: self.criteria.search.best_few]):
                 break
-            seen.append(errors)
-            more = self._errors_beside(fits)
-            again = None if more is None or more in seen else self.store.fit(more, plain.values)
-            if more is None or again is None or more in seen:
+            attempted.append(errors)
+            extended = self._errors_beside(fits)
+            again = (
+                None if extended is None or extended in attempted else self.store.fit(extended, plain.values)
+            )
+            if extended is None or again is None or extended in attempted:
                 fits = first
                 break
-            errors, fits = more, self._refitted(again)
+            errors, fits = extended, self._refitted(again)
         errors = replace(fits[0].hypothesis, causes=()) if fits else Hypothesis()
         beside = self.store.fit(errors) or plain
         return Tried(self.setups, self.search, self.terms, beside, tuple(fits), tuple(self._carried()))
 
     def _carried(self) -> list[Fit]:
         """Return the best explanations of the catalogue that leave noise, fitted again."""
-        own, level = self.catalogue.store, self.criteria.gate.surely
-        known = {candidate.name for candidate in self.search.candidates}
-        some = [
+        store, level = self.catalogue.store, self.criteria.gate.surely
+        names = {candidate.name for candidate in self.search.candidates}
+        explaining = [
             fit
-            for fit in {id(fit): fit for fit in (self.catalogue.final, *own.tried())}.values()
+            for fit in {id(fit): fit for fit in (self.catalogue.final, *store.tried())}.values()
             if fit.causes
-            and all(cause.name in known for cause in fit.causes)
+            and all(cause.name in names for cause in fit.causes)
             and not fit.at_bound
-            and own.p_value(fit) > level
+            and store.p_value(fit) > level
         ]
         # Fits with the same causes may set different rows aside: the best of them is carried.
-        each = {fit.causes: fit for fit in sorted(some, key=own.criterion, reverse=True)}
-        best = sorted(each.values(), key=own.criterion)[:CARRIED]
+        by_causes = {fit.causes: fit for fit in sorted(explaining, key=store.criterion, reverse=True)}
+        best = sorted(by_causes.values(), key=store.criterion)[:CARRIED]
         fits = [self.store.fit(fit.hypothesis, self.fitter.padded(fit.values)) for fit in best]
         return [fit for fit in fits if fit is not None]
 
@@ -215,42 +217,42 @@ class _Explorer:
             again = [(plain.hypothesis.adding(fit.causes[0]), [fit.values]) for fit in self.before.fits]
             return self.store.finished(self.store.roughly(again))
         sized = [term for term in self.terms if not term.starts and self._testable(plain, term)]
-        each = score(self.fitter, plain, sized).each
-        visible = [one for one in each if one.visible and one.gain > 0.0]
-        best = sorted(visible, key=lambda one: -one.gain)[:BEST]
+        scores = score(self.fitter, plain, sized).by_candidate
+        visible = [entry for entry in scores if entry.visible and entry.gain > 0.0]
+        best = sorted(visible, key=lambda entry: -entry.gain)[:BEST]
         # The linear estimate suffices for small changes of modes that are all paired.
         paired = bool((plain.pairing.partner[self.fitter.used(plain.hypothesis)] >= 0).all())
-        small = [one for one in best if paired and float(one.largest @ np.abs(one.step)) <= SMALL]
-        near = {one.candidate.name for one in small}
-        far = [one for one in best if one.candidate.name not in near]
+        small = [entry for entry in best if paired and float(entry.largest @ np.abs(entry.step)) <= SMALL]
+        near = {entry.candidate.name for entry in small}
+        far = [entry for entry in best if entry.candidate.name not in near]
         self.progress(f"refitting with the {len(best)} most promising of {len(self.terms)} terms")
-        fits = self.search.additions.refitted([(plain, one) for one in far])
-        jobs = [(plain.hypothesis.adding(one.candidate), [self._moved(plain, one)]) for one in small]
-        overlooked = [one for one in each if one not in best and one.largest[0] > 0.0]
+        fits = self.search.additions.refitted([(plain, entry) for entry in far])
+        jobs = [(plain.hypothesis.adding(entry.candidate), [self._moved(plain, entry)]) for entry in small]
+        overlooked = [entry for entry in scores if entry not in best and entry.largest[0] > 0.0]
         started = self._compared([*self._started(plain), *self._large(plain, overlooked)])
         rough = self.store.roughly([*jobs, *started])
         return self.store.finished([*fits, *self._again(plain, small, rough)])
 
     def _again(self, plain: Fit, small: Sequence[Score], rough: Sequence[Fit]) -> list[Fit]:
         """Return fits, of which those that went astray are begun anew: close modes may have changed places."""
-        gains = {one.candidate.name: one for one in small}
+        gains = {entry.candidate.name: entry for entry in small}
         astray = [
             (fit, gains[name])
             for fit in rough
             if (name := fit.causes[0].name) in gains
             and fit.deviance > plain.deviance - ASTRAY * gains[name].gain
         ]
-        left = [fit for fit in rough if all(fit is not other for other, _ in astray)]
-        begun = starts(self.fitter, [(plain, one, fit.hypothesis) for fit, one in astray])
+        kept = [fit for fit in rough if all(fit is not restarted for restarted, _ in astray)]
+        begun = starts(self.fitter, [(plain, entry, fit.hypothesis) for fit, entry in astray])
         again = [
             (fit.hypothesis, [*values, fit.values]) for (fit, _), values in zip(astray, begun, strict=True)
         ]
-        return [*left, *self.store.roughly(again)]
+        return [*kept, *self.store.roughly(again)]
 
-    def _moved(self, plain: Fit, one: Score) -> Array:
+    def _moved(self, plain: Fit, entry: Score) -> Array:
         """Return the values of a fit with the linear estimate of a term."""
         return self._with(
-            plain, one.candidate, plain.values[list(self.fitter.indices(one.candidate))] + one.step
+            plain, entry.candidate, plain.values[list(self.fitter.indices(entry.candidate))] + entry.step
         )
 
     def _testable(self, plain: Fit, term: Candidate) -> bool:
@@ -276,18 +278,18 @@ class _Explorer:
         """Return the most promising terms, with their best sizes, of those in which the linear model sees little."""
         trials = [
             _Trial(
-                plain.hypothesis.adding(one.candidate),
-                [self._with(plain, one.candidate, [sign * size / one.largest[0]]) for size in SIZES],
+                plain.hypothesis.adding(entry.candidate),
+                [self._with(plain, entry.candidate, [sign * size / entry.largest[0]]) for size in SIZES],
             )
-            for one in scores
-            if (sign := one_sided(self.fitter, one.candidate))
+            for entry in scores
+            if (sign := one_sided(self.fitter, entry.candidate))
         ]
         return self._promising(trials)[:LARGE]
 
-    def _with(self, plain: Fit, term: Candidate, own: Sequence[float] | Array) -> Array:
+    def _with(self, plain: Fit, term: Candidate, term_values: Sequence[float] | Array) -> Array:
         """Return the values of a fit with those of a term, within its bounds."""
         values, index = plain.values.copy(), list(self.fitter.indices(term))
-        values[index] = np.clip(own, self.fitter.lower[index], self.fitter.upper[index])
+        values[index] = np.clip(term_values, self.fitter.lower[index], self.fitter.upper[index])
         return values
 
     def _compared(
@@ -322,7 +324,7 @@ class _Explorer:
     def _errors_beside(self, fits: Sequence[Fit]) -> Hypothesis | None:
         """Return the measurement errors beside which the best terms explain most; None if none help."""
         criterion = self.store.criterion
-        options = [more for fit in fits[:BESIDE] for more in self.search.additions.noise(fit)]
+        options = [extended for fit in fits[:BESIDE] for extended in self.search.additions.noise(fit)]
         best = min(options, key=criterion, default=None)
         if best is None or criterion(best) >= criterion(fits[0]):
             return None

@@ -71,12 +71,12 @@ def _squares(fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], drawn: A
     parts = np.where(np.arange(len(causes)) == largest, PARTS[0], PARTS[1])
     x = np.tile(np.log(parts), (len(drawn), 1))
     for _ in range(STEPS):
-        each = np.exp(x)[:, None, :] * by_unit
-        ratio = each.sum(axis=-1) + rest
-        left = weight * (drawn - np.log(ratio))
-        rates = weight[:, None] * each / ratio[..., None]
+        contributions = np.exp(x)[:, None, :] * by_unit
+        ratio = contributions.sum(axis=-1) + rest
+        residual = weight * (drawn - np.log(ratio))
+        rates = weight[:, None] * contributions / ratio[..., None]
         square = np.swapaxes(rates, 1, 2) @ rates + FLAT * np.eye(len(causes))
-        step = np.linalg.solve(square, np.swapaxes(rates, 1, 2) @ left[..., None])[..., 0]
+        step = np.linalg.solve(square, np.swapaxes(rates, 1, 2) @ residual[..., None])[..., 0]
         x = x + np.clip(step, -LARGEST, LARGEST)
-    left = weight * (drawn - np.log((np.exp(x)[:, None, :] * by_unit).sum(axis=-1) + rest))
-    return np.asarray(np.einsum("dr,dr->d", left, left))
+    residual = weight * (drawn - np.log((np.exp(x)[:, None, :] * by_unit).sum(axis=-1) + rest))
+    return np.asarray(np.einsum("dr,dr->d", residual, residual))

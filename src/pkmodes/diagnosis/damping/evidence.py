@@ -142,8 +142,8 @@ class LossEvidence:
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
         rows, above = self.fitter.observations, self.fitter.observations.above
-        left = (rows.logarithms - rows.predicted(fit.values))[above]
-        beyond = float(np.mean(left**2)) - float(np.mean(rows.stated[above] ** 2))
+        deviation = (rows.logarithms - rows.predicted(fit.values))[above]
+        beyond = float(np.mean(deviation**2)) - float(np.mean(rows.stated[above] ** 2))
         return math.sqrt(max(beyond, 0.0))
 
 

@@ -29,7 +29,7 @@ class Explanation:
     best : LossFit
     places : tuple of tuple of LossFit
         For each cause, the fits of its class; its own is first.
-    others : tuple of LossFit
+    rivals : tuple of LossFit
         Explanations in no class that are as good, the best first.
     p_values : tuple of float
         One for each cause.
@@ -37,7 +37,7 @@ class Explanation:
 
     best: LossFit
     places: tuple[tuple[LossFit, ...], ...]
-    others: tuple[LossFit, ...]
+    rivals: tuple[LossFit, ...]
     p_values: tuple[float, ...]
 
     @property
@@ -75,10 +75,10 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
         (best, *(fit for fit in alike if fit is not best and set(best.causes) - {cause} < set(fit.causes)))
         for cause in best.causes
     )
-    others = [fit for fit in survivors if not any(fit is one for place in places for one in place)]
-    others.sort(key=lambda fit: fit.criterion)
+    rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
+    rivals.sort(key=lambda fit: fit.criterion)
     p_values = tuple(_p_of_place(fitter, best, cause) for cause in best.causes)
-    return Explanation(best, places, tuple(others), p_values)
+    return Explanation(best, places, tuple(rivals), p_values)
 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
@@ -108,15 +108,15 @@ def _p_of_place(fitter: LossFitter, fit: LossFit, cause: int) -> float:
     return p_of_one_more(fitter, fitter.fit(rest), fit)
 
 
-def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit) -> float:
+def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> float:
     """Return the p-value of a likelihood-ratio test of one more loss, corrected for the number of hypotheses.
 
     These are the candidates, or their pairs if the fit has two, but not fewer than the candidates.
     """
     candidates = len(fitter.candidates)
-    number = max(comb(candidates, len(more.causes)), candidates)
-    (added,) = set(more.causes) - set(less.causes)
-    gain = max(less.chi2 + less.price - more.chi2 - more.price, 0.0)
+    number = max(comb(candidates, len(larger.causes)), candidates)
+    (added,) = set(larger.causes) - set(smaller.causes)
+    gain = max(smaller.chi2 + smaller.price - larger.chi2 - larger.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5
     return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * number)
 
@@ -131,10 +131,10 @@ def nearest(fitter: LossFitter) -> str:
     if not fits:
         return "no loss shows in these modes"
     best = min(fits, key=lambda fit: fit.chi2)
-    left = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
+    deviation = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
         fitter.observations.above
     ]
-    factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(left), 10.0) ** 2))))
+    factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
     name = names_of(fitter, best)
     return (
         f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {plain(factor, 2)}"

@@ -99,8 +99,8 @@ def per_cent(ratio: float) -> str:
 
 def factor_hundred(*, above: bool) -> str:
     """Return the note if damping ratios are a hundred times, or a hundredth of, those of the model."""
-    what = "a hundred times" if above else "a hundredth of"
-    return f"the damping ratios are {what} those of the model: check the unit, damping or damping [%]"
+    multiple = "a hundred times" if above else "a hundredth of"
+    return f"the damping ratios are {multiple} those of the model: check the unit, damping or damping [%]"
 
 
 def unresolved(lines: Sequence[int]) -> str:

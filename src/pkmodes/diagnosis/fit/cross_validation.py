@@ -53,5 +53,5 @@ def deleted(basis: Array, white: Array) -> Array:
     inside = basis.T @ basis
     if not inside.size:
         return white
-    left = np.eye(len(inside)) - inside
-    return np.asarray(white + basis @ np.linalg.lstsq(left, basis.T @ white, rcond=1e-9)[0])
+    complement = np.eye(len(inside)) - inside
+    return np.asarray(white + basis @ np.linalg.lstsq(complement, basis.T @ white, rcond=1e-9)[0])

@@ -78,7 +78,7 @@ class Fitter:
 
     def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
-        used = self.observations.every
+        used = self.observations.all_rows
         used[list(hypothesis.excluded)] = False
         return used
 
@@ -105,10 +105,11 @@ class Fitter:
     def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         sums, noise = [np.inf] * len(trials), self.observations.noise
-        values, used = np.array([one for _, one in trials]), [self.used(one) for one, _ in trials]
-        for one in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
-            white = one.residual / noise.stated
-            sums[one.number] = float(white @ white)
+        values = np.array([start for _, start in trials])
+        used = [self.used(hypothesis) for hypothesis, _ in trials]
+        for evaluation in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
+            white = evaluation.residual / noise.stated
+            sums[evaluation.number] = float(white @ white)
         return sums
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
@@ -279,10 +280,10 @@ class Fitter:
     def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
         """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
         observations, quantity = self.observations, self.observations.beside[name]
-        some = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
+        rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
         squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
         taken = observations.by_row(name, fit.leverage).sum(axis=1)
-        return Misfit(float(squares[some].sum()), float(quantity.count[some].sum() - taken[some].sum()))
+        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - taken[rows].sum()))
 
     def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
         """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""

@@ -62,7 +62,9 @@ class Hypothesis:
 
     def allows(self, cause: Candidate) -> bool:
         """Return whether a cause may be added: a whole and a part of it are the same cause given in two ways."""
-        return not any(cause.part_of == one.name or one.part_of == cause.name for one in self.causes)
+        return not any(
+            cause.part_of == present.name or present.part_of == cause.name for present in self.causes
+        )
 
     def adding(self, cause: Candidate) -> Hypothesis:
         """Return the hypothesis with an additional cause."""
@@ -179,9 +181,9 @@ def parallel(rates: Array) -> NDArray[np.bool_]:
     rates : ndarray, shape (S, m, T)
         Derivatives of the eigenvalues; modes for which some are not known are left out.
     """
-    known = rates[np.isfinite(rates).all(axis=-1)]
-    size = np.linalg.norm(known, axis=0)
-    unit = known / np.where(size > 0.0, size, 1.0)
+    finite = rates[np.isfinite(rates).all(axis=-1)]
+    size = np.linalg.norm(finite, axis=0)
+    unit = finite / np.where(size > 0.0, size, 1.0)
     return np.asarray(np.abs(unit.T @ unit) >= PARALLEL)
 
 

@@ -106,14 +106,14 @@ class Observations:
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
         measured = Measured(data, structure, pairer, scatter, criteria)
         self.beside: Mapping[str, Quantity] = {name: of(measured) for name, of in QUANTITIES.items()}
-        self._every: tuple[Quantity, ...] = (self.frequencies, *self.beside.values())
-        sizes = [quantity.sigma.size for quantity in self._every]
+        self._quantities: tuple[Quantity, ...] = (self.frequencies, *self.beside.values())
+        sizes = [quantity.sigma.size for quantity in self._quantities]
         ends = np.cumsum(sizes).tolist()
-        self.frequency_rows, *others = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
-        self._places = dict(zip(self.beside, others, strict=True))
+        self.frequency_rows, *ranges = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
+        self._places = dict(zip(self.beside, ranges, strict=True))
         self.size: int = ends[-1]
-        self.shape_rates = any(quantity.shape_rates for quantity in self._every)
-        self.noise = Noise(data, self._every, criteria.fits.most_shared)
+        self.shape_rates = any(quantity.shape_rates for quantity in self._quantities)
+        self.noise = Noise(data, self._quantities, criteria.fits.most_shared)
         self._copies = 1
 
     @property
@@ -124,31 +124,31 @@ class Observations:
     @property
     def shapes(self) -> ShapeRows:
         """The measured shapes."""
-        found = self.beside[SHAPE]
-        assert isinstance(found, ShapeRows)
-        return found
+        quantity = self.beside[SHAPE]
+        assert isinstance(quantity, ShapeRows)
+        return quantity
 
     # Which rows count --------------------------------------------------------------------------------------
 
     @property
-    def every(self) -> Mask:
+    def all_rows(self) -> Mask:
         """A mask of all rows, (R,)."""
         return np.ones(len(self.log), dtype=bool)
 
     def degrees(self, used: Mask) -> int:
         """Return the degrees of freedom of the data of some rows."""
-        return sum(int(quantity.count[used].sum()) for quantity in self._every)
+        return sum(int(quantity.count[used].sum()) for quantity in self._quantities)
 
     def stated(self, used: Mask) -> tuple[Mask, int]:
         """Return the data of some rows with a stated error, as a mask (D,), and their degrees of freedom."""
-        rows = [used & quantity.known & quantity.stated for quantity in self._every]
-        each = list(zip(self._every, rows, strict=True))
-        mask = np.concatenate([np.repeat(some, quantity.sigma.shape[1]) for quantity, some in each])
-        return mask, sum(int(quantity.count[some].sum()) for quantity, some in each)
+        rows = [used & quantity.known & quantity.stated for quantity in self._quantities]
+        masked = list(zip(self._quantities, rows, strict=True))
+        mask = np.concatenate([np.repeat(row_mask, quantity.sigma.shape[1]) for quantity, row_mask in masked])
+        return mask, sum(int(quantity.count[row_mask].sum()) for quantity, row_mask in masked)
 
     def of_rows(self, used: Mask) -> Mask:
         """Return a mask of the data of some rows, (D,)."""
-        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._every])
+        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._quantities])
 
     def place(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
         """Return the indices of the data of some rows."""
@@ -172,12 +172,18 @@ class Observations:
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
         """Return measured minus model, (D,); 0 for rows that are not used."""
-        return np.concatenate([each.residual(prediction, pairing, used).ravel() for each in self._every])
+        return np.concatenate(
+            [quantity.residual(prediction, pairing, used).ravel() for quantity in self._quantities]
+        )
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
         """Return the derivatives of the predictions with respect to the requested parameters, (D, T)."""
-        each = [one.rates(prediction, pairing, used) for one in self._every if one.sigma.size]
-        rates = np.vstack([rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in each])
+        by_quantity = [
+            quantity.rates(prediction, pairing, used) for quantity in self._quantities if quantity.sigma.size
+        ]
+        rates = np.vstack(
+            [rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in by_quantity]
+        )
         # A step may lead to a mode at 0 Hz, whose logarithm has no derivative.
         return np.asarray(np.where(np.isfinite(rates), rates, 0.0))
 
@@ -186,14 +192,14 @@ class Observations:
         copies = copy.copy(self)
         copies.frequencies, copies._copies = self.frequencies.tiled(count), count
         copies.beside = {name: quantity.tiled(count) for name, quantity in self.beside.items()}
-        copies._every = (copies.frequencies, *copies.beside.values())
+        copies._quantities = (copies.frequencies, *copies.beside.values())
         return copies
 
     def of_each(self, values: Array) -> Array:
         """Reshape the data of all copies, (B D, ...), to (B, D, ...)."""
-        parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._every])[:-1])
-        each = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
-        return np.concatenate(each, axis=1)
+        parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._quantities])[:-1])
+        reshaped = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
+        return np.concatenate(reshaped, axis=1)
 
     def beside_many(
         self, structure: Structure, values: Array, by: Sequence[tuple[int, ...]], used: Sequence[Mask]
@@ -216,12 +222,12 @@ class Observations:
         for batch in structure.predict_many(values, by, shape_rates=shape_rates):
             if not np.isfinite(batch.prediction.eigenvalues).all():
                 continue
-            rows, some = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
-            pairing = rows.pairer.pair(batch.prediction, some, compare=False)
-            residuals = rows.of_each(rows.residual(batch.prediction, pairing, some))
+            rows, used_rows = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
+            pairing = rows.pairer.pair(batch.prediction, used_rows, compare=False)
+            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used_rows))
             rates = np.zeros((*residuals.shape, 0))
             if any(by):
-                rates = rows.of_each(rows.rates(batch.prediction, pairing, some))
+                rates = rows.of_each(rows.rates(batch.prediction, pairing, used_rows))
             for k, number in enumerate(batch.sets.tolist()):
                 prediction = _part(batch.prediction, k, len(batch.sets))
                 yield Beside(number, residuals[k], rates[k, :, : len(by[number])], prediction)
@@ -230,6 +236,6 @@ class Observations:
 def _part(prediction: Prediction, k: int, count: int) -> Prediction:
     """Return one of several predictions that were evaluated together, without derivatives of the shapes."""
     size = len(prediction.eigenvalues) // count
-    some = slice(k * size, (k + 1) * size)
+    block = slice(k * size, (k + 1) * size)
     values, rates, shapes = prediction.eigenvalues, prediction.rates, prediction.shapes
-    return Prediction(values[some], rates[some], shapes[some], prediction.rigid)
+    return Prediction(values[block], rates[block], shapes[block], prediction.rigid)

@@ -54,25 +54,25 @@ class Priors:
                 continue
             where = f"candidate {shown(candidate.name)}"
             if len(candidate.sigma) != len(candidate.parameters):
-                what = (
+                problem = (
                     f"expected {len(candidate.parameters)} standard deviations, found {len(candidate.sigma)}"
                 )
-                raise PkmodesError(what, where, "give one for each of its parameters")
+                raise PkmodesError(problem, where, "give one for each of its parameters")
             for name, sigma in zip(candidate.parameters, candidate.sigma, strict=True):
                 if not 0.0 < sigma < np.inf:
-                    what = f"expected a standard deviation above 0, found {sigma:g}"
-                    raise PkmodesError(what, where, "leave sigma out if unknown")
+                    problem = f"expected a standard deviation above 0, found {sigma:g}"
+                    raise PkmodesError(problem, where, "leave sigma out if unknown")
                 if sigmas.setdefault(names[name], sigma) != sigma:
-                    what = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
-                    raise PkmodesError(what, where, "give the same one in every candidate")
+                    problem = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
+                    raise PkmodesError(problem, where, "give the same one in every candidate")
         self.index: NDArray[np.intp] = np.array(sorted(sigmas), dtype=np.intp)
         self._row = {i: row for row, i in enumerate(self.index.tolist())}
         self.sigma = widened * np.array([sigmas[i] for i in sorted(sigmas)], dtype=float)
         self._declared = np.array([parameters[i].value for i in self.index])
         self._log = np.array([parameters[i].log for i in self.index], dtype=bool)
         for i in self.index[self._log & (self._declared <= 0.0)]:
-            what = f"expected a positive value for a log-normal prior, found {parameters[i].value:g}"
-            raise PkmodesError(what, f"parameter {shown(parameters[i].name)}", "leave out log=True")
+            problem = f"expected a positive value for a log-normal prior, found {parameters[i].value:g}"
+            raise PkmodesError(problem, f"parameter {shown(parameters[i].name)}", "leave out log=True")
         self.whitening = whitening([parameters[i] for i in self.index])
 
     def residual(self, values: Array) -> Array:
@@ -125,21 +125,23 @@ def whitening(parameters: Sequence[Parameter]) -> Array | None:
         If the correlations are not symmetric, or no values can be correlated like this.
     """
     place = {p.name: i for i, p in enumerate(parameters)}
-    found = np.eye(len(parameters))
+    correlation = np.eye(len(parameters))
     for i, p in enumerate(parameters):
         for name, rate in p.correlated:
             if (k := place.get(name)) is not None and k != i:
-                found[i, k] = rate
-    apart = found != np.eye(len(found))
-    some = np.flatnonzero(apart.any(axis=1) | apart.any(axis=0))
-    if not len(some):
+                correlation[i, k] = rate
+    apart = correlation != np.eye(len(correlation))
+    correlated = np.flatnonzero(apart.any(axis=1) | apart.any(axis=0))
+    if not len(correlated):
         return None
-    part = found[np.ix_(some, some)]
+    part = correlation[np.ix_(correlated, correlated)]
     values, vectors = np.linalg.eigh(0.5 * (part + part.T))
     if not np.allclose(part, part.T, rtol=0.0, atol=ROUNDING) or values[0] < -ROUNDING:
-        names = ", ".join(parameters[i].name for i in some.tolist())
-        what = "expected a symmetric, positive semidefinite matrix of correlations, found another one"
-        raise PkmodesError(what, f"parameters {names}", "give each correlation with both of its parameters")
+        names = ", ".join(parameters[i].name for i in correlated.tolist())
+        problem = "expected a symmetric, positive semidefinite matrix of correlations, found another one"
+        raise PkmodesError(
+            problem, f"parameters {names}", "give each correlation with both of its parameters"
+        )
     white = np.eye(len(parameters))
-    white[np.ix_(some, some)] = (vectors / np.sqrt(np.maximum(values, LEAST))) @ vectors.T
+    white[np.ix_(correlated, correlated)] = (vectors / np.sqrt(np.maximum(values, LEAST))) @ vectors.T
     return white

@@ -83,8 +83,8 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        each = np.where(self.stated, shape_errors(data, criteria), scatter)
-        self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
+        by_row = np.where(self.stated, shape_errors(data, criteria), scatter)
+        self.sigma = np.broadcast_to(by_row[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
         self._crowd(neighbours(data, criteria))
 
@@ -173,7 +173,7 @@ def _scales(units: Sequence[str], moves: Array) -> Array:
     """Return the reciprocal rms motion of the channels of each unit over all setups, (C,); 0 if they do not move."""
     scales = np.zeros(len(units))
     for unit in set(units):
-        some = [i for i, other in enumerate(units) if other == unit]
-        size = float(np.sqrt(np.mean(moves[:, some] ** 2)))
-        scales[some] = 1.0 / size if size > 0.0 else 0.0
+        channels = [i for i, unit_of_channel in enumerate(units) if unit_of_channel == unit]
+        size = float(np.sqrt(np.mean(moves[:, channels] ** 2)))
+        scales[channels] = 1.0 / size if size > 0.0 else 0.0
     return scales

@@ -27,8 +27,8 @@ def shape_errors(data: Measurements, criteria: Criteria) -> Array:
     squares = np.zeros(len(logs))
     for a, b in pairs_of_setups(data.pose, np.argsort(data.pose, kind="stable")):
         apart = np.abs(logs[a] - logs[b])
-        others = apart > criteria.pairing.mixed
-        angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(others, apart, np.inf) ** 2
+        separate = apart > criteria.pairing.mixed
+        angles = (errors[a] ** 2 + errors[b] ** 2) / np.where(separate, apart, np.inf) ** 2
         squares[a] += angles  # each row once in `a`, and once in `b`
         squares[b] += angles
     least = np.clip(np.sqrt(squares), criteria.shapes.least_sigma, criteria.shapes.most_scatter)

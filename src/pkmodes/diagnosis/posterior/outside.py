@@ -64,11 +64,11 @@ def log_evidence_of_frequencies(
     sizes = np.geomspace(LEAST, max(largest, 2.0 * LEAST), SIZES)
     shown = sizes[-1] ** 2 * g > SHOWN
     g, c = g[shown], c[shown]
-    other, count = max(squares - float(c.sum()), 0.0), max(degrees - len(g), 0.0)
+    remainder, count = max(squares - float(c.sum()), 0.0), max(degrees - len(g), 0.0)
     log, weights = LOG_SCALE[::2], prior[::2] / prior[::2].sum()
     variance = np.exp(2.0 * log)[:, None, None] + sizes[:, None] ** 2 * g
     exponent = -0.5 * (np.log(variance) + c / variance).sum(axis=-1)
-    exponent -= (0.5 * other * np.exp(-2.0 * log) + count * log)[:, None]
+    exponent -= (0.5 * remainder * np.exp(-2.0 * log) + count * log)[:, None]
     return float(special.logsumexp(exponent, b=weights[:, None] / SIZES))
 
 
@@ -91,8 +91,8 @@ def spectrum(fitter: Fitter, model: Linearised) -> tuple[Array, Array]:
     unit = raw[:, size > 0.0] / size[size > 0.0]
     # A root of the covariance with few columns, then that of its part beside what is fitted.
     values, vectors = np.linalg.eigh(unit @ unit.T / max(unit.shape[1], 1))
-    some = values > ROUNDING * max(values[-1], ROUNDING)
-    root = vectors[:, some] * np.sqrt(values[some])
+    significant = values > ROUNDING * max(values[-1], ROUNDING)
+    root = vectors[:, significant] * np.sqrt(values[significant])
     inner = model.basis[rows].T @ root
     g, axes = np.linalg.eigh(root.T @ root - inner.T @ inner)
     kept = g > 100.0 * ROUNDING * g.max(initial=0.0)

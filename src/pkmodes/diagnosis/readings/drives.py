@@ -61,23 +61,26 @@ def other_drives(plain: FitStore) -> str:
 
 def _suspected(fitter: Fitter) -> dict[tuple[int, ...], Apart]:
     """Return all setups, and those whose declared frequencies are nearer with the motors doing something else."""
-    structure, data, every = fitter.structure, fitter.data, tuple(range(len(fitter.data.labels)))
+    structure, data, all_setups = fitter.structure, fitter.data, tuple(range(len(fitter.data.labels)))
     if not isinstance(structure, Driven):
         return {}
     predictions = (
-        one.predict(fitter.declared, ()) for one in (structure, structure.with_other_drives(every))
+        variant.predict(fitter.declared, ())
+        for variant in (structure, structure.with_other_drives(all_setups))
     )
     here, there = (differences(fitter, prediction, data)[0] for prediction in predictions)
 
     def apart(setups: Sequence[int]) -> Apart:
         return Apart(_mean(fitter, setups, here), _mean(fitter, setups, there))
 
-    means = (np.bincount(data.pose, np.abs(one)) / np.bincount(data.pose) for one in (here, there))
-    some = tuple(
+    means = (
+        np.bincount(data.pose, np.abs(difference)) / np.bincount(data.pose) for difference in (here, there)
+    )
+    nearer = tuple(
         k for k, pair in enumerate(zip(*means, strict=True)) if Apart(*map(float, pair)).far_better(PERHAPS)
     )
-    enough = np.isin(data.pose, some).sum() >= fitter.criteria.readings.drives_rows
-    return {setups: apart(setups) for setups in ((every, some) if enough else (every,))}
+    enough = np.isin(data.pose, nearer).sum() >= fitter.criteria.readings.drives_rows
+    return {setups: apart(setups) for setups in ((all_setups, nearer) if enough else (all_setups,))}
 
 
 def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
@@ -103,11 +106,13 @@ def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str
         size = f" ({plain(100 * apart.there, 2)} % instead of {plain(100 * apart.here, 2)} %)"
     if len(words) > 1:
         return f"the frequencies {fits} with free and held exchanged{size}: correct drives"
-    every = len(setups) == len(data.labels)
-    of = "" if every else f" at {listed([data.labels[k] for k in setups], MOST)}"
+    everywhere = len(setups) == len(data.labels)
+    of = "" if everywhere else f" at {listed([data.labels[k] for k in setups], MOST)}"
     (word,) = words
     says, than = other(word), ", not" if apart is None else " than"
-    remedy = f"write # drives: {says}, or --drives {says}" if every else f"write {says} in the column drives"
+    remedy = (
+        f"write # drives: {says}, or --drives {says}" if everywhere else f"write {says} in the column drives"
+    )
     return (
         f"the frequencies{of} {fits} with motors {says}{than} with motors {word}{size}: "
         f"if they were {says}, {remedy}"

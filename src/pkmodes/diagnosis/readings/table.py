@@ -78,5 +78,5 @@ def remarks(stage: Stage, criteria: ReadingCriteria) -> tuple[str, ...]:
     stage : Stage
         Its values determine which rows are the same mode.
     """
-    found = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
-    return tuple(text for texts in found for text in itertools.islice(texts, MOST))
+    answers = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
+    return tuple(text for texts in answers for text in itertools.islice(texts, MOST))

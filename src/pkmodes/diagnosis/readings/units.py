@@ -25,7 +25,7 @@ TWICE = ("rad/s", "1/min")
 class Unit:
     """A meaning of the frequency column: factor times the value read as Hz, or factor over it for periods."""
 
-    what: str
+    meaning: str
     remedy: str
     factor: float
     inverse: bool = False
@@ -52,8 +52,8 @@ def others(unit: str) -> Iterator[Unit]:
 def other_unit(fitter: Fitter) -> str:
     """The frequencies fit the declared model far better in another unit, or as periods."""
     c, count = fitter.criteria.readings, len(fitter.data.labels)
-    some = sorted(set(np.linspace(0, count - 1, min(count, ENOUGH)).astype(int).tolist()))
-    declared, data = fitter.structure.subset(some).predict(fitter.declared, ()), fitter.data.at(some)
+    sampled = sorted(set(np.linspace(0, count - 1, min(count, ENOUGH)).astype(int).tolist()))
+    declared, data = fitter.structure.subset(sampled).predict(fitter.declared, ()), fitter.data.at(sampled)
 
     def usual(reading: Measurements) -> tuple[float, float]:
         """Return the median difference, since the model may lack some modes, and the part of the rows paired."""
@@ -61,10 +61,10 @@ def other_unit(fitter: Fitter) -> str:
         return float(np.median(np.abs(apart))), float(paired.mean())
 
     there, paired, unit = min(
-        ((*usual(unit.of(data)), unit) for unit in others(data.unit)), key=lambda one: one[0]
+        ((*usual(unit.of(data)), unit) for unit in others(data.unit)), key=lambda trial: trial[0]
     )
     apart = Apart(usual(data)[0], there)
     if paired < c.unit_paired or not apart.far_better(c.unit_gain, c.unit_difference):
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
-    return f"{claim} fit the declared model as {unit.what} ({plain(100 * there, 2)} %): {unit.remedy}"
+    return f"{claim} fit the declared model as {unit.meaning} ({plain(100 * there, 2)} %): {unit.remedy}"

@@ -57,13 +57,13 @@ def wirings(columns: Sequence[str], sensors: Sequence[Sensor]) -> dict[Wiring, l
     They are up to the sign of all columns, each with the mistakes that give it.
     """
     right = as_in_file(columns)
-    found: dict[Wiring, list[Wiring]] = {}
+    by_wiring: dict[Wiring, list[Wiring]] = {}
     for wiring in _mistakes(right, sensors):
-        same = found.setdefault(wiring.up_to_sign, [])
+        same = by_wiring.setdefault(wiring.up_to_sign, [])
         if wiring not in same:
             same.append(wiring)
-    found.pop(right.up_to_sign, None)
-    return found
+    by_wiring.pop(right.up_to_sign, None)
+    return by_wiring
 
 
 def _mistakes(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
@@ -75,13 +75,13 @@ def _mistakes(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
         exchanged = {i: names[k], k: names[i]}
         yield Wiring(tuple(exchanged.get(j, names[j]) for j in places), right.signs)
     for sensor in sensors:
-        own = [i for i in places if names[i] in sensor.channels]
-        orders = itertools.permutations(sensor.channels, len(own))
-        for order, signs in itertools.product(orders, itertools.product((1, -1), repeat=len(own))):
-            channels, each = list(names), list(right.signs)
-            for i, name, sign in zip(own, order, signs, strict=True):
-                channels[i], each[i] = name, sign
-            yield Wiring(tuple(channels), tuple(each))
+        columns = [i for i in places if names[i] in sensor.channels]
+        orders = itertools.permutations(sensor.channels, len(columns))
+        for order, signs in itertools.product(orders, itertools.product((1, -1), repeat=len(columns))):
+            channels, directions = list(names), list(right.signs)
+            for i, name, sign in zip(columns, order, signs, strict=True):
+                channels[i], directions[i] = name, sign
+            yield Wiring(tuple(channels), tuple(directions))
 
 
 def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:

@@ -72,20 +72,21 @@ def expected_modes(
     """
     count = len(log)
     rows = np.flatnonzero(trusted.pose == setup)
-    alone = rows[partner[rows] < 0]
-    every = np.concatenate([log, FREQUENCY.transformed(trusted)[alone]])
-    sigmas, row = np.full(len(every), sigma), np.concatenate([np.full(count, -1), alone]).astype(np.intp)
-    forms = np.vstack([shapes, np.full((len(alone), len(channels)), np.nan)])
-    mode = np.concatenate([np.arange(count), np.full(len(alone), -1)]).astype(np.intp)
-    for own in rows:
-        place = int(partner[own]) if partner[own] >= 0 else count + int(np.flatnonzero(alone == own)[0])
-        every[place], row[place] = FREQUENCY.transformed(trusted)[own], own
-        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[own]
-        measured = dict(zip(trusted.channels, trusted.shapes[own], strict=True))
+    unpaired = rows[partner[rows] < 0]
+    logs = np.concatenate([log, FREQUENCY.transformed(trusted)[unpaired]])
+    sigmas, row = np.full(len(logs), sigma), np.concatenate([np.full(count, -1), unpaired]).astype(np.intp)
+    forms = np.vstack([shapes, np.full((len(unpaired), len(channels)), np.nan)])
+    mode = np.concatenate([np.arange(count), np.full(len(unpaired), -1)]).astype(np.intp)
+    for source in rows:
+        paired = partner[source] >= 0
+        place = int(partner[source]) if paired else count + int(np.flatnonzero(unpaired == source)[0])
+        logs[place], row[place] = FREQUENCY.transformed(trusted)[source], source
+        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[source]
+        measured = dict(zip(trusted.channels, trusted.shapes[source], strict=True))
         form = np.array([measured.get(name, np.nan) for name in channels])
-        if np.isfinite(form).sum() >= 2 or partner[own] < 0:
+        if np.isfinite(form).sum() >= 2 or not paired:
             forms[place] = form
-    return Expected(every, sigmas, forms, mode, row)
+    return Expected(logs, sigmas, forms, mode, row)
 
 
 def paired_with(
@@ -134,8 +135,9 @@ def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[in
 
 def _alike(first: Array, second: Array) -> Array:
     """Return the MAC of each shape (m, C) with each of others (r, C); NaN with fewer than two common components."""
-    found = np.full((len(first), len(second)), np.nan)
+    macs = np.full((len(first), len(second)), np.nan)
     for k, shape in enumerate(second):
-        known = np.isfinite(first) & np.isfinite(shape)
-        found[:, k] = mac(normalised(np.where(known, first, np.nan)), normalised(shape)[None, :], known)[:, 0]
-    return found
+        finite = np.isfinite(first) & np.isfinite(shape)
+        compared = normalised(np.where(finite, first, np.nan))
+        macs[:, k] = mac(compared, normalised(shape)[None, :], finite)[:, 0]
+    return macs

@@ -51,7 +51,7 @@ class SharedErrors:
     offset, variance : ndarray, shape (R,)
         Of ln f, and the variance of what the trusted state leaves unknown of it, so large that errors of different
         rows may be treated as independent.
-    known : ndarray of bool, shape (R,)
+    measured_before : ndarray of bool, shape (R,)
         Rows whose mode was measured in the trusted state, at any setup.
     counterpart : ndarray of int, shape (R,)
         Row of the trusted state with the same mode at the same setup; -1 where there is none.
@@ -63,7 +63,7 @@ class SharedErrors:
 
     offset: Array
     variance: Array
-    known: NDArray[np.bool_]
+    measured_before: NDArray[np.bool_]
     counterpart: NDArray[np.intp]
     of_modes: Array
     shapes: Array
@@ -119,7 +119,7 @@ def shared_errors(
     fitted : FittedValues, optional
         The uncertainty of these values.
     """
-    pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
+    pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.all_rows)
     before, data = trusted.structure.predict(values, ()), trusted.data
     after = structure.predict(np.array([p.value for p in structure.parameters]), ())
     same = Setups(
@@ -142,8 +142,8 @@ def shared_errors(
             np.where(rows.paired, pairing.partner - after.rigid, -1),
             int(nearest),
         )
-        own = np.flatnonzero(later.pose == setup)
-        for row, place in paired_with(expected, later, own, weights, trusted.criteria.pairing):
+        in_setup = np.flatnonzero(later.pose == setup)
+        for row, place in paired_with(expected, later, in_setup, weights, trusted.criteria.pairing):
             if expected.mode[place] >= 0:
                 partner[row] = expected.mode[place] + after.rigid
             counterpart[row] = expected.row[place]
@@ -151,15 +151,15 @@ def shared_errors(
     there = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     modes = np.where((partner >= 0)[:, None], there, np.nan)
     spread = np.zeros(len(partner))
-    own = np.flatnonzero(partner >= 0)
-    if fitted is not None and fitted.names and len(own):
-        of_logs, of_shapes = fitted.variances(structure, partner[own], later.pose[own])
-        variance[own] += of_logs
-        spread[own] = _relative(weights * np.sqrt(of_shapes[:, columns]), weights * there[own])
+    paired = np.flatnonzero(partner >= 0)
+    if fitted is not None and fitted.names and len(paired):
+        of_logs, of_shapes = fitted.variances(structure, partner[paired], later.pose[paired])
+        variance[paired] += of_logs
+        spread[paired] = _relative(weights * np.sqrt(of_shapes[:, columns]), weights * there[paired])
     shapes, shape_sigma = shapes_without_errors(data, later, counterpart, modes, weights)
-    alone = counterpart < 0
-    shapes[alone], shape_sigma[alone] = less_certain(
-        shapes[alone], shape_sigma[alone], shape_error, spread[alone]
+    unmatched = counterpart < 0
+    shapes[unmatched], shape_sigma[unmatched] = less_certain(
+        shapes[unmatched], shape_sigma[unmatched], shape_error, spread[unmatched]
     )
     return SharedErrors(
         offset,
@@ -260,15 +260,15 @@ def errors_of_modes(rows: TrustedRows, same: Setups, count: int) -> ErrorsOfMode
     unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
     mean, covariances = np.zeros((len(same.later), count)), []
     for mode in range(count):
-        own = np.flatnonzero(partner == mode)
-        at = pose[own]
-        if not len(own):
+        of_mode = np.flatnonzero(partner == mode)
+        at = pose[of_mode]
+        if not len(of_mode):
             covariances.append(np.full(same.later.shape, unknown**2) + scatter**2 * same.later)
             continue
-        among = ANY**2 + scatter**2 * same.trusted[np.ix_(at, at)] + np.diag(sigma[own] ** 2)
+        among = ANY**2 + scatter**2 * same.trusted[np.ix_(at, at)] + np.diag(sigma[of_mode] ** 2)
         across = ANY**2 + scatter**2 * same.across[:, at]
         gain = np.linalg.solve(among, across.T).T
-        mean[:, mode] = gain @ residual[own]
+        mean[:, mode] = gain @ residual[of_mode]
         covariances.append(ANY**2 + scatter**2 * same.later - gain @ across.T)
     return ErrorsOfModes(mean, np.array(covariances), scatter, unknown)
 
@@ -321,8 +321,13 @@ def same_setups(
     They are at one position with the same drives and set values; without positions, the model has the same modes.
     """
     conditions = [(first.drives[i], first.load(i)) for i in range(len(first.labels))]
-    others = [(second.drives[i], second.load(i)) for i in range(len(second.labels))]
-    alike = np.array([[one == other for one in conditions] for other in others])
+    second_conditions = [(second.drives[i], second.load(i)) for i in range(len(second.labels))]
+    alike = np.array(
+        [
+            [condition == second_condition for condition in conditions]
+            for second_condition in second_conditions
+        ]
+    )
     if first.points.any() and second.points.any():
         reach = np.maximum(NEAR * np.ptp(first.points, axis=0), SMALL)
         apart = np.abs(second.points[:, None] - first.points[None])

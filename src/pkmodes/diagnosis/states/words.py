@@ -82,9 +82,9 @@ def between(text: str, trusted: str, later: str) -> str:
     return as_change(ANOTHER_DAY.sub(_another_day, text))
 
 
-def _another_day(found: re.Match[str]) -> str:
+def _another_day(match: re.Match[str]) -> str:
     """Return by how much all equal parts are stiffer or softer, as after a change of temperature."""
-    part, size = found[1].replace("_", " "), 100.0 * float(found[2])
+    part, size = match[1].replace("_", " "), 100.0 * float(match[2])
     return f"all {part}s are {plain(abs(size), 2)} % {'stiffer' if size > 0.0 else 'softer'}"
 
 
@@ -94,24 +94,28 @@ Result = TypeVar("Result", bound=Diagnosis)
 def of_change(result: Result, trusted: str, later: str) -> Result:
     """Return a result in the words of a change."""
 
-    def said(text: str) -> str:
+    def reworded(text: str) -> str:
         return between(text, trusted, later)
 
     beyond = result.beyond
     if beyond is not None:
-        classes = tuple(replace(one, finding=_finding(one.finding)) for one in beyond.classes)
-        beyond = replace(beyond, reason=said(beyond.reason), classes=classes)
+        classes = tuple(
+            replace(term_class, finding=_finding(term_class.finding)) for term_class in beyond.classes
+        )
+        beyond = replace(beyond, reason=reworded(beyond.reason), classes=classes)
     reason = result.reason
     if beyond is not None and beyond.found is not None and not result.effects:
         reason = beyond.reason  # the catalogue and the terms were asked the same
     return replace(
         result,
-        reason=said(reason),
-        headline=said(result.headline),
-        notes=tuple(map(said, result.notes)),
-        not_separated=said(result.not_separated),
+        reason=reworded(reason),
+        headline=reworded(result.headline),
+        notes=tuple(map(reworded, result.notes)),
+        not_separated=reworded(result.not_separated),
         effects=tuple(map(_finding, result.effects)),
-        candidates=tuple(replace(one, sentence=as_change(one.sentence)) for one in result.candidates),
+        candidates=tuple(
+            replace(candidate, sentence=as_change(candidate.sentence)) for candidate in result.candidates
+        ),
         beyond=beyond,
     )
 

@@ -19,9 +19,9 @@ MOST_VALUES, MOST_NAMES = 3, 4
 def refitted(values: Sequence[Corrected]) -> str:
     """Return which uncertain values a fit moved most, and by how much; empty where there are none."""
     moved = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_away(v)))
-    some = [v for v in moved if abs(_away(v)) >= 1.0][:MOST_VALUES] or moved[:1]
-    some += [v for v in moved if v not in some and _taken_up(v)]
-    return ", ".join(f"{_name(v)} {_step(v)} ({_away(v):+.1f} sigma){_instead(v)}" for v in some)
+    reported = [v for v in moved if abs(_away(v)) >= 1.0][:MOST_VALUES] or moved[:1]
+    reported += [v for v in moved if v not in reported and _taken_up(v)]
+    return ", ".join(f"{_name(v)} {_step(v)} ({_away(v):+.1f} sigma){_instead(v)}" for v in reported)
 
 
 def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
@@ -35,8 +35,8 @@ def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
     far = [v for v in values if v.prior_sigma and abs(_away(v)) > FAR]
     parts = [f"{_name(v)} is {abs(_away(v)):.1f} sigma from its declared value" for v in far]
     if needed:
-        some = (v for v in values if v not in far and _taken_up(v))
-        parts += [f"{_name(v)} was refitted {_step(v)}{_instead(v)}" for v in some]
+        taken_up = (v for v in values if v not in far and _taken_up(v))
+        parts += [f"{_name(v)} was refitted {_step(v)}{_instead(v)}" for v in taken_up]
     return ", ".join(parts[:MOST_VALUES])
 
 

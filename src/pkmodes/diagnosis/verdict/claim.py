@@ -39,7 +39,7 @@ class Claim:
         Gate of the final fit.
     grouped : tuple
         For each cause, the classes of fits that have another cause in its place; its own class is first.
-    others : tuple of Fit
+    rivals : tuple of Fit
         Survivors beside a pair of causes.
     p_values : tuple of float
         One for each cause.
@@ -56,7 +56,7 @@ class Claim:
     final: Fit
     last: Gate
     grouped: Grouped = ()
-    others: tuple[Fit, ...] = ()
+    rivals: tuple[Fit, ...] = ()
     p_values: tuple[float, ...] = ()
     kept: bool = True
     left_out: tuple[str, ...] = ()
@@ -84,21 +84,21 @@ class Claim:
             if len(groups) > 1 or len(self.final.causes) == 1:
                 named = [[(name_of(fit), fit) for fit in fits] for fits in groups]
                 return sorted(named, key=lambda group: all(name in self.implausible for name, _ in group))
-        return [[(_names(fit), fit)] for fit in (self.final, *self.others)]
+        return [[(_names(fit), fit)] for fit in (self.final, *self.rivals)]
 
-    def findings(self, fitter: Fitter, alone: Mapping[str, JointAlone]) -> tuple[Finding, ...]:
+    def findings(self, fitter: Fitter, single_joints: Mapping[str, JointAlone]) -> tuple[Finding, ...]:
         """Return all causes with their classes, as parts of a result.
 
         Parameters
         ----------
-        alone : mapping of str to JointAlone
+        single_joints : mapping of str to JointAlone
             The one joint that explains the data as well, of each candidate that has one.
         """
         places = enumerate(self.grouped)
-        return tuple(self._finding(fitter, place, groups[0], alone) for place, groups in places)
+        return tuple(self._finding(fitter, place, groups[0], single_joints) for place, groups in places)
 
     def _finding(
-        self, fitter: Fitter, place: int, members: list[Fit], alone: Mapping[str, JointAlone]
+        self, fitter: Fitter, place: int, members: list[Fit], single_joints: Mapping[str, JointAlone]
     ) -> Finding:
         cause = self.final.causes[place]
         index = {name_of(fit): fitter.indices(fit.causes[-1]) for fit in members}
@@ -114,12 +114,13 @@ class Claim:
             parameters=alternatives[cause.name],
             alternatives={name: alternatives[name] for name in names},
             p_value=self.p_values[place],
-            sentence=alone[cause.name].sentence if cause.name in alone else cause.sentence,
+            sentence=single_joints[cause.name].sentence if cause.name in single_joints else cause.sentence,
             covariances={name: covariances[name] for name in names},
             about={
-                name_of(fit): member(fitter, fit, self.plausible, alone.get(name_of(fit))) for fit in members
+                name_of(fit): member(fitter, fit, self.plausible, single_joints.get(name_of(fit)))
+                for fit in members
             },
-            alone=alone.get(cause.name),
+            alone=single_joints.get(cause.name),
         )
 
 
@@ -195,14 +196,14 @@ def _possible(
     """
     classes, left_out = [], list[str]()
     for cause, groups in zip(final.causes, grouped, strict=True):
-        kept, left = possible(search.store.fitter, groups[0] if groups else [], plausible)
-        if left and all(fit.causes[-1] != cause for fit in kept):
+        kept, removed = possible(search.store.fitter, groups[0] if groups else [], plausible)
+        if removed and all(fit.causes[-1] != cause for fit in kept):
             if len(final.causes) > 1 or not search.gate(kept[0]).passed:
-                kept, left = groups[0], []
+                kept, removed = groups[0], []
             else:
                 final = kept[0]
         classes.append([kept, *groups[1:]] if groups else groups)
-        left_out += left
+        left_out += removed
     return final, tuple(classes), tuple(left_out)
 
 

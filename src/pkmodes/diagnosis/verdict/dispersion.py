@@ -43,12 +43,12 @@ def stiffness_of_frequency(e: Evidence) -> str:
     It has one parameter: as good as a pair of causes, it is the better explanation.  A single cause must be clearly
     worse to be refused: heavier motors of a rotary delta and reducers that soften with the frequency look the same.
     """
-    found, pair = dispersion(e.store, e.final), len(e.final.causes) > 1
+    law, pair = dispersion(e.store, e.final), len(e.final.causes) > 1
     worse = 0.0 if pair else e.criteria.search.survives
-    if found is None or found.criterion > e.store.criterion(e.final) - worse:
+    if law is None or law.criterion > e.store.criterion(e.final) - worse:
         return ""
     return (
-        f"{e.explains} the residual, but a {found.name} that {'rises' if found.rises else 'falls'} with the "
+        f"{e.explains} the residual, but a {law.name} that {'rises' if law.rises else 'falls'} with the "
         f"frequency, which is no candidate, would do so {'with one value' if pair else 'significantly better'}: look "
         "there"
     )
@@ -72,15 +72,15 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     rows, log = fitter.observations.frequency_rows, fitter.observations.log
     laws = (log - log.mean(), np.exp(2.0 * (log - log.max())))
     _, signatures = fitter.signatures(plain, [i for i, _ in declared])
-    found = []
+    trials = []
     for column, (_, name) in zip(signatures.T, declared, strict=True):
         for law in laws:
             signature = np.zeros(len(column))
             signature[rows] = column[rows] * law
-            left = signature - plain.basis @ (plain.basis.T @ signature)
-            size = float(np.linalg.norm(left))
-            score = float(left @ plain.white) / max(size, 1e-300)
-            found.append(
+            remainder = signature - plain.basis @ (plain.basis.T @ signature)
+            size = float(np.linalg.norm(remainder))
+            score = float(remainder @ plain.white) / max(size, 1e-300)
+            trials.append(
                 Dispersion(name, store.criterion(plain) - score**2 + store.parameter_price, score > 0.0)
             )
-    return min(found, key=lambda one: one.criterion)
+    return min(trials, key=lambda trial: trial.criterion)

@@ -55,11 +55,11 @@ class Elsewhere(NamedTuple):
     rates: Array
     errors: Array
 
-    def covariance(self, known: int | None = None) -> Array:
+    def covariance(self, exact: int | None = None) -> Array:
         """Return the covariance of what would be measured, (S, m, m), perhaps with one of the values exact."""
         C = self.fit.covariance
-        if known is not None:
-            k = self.fit.free.index(known)
+        if exact is not None:
+            k = self.fit.free.index(exact)
             C = C - np.outer(C[k], C[k]) / max(C[k, k], 1e-300)
         return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
 
@@ -75,8 +75,8 @@ def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[
     drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
     yield Way(structure, drives, {})
     if isinstance(structure, Driven) and (held or drives == HELD):
-        others = structure.with_other_drives(range(len(points)))
-        yield Way(others, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
+        switched = structure.with_other_drives(range(len(points)))
+        yield Way(switched, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
         yield Way(loaded, drives, load)
 
@@ -114,11 +114,11 @@ def _misstated(fitter: Fitter, fit: Fit) -> float:
 
 
 def apart(
-    predicted: Sequence[Elsewhere], poses: Sequence[int], known: int | None = None
+    predicted: Sequence[Elsewhere], poses: Sequence[int], exact: int | None = None
 ) -> tuple[Array, Array, Array]:
     """Return how far explanations are apart at some poses (`separations`), perhaps with one of the values exact."""
-    m, some = min(one.mean.shape[1] for one in predicted), list(poses)
+    m, places = min(prediction.mean.shape[1] for prediction in predicted), list(poses)
     return separations(
-        np.array([one.mean[some, :m] for one in predicted]),
-        np.array([one.covariance(known)[some, :m, :m] for one in predicted]),
+        np.array([prediction.mean[places, :m] for prediction in predicted]),
+        np.array([prediction.covariance(exact)[places, :m, :m] for prediction in predicted]),
     )

@@ -47,7 +47,9 @@ class Start:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter, self.criteria = setups, setups.fitter, setups.fitter.criteria
         self.plain = FitStore(setups.fitter)
-        self.suspected = [one for one in setups.fitter.structure.candidates if one.claimable]
+        self.suspected = [
+            candidate for candidate in setups.fitter.structure.candidates if candidate.claimable
+        ]
 
     def says(self, text: str) -> Says:
         """Return a reason as an answer."""
@@ -130,21 +132,21 @@ class Evidence:
         members = self.members
         if len(members) < 2:
             return reasons.names(self.final.causes)
-        most = self.criteria.claim.most_members
-        listed = members[:most] if len(members) <= most else members[: most - 1]
-        left = len(members) - len(listed)
-        if left:
-            return f"{', '.join(listed)} or {count(left)} others, which these data cannot tell apart,"
+        limit = self.criteria.claim.most_members
+        listed = members[:limit] if len(members) <= limit else members[: limit - 1]
+        unlisted = len(members) - len(listed)
+        if unlisted:
+            return f"{', '.join(listed)} or {count(unlisted)} others, which these data cannot tell apart,"
         return f"{', '.join(listed[:-1])} or {listed[-1]}, which these data cannot tell apart,"
 
     @property
     def members(self) -> list[str]:
         """The names of a single cause and of all that the data cannot tell from it; empty for several causes."""
-        own = self.claim.own
-        if len(self.final.causes) != 1 or not own:
+        classes = self.claim.own
+        if len(self.final.causes) != 1 or not classes:
             return []
         first = name_of(self.final)
-        return [first, *(name for fit in own[0] if (name := name_of(fit)) != first)]
+        return [first, *(name for fit in classes[0] if (name := name_of(fit)) != first)]
 
     @cached_property
     def trials(self) -> list[Trial]:
@@ -162,11 +164,11 @@ class Evidence:
         return dependence(self.fitter, self.final.values)
 
     @cached_property
-    def alone(self) -> dict[str, JointAlone]:
+    def single_joints(self) -> dict[str, JointAlone]:
         """The one joint that explains the data as well, of each remaining cause with a value for each joint."""
         fits = {name_of(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits}
-        some = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
-        return {name: found for name, found in some.items() if found is not None}
+        by_name = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
+        return {name: joint for name, joint in by_name.items() if joint is not None}
 
     @cached_property
     def term_instead(self) -> Fit | None:
@@ -177,13 +179,13 @@ class Evidence:
     def by_default(self) -> list[Assumption]:
         """The defaults on which values of the causes depend noticeably."""
         moved = moved_by_defaults(self.store, self.final)
-        own = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
+        indices = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
         return [
             assumption
             for assumption, away in moved.items()
             if any(
                 math.hypot(self.final.sigma_of(i), away[i] / ONE_SIDED) > NOTICEABLE * self.final.sigma_of(i)
-                for i in own
+                for i in indices
             )
         ]
 
@@ -203,12 +205,12 @@ class Evidence:
         ]
         best = min(noise, key=store.criterion, default=None)
         if best is not None and store.criterion(best) <= worst:
-            what = reasons.noise(best, store.fitter.data.lines)
+            errors = reasons.noise(best, store.fitter.data.lines)
             plain = store.fit(Hypothesis())
             pattern = (
                 reasons.uneven(store.fitter, plain) if plain is not None and best.hypothesis.scatter else ""
             )
-            return f"{what}; {pattern}" if pattern else what
+            return f"{errors}; {pattern}" if pattern else errors
         h = final.hypothesis
         base = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
         if base is None:
@@ -298,8 +300,8 @@ class Rule(Generic[T, A]):
         answer = self.ask(evidence)
         if not isinstance(answer, str):
             return answer
-        said: A | None = evidence.says(answer) if answer else None
-        return said
+        reply: A | None = evidence.says(answer) if answer else None
+        return reply
 
 
 @dataclass(frozen=True)

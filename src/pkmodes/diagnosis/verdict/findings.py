@@ -175,7 +175,9 @@ class Corrected(Value):
 
 def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
     """Return a value of a cause as the corrected robot file has it; None for another member of a class."""
-    return next((one for one in corrected if (one.name, one.value) == (value.name, value.value)), None)
+    return next(
+        (saved for saved in corrected if (saved.name, saved.value) == (value.name, value.value)), None
+    )
 
 
 def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
@@ -292,12 +294,12 @@ class Finding:
         values = self.alternatives.get(name, ())
         if len({value.unit for value in values}) != 1:
             return ()
-        found = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
-        if found is None:
+        centred = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
+        if centred is None:
             return ()
         return tuple(
             replace(value, value=float(d), sigma=float(sigma))
-            for value, d, sigma in zip(values, *found, strict=True)
+            for value, d, sigma in zip(values, *centred, strict=True)
         )
 
 

@@ -35,15 +35,15 @@ def separations(means: Array, covariances: Array) -> tuple[Array, Array, Array]:
         Of their means; of these in standard deviations, those of the mean of both covariances; and the Bhattacharyya
         coefficients.  Distances of 0 and overlaps of 1 where one of both is missing, so that nothing is told.
     """
-    known = np.isfinite(means.sum(axis=-1)) & np.isfinite(covariances.sum(axis=(-2, -1)))
-    m = np.where(known[..., None], means, 0.0)
-    V = np.where(known[..., None, None], covariances, np.eye(means.shape[-1]))
+    finite = np.isfinite(means.sum(axis=-1)) & np.isfinite(covariances.sum(axis=(-2, -1)))
+    m = np.where(finite[..., None], means, 0.0)
+    V = np.where(finite[..., None, None], covariances, np.eye(means.shape[-1]))
     i, j = np.array(pairs(len(m))).T
     both, apart = 0.5 * (V[i] + V[j]), m[i] - m[j]
     squares = (apart * np.linalg.solve(both, apart[..., None])[..., 0]).sum(axis=-1)
     size = np.linalg.slogdet(V)[1]
     overlaps = np.exp(-squares / 8.0 - 0.5 * (np.linalg.slogdet(both)[1] - 0.5 * (size[i] + size[j])))
-    compared = known[i] & known[j]
+    compared = finite[i] & finite[j]
     certain = np.sqrt(np.where(compared, squares, 0.0))
     return np.linalg.norm(apart, axis=-1) * compared, certain, np.where(compared, overlaps, 1.0)
 

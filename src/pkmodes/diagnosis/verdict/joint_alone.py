@@ -44,18 +44,18 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
     }
     criterion = apart.store.criterion
     fits = [
-        one
-        for one in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
-        if not one.at_bound
+        option
+        for option in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
+        if not option.at_bound
     ]
-    best, others = next(iter(fits), None), fits[1:]
+    best, rest = next(iter(fits), None), fits[1:]
     if best is None or criterion(best) > criterion(fit):
         return None
-    if any(criterion(one) <= criterion(best) + c.search.survives for one in others):
+    if any(criterion(rival) <= criterion(best) + c.search.survives for rival in rest):
         return None
     if not apart.gate(best).passed or p_of_held_out(setups, apart, best) <= c.gate.surely:
         return None
     (name,) = best.causes[-1].parameters
     (i,) = fitter.indices(best.causes[-1])
-    joint = next(one for one in cause.joints if one.parameter == name)
+    joint = next(part for part in cause.joints if part.parameter == name)
     return JointAlone(joint, float(best.values[i]), best.sigma_of(i), len(cause.joints) - 1)

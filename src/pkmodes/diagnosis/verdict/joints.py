@@ -19,23 +19,23 @@ class JointAlone:
     ----------
     change, sigma : float
         Relative change in this joint, if the others have none, and its standard deviation.
-    others : int
+    number_of_others : int
         Number of the others.
     """
 
     joint: Joint
     change: float
     sigma: float
-    others: int
+    number_of_others: int
 
     @property
     def compared(self) -> str:
         """How it differs from the others: "25 % softer than the others"."""
-        percent, more = plain(100.0 * abs(self.change), 2), self.change > 0.0
-        others, quantity = "the others" if self.others > 1 else "the other", self.joint.quantity
+        percent, increased = plain(100.0 * abs(self.change), 2), self.change > 0.0
+        rest, quantity = "the others" if self.number_of_others > 1 else "the other", self.joint.quantity
         if quantity in COMPARED:
-            return f"{percent} % {COMPARED[quantity][more]} than {others}"
-        return f"{percent} % {'above' if more else 'below'} {others} in {quantity}"
+            return f"{percent} % {COMPARED[quantity][increased]} than {rest}"
+        return f"{percent} % {'above' if increased else 'below'} {rest} in {quantity}"
 
     @property
     def sentence(self) -> str:

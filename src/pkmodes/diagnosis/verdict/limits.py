@@ -89,27 +89,27 @@ def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate]
     """
     fitter = store.fitter
     linear = bool(slowness(fitter.structure))
-    found: list[Bound] = []
-    every, fits = list(candidates), fits[:MOST]
-    own = {cause for fit in fits for cause in fit.causes}
+    bounded: list[Bound] = []
+    all_candidates, fits = list(candidates), fits[:MOST]
+    causes = {cause for fit in fits for cause in fit.causes}
     for fit in fits:
-        some = [c for c in every if c not in own or c in fit.causes]
-        found += bounds(store, fit, some, noise=noise, linear=linear)
+        suspects = [c for c in all_candidates if c not in causes or c in fit.causes]
+        bounded += bounds(store, fit, suspects, noise=noise, linear=linear)
     by_name: dict[str, Limit] = {}
-    for bound in found:
+    for bound in bounded:
         p = fitter.parameters[bound.index]
         name, limit = name_of(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
         by_name[name] = max(by_name.get(name, limit), limit, key=_size)
     unseen = {}
     if noise and len(fits) == 1:
-        unseen = _unseen(fits[0], found, moved_by_defaults(store, fits[0]))
-    ordered = (name_of(fitter.parameters[i]) for c in every for i in fitter.indices(c))
+        unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
+    ordered = (name_of(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
     return Limits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,
-        {bound.index: bound.plausible for bound in found},
-        frozenset(bound.candidate.name for bound in found),
-        frozenset(bound.candidate.name for bound in found if bound.size is None),
+        {bound.index: bound.plausible for bound in bounded},
+        frozenset(bound.candidate.name for bound in bounded),
+        frozenset(bound.candidate.name for bound in bounded if bound.size is None),
     )
 
 
@@ -122,15 +122,17 @@ def _size(limit: Limit) -> float:
     return float("inf") if limit.value is None else limit.value
 
 
-def _unseen(fit: Fit, found: Collection[Bound], by_defaults: Mapping[Assumption, Array]) -> dict[int, Unseen]:
+def _unseen(
+    fit: Fit, bounded: Collection[Bound], by_defaults: Mapping[Assumption, Array]
+) -> dict[int, Unseen]:
     """Return the largest movement of each fitted value as a standard deviation, and what is behind it."""
     unseen = {}
-    for i in fit.free if found else ():
-        worst = max(found, key=lambda bound: bound.moved[i])
-        open_end = max(found, key=lambda bound: bound.farther[i])
-        sigma, more = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
+    for i in fit.free if bounded else ():
+        worst = max(bounded, key=lambda bound: bound.moved[i])
+        open_end = max(bounded, key=lambda bound: bound.farther[i])
+        sigma, farther_sigma = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
         counted = math.hypot(fit.sigma_of(i), sigma)
-        farther = more > sigma and math.hypot(fit.sigma_of(i), more) > NOTICEABLE * counted
+        farther = farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * counted
         unseen[i] = Unseen(sigma, worst.candidate.name, open_end.candidate.name if farther else "")
         for default, moved in by_defaults.items():
             if moved[i] / ONE_SIDED > unseen[i].sigma:

@@ -37,7 +37,7 @@ def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, floa
         for i in among
         if (row := fitter.priors.of(i)) is not None
     ]
-    return max(distances, key=lambda one: one[1], default=("", 0.0))
+    return max(distances, key=lambda distance: distance[1], default=("", 0.0))
 
 
 def worst_shape(store: FitStore, fit: Fit) -> int:

@@ -135,13 +135,13 @@ def low_modes(declared: Stage) -> list[str]:
     setups = int((counts[measured] > 0).sum())
     if setups < max(FEWEST_SETUPS, len(measured) / 2.0):
         return []
-    most, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
+    largest, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
     where = (
         f"at {plain(low, 3)} Hz"
         if np.isclose(low, high, rtol=1e-2)
         else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
     )
-    which = "a measured mode lies" if most == 1 else f"up to {count(most)} measured modes lie"
+    which = "a measured mode lies" if largest == 1 else f"up to {count(largest)} measured modes lie"
     at = "every" if setups == len(measured) else f"{setups} of {len(measured)}"
     held = " or something holds motions that are free in the model, such as motors or a cable"
     also = f",{held}" if declared.prediction.rigid else ""
@@ -153,8 +153,8 @@ def low_modes(declared: Stage) -> list[str]:
 
 def drift(fitter: Fitter, fit: Fit) -> str:
     """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
-    left = fit.residual[fitter.observations.frequency_rows]
-    means = np.array([left[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
+    residual = fit.residual[fitter.observations.frequency_rows]
+    means = np.array([residual[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
     if len(means) < 5:
         return ""
     order = np.arange(len(means))
@@ -177,5 +177,5 @@ def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
 
 
 def _poses(labels: tuple[str, ...]) -> str:
-    some = ", ".join(labels[:5]) + (", ..." if len(labels) > 5 else "")
-    return f"pose {some}" if len(labels) == 1 else f"poses {some}"
+    listed = ", ".join(labels[:5]) + (", ..." if len(labels) > 5 else "")
+    return f"pose {listed}" if len(labels) == 1 else f"poses {listed}"

@@ -23,7 +23,7 @@ ROUNDING = 1e-6
 
 
 def member(
-    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], alone: JointAlone | None = None
+    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], single_joint: JointAlone | None = None
 ) -> Member:
     """Return the last cause of a fit as the member of a class, in the words of the one joint that would do.
 
@@ -31,15 +31,15 @@ def member(
     ----------
     plausible : mapping of int to float
         Largest plausible deviations from the declared values, by parameter.
-    alone : JointAlone, optional
+    single_joint : JointAlone, optional
         The one joint in which it explains the data as well.
     """
     cause = fit.causes[-1]
     why = impossible(fitter, fit, plausible) or unusual(fitter, fit)
     assumed = " and ".join(assumption.words for assumption in cause.assumes)
     of_default = f"{assumed}, not declared" if assumed else ""
-    if alone is not None:
-        return Member(cause.name, alone.sentence, implausible=why, assumed=of_default)
+    if single_joint is not None:
+        return Member(cause.name, single_joint.sentence, implausible=why, assumed=of_default)
     return Member(cause.name, cause.sentence, cause.kind, cause.part, why, of_default)
 
 
@@ -82,12 +82,12 @@ def possible(
     if all(why):
         return list(group), []
     kept = [fit for fit, text in zip(group, why, strict=True) if not text]
-    left = [
+    removed = [
         f"{_values(fitter, fit)} would explain the measurements as well, but is left out of the class: {text}"
         for fit, text in zip(group, why, strict=True)
         if text
     ]
-    return kept, left
+    return kept, removed
 
 
 def _values(fitter: Fitter, fit: Fit) -> str:

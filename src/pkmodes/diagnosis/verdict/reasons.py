@@ -58,15 +58,15 @@ def larger(ratio: float) -> str:
 
 def uneven(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
-    left = fit.residual[fitter.observations.frequency_rows]
+    residual = fit.residual[fitter.observations.frequency_rows]
     rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
     if len(rows) < 3:
         return ""
-    means = np.array([left[r].mean() for r in rows])
+    means = np.array([residual[r].mean() for r in rows])
     between = sum(
-        len(r) * (m - left[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
+        len(r) * (m - residual[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
     )
-    within = sum(float(((left[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
+    within = sum(float(((residual[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
     ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
     if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:

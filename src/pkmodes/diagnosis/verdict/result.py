@@ -108,7 +108,7 @@ class Damping:
     @property
     def sentences(self) -> dict[str, str]:
         """What each candidate means."""
-        return {one.name: one.sentence for one in self.candidates}
+        return {candidate.name: candidate.sentence for candidate in self.candidates}
 
     def document(self) -> DampingDocument:
         """Return it in the form described in docs/json.md."""
@@ -241,8 +241,8 @@ class Diagnosis:
     @property
     def sentences(self) -> dict[str, str]:
         """What each candidate means; where one joint would do, what it says of that."""
-        said = {one.name: one.sentence for one in self.candidates}
-        return said | {name: found.sentence for name, found in self.alone.items()}
+        sentences = {candidate.name: candidate.sentence for candidate in self.candidates}
+        return sentences | {name: joint.sentence for name, joint in self.alone.items()}
 
     @property
     def every_cause(self) -> tuple[Finding, ...]:
@@ -332,11 +332,11 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
         key(value): FoundDocument.of(value, saved_sigma=saved.get(value.name, value.sigma))
         for value in cause.parameters
     }
-    alone = cause.alone
+    single_joint = cause.alone
     return CauseDocument.of(
         cause,
-        term=(alone.joint.term or None) if alone else None,
-        term_change=ValueDocument(alone.change, alone.sigma, "1") if alone else None,
+        term=(single_joint.joint.term or None) if single_joint else None,
+        term_change=ValueDocument(single_joint.change, single_joint.sigma, "1") if single_joint else None,
         parameters=parameters,
         covariance=[list(row) for row in cause.covariance],
         relative=_by_key(ValueDocument, cause.relative()),
@@ -346,7 +346,8 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
 
 def _candidates(examined: tuple[Examined, ...]) -> list[CandidateDocument]:
     return [
-        CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from)) for one in examined
+        CandidateDocument.of(candidate, visible_from=_by_key(SizeDocument, candidate.visible_from))
+        for candidate in examined
     ]
 
 

@@ -102,15 +102,15 @@ def p_coincidence(search: Search, final: Fit) -> float:
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
     # A few candidates do not represent what else may be wrong: a combination of them says nothing.
-    every = (*directions, *score(fitter, plain, search.remote).directions)
+    all_directions = (*directions, *score(fitter, plain, search.remote).directions)
     many = search.criteria.claim.many * len(final.causes)
-    if gain <= 0.0 or len(every) < many:
+    if gain <= 0.0 or len(all_directions) < many:
         return p_value
-    plausible = Plausible.of(every, float(np.sqrt(gain)))
+    plausible = Plausible.of(all_directions, float(np.sqrt(gain)))
     if plausible.different >= min(many, len(plausible.axes)):
         along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
-        drawn, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-        p_value = max(p_value, coincidence(search, final, gain, drawn, along, plausible.resolved, left))
+        drawn, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+        p_value = max(p_value, coincidence(search, final, gain, drawn, along, plausible.resolved, squares))
     return p_value
 
 
@@ -138,25 +138,25 @@ def coincidence(
     squares : float
         Sum of squares that the claimed causes leave in these directions.
     """
-    left = degrees - sum(len(cause.parameters) for cause in final.causes)
-    if left <= 0.0:
+    spare = degrees - sum(len(cause.parameters) for cause in final.causes)
+    if spare <= 0.0:
         return 1.0
     # What the claim leaves beyond noise, another cause may leave too, and noise hides as much again.
-    size = gain + max(squares - left, 0.0) + search.criteria.claim.spread * float(np.sqrt(2.0 * left))
+    size = gain + max(squares - spare, 0.0) + search.criteria.claim.spread * float(np.sqrt(2.0 * spare))
     sized = drawn * (np.sqrt(size) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300))
     reached = np.zeros(drawn.shape[1], dtype=bool)
-    for some in combinations(directions, len(final.causes)):
-        reached |= _gain(sized, some) >= gain
+    for chosen in combinations(directions, len(final.causes)):
+        reached |= _gain(sized, chosen) >= gain
     return float(reached.mean())
 
 
 def _gain(residuals: Array, causes: Directions) -> Array:
     """Return the squares that causes remove from residuals (D, n), at best."""
-    (axes, sign), *others = causes
-    if not others and sign:
+    (axes, sign), *further = causes
+    if not further and sign:
         along = axes[:, 0] @ residuals
         return np.where(along > 0.0, along**2, 0.0)
-    basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
+    basis = axes if not further else orthonormal(np.hstack([axes for axes, _ in causes]))
     gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
     return gain
 

@@ -39,8 +39,8 @@ EXPECTED = {(HALVED, UNEXPLAINED.word), (DOUBLED, ADEQUATE.word)}
 
 def stable(result: Diagnosis) -> bool:
     """Return whether a verdict may be called stable: at most one change gives another, which the errors explain."""
-    others = [entry for entry in result.stability if not same(result, entry)]
-    return len(others) <= 1 and all((entry.change, entry.verdict) in EXPECTED for entry in others)
+    different = [entry for entry in result.stability if not same(result, entry)]
+    return len(different) <= 1 and all((entry.change, entry.verdict) in EXPECTED for entry in different)
 
 
 def same(result: Diagnosis, entry: Stability) -> bool:

@@ -120,4 +120,6 @@ class Beyond:
 
     def document(self) -> BeyondDocument:
         """Return it in the form described in docs/json.md."""
-        return BeyondDocument(self.status, self.reason, self.tried, [one.document for one in self.classes])
+        return BeyondDocument(
+            self.status, self.reason, self.tried, [term_class.document for term_class in self.classes]
+        )

@@ -90,14 +90,14 @@ def beyond_prior(e: Evidence) -> Says | None:
 
 def nearly_all(e: Evidence) -> Says | None:
     """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
-    store, (part, most) = e.store, e.criteria.reasons.nearly_all
+    store, (part, limit) = e.store, e.criteria.reasons.nearly_all
     before = _larger(store, e.outcome.nuisances)
     explanations = []
     for fit in _without_errors(store):
         if fit.at_bound:
             continue
         after = _larger(store, fit)
-        if after > min(part * before, most):
+        if after > min(part * before, limit):
             continue
         gate = e.search.gate(fit)
         if not gate.passed and gate.p_unmeasured > e.criteria.gate.surely:
@@ -105,7 +105,7 @@ def nearly_all(e: Evidence) -> Says | None:
     if not explanations:
         return None
     order = _priced(e)
-    best, after = min(explanations, key=lambda one: order(one[0]))
+    best, after = min(explanations, key=lambda entry: order(entry[0]))
     # Two causes were found in both orders, which fit alike but for rounding: name them as the candidates stand.
     places = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
     causes = sorted(best.causes, key=lambda cause: places.get(cause.name, len(places)))
@@ -127,17 +127,19 @@ def nearly_all(e: Evidence) -> Says | None:
 def no_direction(e: Evidence) -> Says | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
     frequencies, _ = _misfits(e.store, e.outcome.nuisances)
-    scale, (least, most), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
-    gains = (s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.each)
-    if not (least < scale < most and max(gains, default=0.0) < c.reasons.no_direction):
+    scale, (least, largest), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
+    gains = (
+        s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.by_candidate
+    )
+    if not (least < scale < largest and max(gains, default=0.0) < c.reasons.no_direction):
         return None
     best = _best_of_all(e)
     perhaps = "perhaps the stated sigma is too small"
     if len(e.fitter.observations.log) < c.search.rows_to_set_aside:
         perhaps = "something outside the candidates, or stated errors that are too small"
     nowhere = "" if best is not None else " and points to no candidate"
-    what = uneven(e.fitter, e.outcome.nuisances) or perhaps
-    return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {what}")
+    detail = uneven(e.fitter, e.outcome.nuisances) or perhaps
+    return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {detail}")
 
 
 def small(e: Evidence) -> Says | None:
@@ -156,10 +158,10 @@ def small(e: Evidence) -> Says | None:
 def real(e: Evidence) -> Says:
     """No candidate or pair of candidates reduces the residual to noise."""
     size, pattern = _larger(e.store, e.outcome.nuisances), uneven(e.fitter, e.outcome.nuisances)
-    seen = f"; {pattern}" if pattern else ""
+    suffix = f"; {pattern}" if pattern else ""
     text = (
         f"the residual is real, {larger(size**0.5)} the stated errors, and no candidate or pair of candidates "
-        f"reduces it to noise{seen}"
+        f"reduces it to noise{suffix}"
     )
     return _beside_best(e, text)
 
@@ -194,8 +196,8 @@ def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
     """
     store = e.store
     better = store.criterion(e.outcome.nuisances) - e.criteria.search.survives
-    some = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
-    best = min(some, key=_priced(e), default=None)
+    improving = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
+    best = min(improving, key=_priced(e), default=None)
     if best is None:
         return None
     why, pointed = left_by(e, best)
@@ -214,20 +216,22 @@ def left_by(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
     if gate.unpaired:
         return f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched", []
     if gate.p_value <= gate.level:
-        left = larger(_larger(e.store, fit) ** 0.5)
-        return f"it leaves a residual {left} the stated errors ({p_in_words(gate.p_value)})", []
+        factor = larger(_larger(e.store, fit) ** 0.5)
+        return f"it leaves a residual {factor} the stated errors ({p_in_words(gate.p_value)})", []
     if gate.p_unmeasured <= gate.level:
         return "it adds modes between the measured ones that were not measured", []
     if gate.p_candidates <= gate.level:
-        one = _pointed(gate)
-        clause = f"what it leaves still points to a candidate, {one.name} ({p_in_words(gate.p_candidates)})"
-        return clause, [one]
+        candidate = _pointed(gate)
+        clause = (
+            f"what it leaves still points to a candidate, {candidate.name} ({p_in_words(gate.p_candidates)})"
+        )
+        return clause, [candidate]
     return "", []
 
 
 def _pointed(gate: Gate) -> Candidate:
     """Return the candidate to which a residual points most clearly."""
-    return min(gate.scores.each, key=lambda one: one.p_value).candidate
+    return min(gate.scores.by_candidate, key=lambda entry: entry.p_value).candidate
 
 
 def _without_errors(store: FitStore) -> list[Fit]:

@@ -65,7 +65,7 @@ def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
     store, fitter = search.store, search.store.fitter
     if not search.criteria.claim.once or len(fitter.data.labels) > 1:
         return False
-    less = replace(final.hypothesis, causes=tuple(other for other in final.causes if other != cause))
+    less = replace(final.hypothesis, causes=tuple(kept for kept in final.causes if kept != cause))
     without = fitter.evaluated(less, store.undone(final, less), final.scatter)
     if without is None:
         return False
@@ -104,7 +104,7 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
         if shows_once(search, final, cause, int(row)):
             continue
         with_cause = replace(h, excluded=h.excluded | {int(row)})
-        without = replace(with_cause, causes=tuple(other for other in h.causes if other != cause))
+        without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
         here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
         if here is None or less is None:
             continue
