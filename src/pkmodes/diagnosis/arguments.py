@@ -12,7 +12,7 @@ from pkmodes.measured.measurements import Measurements
 
 
 def checked(structure: Structure, data: Measurements) -> Structure:
-    """Return a structure at the measured setups; refuse an invalid one, measurements, unnamed setups, and priors."""
+    """Return a structure at the measured setups; refuse invalid structures, data and priors, and unnamed setups."""
     if not callable(getattr(structure, "predict", None)) or not hasattr(structure, "candidates"):
         remedy = "give a structure, such as a MatrixStructure; for a robot, use pkmodes.updating"
         raise PkmodesError(f"expected a structure, found {shown(structure)}", "structure", remedy)
@@ -57,7 +57,7 @@ def check_measurements(data: object, reader: str) -> None:
 
 
 def _check_prior(name: str, sigma: object, count: int) -> None:
-    """Refuse a prior of a candidate that is not one positive number for each of its parameters."""
+    """Refuse a candidate's prior unless it is one positive number for each of its parameters."""
     if sigma is None:
         return
     where = f"candidate {shown(name)}: sigma"

@@ -62,7 +62,7 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
 
     @property
     def no_evidence(self) -> bool:
-        """Whether its damping says nothing about its partner, whose shape is another one."""
+        """Whether its damping says nothing about its partner, because their shapes differ."""
         return self.damping is not None and self.mac is not None and self.mac < Criteria.shapes.strange_mac
 
 

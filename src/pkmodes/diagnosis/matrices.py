@@ -38,7 +38,7 @@ from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Su
 from pkmodes.diagnosis.structure.terms import SuppliedWithTerms, terms_of
 from pkmodes.support.numbers import plain
 
-#: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].
+#: Calls of the callable that take longer than this dominate the time of a diagnosis [s].
 SLOW = 0.02
 
 

@@ -36,7 +36,7 @@ from pkmodes.measured.measurements import Measurements
 
 #: By default, one in this many poses is held out.
 HELD_OUT = 6
-#: Measured modes that are diagnosed at most: some minutes, and a third of a megabyte for each.
+#: Largest number of measured modes that are diagnosed: this takes some minutes, and a third of a megabyte per mode.
 MOST = 10_000
 
 
@@ -74,7 +74,7 @@ def _of_frequencies(
     criteria: Criteria | None,
     terms: bool,
 ) -> Diagnosis:
-    """Return what frequencies and shapes say."""
+    """Return the diagnosis of the frequencies and shapes."""
     if progress is not None and (remark := slowness(structure)):
         progress(remark)
     fitted, held = split(data, holdout)

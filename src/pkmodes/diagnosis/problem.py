@@ -78,7 +78,7 @@ class Assumption(NamedTuple):
 
 
 class Joint(NamedTuple):
-    """One of the equal parts of a machine that have a value each in a cause: a relative change of a declared value.
+    """One of several equal machine parts that each have a value in a cause: a relative change of a declared value.
 
     Attributes
     ----------

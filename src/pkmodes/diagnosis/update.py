@@ -31,7 +31,7 @@ from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.measured.measurements import Measurements
 
-#: Largest number of rounds to estimate the scatter of shapes without a stated one.
+#: Largest number of rounds to estimate the scatter of shapes without a stated error.
 ROUNDS = 4
 #: Relative change of the scatter at convergence.
 SETTLED = 0.02
@@ -81,7 +81,7 @@ class Update:
     rows : tuple of Row
         Every measured mode with its predictions before and after (`refit` and `after` are the same).
     shape_scatter : float or None
-        Scatter of the shapes without a stated one, relative to the largest component.
+        Scatter of the shapes without a stated error, relative to the largest component.
     notes : tuple of str
         Notes on the data and the update.
     """

@@ -1,4 +1,4 @@
-"""What terms would do to the data: the directions of their signatures beside a fit."""
+"""Directions in which terms would change the data, beside a fit."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from pkmodes.diagnosis.search.score import LEFT
 
 
 def of_starts(fitter: Fitter, plain: Fit, terms: Sequence[Candidate]) -> Iterator[tuple[Array, int]]:
-    """Yield the directions of terms that are fitted from starts of their own: one of their size at each start.
+    """Yield the directions of terms that have their own starts: one, that of their size, at each start.
 
-    At the size 0 the other parameters change nothing, but they determine what a small size does: a resonator pushes
+    At size 0 the other parameters have no effect, but they determine the effect of a small size: a resonator pushes
     the modes on both sides of its frequency apart.
     """
     for starts in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):

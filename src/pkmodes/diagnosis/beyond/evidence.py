@@ -1,4 +1,4 @@
-"""What the rules beyond the catalogue ask about: the evidence for the best term, its class, and what else remains."""
+"""Evidence for the rules beyond the catalogue: the best term, its class, and what else remains."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from pkmodes.diagnosis.verdict.stability import Trial, trials
 
 #: Number of equally good terms that a reason mentions.
 MENTIONED = 3
-#: Number of explanations outside its class with which a claim is compared with other errors, and at all setups.
+#: Number of explanations outside its class with which a claim is compared, under other errors and at all setups.
 CONTENDERS = 6
-#: Explanations whose criteria differ by less are equally good: they differ in the last digits of their residuals.
+#: Explanations whose criteria differ by less are equally good: only the last digits of their residuals differ.
 EQUAL = 1e-6
 
 
@@ -74,7 +74,7 @@ class TermEvidence(Evidence):
 
     @property
     def words(self) -> str:
-        """What the best term is, with its name, and those that are equally good."""
+        """The best term in words, with its name, and those that are equally good."""
         reference = self.store.criterion(self.final)
         equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - reference) < EQUAL]
         ranked = best_first(self.store, equal) or [self.final]
@@ -123,17 +123,17 @@ class TermEvidence(Evidence):
 
     @cached_property
     def trials(self) -> list[Trial]:
-        """What becomes of the best explanations with other errors and priors."""
+        """The best explanations with other errors and priors."""
         return trials(self.search, self.final, self.groups[:1], self.contenders)
 
     @cached_property
     def held_out(self) -> HeldOut:
-        """What the held-out setups say about the final fit."""
+        """The test of the final fit by the held-out setups."""
         return predicted(self.setups, self.search, self.final, self.contenders)
 
     @cached_property
     def p_outside(self) -> float:
-        """Probability that something that no term has would look like a term."""
+        """Probability that an effect that no term describes would look like a term."""
         return p_outside(self.tried, self.final)
 
     @cached_property
@@ -143,7 +143,7 @@ class TermEvidence(Evidence):
 
     @cached_property
     def pointed(self) -> tuple[Candidate, float] | None:
-        """The term to which what is left points, and the p-value of that; None if it points to none."""
+        """The term to which the remaining residual points, with the p-value of its score; None if there is none."""
         terms = [term for term in self.tried.terms if not term.starts and term not in self.final.causes]
         scores = score(self.fitter, self.final, terms)
         best = min(scores.by_candidate, key=lambda entry: entry.p_value, default=None)

@@ -129,7 +129,7 @@ def _any_of(e: TermEvidence, k: int) -> str:
     return " or ".join(listed) + (f" or {unlisted} more" if unlisted > 0 else "")
 
 
-#: Asked of what was tried beyond the catalogue.
+#: Rules for what was tried beyond the catalogue.
 BEYOND: tuple[Rule[TermEvidence, Says], ...] = (
     Rule("beyond.nothing", NOTHING, nothing),
     Rule("beyond.in_the_catalogue", NOTHING, in_the_catalogue),

@@ -1,9 +1,9 @@
 """What is tried beyond the catalogue: each term alone, beside the uncertain values.
 
 All terms are scored at the refit of the uncertain values with exact rates, the most promising ones are refitted
-together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is evaluated at
-all its starts first, and one in which the linear model sees little at several sizes.  If no term leaves noise, the
-best ones are tried beside outliers or a shared error, on the same terms as the causes of the catalogue.
+together, and those that may survive are completed.  A term that may be anywhere, such as a resonator, is first
+evaluated at all its starts, and one for which the linear model predicts little at several sizes.  If no term leaves
+noise, the best ones are tried beside outliers or a shared error, under the same conditions as the catalogue's causes.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from pkmodes.diagnosis.verdict.evidence import Evidence
 
 #: Number of terms that are refitted, by their scores, by their starts and by large sizes.
 BEST, STARTED, LARGE = 40, 20, 10
-#: Number of starts of each term that a few setups leave, and all of them.
+#: Number of starts of each term kept after comparing them at a few setups, and then at all.
 FITTED, COMPARED = 6, 4
 #: Number of setups at which starts are compared.
 SCOUTED = 4
@@ -36,7 +36,7 @@ SCOUTED = 4
 SMALL = 0.05
 #: Part of the gain of a linear estimate below which a fit from there went astray.
 ASTRAY = 0.5
-#: Largest number of measurement errors that are tried beside terms, one more each time, and of terms beside which.
+#: Largest number of measurement errors beside terms, one more in each round, and of terms that are tried with them.
 ROUNDS, BESIDE = 3, 3
 #: Number of explanations of the catalogue with which terms are compared.
 CARRIED = 12
@@ -108,7 +108,7 @@ def tried(
 
 
 def fitter_of(structure: Structure, catalogue: Evidence, held: Sequence[int], scatter: float) -> Fitter:
-    """Return what fits a structure with its terms to the setups that are not held out."""
+    """Return the fitter of a structure with its terms at the setups that are not held out."""
     data = catalogue.setups.data
     fitted = [i for i in range(len(data.labels)) if i not in held]
     return Fitter(structure.subset(fitted), data.at(fitted), catalogue.criteria, scatter)
@@ -116,14 +116,14 @@ def fitter_of(structure: Structure, catalogue: Evidence, held: Sequence[int], sc
 
 @dataclass(frozen=True)
 class _Trial:
-    """A term with values from which it may be fitted, and of what kind each is, if there are several kinds."""
+    """A term with its start values, and the kind of each if there are several."""
 
     hypothesis: Hypothesis
     values: Sequence[Array]
     kinds: Sequence[float] = ()
 
     def best(self, order: Sequence[int]) -> list[Array]:
-        """Return the first values in an order: of each kind the first, then others."""
+        """Return the best values in an order: the first of each kind, then others."""
         kinds = self.kinds or [0.0] * len(self.values)
         firsts = list({kinds[k]: k for k in reversed(order)}.values())
         chosen = [*(k for k in order if k in firsts), *(k for k in order if k not in firsts)][:FITTED]
@@ -131,7 +131,7 @@ class _Trial:
 
 
 def _kinds(term: Candidate) -> Sequence[float]:
-    """Return of what kind each start is: its value of the parameter that has the fewest different ones, the mass."""
+    """Return the kind of each start: its value of the parameter with the fewest distinct values, the mass."""
     columns = list(zip(*term.starts, strict=True))
     return min(columns, key=lambda column: len({*column})) if len(columns) > 1 else ()
 
@@ -139,7 +139,7 @@ def _kinds(term: Candidate) -> Sequence[float]:
 def _ranked(
     fitter: Fitter, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]
 ) -> list[list[tuple[float, int]]]:
-    """Return, for each hypothesis, the sums of squares of its starts with their places, smallest first."""
+    """Return, for each hypothesis, the sums of squares of its starts with their indices, smallest first."""
     if not jobs:
         return []
     costs = iter(fitter.chi2_of_many([(h, values) for h, starts in jobs for values in starts]))
@@ -152,7 +152,7 @@ class _Explorer:
     Parameters
     ----------
     before : Tried or None
-        With a larger scatter: what it refitted is refitted from there, and nothing else.
+        The result with a larger scatter: only the terms that it refitted are refitted, from their values there.
     """
 
     def __init__(
@@ -234,7 +234,7 @@ class _Explorer:
         return self.store.finished([*fits, *self._again(plain, small, rough)])
 
     def _again(self, plain: Fit, small: Sequence[Score], rough: Sequence[Fit]) -> list[Fit]:
-        """Return fits, of which those that went astray are begun anew: close modes may have changed places."""
+        """Return fits, restarting those that went astray: close modes may have been exchanged."""
         gains = {entry.candidate.name: entry for entry in small}
         astray = [
             (fit, gains[name])
@@ -260,7 +260,7 @@ class _Explorer:
         return self.store.degrees(plain) > len(term.parameters)
 
     def _started(self, plain: Fit) -> list[tuple[Hypothesis, list[Array]]]:
-        """Return the most promising terms that are fitted from starts of their own, each with its best starts."""
+        """Return the most promising terms with their own starts, each with its best starts."""
         terms = [term for term in self.terms if term.starts and self._testable(plain, term)]
         trials = [
             _Trial(
@@ -275,7 +275,7 @@ class _Explorer:
         return self._promising(trials)[:STARTED]
 
     def _large(self, plain: Fit, scores: Sequence[Score]) -> list[tuple[Hypothesis, list[Array]]]:
-        """Return the most promising terms, with their best sizes, of those in which the linear model sees little."""
+        """Return the most promising terms for which the linear model predicts little, with their best sizes."""
         trials = [
             _Trial(
                 plain.hypothesis.adding(entry.candidate),
@@ -303,7 +303,7 @@ class _Explorer:
         ]
 
     def _promising(self, trials: Sequence[_Trial]) -> list[tuple[Hypothesis, list[Array]]]:
-        """Return terms with the best of their values, the most promising first: a few setups tell which."""
+        """Return terms with the best of their values, the most promising first, judged at a few setups."""
         count = len(self.fitter.data.labels)
         few = [int((k + 0.5) * count / SCOUTED) for k in range(SCOUTED)] if count > SCOUTED else range(count)
         scout = self.fitter.at(list(few)) if trials else self.fitter
@@ -322,7 +322,7 @@ class _Explorer:
         return not fit.at_bound and self.store.p_value(fit) > level and self.search.gate(fit).above(level)
 
     def _errors_beside(self, fits: Sequence[Fit]) -> Hypothesis | None:
-        """Return the measurement errors beside which the best terms explain most; None if none help."""
+        """Return the measurement errors beside which the best terms explain most; None if no errors help."""
         criterion = self.store.criterion
         options = [extended for fit in fits[:BESIDE] for extended in self.search.additions.noise(fit)]
         best = min(options, key=criterion, default=None)

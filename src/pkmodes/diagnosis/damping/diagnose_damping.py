@@ -1,7 +1,7 @@
 """The second stage of a diagnosis: damping, at the final model of the frequencies and shapes.
 
 Losses change neither frequencies nor shapes, so the first stage needs no damping, and the second one takes its model,
-its values and its pairing as they are.  If the first stage does not settle, its modes may be the wrong ones, and
+its values and its pairing as they are.  If the first stage is not settled, its modes may be the wrong ones, and
 damping is not diagnosed.
 """
 
@@ -24,14 +24,14 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import CHANGES
 from pkmodes.measured.measurements import Measurements
 
-#: Logarithm within which a common factor is a hundred.
+#: Logarithm of a factor of a hundred, and the largest distance from it that counts as one.
 HUNDRED, CLOSE = float(np.log(100.0)), 0.7
 
 
 def with_damping(
     structure: Structure, data: Measurements, result: Diagnosis, criteria: Criteria | None
 ) -> Diagnosis:
-    """Return a diagnosis of frequencies and shapes with what the damping says, beside its verdict."""
+    """Return a diagnosis of frequencies and shapes extended by that of the damping."""
     c = criteria or Criteria()
     if np.isnan(data.damping).all():
         return result

@@ -1,4 +1,4 @@
-"""What the rules of the verdict on damping ask about."""
+"""Evidence for the rules of the verdict on damping."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class DampingJudgement:
     base : LossFit
         With the declared losses.
     final : LossFit
-        With the causes; the base where none is found and none remains.
+        With the causes; the base where none is found or remains.
     places, p_values
         Those of the `Explanation` that is found or remains; otherwise empty.
     says : LossSays
@@ -65,7 +65,7 @@ class DampingJudgement:
 
 
 class LossEvidence:
-    """Damping ratios and the losses that explain them; what takes time is computed when a rule first asks for it.
+    """Damping ratios and the losses that explain them; costly results are computed when a rule first needs them.
 
     Parameters
     ----------

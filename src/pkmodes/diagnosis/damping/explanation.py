@@ -16,7 +16,7 @@ from scipy import stats
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.support.numbers import plain
 
-#: Squared difference below which two explanations are the same to any measurement.
+#: Squared difference below which no measurement separates two explanations.
 SAME = 1.0
 
 
@@ -28,7 +28,7 @@ class Explanation:
     ----------
     best : LossFit
     places : tuple of tuple of LossFit
-        For each cause, the fits of its class; its own is first.
+        For each cause, the fits of its class, the best explanation first.
     rivals : tuple of LossFit
         Explanations in no class that are as good, the best first.
     p_values : tuple of float
@@ -66,8 +66,8 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
     survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.gate.surely)]
     alike = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
     alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
-    # Of explanations that are the same to any measurement, an effect names the class; and of any class in which the
-    # best is not a cause.
+    # An effect names the class among explanations that no measurement separates, and in any class whose best member
+    # is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
     same = [fit for fit in alike if not claimable or fitter.difference(best, fit) < SAME]
     best = same[0] if same else best
@@ -82,7 +82,7 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
-    """Return whether a fit leaves noise, and each of its causes is there."""
+    """Return whether a fit leaves noise, and each of its causes is present."""
     causes = [j for j in fit.causes if j in fit.absent and not fitter.declared[j]]
     at_bound = [j for j in fit.causes if fit.values[j] > NEARLY * fitter.losses[j].parameter.upper]
     return fit.p_value > level and not causes and not at_bound

@@ -1,9 +1,9 @@
 """Fit losses to measured damping ratios: least squares in the logarithms of ratios, over positive losses.
 
-The ratio of a mode is the sum of what each loss gives, coefficient times value.  A measured ratio that is not
-significantly above 0 has no logarithm with a normal error, but says that the mode is not damped more.  The logarithm
-of each fitted loss is the variable, so that a single loss without a declared one beside it is a linear problem, and
-none is ever negative.
+The ratio of a mode is the sum over the losses of coefficient times value.  The logarithm of a measured ratio that is
+not significantly above 0 has no normal error, but the ratio shows that the mode is not damped more.  The variables
+are the logarithms of the fitted losses, so that a single loss without a declared one beside it is a linear problem,
+and none is ever negative.
 """
 
 from __future__ import annotations
@@ -22,11 +22,12 @@ from pkmodes.diagnosis.fit.hypothesis import Fitted
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.problem import Array, Loss
 
-#: A loss below this part of what would explain a typical mode alone is absent.
+#: A loss below this part of the value that alone would explain a typical mode is absent.
 ABSENT = 1e-4
 #: A loss above this part of its bound is at the bound.
 NEARLY = 0.999
-#: Parts of a typical mode that fitted losses start from: each the largest once, and all alike.
+#: Start values of fitted losses, as parts of those that alone would explain a typical mode: that of the largest loss,
+#: and of the others.  Each loss is the largest in one start.
 PARTS = (0.9, 0.1)
 
 
@@ -63,7 +64,7 @@ class LossFit(Fitted):
 
     @property
     def price(self) -> float:
-        """Squares that a row set aside costs: it was chosen among all rows."""
+        """Penalty for a row set aside, which was chosen among all rows."""
         return 0.0 if self.outlier is None else 3.0 * float(np.log(self.count))
 
     @property

@@ -41,13 +41,13 @@ class DampingObservations:
     ratio, stated : ndarray, shape (R,)
         Measured ratios and the standard deviations of their logarithms, as the file states them.
     unstated : ndarray, shape (R,)
-        Root of the sum of squares of the other errors of the logarithms.
+        Root sum of squares of all other errors of the logarithms.
     above : ndarray of bool, shape (R,)
         Whether the ratio is significantly above 0; otherwise it only says that the mode is not damped more.
     frequency : ndarray, shape (R,)
         [Hz].
     least : ndarray, shape (R,)
-        What a prediction of no damping counts as.
+        Ratio that a prediction of no damping counts as.
     by_loss : ndarray, shape (R, J)
         Damping ratio per unit of each loss.
     """
@@ -165,7 +165,7 @@ def observed(
 def usable(rows: DampingObservations) -> Mask:
     """Return a mask of the rows that say something: a ratio of 0 without a standard deviation was not measured.
 
-    Rows whose losses the measurements set say nothing about these.
+    Rows in which the measurements set the losses say nothing about them.
     """
     return np.isfinite(rows.stated) & np.isfinite(rows.by_loss).all(axis=1)
 

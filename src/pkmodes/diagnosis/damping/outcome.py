@@ -1,4 +1,4 @@
-"""The result of a diagnosis with what its damping says, beside the verdict on frequencies and shapes.
+"""The result of a diagnosis, extended by that of the damping, beside the verdict on frequencies and shapes.
 
 That verdict and all that belongs to it stay as they are: real machines have friction that no linear model has, and
 neither a cause that the frequencies show nor a model that they confirm must be lost because of it.
@@ -36,14 +36,14 @@ from pkmodes.diagnosis.verdict.verdicts import (
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.grouping import grouped
 
-#: Explanations beside which limits are found.
+#: Largest number of explanations beside which limits are determined.
 MOST = 4
-#: Steps of a factor of two in which the end of a profile is bracketed.
+#: Largest number of doublings that bracket the end of a profile.
 DOUBLINGS = 60
 
 
 def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) -> Damping:
-    """Return what is said where the damping was measured, but not diagnosed."""
+    """Return the result where damping was measured but not diagnosed."""
     suspected = [loss for loss in losses if loss.candidate and loss.claimable]
     return Damping(
         verdict=INSUFFICIENT_DATA.word,
@@ -57,7 +57,7 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
 
 
 def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
-    """Return a diagnosis with what its damping says, and every measured ratio beside that of the model."""
+    """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
     return replace(result, rows=_rows(result, data, stage), damping=_outcome(stage))
 
 
@@ -145,7 +145,7 @@ def _remark(row: Row, informative: bool, strange: bool) -> str:
 
 
 def _stability(stage: DampingStage) -> tuple[Stability, ...]:
-    """Return what the verdict on the damping becomes with other errors and priors."""
+    """Return the verdicts on the damping with other errors and priors."""
     if stage.judged.verdict is INSUFFICIENT_DATA:
         return ()
     entries = []
@@ -236,9 +236,9 @@ def tested(stage: DampingStage, findings: Sequence[Finding]) -> tuple[list[Exami
 
 
 def _limit_of(fitter: LossFitter, fits: Sequence[LossFit], loss: int) -> Limit:
-    """Return how far a loss may be from its declared value at 95 %: the largest beside any of some fits.
+    """Return how far a loss may be from its declared value at 95 %: the largest limit over the given fits.
 
-    It is the one-sided end of the profile likelihood.  None bounds it if every mode could be damped critically.
+    It is the one-sided end of the profile likelihood; there is none if even critical damping of a mode is allowed.
     """
     parameter, candidate = fitter.losses[loss].parameter, fitter.losses[loss].candidate
     if not np.isfinite(fitter.typical[loss]):
@@ -282,7 +282,7 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
 
 
 def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
-    """Return a fitter whose errors are as large as what a fit leaves, where that is more than noise."""
+    """Return a fitter with errors as large as the residual of a fit, where that is more than noise."""
     ratio = fit.chi2 / max(fit.degrees, 1)
     if fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0:
         return fitter
@@ -294,7 +294,7 @@ def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
 def _examined(
     fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, bounded: bool, shown: bool
 ) -> Examined:
-    """Return the test of a loss, the smallest one that would show beside a fit, and whether it is detectable.
+    """Return the test of a loss, its smallest visible value beside a fit, and whether it is detectable.
 
     Parameters
     ----------

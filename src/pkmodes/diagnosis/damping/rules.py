@@ -5,9 +5,9 @@ improves significantly on the declared losses, and is specific.  Friction that d
 Coulomb friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with
 frequency.
 
-Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no loss
-says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no joint.  Nor
-does one that differs from the declared ratio by no more than repeated tests do.
+Repeated tests of one machine give ratios that scatter from mode to mode by more than their stated errors.  A model
+that declares no loss says nothing about damping, so a ratio common to all modes contradicts nothing, and names no
+joint.  Neither does one that differs from the declared ratio by no more than repeated tests do.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What the second stage of a diagnosis has found, before it becomes a result."""
+"""The second stage of a diagnosis, before it becomes a result."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ class DampingStage:
     all_rows : DampingObservations
         All rows with a damping ratio and a partner.
     held : ndarray of bool
-        Which of these are held out, and say something.
+        Which of these are held out and informative.
     strange : ndarray of bool
-        Which of these have another shape than the modes with which they are paired.
+        Which of these differ in shape from the modes with which they are paired.
     judged : DampingJudgement
     trials : mapping of str to DampingJudgement
         By change of the errors or priors.
@@ -44,7 +44,7 @@ class DampingStage:
 
     @property
     def final(self) -> LossFit:
-        """The losses with what is claimed; as declared, within their priors, where nothing is."""
+        """The losses with the claimed ones; as declared, within their priors, where nothing is claimed."""
         return self.judged.final if self.judged.verdict is EFFECT_FOUND else self.judged.base
 
     @property

@@ -24,7 +24,7 @@ def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array
     squares : ndarray, shape (S,)
         Sum of squares of each setup.
     leverage : ndarray, shape (S,)
-        Largest eigenvalue of H_ii: near 1 the setup alone determines some parameter, and no other one predicts it.
+        Largest eigenvalue of H_ii: near 1 the setup alone determines some parameter, which no other predicts.
     """
     squares, leverage = [], []
     for rows in setups:

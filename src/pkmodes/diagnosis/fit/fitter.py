@@ -25,7 +25,7 @@ from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
 
-#: If there are more than twice this many setups, start values are found from this many.
+#: If there are more than twice this many setups, start values are determined from this many.
 SCOUTED = 12
 
 
@@ -73,7 +73,7 @@ class Fitter:
         return tuple(self._index[name] for name in cause.parameters)
 
     def padded(self, values: Array) -> Array:
-        """Return values of the first parameters, as of a fit of fewer, with the declared ones of the others."""
+        """Complete the values of the first parameters, from a fit with fewer of them, by declared values."""
         return np.concatenate([values, self.declared[len(values) :]])
 
     def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
@@ -166,7 +166,7 @@ class Fitter:
         return self._finished(hypothesis, values, free, used, tau, converged)
 
     def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
-        """Take a few steps from each start, all together.
+        """Take a few steps from all starts in lockstep.
 
         Shared errors and position errors are neglected.
         """
@@ -272,7 +272,7 @@ class Fitter:
         used = self.used(fit.hypothesis)
         rates = self.observations.rates(prediction, fit.pairing, used)
         whitening = self.whitening(fit)
-        # A free parameter with a prior is pulled towards its declared value.
+        # The prior of a free parameter pulls it towards its declared value.
         return rates[self.observations.frequency_rows], np.vstack(
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )

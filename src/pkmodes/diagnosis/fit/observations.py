@@ -1,9 +1,9 @@
-"""What was measured beside what a structure predicts: the data of a fit, their errors, and which rows count.
+"""Measurements beside the predictions of a structure: the data of a fit, their errors, and which rows count.
 
 A row is a measured mode.  Its data are the components of each measured *quantity*: one of its frequency, one of its
-shape for each channel.  All data stand in one vector, quantity by quantity: with R rows of n components each, those
-of a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts know only this vector, so that a further
-quantity is a class with the members of `Quantity` and an entry in `QUANTITIES`.
+shape for each channel.  All data are in one vector, quantity by quantity: with R rows of n components each, those of
+a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts use only this vector, so adding a quantity
+takes a class with the members of `Quantity` and an entry in `QUANTITIES`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pkmodes.measured.quantities import FREQUENCY
 
 
 class Measured(NamedTuple):
-    """What a quantity is made of.
+    """Arguments from which the data of a quantity are made.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ def shapes(measured: Measured) -> ShapeRows:
 
 
 SHAPE = "shape"
-#: The quantities of a measured mode beside its frequency.
+#: Quantities of a measured mode in addition to its frequency.
 QUANTITIES: dict[str, Callable[[Measured], Quantity]] = {SHAPE: shapes}
 
 
@@ -118,7 +118,7 @@ class Observations:
 
     @property
     def pairer(self) -> Pairer:
-        """What pairs these rows with modes of a model."""
+        """The pairer of these rows with modes of a model."""
         return self.frequencies.pairer
 
     @property
@@ -161,11 +161,11 @@ class Observations:
         return [self.place(rows) for rows in self.noise.rows]
 
     def part(self, name: str) -> slice:
-        """Return where the data of a quantity beside the frequencies are."""
+        """Return the slice of the data of a quantity other than the frequencies."""
         return self._places[name]
 
     def by_row(self, name: str, data: Array) -> Array:
-        """Return those of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
+        """Return a quantity's part of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
         return np.asarray(data[self._places[name]].reshape(self.beside[name].sigma.shape))
 
     # Beside predictions ------------------------------------------------------------------------------------
@@ -206,7 +206,7 @@ class Observations:
     ) -> Iterator[Beside]:
         """Yield the measurements beside a structure with several sets of values, evaluated together.
 
-        Those at which it cannot be evaluated are left out.
+        Sets at which it cannot be evaluated are left out.
 
         Parameters
         ----------

@@ -1,9 +1,10 @@
-r"""Priors as additional data: always for nuisances, for parameters of candidates if the candidate is assumed.
+r"""Priors as additional data: of nuisances always, of parameters of candidates if the candidate is assumed.
 
 Correlated priors are whitened: with their distances d in standard deviations and the correlation R, the data are
 :math:`R^{-1/2} d`, whose sum of squares is :math:`d^T R^{-1} d`.  R may be singular, as for values that are exactly
-proportional.  Its eigenvalues count as `LEAST` at least: a combination of values without any uncertainty has one of a
-ten-thousandth of a standard deviation of its values, which holds it and leaves the least squares well conditioned.
+proportional.  Its eigenvalues are raised to at least `LEAST`: the standard deviation of a combination without any
+uncertainty is then a ten-thousandth of that of its values, which fixes it and keeps the least squares well
+conditioned.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter
 
-#: Least eigenvalue of a correlation, and rounding of what was given.
+#: Smallest eigenvalue of a correlation matrix, and rounding allowed in a declared one.
 LEAST, ROUNDING = 1e-8, 1e-6
 
 
@@ -40,7 +41,7 @@ class Priors:
     Raises
     ------
     PkmodesError
-        If correlations are not symmetric or not possible, a prior is not positive, a candidate does not have one for
+        If correlations are not symmetric or impossible, a prior is not positive, a candidate does not have one for
         each parameter, two candidates contradict each other, or a log-normal parameter is not positive.
     """
 
@@ -81,7 +82,7 @@ class Priors:
         return away if self.whitening is None else np.asarray(self.whitening @ away)
 
     def away(self, values: Array) -> Array:
-        """Return the distance of each value from its declared one in its own standard deviation, (P,)."""
+        """Return the distance of each value from its declared one in its standard deviations, (P,)."""
         at = values[self.index]
         with np.errstate(divide="ignore", invalid="ignore"):
             away = np.where(
@@ -117,12 +118,12 @@ def whitening(parameters: Sequence[Parameter]) -> Array | None:
     Parameters
     ----------
     parameters : sequence of Parameter
-        Correlations with others than these do not count.
+        Correlations with other parameters do not count.
 
     Raises
     ------
     PkmodesError
-        If the correlations are not symmetric, or no values can be correlated like this.
+        If the correlations are not symmetric, or impossible.
     """
     place = {p.name: i for i, p in enumerate(parameters)}
     correlation = np.eye(len(parameters))

@@ -8,8 +8,8 @@ of r and g outside the span of N,
 .. math:: p(\theta + d) \approx |A + B d|^2 ,
 
 which is solved for d on the outer side, with the nuisances that belong to it: the step of Venzon and Moolgavkar (A
-method for computing profile-likelihood-based confidence intervals, Applied Statistics 37, 1988) with the Hessian of
-Gauss and Newton.  The model is evaluated there, until p is the wanted sum; a bracket catches steps of poor models.
+method for computing profile-likelihood-based confidence intervals, Applied Statistics 37, 1988) with the Gauss-Newton
+Hessian.  The model is then evaluated there, until p is the required sum; a bracket safeguards steps of poor models.
 Evaluating all ends together takes little longer than evaluating one.
 """
 
@@ -25,25 +25,25 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
 
-#: Largest number of evaluations of an end.
+#: Largest number of evaluations for an end.
 ROUNDS = 12
 #: An end is found if its sum of squares is wrong by less than this part of the rise, and the nuisances could lower it
 #: by no more than this: a tenth moves the end by a twentieth.
 PART = 0.1
 #: Largest step outwards, relative to the size reached.
 GROWTH = 8.0
-#: Part of the way that is kept in a step back from where the model cannot be evaluated, or is lost.
+#: Part of the way that a step back keeps where the model cannot be evaluated, and where it is lost.
 RETREAT = 0.5
 FAR_RETREAT = 0.125
-#: A model is lost where more than this part of the rise of its sum of squares is that of measured modes without a
-#: partner: their residuals do not depend on any value, so that no refit leads back.
+#: A model is lost where more than this part of the rise of its sum of squares comes from measured modes without a
+#: partner: their residuals depend on no value, so no refit leads back.
 LOST = 0.5
 #: Relative singular value below which a combination of nuisances changes nothing.
 NOTHING = 1e-9
 
 
 class Asked(NamedTuple):
-    """Values at which a model is needed, its free parameters, and those without a prior, whatever the fitter has."""
+    """Values at which a model is needed, its free parameters, and those to be taken without their priors."""
 
     values: Array
     free: tuple[int, ...]
@@ -84,11 +84,11 @@ class Side:
     free : tuple of int
         Indices of all free parameters.
     without_prior : tuple of int
-        Parameters without a prior, whatever the fitter has.
+        Parameters to be taken without their priors.
     largest : float
         Largest plausible size on this side.
     least : Point
-        Where the sum of squares is least.
+        Point of the smallest sum of squares.
     target : float
         Sum of squares at the end.
     """
@@ -104,7 +104,7 @@ class Side:
 
     @property
     def rise(self) -> float:
-        """By how much the sum of squares rises to the end."""
+        """Rise of the sum of squares to the end."""
         return self.target - self.least.squares
 
     def size(self, values: Array) -> float:
@@ -214,7 +214,7 @@ class Profiles:
         wrong = step.profile - side.target
         if step.unsettled > PART * side.rise:
             search.next = (
-                here  # the same size again: the linear model is poor so far from the refitted nuisances
+                here  # same size again: the linear model is poor this far from the refitted nuisances
             )
         elif abs(wrong) <= PART * side.rise:
             search.end = End(here, size, True)
@@ -242,7 +242,7 @@ class Profiles:
         at, lower, upper = point.values[index], self.fitter.lower[index], self.fitter.upper[index]
         rest, along = np.zeros(len(nuisances)), np.zeros(len(nuisances))
         moving = np.ones(len(nuisances), dtype=bool)
-        for _ in range(2):  # again without those that would leave their bounds
+        for _ in range(2):  # repeated without those that would leave their bounds
             columns = N[:, moving]
             length = np.linalg.norm(columns, axis=0)
             scale = 1.0 / np.where(length > 0.0, length, 1.0)
@@ -318,7 +318,7 @@ class _Search:
         self.next = self.within + part * (self.next - self.within)
 
     def given_up(self) -> End:
-        """Return the end as far as it is known: rather too large than too small."""
+        """Return the end as far as it is known, too large rather than too small."""
         bounded = bool(np.isfinite(self.outside)) and not self.astray
         return End(self.within, self.outside if bounded else self.side.largest, bounded, reached=False)
 
@@ -336,7 +336,7 @@ def without_priors(
 
 
 def _outward(side: Side, point: Point, step: Step) -> float:
-    """Return the size at which the linear model reaches the wanted sum of squares on the outer side."""
+    """Return the size at which the linear model reaches the required sum of squares on the outer side."""
     size, slope, above = side.size(point.values), side.sign * step.slope, step.profile - side.target
     if step.square <= 0.0:
         return np.inf if above < 0.0 else size

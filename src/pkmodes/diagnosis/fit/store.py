@@ -14,7 +14,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.problem import Array, Candidate
 
-#: A further parameter of a term within this many standard deviations of 0 is not counted as one.
+#: A further parameter of a term within this many standard deviations of 0 is not counted as a parameter.
 ABSENT = 1e-3
 
 Key = tuple[frozenset[str], frozenset[int], bool]
@@ -59,7 +59,7 @@ class FitStore:
                 self._fits[k] = again
                 self._rough.discard(k)
         fit = self._fits[k]
-        # The order of the causes is that of the hypothesis asked for.
+        # The causes are in the order of the requested hypothesis.
         return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
 
     def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
@@ -92,12 +92,12 @@ class FitStore:
         return [fit for fit in fits if fit is not None]
 
     def finished(self, fits: list[Fit]) -> list[Fit]:
-        """Complete the rough fits among the best until no rough one is left there; return all, best first."""
+        """Complete the rough fits among the best until none of these is rough; return all, best first."""
         c = self.fitter.criteria
         while fits:
             fits = sorted(fits, key=self.criterion)
             best = self.criterion(fits[0])
-            # A converged fit is completed only if it may survive, or be in the class of a survivor.
+            # A converged fit is completed only if it may survive, or belong to the class of a survivor.
             near = {True: best + c.search.survives + c.claim.told_apart, False: best + c.search.nearly}
             rough = next(
                 (
@@ -147,7 +147,7 @@ class FitStore:
         return count - sum(fitter.priors.of(i) is None for i in self.added(fit)) - int(h.scatter)
 
     def p_value(self, fit: Fit) -> float:
-        """Return the smallest p-value: of the frequencies with priors, and of what has stated errors beside them."""
+        """Return the smallest p-value: of the frequencies with priors, and of other quantities with stated errors."""
         beside = (self.fitter.misfit(fit, name, stated=True) for name in self.fitter.observations.beside)
         return min(self.frequency_p_value(fit), *(misfit.p_value for misfit in beside))
 
@@ -207,7 +207,7 @@ class FitStore:
         squares, leverage = left_out(fit, places)
         tells = leverage < self.fitter.criteria.claim.alone
         baseline = left_out(less, places)[0]
-        # A cause that lets the nuisances stay near their declared values is credited for that.
+        # A cause is credited for letting the nuisances stay near their declared values.
         saved = float((less.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())
         return tells.sum() < 2 or bool(squares[tells].sum() < baseline[tells].sum() + saved)
 
@@ -221,7 +221,7 @@ class FitStore:
     def added(self, fit: Fit) -> list[int]:
         """Return the indices of the parameters that the causes of a fit add.
 
-        A further parameter of a term that is 0, such as the mass of a support, does nothing and is left out.
+        A further parameter of a term that is 0, such as the mass of a support, has no effect and is left out.
         """
         added: list[int] = []
         for cause in fit.causes:

@@ -3,7 +3,7 @@
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
 one minus the modal assurance criterion (`support.mac`), less the part that the errors of the shape explain: within
-its errors a shape does not tell which of two modes it is.
+its errors a shape does not show to which of two modes it belongs.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Pairing:
     mac: Array
 
     def within(self, prediction: Prediction) -> Pairing:
-        """Return it for a prediction that may lack a mode, which a cause adds: its row is unmatched there."""
+        """Return the pairing for a prediction that may lack a mode that a cause adds: its row is unmatched there."""
         there = self.partner < prediction.eigenvalues.shape[1]
         return self if there.all() else Pairing(np.where(there, self.partner, -1), self.mac)
 
@@ -160,8 +160,8 @@ class Pairer:
             explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
             unlike = np.maximum(1.0 - likeness - explained, 0.0) / (1.0 - explained)
             cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, unlike)
-        # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
-        # constant: otherwise a mode that the model lacks would shift the others.
+        # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
+        # otherwise a mode that the model lacks would shift the others.
         cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
         partner = _assigned(cost, present, np.isfinite(logs))
         at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
@@ -197,8 +197,8 @@ class Pairer:
         model = prediction.shapes[..., self.columns]
         weights = channel_weights(model, self.moves)
         rows = self._normalised * weights
-        # A stated error is relative to the largest component; the scatter, where there is none, to the largest in
-        # units of each channel's motion.
+        # A stated error is relative to the largest component; the scatter used otherwise, to the largest in units of
+        # each channel's motion.
         stated = self._errors[..., None] * weights
         scatter = self._criteria.shapes.scatter * np.abs(rows).max(axis=-1, keepdims=True)
         errors = np.where(np.isnan(stated), scatter, stated) * self._measured
@@ -330,7 +330,7 @@ def _assigned(cost: Array, present: NDArray[np.bool_], available: NDArray[np.boo
     cost = np.where(available[:, None], cost, np.inf)
     best: Index = cost.argmin(axis=2)
     best[~(present & available.any(axis=1, keepdims=True))] = -1
-    # If every row gets its best mode, the sum is least.
+    # If every row can have its best mode, the sum is least.
     ordered = np.sort(best, axis=1)
     contested = ((np.diff(ordered, axis=1) == 0) & (ordered[:, 1:] >= 0)).any(axis=1)
     for setup in np.flatnonzero(contested):

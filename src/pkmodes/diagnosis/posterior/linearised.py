@@ -22,13 +22,13 @@ from pkmodes.diagnosis.search.score import one_sided
 
 #: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
 WRONG_ROW, SHARED = 0.01, 0.02
-#: Upper limit of the largest plausible signal of a cause, which it has where nothing bounds its size.
+#: Largest plausible signal of a cause, at most, and where nothing bounds its size.
 SIGNAL = 1e3
-#: A size counts as beyond its plausible range from this factor on: fits end at bounds up to rounding.
+#: Factor by which a size must exceed its plausible range to be beyond it: fits end at bounds up to rounding.
 BEYOND = 1.001
-#: The largest plausible signal is at least this factor beyond that of the fit.
+#: The largest plausible signal is at least this many times that of the fit.
 BEYOND_SIGNAL = 1.1
-#: Cap of the square of a datum in `capped_deviance`: about the price of a row.
+#: Cap on the square of a datum in `capped_deviance`: about the price of a row.
 CAP = 20.0
 
 
@@ -47,7 +47,7 @@ class Linearised:
     parts : tuple of slice
         Frequencies, each other quantity, and priors among the data.
     degrees : tuple of float
-        Degrees of freedom of all these but the priors, without the rows set aside.
+        Degrees of freedom of all these except the priors, without the rows set aside.
     basis, white : ndarray, shape (D, k) and (D,)
         Orthonormal basis of the derivatives, and the whitened residual, 0 for rows set aside.
     set_aside : frozenset of int

@@ -10,7 +10,7 @@ the frequencies, beside whatever is fitted, is normal with the covariance
 :math:`s^2 I + \frac{a^2}{n} G G^T`, where G has the n unit signatures of these products and a is the size of the
 change, log-uniform from `LEAST` to what changes the frequencies by `MOST`.  The factor s may be larger than that of
 misstated errors: a change that differs between setups, or adds a mode, is not in this family and looks like scatter.
-Everything else is as for the catalogue: errors misstated, rows set aside, errors that a setup shares.
+Misstated errors, rows set aside and errors shared in a setup are treated as for the catalogue.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pkmodes.diagnosis.posterior.linearised import Linearised
 from pkmodes.diagnosis.posterior.marginal import LOG_SCALE, marginal_log_likelihood, prior_of_scale
 from pkmodes.diagnosis.problem import Array
 
-#: Least signal of a change, largest relative change of the frequencies, and number of sizes in the quadrature.
+#: Smallest signal of a change, largest relative change of the frequencies, and number of sizes in the quadrature.
 LEAST, MOST, SIZES = 5.0, 0.3, 15
 #: Prior probability of a change that looks like scatter, and its largest factor on the errors.
 SCATTERED, FACTOR = 0.5, 20.0

@@ -1,8 +1,8 @@
 """The posterior probabilities that nothing is missing, of each class, of each pair, and of something outside.
 
 The best fits of a search are weighed by their evidence and by a prior, the same for each candidate, and for each
-pair.  A cause that the search did not refit, because the linear model promised little, has the evidence of the linear
-model; so has a second cause beside the best single one where that pair was not refitted.  Causes with several
+pair.  A cause that the search did not refit, because the linear model promised little, gets the evidence of the
+linear model; so does a second cause beside the best single one if that pair was not refitted.  Causes with several
 parameters are penalised by their Occam factors alone.  Remote candidates, such as those of a single joint, are part
 of what is outside.
 """
@@ -37,23 +37,24 @@ from pkmodes.support.grouping import grouped
 
 #: Prior probabilities that nothing is missing, one cause, two, or something outside the catalogue.
 NOTHING, ONE, TWO, OUTSIDE = 0.55, 0.25, 0.04, 0.16
-#: Doubts: by how much every explanation loses to something outside, which may look like it, where the diagnosis
-#: accepts one, where one leaves only noise but is not accepted, and where none leaves only noise.  With these the
-#: most probable explanation of 266 cases, not those of the published table, had the best logarithmic score.
+#: Doubts: the part of its probability that every explanation loses to something outside, which may look like it: if
+#: the diagnosis accepts an explanation, if one leaves only noise but is not accepted, and if none leaves only noise.
+#: With these the most probable explanation of 266 cases, not those of the published table, had the best logarithmic
+#: score.
 ACCEPTED, REFUSED, NONE = 0.03, 0.25, 0.55
-#: Fits are weighed up to this capped deviance above the least, and at most so many; something outside is tried beside
-#: so many of those without causes, and of those with causes.
+#: Fits are weighed up to this capped deviance above the smallest, and at most this many of them; something outside is
+#: tried beside this many fits without causes, and as many with causes.
 NEAR, WEIGHED, BESIDE = 60.0, 24, 3
 #: Prior probability, given something outside, that it is in a single joint.
 IN_ONE = 0.1
-#: Classes less probable than the first are not stated, and members less probable than the second are left out.
+#: Classes less probable than the first are not reported, and members less probable than the second are left out.
 STATED, LEAST = 1e-3, 1e-4
-#: Smaller probabilities are stated as 0.
+#: Smaller probabilities are reported as 0.
 NEVER = 1e-6
-#: Explanations whose weight is less than that of the best by this logarithm are not examined for modes that were not
-#: measured; and the least probability that such modes were missed.
+#: Explanations whose log weight is lower than the best one's by more than the first are not examined for unmeasured
+#: modes; lower limit of the probability that such modes were missed.
 COUNTS, MISSED = 15.0, 1e-12
-#: Members of a class with which a further one is compared.
+#: Largest number of members of a class with which another explanation is compared.
 COMPARED = 4
 
 
@@ -129,7 +130,7 @@ def _names(fit: Fit, *added: str) -> tuple[str, ...]:
 def _beside(search: Search, plausible: Mapping[int, float], base: Linearised, prior: float) -> list[Weighed]:
     """Return the explanations with one more cause than a fit that were not fitted, in the linear model.
 
-    A second cause whose effect the data cannot tell from none counts as the first cause alone.
+    A second cause whose effect the data cannot distinguish from none counts as the first cause alone.
 
     Parameters
     ----------
@@ -189,13 +190,13 @@ def _log_occam_factors(search: Search, scores: Sequence[Score], plausible: Mappi
 
 
 def _missed(search: Search, first: Fit, fit: Fit) -> float:
-    """Return the logarithm of the probability that the modes which causes add were missed."""
+    """Return the logarithm of the probability that the modes added by causes were missed."""
     p = p_unmeasured(search.store.fitter, first, fit) if fit.causes else 1.0
     return float(np.log(max(p, MISSED)))
 
 
 def _outside(search: Search, first: Fit, priors: Array, models: Sequence[Linearised]) -> float:
-    """Return the logarithm of prior times evidence of something outside: changes beside the best fits, remote causes.
+    """Return the log of prior times evidence of something outside: changes beside the best fits, and remote causes.
 
     Changes are independent of the causes beside them.
 
@@ -244,14 +245,14 @@ def _together(search: Search, first: Fit, explained: Sequence[Weighed]) -> list[
 def _normalised(
     fitter: Fitter, explained: Sequence[Weighed], beyond: float, doubt: float
 ) -> Probabilities | None:
-    """Return the normalised probabilities; explanations that the data cannot tell apart have one together.
+    """Return the normalised probabilities; explanations that the data cannot tell apart share one.
 
     Parameters
     ----------
     beyond : float
         Logarithm of prior times evidence of something outside.
     doubt : float
-        Probability of something outside that is added.
+        Additional probability of something outside.
     """
     total = float(special.logsumexp([beyond, *(explanation.weight for explanation in explained)]))
     if not np.isfinite(total):
@@ -287,7 +288,7 @@ def _normalised(
 
 
 def _probability(logarithm: float) -> float:
-    """Return a probability from its logarithm; 0 if it is smaller than the evidence is exact."""
+    """Return a probability from its logarithm; 0 if it is below the accuracy of the evidence."""
     return float(np.exp(logarithm)) if logarithm > np.log(NEVER) else 0.0
 
 

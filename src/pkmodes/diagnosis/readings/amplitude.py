@@ -1,4 +1,4 @@
-"""Whether frequencies depend on the level of excitation, which no candidate of a linear model explains."""
+"""Dependence of the frequencies on the level of excitation, which no candidate of a linear model explains."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pkmodes.measured.amplitude import UNKNOWN, AmplitudeDependence, amplitude_d
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.numbers import p_in_words, plain, signed, times
 
-#: What happens to the frequencies, and what does that, by the sign of the change.
+#: How the frequencies change and what may cause it, by the sign of the change.
 WORDS = {
     -1: ("they fall with the level", "as where friction slips or a contact opens"),
     0: ("some fall and others rise with the level", "as where contacts open and close"),
@@ -28,7 +28,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     Parameters
     ----------
     values : ndarray
-        Of all parameters: the model tells which rows are the same mode, and how uncertain positions move it.
+        Of all parameters: the model determines which rows are the same mode, and how uncertain positions move it.
     """
     data = fitter.data
     if np.isfinite(data.level).sum() < 2:
@@ -38,7 +38,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     moved = fitter.structure.position_rates(values) if data.point_sigma.any() else None
     if moved is not None:
         motion = np.where((partner >= 0)[:, None], moved.log_rates[data.pose, np.maximum(partner, 0)], 0.0)
-        # How a position moves a mode that the model lacks is not known: it is like no other.
+        # How the position moves a mode that the model lacks is unknown: it is matched with no other.
         partner = np.where(partner >= 0, partner, -1 - np.arange(len(partner)))
     return amplitude_dependence(data, list(_same_setups(stage)), partner, motion)
 
@@ -76,7 +76,7 @@ def note(trend: AmplitudeDependence, data: Measurements) -> str:
 
 
 def _same_setups(stage: Stage) -> Iterator[list[int]]:
-    """Yield the setups that differ in nothing but their level: their positions agree within the stated errors.
+    """Yield groups of setups that differ only in their level: their positions agree within the stated errors.
 
     Setups without positions are the same if the model has the same modes there.
     """

@@ -1,4 +1,4 @@
-"""The comparison of two readings of the data: how far each is from the model, and which is far better."""
+"""Comparison of two readings of the data: the distance of each from the model, and which is far better."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pkmodes.measured.measurements import Measurements
 
 
 class Apart(NamedTuple):
-    """How far data are from a model, as in the file and with another reading."""
+    """Distances of the data from a model, as in the file and with another reading."""
 
     here: float
     there: float

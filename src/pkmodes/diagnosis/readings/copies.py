@@ -1,4 +1,4 @@
-"""Shapes that were copied, and poses with a wrong label: what all measurements show, including held-out ones."""
+"""Copied shapes and wrongly labelled poses, in all measurements including held-out ones."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NEAR = 1e-6
 
 
 def copied_shapes(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
-    """Yield a sentence for each two rows whose shapes are identical, which never happens in real measurements."""
+    """Yield a sentence for each pair of rows with identical shapes, which never occur in real measurements."""
     data, first = stage.data, dict[bytes, int]()
     if all_alike(data, c.same_shape):  # reported separately
         return
@@ -44,7 +44,9 @@ def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
         rest = rest[conditions[rest] == conditions[i]]
-        rest = rest[~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))]  # seen on its own
+        rest = rest[
+            ~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))
+        ]  # reported separately
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             first, second = sorted((int(i), int(k)))

@@ -1,7 +1,7 @@
 """Motors that were held although the measurements say free, or the reverse.
 
-Held motors change every frequency, and no cause is needed to explain that.  Where the declared model fits far better
-with the other word, or only with it, and no single cause does better, that is what is reported.
+Held motors change every frequency, and no cause is needed to explain that.  It is reported if the declared model fits
+far better, or only, with the motors in the other state, and no single cause does better.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Labels that the sentence lists.
+#: Largest number of labels listed in the sentence.
 MOST = 6
-#: The other word is tried at some setups if it brings their declared frequencies nearer by this factor, perhaps by
+#: The other state is tried at some setups if it brings their declared frequencies nearer by this factor, perhaps by
 #: chance.
 PERHAPS = 2.0
 
@@ -51,7 +51,7 @@ def other_drives(plain: FitStore) -> str:
         there = _mean(fitter, setups, fit.residual)
         apart = Apart(declared.here if first is None else _mean(fitter, setups, first.residual), there)
         if explains or apart.far_better(c.readings.drives_gain, c.readings.drives_difference):
-            # What holds the motors a little, or makes them heavy, is a cause, and nearly the same.
+            # A cause that holds the motors weakly, or makes them heavy, has nearly the same effect.
             singles = Search(plain, structure.candidates).additions.would_do()
             least = min((plain.criterion(single) for single in singles), default=np.inf)
             if store.criterion(fit) <= least + (c.search.survives if explains else 0.0):
@@ -60,7 +60,7 @@ def other_drives(plain: FitStore) -> str:
 
 
 def _suspected(fitter: Fitter) -> dict[tuple[int, ...], Apart]:
-    """Return all setups, and those whose declared frequencies are nearer with the motors doing something else."""
+    """Return all setups, and those whose declared frequencies are nearer with the motors in the other state."""
     structure, data, all_setups = fitter.structure, fitter.data, tuple(range(len(fitter.data.labels)))
     if not isinstance(structure, Driven):
         return {}
@@ -91,12 +91,12 @@ def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
 
 
 def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str:
-    """Return what was noticed, and what to write.
+    """Return the finding, and what to write in the file.
 
     Parameters
     ----------
     apart : Apart, optional
-        How much nearer the frequencies are; None if the declared model explains them.
+        Distances of the frequencies; None if the declared model explains them in the other state.
     """
     data = fitter.data
     words = {data.drives[k] for k in setups}

@@ -1,4 +1,4 @@
-"""How well wirings of the sensors fit.
+"""Misfits of the measurements with different wirings of the sensors.
 
 A wrong wiring changes the shapes, and with them the pairing: modes of nearly equal frequency are told apart by their
 shapes alone.  So every wiring has its own pairing, and frequencies count as well as shapes.
@@ -20,19 +20,19 @@ from pkmodes.diagnosis.readings.comparison import Apart
 from pkmodes.diagnosis.readings.wirings import Wiring, as_in_file
 from pkmodes.support.mac import channel_motion
 
-#: Numbers in the largest array that is evaluated at once.
+#: Largest size of an array that is evaluated at once.
 AT_ONCE = 2_000_000
-#: Number of setups, those with the worst shapes, that show whether another wiring may fit.
+#: Number of setups, with the worst shapes, at which other wirings are tried first.
 WORST = 3
 #: Other wirings are examined only if one of them reduces the squares there by this factor.
 PERHAPS = 1.5
-#: Parameters are refitted for this many wirings, with deviances within this from the best one.
+#: Parameters are refitted for at most this many wirings, with deviances within this of the best.
 REFITS, NEAR = 6, 100.0
 
 
 @dataclass(frozen=True)
 class WiringMisfit:
-    """WiringMisfit of the measurements with one wiring.
+    """Misfit of the measurements with one wiring.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class WiringMisfit:
     count : ndarray, shape (3,)
         Numbers of these data.
     least : ndarray, shape (3,)
-        Sums of squares of the smallest errors that measurements have; smaller ones count as these.
+        Sums of squares for the smallest realistic errors; smaller sums count as these.
     difference : float
         Root mean square of the differences of the shapes, relative to the largest component of each.
     """
@@ -109,7 +109,7 @@ def at_prediction(
         rows, tiled = fitter.observations.tiled(len(batch)), np.tile(used, len(batch))
         order = [[fitter.structure.channels.index(name) for name in w.channels] for w in batch]
         rows.pairer.moves = np.concatenate([motion[:, columns] for columns in order])
-        # The modes once for each wiring, with what its columns measure in the place of the file's.
+        # The modes once for each wiring, with its channels in the columns of the file.
         shapes = np.tile(prediction.shapes, (len(batch), 1, 1, 1))
         for rewired, columns, wiring in zip(shapes, order, batch, strict=True):
             rewired[..., fitter.observations.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
@@ -124,7 +124,8 @@ def at_prediction(
 def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
     """Return whether some other wiring fits the shapes better where they fit worst.
 
-    At these few setups a wrong wiring is plain, and no wiring helps if there is only noise: most files need no more.
+    At these few setups a wrong wiring is obvious, and no wiring helps if there is only noise: for most files this is
+    enough.
     """
     shapes, setups, pose = fitter.observations.shapes, len(fitter.data.labels), fitter.data.pose
     if setups <= 2 * WORST:
@@ -145,7 +146,7 @@ def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
 
 
 def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, WiringMisfit]:
-    """Return the misfit of the file and of other wirings, each with the values that suit it best.
+    """Return the misfits of the file and of other wirings, each with the parameter values that suit it best.
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
@@ -178,7 +179,7 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
                 misfit = WiringMisfit.of(fitter, used, refit.residual)
                 keep([(wiring, misfit)])
                 again.append((misfit.deviance(), refit.prediction))
-    if again:  # the parameters are the same with whatever wiring
+    if again:  # the parameters do not depend on the wiring
         prediction = min(again, key=lambda entry: entry[0])[1]
         keep(zip(all_wirings, at_prediction(fitter, used, prediction, all_wirings), strict=False))
     return by_wiring

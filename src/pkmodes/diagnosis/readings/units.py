@@ -13,7 +13,7 @@ from pkmodes.diagnosis.readings.comparison import Apart, differences
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.numbers import plain
 
-#: Units in which frequencies are measured, each with its number per Hz.
+#: Units in which frequencies are measured, and how many of each make 1 Hz.
 UNITS = {unit: float(1 / frequency_factor(unit)) for unit in ("Hz", "rad/s", "1/min", "mHz", "kHz", "deg/s")}
 #: Number of evenly spread setups from which the unit is determined.
 ENOUGH = 200
@@ -38,12 +38,12 @@ class Unit:
 
 
 def others(unit: str) -> Iterator[Unit]:
-    """Yield what else a frequency column may mean whose header states a unit (Hz if empty)."""
+    """Yield the other meanings of a frequency column whose header states a unit (Hz if empty)."""
     declared = float(1 / frequency_factor(unit)) if unit else 1.0
     for name, times in UNITS.items():
         if abs(declared / times - 1.0) > 1e-9:
             yield Unit(name, f"write frequency [{name}], and sigma in its own unit", declared / times)
-    # A period n was read as n / said Hz, and 1 / n is the frequency.
+    # A period n was read as the frequency n / declared [Hz], but the frequency is 1 / n.
     yield Unit("periods in s", "write frequencies, 1 / period", 1.0 / declared, inverse=True)
     for name in TWICE:
         yield Unit(f"{name}, converted twice", f"multiply them by {plain(UNITS[name], 4)}", UNITS[name])

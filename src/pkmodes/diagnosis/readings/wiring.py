@@ -1,4 +1,4 @@
-"""Sensors wired or mounted otherwise than the file says, or not connected.
+"""Sensors wired or mounted differently from the file, or not connected.
 
 If the shapes disagree with the model, every wiring that a single mistake gives is tried, each with the modes paired
 anew (`misfits`).  A mistake is reported if some wiring fits far better than the file's; it is named if no other
@@ -31,7 +31,7 @@ from pkmodes.diagnosis.readings.wirings import (
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
 
-#: Largest number of wirings that a sentence names.
+#: Largest number of wirings named in a sentence.
 MOST = 4
 
 
@@ -119,7 +119,7 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
 
 
 def _doubtful(fitter: Fitter, fit: Fit) -> bool:
-    """Return whether the shapes differ from the model by more than their stated errors, or visibly."""
+    """Return whether the shapes differ from the model by more than their stated errors, or scatter visibly."""
     c = fitter.criteria.readings
     visible = (c.rewired_scatter / fitter.shape_scatter) ** 2
     parts = (

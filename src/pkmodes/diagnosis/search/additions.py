@@ -14,7 +14,7 @@ from pkmodes.diagnosis.search.score import Score, Scores, one_sided, score
 from pkmodes.diagnosis.search.starts import starts
 
 Progress = Callable[[str], None]
-#: More pairs than this are not all refitted, which would take minutes.
+#: Largest number of pairs that are all refitted; more would take minutes.
 FEW_PAIRS = 120
 
 
@@ -45,8 +45,8 @@ class Additions:
         Parameters
         ----------
         rival : bool, optional
-            Whether they only compete with a claim: then a row may be excluded even if there are too few to tell that
-            it is wrong.
+            Whether they only compete with a claim: then a row may be excluded even if there are too few rows to show
+            that it is wrong.
         """
         h, c, fits = fit.hypothesis, self.criteria, []
         enough = self._rows >= c.search.rows_to_set_aside
@@ -59,16 +59,16 @@ class Additions:
         if (room or h.excluded) and len(h.excluded) < allowed:
             worst, sigmas = self.fitter.worst_rows(fit)
             for row in worst[:3]:
-                # A row that the others do not predict is not set aside: there is no evidence that it is wrong.
+                # A row that the others do not predict is not set aside: nothing shows that it is wrong.
                 if sigmas[row] > 3.0 and (rival or fit.leverage[row] < c.search.redundant):
                     fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in fits if option is not None]
 
     def without_distant_rows(self, fit: Fit) -> list[Fit]:
-        """Return fits with a cause and without the rows that are farthest from any mode, those that leave only noise.
+        """Return fits with a cause, without the rows farthest from any mode, that leave only noise.
 
         A row that is not a mode, such as a tone or a peak of noise, may be as far from the model as a large cause,
-        and distort all fits: no cause helps until it is gone.  A cause that helps alone needs none of these.
+        and distort all fits: no cause helps until it is removed.  None is needed where a cause helps by itself.
         """
         c, fits = self.criteria, list[Fit]()
         if self._rows < c.search.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
@@ -86,7 +86,7 @@ class Additions:
         return [option for option in fits if self.store.p_value(option) > c.gate.surely]
 
     def _hopeless(self, fit: Fit) -> bool:
-        """Return whether far too much is left with a shared error in each setup and without the worst rows.
+        """Return whether the residual is far too large with a shared error in each setup and without the worst rows.
 
         A gross outlier may distort the fit, so many rows look wrong: the fit is repeated without the worst rows.
         """
@@ -128,13 +128,13 @@ class Additions:
         return errors
 
     def causes(self, fit: Fit, scores: Scores) -> list[Fit]:
-        """Return fits with one more cause, best first: those that the linear model favours, and all absent ones."""
+        """Return fits with one more cause, best first: those that the linear model favours, and absent effects."""
         gains = sorted((s.gain for s in scores.by_candidate), reverse=True)
         if not gains:
             return []
         c = self.criteria
         enough = min(c.search.promising * gains[0], gains[min(c.search.at_least, len(gains)) - 1])
-        # The score is inaccurate for large causes: an absent cause, which may be large, is always tried.
+        # The score is inaccurate for large changes: an absent effect, which may be large, is always tried.
         promising = [
             (fit, entry)
             for entry in scores.by_candidate
@@ -164,7 +164,7 @@ class Additions:
         """Return fits with two causes: all pairs if both pairs and data are few, else the most promising.
 
         These are the pairs for which the linear model at the fit of one of them promises most, and the best cause
-        with every absent one, for which the linear model is inaccurate.
+        with every absent effect, for which the linear model is inaccurate.
         """
         store, c = self.store, self.criteria
         promised: dict[Key, tuple[float, Fit, Score]] = {}

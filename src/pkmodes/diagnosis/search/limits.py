@@ -27,7 +27,7 @@ from pkmodes.diagnosis.search.ranges import largest_rates, plausible_size
 
 #: Standard deviations of a one-sided bound at 95 %.
 ONE_SIDED = float(stats.norm.ppf(0.95))
-#: A value that nobody declared may be another by this factor, such as the mass of the frame of a small printer.
+#: Factor by which a value that nobody declared may be wrong, such as the mass of the frame of a small printer.
 DEFAULT_FACTOR = 10.0
 #: If the linear model promises less than this sum of squares, the fit without the candidate is as good as with it.
 SMALL = 0.5
@@ -52,10 +52,10 @@ class Bound:
     change : float
         Relative change of some frequency at the limit, in the linear model; 0 without a limit.
     moved : ndarray, shape (P,)
-        By how much all fitted values move when the candidate has this size; values with a prior also if it has the
-        largest plausible one, because their priors hold them.
+        How far all fitted values move when the candidate has this size; values with a prior also if it has the
+        largest plausible size, because their priors hold them.
     farther : ndarray, shape (P,)
-        By how much values without a prior move, at least, if the data do not bound the candidate.
+        How far, at least, values without a prior move if the data do not bound the candidate.
     """
 
     candidate: Candidate
@@ -74,13 +74,13 @@ class _Beside:
     Attributes
     ----------
     free, without_prior, rates
-        Free parameters, those without a prior, and the largest derivatives of ln f by parameter.
+        Free parameters, those to be taken without their priors, and the largest derivatives of ln f by parameter.
     at : Point
-        At that fit.
+        The model at that fit.
     gain : float
         Decrease of the sum of squares that the linear model promises.
     step : ndarray, shape (P,)
-        The change of all values that promises it.
+        The corresponding change of all values.
     """
 
     candidate: Candidate
@@ -93,7 +93,7 @@ class _Beside:
 
     @property
     def linear(self) -> Point:
-        """The least of the linear model."""
+        """The minimum of the linear model."""
         white = self.at.white + self.at.jacobian @ self.step[list(self.free)]
         return Point(self.at.values + self.step, white, self.at.jacobian)
 
@@ -106,7 +106,7 @@ def bounds(
     Parameters
     ----------
     noise : bool
-        Whether the residual of the fit is noise.  If not, the errors count as large as what each candidate leaves.
+        Whether the residual of the fit is noise.  If not, errors are scaled to what each candidate leaves.
     linear : bool
         Whether to use the model linearised at the fit only, for models that are slow to evaluate.
     """
@@ -143,9 +143,9 @@ def bounds(
 
 
 def moved_by_defaults(store: FitStore, fit: Fit) -> dict[Assumption, Array]:
-    """Return by how much the values of a fit move when a default that its causes assume is another, (P,) each.
+    """Return how far the values of a fit move when a default that its causes assume is wrong, (P,) for each.
 
-    The default moves to its own end at 95 %, but at most by a factor of `DEFAULT_FACTOR`, in both directions.
+    The default moves to its own limit at 95 %, but at most by a factor of `DEFAULT_FACTOR`, in both directions.
     """
     fitter = store.fitter
     indices = {p.name: i for i, p in enumerate(fitter.parameters)}
@@ -200,7 +200,7 @@ def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_
 def _least(
     store: FitStore, profiles: Profiles, beside: Sequence[_Beside], fit: Fit
 ) -> list[tuple[Point, float]]:
-    """Return where each candidate leaves the least, and by how much less it could still be.
+    """Return the point where each candidate leaves the smallest sum of squares, and the decrease still possible.
 
     It is the fit itself if a candidate promises little.
     """
@@ -261,7 +261,7 @@ def _bound(fitter: Fitter, fit: Fit, beside: _Beside, i: int, ends: Sequence[tup
     held = np.array([fitter.priors.of(k) is not None for k in nuisances], dtype=bool)
     for _, end in ends:
         part = 1.0
-        if beside.without_prior:  # the prior of the candidate narrows what it may do
+        if beside.without_prior:  # the prior of the candidate limits its effect
             row = fitter.priors.of(i)
             width = np.inf if row is None else ONE_SIDED * fitter.priors.width(fit.values)[row]
             part = float(1.0 / np.hypot(1.0, end.size / width))

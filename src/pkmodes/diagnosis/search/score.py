@@ -30,9 +30,9 @@ Directions = Sequence[tuple[Array, int]]
 #: Number of draws of the smallest p-value under the hypothesis, and their seed.
 DRAWS = 20_000
 SEED = 20_221_107
-#: More directions than this are not drawn by their correlations, whose eigenvectors would take longer.
+#: Largest number of directions drawn by their correlations; for more, the eigenvectors would take longer.
 MANY = 200
-#: A signature with less than this fraction left after the projection has no direction.
+#: Smallest fraction of a signature that must remain after the projection for it to have a direction.
 LEFT = 1e-4
 
 
@@ -53,7 +53,7 @@ class Score:
     largest : ndarray, shape (k,)
         Largest relative change of a measured frequency per unit of each parameter.
     visible : bool
-        Whether anything is left of the signatures after the projection.
+        Whether any signature remains after the projection.
     """
 
     candidate: Candidate

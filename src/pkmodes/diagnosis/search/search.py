@@ -92,7 +92,7 @@ class Search:
         return tested
 
     def scores(self, fit: Fit) -> Scores:
-        """Return the scores at a fit of all candidates that it does not have, those of its gate if it was tested."""
+        """Return the scores at a fit of all candidates that it does not have, from its gate if it was tested."""
         tested = self._tested(fit)
         if tested is not None:
             return tested.scores
@@ -155,7 +155,7 @@ class Search:
         additions, criterion = self.additions, self.store.criterion
         options = additions.noise(fit)
         if not fit.causes:
-            # Outliers and a shared error use up the allowed additions: try a cause in place of them.
+            # Outliers and a shared error use up the allowed additions: a cause is tried in their place.
             options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
@@ -178,7 +178,7 @@ class Search:
         """Refit the same hypothesis from fits with measurement errors; None if it is not better and down to noise.
 
         A cause that adds modes may be in a local minimum, with some modes paired wrongly.  These look like outliers
-        or a shared error, and a fit that allows for them leads out of the minimum.
+        or a shared error, and a fit that allows for those leads out of the minimum.
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]

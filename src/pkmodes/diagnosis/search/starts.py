@@ -1,7 +1,7 @@
 """Start values of a refit with one more cause.
 
 The linear estimate is accurate for small changes.  An absent cause may be large: several sizes are tried, and refined
-around the best, because a mode that a cause adds fits at one size only.
+around the best, because an added mode fits at one size only.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from pkmodes.diagnosis.search.score import Score, one_sided
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
 SIZES = np.geomspace(0.003, 30.0, 12)
-#: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbours differ by a
-#: quarter, which is an eighth of the frequencies of such modes.
+#: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbouring sizes
+#: differ by a quarter, and the frequencies of the added modes by an eighth.
 CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
 #: The grid is refined by HALVINGS bisections around the best VALLEYS sizes with sums of squares up to SLOPE times the
 #: least: such a mode fits in a narrow valley, and a grid hits only its slopes.
 VALLEYS, SLOPE = 6, 4.0
 HALVINGS = 3
-#: Part of a one-sided cause that is kept when another one is tried beside it.
+#: Part of the size of a one-sided cause that is kept when another cause is tried beside it.
 SHARE = 0.4
 #: Number of starts from which a cause that adds modes is refitted.
 FITTED = 3
@@ -90,13 +90,13 @@ def _search(fitter: Fitter, fit: Fit, entry: Score, hypothesis: Hypothesis) -> T
         if sized and sizes is CLOSE_SIZES and not fit.causes:
             best = yield from _least(CLOSE_SIZES, unit, at)
             steps += [size * unit for size in best]
-        elif sized:  # there are many pairs, and those tried are promising in the linear model
+        elif sized:  # there are many pairs, and only those that the linear model favours are tried
             costs = yield [at(size * unit) for size in SIZES]
             steps.append(SIZES[int(np.argmin(costs))] * unit)
         trials = [at(step) for step in steps]
         sums = yield trials
         here = sorted(zip(sums, trials, strict=True), key=lambda pair: pair[0])
-        # Near the distorted values of the fit, a large cause ends where it began: the best start of each origin.
+        # Near the distorted values of the fit, a large cause ends where it began: one best start for each origin.
         ranked += here if sizes is CLOSE_SIZES and not fit.causes else here[:1]
     ranked.sort(key=lambda pair: pair[0])
     return [values for _, values in ranked[:FITTED]]
@@ -108,7 +108,7 @@ def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
         nuisances = list(fitter.nuisances)
         undistorted[nuisances] = fitter.declared[nuisances]
-    elif sign:  # a cause that compensates for two is too large
+    elif sign:  # a cause that stands for two is too large
         for cause in fit.causes:
             if one_sided(fitter, cause):
                 index = list(fitter.indices(cause))

@@ -1,8 +1,8 @@
-"""What changed between states of one machine: differences compared with differences.
+"""Changes between states of one machine: differences compared with differences.
 
-The first state is trusted.  Uncertain values are fitted to it, and what it then leaves is the error of the model,
-which the other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine of its
-own: its candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
+The first state is trusted.  Uncertain values are fitted to it, and the residual is the error of the model, which the
+other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine by itself: its
+candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ class Trusted:
         Parameters
         ----------
         structure : Structure
-            At the setups of that state, with the values of the trusted one, and what may have changed as candidates.
+            At the setups of that state, with the values of the trusted one; its candidates are what may have changed.
 
         Raises
         ------
@@ -156,7 +156,7 @@ class Trusted:
         return Counterpart(int(data.lines[row]), float(data.frequency[row]), float(data.sigma[row]))
 
     def _check(self, name: str, data: Measurements) -> None:
-        """Refuse a state that is the trusted one, or was measured with the motors in another state."""
+        """Refuse the trusted state itself, and one that was measured only with the motors in another state."""
         trusted = self.fitter.data
         if data.frequency.shape == trusted.frequency.shape and np.array_equal(
             data.frequency, trusted.frequency
@@ -248,7 +248,7 @@ def setups_of(
     Raises
     ------
     PkmodesError
-        If the mapping is none, a measured setup is missing in it, or it has one state only.
+        If it is not a mapping, a measured setup is missing in it, or it has one state only.
     """
     example = '{"P1": "before", "P1 again": "after"}'
     if not isinstance(states, Mapping) or not all(

@@ -1,9 +1,9 @@
-"""The same modes in two states: rows of a later one, with their mode of the model and their row of the trusted one.
+"""The same modes in two states: rows of a later state, with their modes of the model and rows of the trusted state.
 
-Two states of a machine are more alike than a machine and its model.  A mode that was measured in the trusted state at
-the same setup is there what was measured, any other what the model predicts with the error that the trusted state
-shows.  Which of two close modes is which no shape tells, because any change rotates them into each other: these are
-paired by the order of their frequencies.
+Two states of a machine are more alike than a machine and its model.  If a mode was measured in the trusted state at
+the same setup, that measurement is what is expected; otherwise it is the prediction of the model, with the error that
+the trusted state shows.  Shapes do not identify close modes, because any change rotates them into each other: these
+are paired by the order of their frequencies.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.support.mac import mac, normalised
 
 Index = NDArray[np.intp]
-#: Farthest logarithms of the frequencies of one mode in two states, and how far apart counts as much as shapes that
-#: have nothing in common.
+#: Largest difference of the logarithms of the frequencies of one mode in two states, and the difference that counts
+#: as much as shapes that have nothing in common.
 FARTHEST, ALIKE = 0.3, 0.1
 
 

@@ -25,7 +25,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.measured.measurements import Measurements
 
-#: Rules of verdicts by which the data do not tell whether anything changed: they may be errors of the measurement.
+#: Rules whose verdicts leave open whether anything changed: the residual may be due to errors of the measurement.
 NOT_TOLD = (
     "before.",
     "after.",
@@ -36,7 +36,7 @@ NOT_TOLD = (
     "open.small",
     "open.no_direction",
 )
-#: Verdicts of several states: that of all is the first of these that one of them has.
+#: Precedence of verdicts: that of several states together is the first of these that any of them has.
 ORDER = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, ADEQUATE)
 
 
@@ -153,7 +153,7 @@ def of_difference(
     counterparts: tuple[Counterpart | None, ...],
     model_error: float,
 ) -> Change:
-    """Return the diagnosis of a difference as what changed.
+    """Return the diagnosis of a difference as a change.
 
     Parameters
     ----------
@@ -186,7 +186,7 @@ def of_difference(
 
 
 def _with_errors(row: Row, measured: float, factor: float) -> Row:
-    """Return a row with the error that the model has in the trusted state: what was measured is as in its file."""
+    """Return a row with the error that the model has in the trusted state, and the measurement as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
         for name in ("sigma", "before", "refit", "after")

@@ -1,11 +1,11 @@
-r"""What a later state shares with the trusted one: the error of the model in each mode at each setup.
+r"""Errors that a later state shares with the trusted one: those of the model in each mode at each setup.
 
 A model that is 3 % wrong is as wrong after a change as before it.  Its error :math:`\delta` in the logarithm of a
-frequency is a part of the mode, :math:`a_m`, and one of the mode at a setup, :math:`b_{sm}`:
+frequency has a part of the mode, :math:`a_m`, and one of the mode at a setup, :math:`b_{sm}`:
 
 .. math:: \ln f_{measured} - \ln f_{model} = a_m + b_{sm} + e .
 
-The trusted rows tell it: :math:`\delta` of each later row is predicted from them with its variance (best linear
+The trusted rows determine it: :math:`\delta` of each later row is predicted from them with its variance (best linear
 unbiased prediction; Robinson, That BLUP is a good thing, Statist. Sci. 6, 1991, 15).  At a setup of the trusted state
 this is, for errors of the model far above those of the measurement, the difference of two measurements.
 """
@@ -27,16 +27,16 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.support.mac import channel_motion
 
-#: Standard deviation of the error of a model in a mode: anything.
+#: Standard deviation of the error of a model in a mode: any error is possible.
 ANY = 0.3
-#: That of a mode which the trusted state does not tell, at least, and of the part that differs between setups where
-#: fewer than `FEW` differences tell it.
+#: Smallest standard deviation for a mode that the trusted state does not determine, and that of the part that differs
+#: between setups if it follows from fewer than `FEW` differences.
 UNKNOWN = 0.02
 FEW = 3
 #: The scatter between setups is taken at this upper confidence limit.
 CONFIDENCE = 0.9
-#: Setups are the same one where no component of the pose differs by more than this part of the range of the trusted
-#: ones, or this much [m or rad]; without positions, where the model has the same modes to this accuracy.
+#: Setups are the same if no component of the pose differs by more than this part of the range of the trusted poses,
+#: or by more than this [m or rad]; without positions, if the model has the same modes to this accuracy.
 NEAR, SMALL, EQUAL = 0.02, 5e-4, 1e-9
 #: Largest relative standard deviation of a frequency or of the components of a shape.
 LARGEST = 0.9
@@ -44,19 +44,19 @@ LARGEST = 0.9
 
 @dataclass(frozen=True)
 class SharedErrors:
-    """The error of the model in each row of a later state, as the trusted state tells it.
+    """The error of the model in each row of a later state, as determined by the trusted state.
 
     Attributes
     ----------
     offset, variance : ndarray, shape (R,)
-        Of ln f, and the variance of what the trusted state leaves unknown of it, so large that errors of different
-        rows may be treated as independent.
+        Of ln f, and its variance given the trusted state, large enough to treat the errors of different rows as
+        independent.
     measured_before : ndarray of bool, shape (R,)
         Rows whose mode was measured in the trusted state, at any setup.
     counterpart : ndarray of int, shape (R,)
         Row of the trusted state with the same mode at the same setup; -1 where there is none.
     of_modes : ndarray, shape (S, m)
-        Of each elastic mode at each setup, the offset.
+        Offset of each elastic mode at each setup.
     shapes, shape_sigma : ndarray, shape (R, C) and (R,)
         Shapes without the errors of those of the model, see `shared_shapes`.
     """
@@ -104,7 +104,7 @@ def shared_errors(
     shape_error: float = 0.0,
     fitted: FittedValues | None = None,
 ) -> SharedErrors:
-    """Return what the rows of a later state share with the trusted one.
+    """Return the errors that the rows of a later state share with the trusted one.
 
     Parameters
     ----------
@@ -198,7 +198,7 @@ def less_certain(shapes: Array, sigma: Array, error: float, spread: Array) -> tu
 
 
 class Setups(NamedTuple):
-    """Which setups are the same one: of the trusted state, of the later one (rows) with it, and of the later one."""
+    """Which setups are the same: within the trusted state, across both (rows: later), and within the later one."""
 
     trusted: NDArray[np.bool_]
     across: NDArray[np.bool_]
@@ -206,7 +206,7 @@ class Setups(NamedTuple):
 
 
 class TrustedRows(NamedTuple):
-    """What the model leaves of the trusted rows, (R,): of ln f, with its standard deviation, mode and setup."""
+    """Residuals of the trusted rows in ln f, (R,), with their standard deviations, modes and setups."""
 
     residual: Array
     sigma: Array
@@ -229,9 +229,9 @@ class ErrorsOfModes(NamedTuple):
     covariances : ndarray, shape (m, S, S)
         Of each mode at all setups.
     scatter : float
-        Standard deviation of what differs between setups.
+        Standard deviation of the part that differs between setups.
     unknown : float
-        Of a mode that the trusted state does not tell.
+        Standard deviation for a mode that the trusted state does not determine.
     """
 
     mean: Array
@@ -280,7 +280,7 @@ def _weights(modes: Prediction, channels: tuple[str, ...]) -> Array:
 
 
 def _nearest(trusted: Measurements, later: Measurements, same: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Return the setup of the trusted state that is each one of a later state, the nearest of several; else -1."""
+    """Return the trusted setup that is the same as each later one, the nearest if there are several; -1 if none."""
     apart = np.linalg.norm(later.points[:, None] - trusted.points[None], axis=-1)
     nearest = np.where(same, apart, np.inf).argmin(axis=1)
     return np.where(same.any(axis=1), nearest, -1)
@@ -289,7 +289,7 @@ def _nearest(trusted: Measurements, later: Measurements, same: NDArray[np.bool_]
 def between_setups(
     residual: Array, sigma: Array, partner: NDArray[np.intp], among: NDArray[np.bool_], pose: NDArray[np.int_]
 ) -> float:
-    """Return how far errors of the model in one mode differ between setups, a standard deviation, at most.
+    """Return an upper limit of the standard deviation, between setups, of the error of the model in one mode.
 
     Parameters
     ----------
@@ -298,7 +298,7 @@ def between_setups(
     partner, pose : ndarray of int, shape (R,)
         Mode and setup of each row.
     among : ndarray of bool, shape (S, S)
-        Setups that are the same one.
+        Which setups are the same.
     """
     squares, degrees = 0.0, 0
     for mode in np.unique(partner):
@@ -339,7 +339,7 @@ def same_setups(
 
 
 def without_shared_errors(data: Measurements, shared: SharedErrors) -> Measurements:
-    """Return measurements of a later state as if the model had no error that the trusted state shows."""
+    """Return measurements of a later state without the errors of the model that the trusted state shows."""
     factor = np.exp(-shared.offset)
     sigma = np.sqrt(FREQUENCY.transformed_sigma(data) ** 2 + shared.variance)
     frequency = data.frequency * factor

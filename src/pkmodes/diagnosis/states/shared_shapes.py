@@ -1,4 +1,4 @@
-r"""Shapes of a later state without the errors that those of the model have in the trusted one.
+r"""Shapes of a later state without the errors that the model's shapes have in the trusted state.
 
 A shape of the later state, :math:`\psi_b`, differs from that of the trusted one, :math:`\psi_a`, by what changed.
 Both in the scale of the mode of the model, :math:`\phi`, the shape that is compared with the model is
@@ -24,10 +24,10 @@ LEAST_MAC = 0.3
 def shapes_without_errors(
     trusted: Measurements, later: Measurements, counterpart: Index, modes: Array, weights: Array
 ) -> tuple[Array, Array]:
-    """Return the shapes of a later state without the errors of those of the model, and their standard deviations.
+    """Return the shapes of a later state without the errors of the model's shapes, and their standard deviations.
 
-    They have the components that both states have; none where the scale of one is not known.  Rows without a
-    counterpart stay as they are.
+    They have the components that both states have, and none if a scale is unknown.  Rows without a counterpart stay
+    as they are.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The words of what changed: a diagnosis speaks of a declared model, a change of two states."""
+"""The wording of a change: a diagnosis is about a declared model, a change about two states."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.support.numbers import plain
 
 BY_MORE, AS_BEFORE = "by more than the errors of both", "a machine as in {trusted}"
-#: What is said of a declared model, and of a trusted state and a later one in its place; the first come first.
+#: Phrases about a declared model, with those about a trusted and a later state that replace them, in this order.
 PHRASES = (
     ("the residual of the declared model is not noise", f"{{later}} differs from {{trusted}} {BY_MORE}"),
     ("the residual of the declared model is noise", f"{{later}} does not differ from {{trusted}} {BY_MORE}"),
@@ -52,12 +52,12 @@ PHRASES = (
     ("Not in the catalogue: ", ""),
     ("explains the measurements", "explains the difference"),
 )
-#: How far the stiffness of all equal parts differs as from one day to another, in a sentence on refitted values.
+#: Difference of the stiffness of all equal parts, as from one day to another, in a sentence on refitted values.
 ANOTHER_DAY = re.compile(
     r"day\.(\w+)_stiffness (?:was refitted )?from 0 to (-?[\d.e-]+)(?: \(([+-][\d.]+) sigma\))?"
     r"(?:,? which an unseen [\w.:]+ could have done,?)?"
 )
-#: Sentences of candidates that are values.
+#: Sentences of candidates that are declared values.
 WRONG = re.compile(r"the declared ([^;,()]+?) is wrong")
 DIFFERS = re.compile(r"the value of (\S+) differs from that of the other axes")
 ANOTHER = re.compile(r"another value of ([\w.]*\w)")
@@ -76,7 +76,7 @@ def candidate_as_change(candidate: Candidate) -> Candidate:
 
 
 def between(text: str, trusted: str, later: str) -> str:
-    """Return what is said of a declared model and its residual as said of a trusted state and a later one."""
+    """Return a text about a declared model and its residual, reworded for a trusted state and a later one."""
     for phrase, instead in PHRASES:
         text = text.replace(phrase, instead.format(trusted=trusted, later=later))
     return as_change(ANOTHER_DAY.sub(_another_day, text))
@@ -105,7 +105,7 @@ def of_change(result: Result, trusted: str, later: str) -> Result:
         beyond = replace(beyond, reason=reworded(beyond.reason), classes=classes)
     reason = result.reason
     if beyond is not None and beyond.found is not None and not result.effects:
-        reason = beyond.reason  # the catalogue and the terms were asked the same
+        reason = beyond.reason  # the catalogue and the terms were tested alike
     return replace(
         result,
         reason=reworded(reason),

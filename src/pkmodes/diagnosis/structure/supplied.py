@@ -18,18 +18,18 @@ Derivatives = Callable[[Mapping[str, float], str, str], tuple[Any, Any]]
 
 #: Relative change of the matrices in a difference that approximates a derivative: rounding and curvature balance.
 CHANGE = 1e-6
-#: Factor by which that change may be missed, and largest number of trial steps.  Steps grow up to LARGEST, for a
-#: parameter that changes nothing.
+#: Factor by which the actual change may differ from that, and largest number of trial steps.  Steps grow up to
+#: LARGEST for a parameter without any effect.
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
-#: Steps smaller than this, relative to the value, may be lost in rounding.
+#: Steps smaller than this, relative to the value, may be lost to rounding.
 SMALLEST = 1e-12
-#: Matrices whose second difference is less than this part of the first are linear: a one-sided difference suffices.
+#: Matrices whose second difference is below this part of the first are linear: a one-sided difference suffices.
 STRAIGHT = 1e-8
-#: Largest difference of two calls with the same values: a hundredth of the change in a difference.
+#: Largest difference between two calls with the same values: a hundredth of the change in a difference.
 REPEATABLE = 1e-8
 #: Asymmetry due to rounding, relative to an entry and to the largest entry.
 RELATIVE, ROUNDING = 1e-9, 1e-12
-#: Largest number of values that a message names.
+#: Largest number of values named in a message.
 NAMED = 8
 
 
@@ -50,7 +50,7 @@ class _Search(NamedTuple):
 
 @contextmanager
 def _errors_of(matrices: str, where: str, remedy: str) -> Iterator[None]:
-    """Raise what the user's callable raises as an error of ours."""
+    """Re-raise exceptions of the user's callable as a `PkmodesError`."""
     try:
         yield
     except PkmodesError:

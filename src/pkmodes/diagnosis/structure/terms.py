@@ -17,7 +17,7 @@ from pkmodes.diagnosis.problem import Array, Candidate, Parameter
 from pkmodes.diagnosis.structure.supplied import Pair, Supplied
 
 MASS, SPRING = "mass", "spring"
-#: The parameter of each form.
+#: Name of the parameter of each form.
 QUANTITIES = {MASS: "mass", SPRING: "stiffness"}
 
 

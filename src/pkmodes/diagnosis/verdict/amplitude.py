@@ -9,7 +9,7 @@ from pkmodes.diagnosis.readings.amplitude import in_words
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.evidence import Evidence, Says
 
-#: A dependence decides from this part on of the chi2 that causes explain, and of what the best explanation leaves.
+#: A dependence decides if its chi2 is at least this part of what causes explain, and the best explanation leaves.
 DECIDES = 0.1
 
 
@@ -27,7 +27,7 @@ def depends_on_amplitude(e: Evidence) -> Says | None:
 
 
 def _beside(e: Evidence) -> float:
-    """Return the chi2 of what the data show beside the dependence; infinite where they show nothing."""
+    """Return the chi2 with which a dependence is compared; infinite if the data show nothing else."""
     final, declared = e.final, e.outcome.nuisances
     if not e.outcome.last.passed:
         unexplained = misfit.of_frequencies(e.store, _best(e)).squares

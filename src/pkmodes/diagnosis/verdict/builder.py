@@ -1,4 +1,4 @@
-"""The result from the fits: verdict, causes with their classes, errors before and after, all rows."""
+"""Assemble the result from the fits: verdict, causes with their classes, errors before and after, all rows."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability import unchanged
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
 
-#: Of a model that a result does not have.
+#: Stage and error of a model that a result does not have.
 NONE: tuple[None, None] = (None, None)
 
 
@@ -53,7 +53,7 @@ class _Models:
     Attributes
     ----------
     last : Fit or None
-        Of the last one; None if there are too few data to fit any.
+        Of the last model; None if there are too few data to fit any.
     outlying : ndarray of bool, shape (R,)
         Rows that it sets aside.
     corrected : tuple of Corrected
@@ -86,7 +86,7 @@ class _Models:
 
 @dataclass(frozen=True)
 class _Searched:
-    """The reason, and what only a search adds to a result, see `Diagnosis`."""
+    """The reason, and the parts of a result that only a search adds, see `Diagnosis`."""
 
     reason: str
     headline: str = ""
@@ -106,7 +106,7 @@ class DiagnosisBuilder:
         self.setups, self.fitter = setups, setups.fitter
 
     def before_search(self, start: Start, decision: Decision[Start, Says]) -> Diagnosis:
-        """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
+        """Return the result where data are too few, or obviously mistaken: nothing is searched for."""
         verdict, store = decision.verdict, start.plain
         unseen = tuple(candidate.name for candidate in start.suspected)
         bounded, fit = limits.unknown(store, start.suspected), None
@@ -184,7 +184,7 @@ class DiagnosisBuilder:
         return self._result(decision, models, bounded, unseen, notes, stability, searched)
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
-        """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
+        """Return notes on the data: another reading that decided, mistakes found in all setups, held-out rows."""
         reading = (decision.says.text,) if decision.says.of_reading else ()
         trend, data = evidence.amplitude, self.fitter.data
         if trend is not None and trend.significant and in_words(trend, data) not in decision.says.text:
@@ -217,7 +217,7 @@ class DiagnosisBuilder:
         bounded: Limits,
         unseen: tuple[str, ...],
     ) -> tuple[str, str]:
-        """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
+        """Return the reason with the caveats of a settled verdict, and those that the headline has too."""
         reason = decision.says.text
         if not decision.verdict.settled:
             return reason, ""
@@ -333,7 +333,7 @@ class DiagnosisBuilder:
         )
 
     def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
-        """Return all fitted parameters with their declared values, priors, and what was not seen."""
+        """Return all fitted parameters with their declared values, priors, and unseen influences."""
         width, corrected = self.fitter.priors.width(fit.values), []
         plausible = plausible_sizes(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):

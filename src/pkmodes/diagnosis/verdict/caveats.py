@@ -1,4 +1,4 @@
-"""What belongs beside a verdict: which values were refitted and by how much, and what the data cannot see."""
+"""Caveats of a verdict: which values were refitted and by how much, and what the data cannot show."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Standard deviations from the declared value, or by the fit alone, from which on a refitted value is conspicuous.
+#: Smallest distance of a conspicuous refitted value from its declared one, in standard deviations of prior or fit.
 FAR = Criteria.reasons.far
-#: Most values and candidates that a sentence names.
+#: Largest numbers of values and of candidates named in a sentence.
 MOST_VALUES, MOST_NAMES = 3, 4
 
 
@@ -48,7 +48,7 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
     undetectable : sequence of str
         Candidates that these data cannot show.
     limited : bool
-        Whether others have limits.
+        Whether other candidates have limits.
     """
     if undetectable:
         return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (
@@ -58,7 +58,7 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
 
 
 def _taken_up(value: Corrected) -> bool:
-    """Return whether a fit clearly moved a value, and an unseen candidate could have done all of that."""
+    """Return whether a fit clearly moved a value, and an unseen candidate could have caused all of that."""
     moved = abs(value.value - value.declared)
     return (
         value.prior_sigma is not None

@@ -1,4 +1,4 @@
-"""What would be claimed at the end of a search: the preferred causes, with the classes of their rivals.
+"""The claim at the end of a search: the preferred causes, with the classes of their rivals.
 
 Each cause is compared with all others in its place.  The best survivor takes the place; survivors that these data
 cannot tell from it are its class; a member whose value is impossible leaves the class.
@@ -46,11 +46,11 @@ class Claim:
     kept : bool
         Whether each cause is among the survivors in its place.
     left_out : tuple of str
-        Sentences about what left a class, because its value is impossible.
+        Sentences about members that left a class because their values are impossible.
     plausible : mapping of int to float
         Largest plausible deviations of the values of all members from the declared ones, by parameter.
     implausible : frozenset of str
-        Names of the causes, in the place of a claimed one, whose values are not those of such a part.
+        Names of the causes, in the place of a claimed one, whose values such a part cannot have.
     """
 
     final: Fit
@@ -173,7 +173,7 @@ def values(fitter: Fitter, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
 
 
 def name_of(fit: Fit) -> str:
-    """Return the name of the last cause of a fit, the one in whose place others were tried."""
+    """Return the name of the last cause of a fit, in whose place others were tried."""
     return fit.causes[-1].name
 
 
@@ -190,9 +190,9 @@ def _plausible(search: Search, plain: Fit, grouped: Sequence[Sequence[Sequence[F
 def _possible(
     search: Search, final: Fit, grouped: Grouped, plausible: Mapping[int, float]
 ) -> tuple[Fit, Grouped, tuple[str, ...]]:
-    """Return the claim and its classes without members whose value is impossible, and what is said of these.
+    """Return the claim and its classes without members whose values are impossible, and sentences about these.
 
-    If the one that names the class of a single cause is one of them, the best of the others names it.
+    If the cause that names the class of a single cause is one of them, the best of the others names it.
     """
     classes, left_out = [], list[str]()
     for cause, groups in zip(final.causes, grouped, strict=True):
@@ -208,9 +208,9 @@ def _possible(
 
 
 def _plausible_first(search: Search, final: Fit, grouped: Grouped) -> tuple[Fit, Grouped]:
-    """Return the claim and its classes, in each of which the members with plausible values are first.
+    """Return the claim and its classes, the members with plausible values first in each.
 
-    A single cause whose value is implausible leaves the lead to the best member with a plausible one, if that leaves
+    A single cause with an implausible value is replaced by the best member with a plausible one, if that leaves
     nothing but noise.
     """
     fitter = search.store.fitter
@@ -233,7 +233,7 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
         if better is None:
             return final, places
         final = better
-    return final, [[] for _ in final.causes]  # the preferences do not settle: nothing is claimed
+    return final, [[] for _ in final.causes]  # the preferences do not converge: nothing is claimed
 
 
 def _pairs_like(search: Search, final: Fit) -> list[Fit]:

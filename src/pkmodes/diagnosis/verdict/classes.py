@@ -24,9 +24,9 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 from pkmodes.support.grouping import grouped
 
-#: A cause is a special case of another if no larger part of its signature lies outside the span of the other's:
-#: difference derivatives are this accurate, and a random direction in a space with two more dimensions than the span
-#: is this close to it once in a million.
+#: Largest part of the signature of a special case outside the span of the general cause's signatures: difference
+#: derivatives are this accurate, and a random direction in a space with two more dimensions than the span is this
+#: close to it once in a million.
 NESTED = 1e-3
 
 
@@ -120,7 +120,7 @@ def other_pairs(
 def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
     """Group survivors that these data cannot tell apart, the class of the best one first.
 
-    A whole and a part of it that fit nearly as well are not told apart by what shapes of close modes differ in.
+    A whole and a part of it that fit nearly as well are not told apart by differences in the shapes of close modes.
     """
     near = store.fitter.criteria.claim.told_apart
 
@@ -142,7 +142,7 @@ def distinct(members: Sequence[Fit]) -> int:
 def parts_alone(members: Sequence[Fit]) -> bool:
     """Return whether a class has several parts of a whole that is not in it, such as two directions of a frame.
 
-    Data that do not tell along which direction a frame yields do not tell either that it yields along one of them,
+    Data that do not show along which direction a frame yields do not show either that it yields along one of them
     rather than obliquely, or by rocking.
     """
     causes = [fit.causes[-1] for fit in members]

@@ -1,4 +1,4 @@
-"""The rule of causes that only a default makes specific, because nobody declared the value on which they rest."""
+"""The rule for causes that only a default makes specific, because the value on which they rest was not declared."""
 
 from __future__ import annotations
 

@@ -7,11 +7,11 @@ A candidate is *detectable* if one of these holds:
 * the residual of the refitted model shows it: its score is significant;
 * the data bound it: one of its parameters has a limit (`limits`), so that its absence beyond that is known.
 
-So what is called not detectable never has a limit, and is never part of an explanation.
+So a candidate that is called not detectable never has a limit, and is never part of an explanation.
 
 Only plausible changes count, those in the range in which limits are sought (`search.ranges`); the score too is that
 of the best change within it.  A candidate nearly parallel to an uncertain value, such as gravity, would otherwise
-seem significant at a size that no machine has.
+seem significant at a size outside any machine's range.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def examined(
     shown : collection of str
         Candidates that are claimed, in the class of a claim, remain, or are named by the reason or the stability.
     limited, unbounded : collection of str
-        Candidates of which the data bound some parameter, and of which they do not bound every one.
+        Candidates with a parameter that the data bound, and with one that they do not bound.
     """
     c, beside = fitter.criteria, {entry.candidate.name: entry for entry in last.by_candidate}
     tests = []
@@ -76,7 +76,7 @@ def examined(
 def p_of_plausible(fitter: Fitter, tested: Score, largest: Array) -> float:
     """Return the p-value of a score, of the best change within the plausible range.
 
-    A change by a part t of the step to the best one gains t (2 - t) of its decrease of chi2.
+    A part t of the step to the best change yields t (2 - t) of its decrease of chi2.
 
     Parameters
     ----------

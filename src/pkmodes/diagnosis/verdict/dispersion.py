@@ -1,7 +1,7 @@
 """A law outside the candidates: a declared stiffness that changes with the frequency, as that of rubber belts does.
 
-Its effect on the frequencies is that of another stiffness, times a function of the frequency: of its logarithm, for a
-power law, or of its square.  A score test, at the fit without the causes, says what each of these would explain.
+Its effect on the frequencies is that of a changed stiffness times a function of the frequency: its logarithm, for a
+power law, or its square.  A score test, at the fit without the causes, shows how much each of these would explain.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.verdict.evidence import Evidence
 
-#: Units of stiffnesses; one that is declared as 0 is a spring that is not there.
+#: Units of stiffnesses; one that is declared as 0 is an absent spring.
 STIFFNESSES = ("N/m", "N*m/rad")
 
 
@@ -55,7 +55,7 @@ def stiffness_of_frequency(e: Evidence) -> str:
 
 
 def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
-    """Return the stiffness that explains the data best by a change with the frequency; None if nothing is stiff.
+    """Return the stiffness that explains the data best by a change with the frequency; None if none is declared.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""What explanations predict elsewhere: where, and in which ways, a structure could be measured next.
+"""Predictions of explanations elsewhere: where, and in which ways, a structure could be measured next.
 
-A prediction is uncertain by errors like those of the measurements, and by what these leave uncertain in the fitted
-values, linearised.
+A prediction is uncertain by errors like those of the measurements, and by the uncertainty of the fitted values,
+linearised.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from pkmodes.diagnosis.verdict.information import separations
 
 
 class Way(NamedTuple):
-    """A way to measure: the structure at the poses to choose from, what its motors do, and what is set there.
+    """A way to measure: the structure at the poses to choose from, the state of its motors, and the values set there.
 
     Attributes
     ----------
     unlike : bool
-        Whether its motors do something else than in most of the measurements.
+        Whether its motors are in another state than in most of the measurements.
     """
 
     structure: Structure
@@ -35,7 +35,7 @@ class Way(NamedTuple):
 
     @property
     def effort(self) -> int:
-        """How much more work it is than to measure another pose."""
+        """Additional work compared with measuring another pose."""
         return 2 if self.load else int(self.unlike)
 
 
@@ -56,7 +56,7 @@ class Elsewhere(NamedTuple):
     errors: Array
 
     def covariance(self, exact: int | None = None) -> Array:
-        """Return the covariance of what would be measured, (S, m, m), perhaps with one of the values exact."""
+        """Return the covariance of what would be measured, (S, m, m), with one value exact if given."""
         C = self.fit.covariance
         if exact is not None:
             k = self.fit.free.index(exact)
@@ -82,9 +82,9 @@ def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[
 
 
 def elsewhere(fitter: Fitter, way: Way, fit: Fit) -> Elsewhere:
-    """Return what an explanation predicts; NaN if a load is what it explains: setting it would not remove that.
+    """Return what an explanation predicts; NaN if it is a wrong load: setting that would not remove it.
 
-    With other motors, modes that were not measured say nothing about which are measurable.
+    With motors in another state, modes that were not measured say nothing about which are measurable.
     """
     structure, sigma = way.structure, float(np.median(fitter.observations.sigma))
     prediction = structure.predict(fit.values, fit.free)
@@ -116,7 +116,7 @@ def _misstated(fitter: Fitter, fit: Fit) -> float:
 def apart(
     predicted: Sequence[Elsewhere], poses: Sequence[int], exact: int | None = None
 ) -> tuple[Array, Array, Array]:
-    """Return how far explanations are apart at some poses (`separations`), perhaps with one of the values exact."""
+    """Return how far explanations are apart at some poses (`separations`), with one value exact if given."""
     m, places = min(prediction.mean.shape[1] for prediction in predicted), list(poses)
     return separations(
         np.array([prediction.mean[places, :m] for prediction in predicted]),

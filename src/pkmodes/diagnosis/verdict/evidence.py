@@ -1,4 +1,4 @@
-"""What the rules of a verdict ask about, before a search and after it, and what a rule and its answer are."""
+"""Evidence for the rules of a verdict, before and after a search; rules and their answers."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from pkmodes.diagnosis.verdict.values import shows_once
 from pkmodes.diagnosis.verdict.verdicts import Verdict
 from pkmodes.measured.amplitude import AmplitudeDependence
 
-#: Largest number of causes named that would remove a contradiction of too few data.
+#: Largest number of causes named that would remove a contradiction where data are too few.
 HINTS = 4
 
 
@@ -86,7 +86,7 @@ class Start:
 
 
 class Evidence:
-    """What a search found, and what else decides; what takes time is computed when a rule first asks for it.
+    """The result of a search, and what else decides; costly results are computed when a rule first needs them.
 
     Attributes
     ----------
@@ -150,12 +150,12 @@ class Evidence:
 
     @cached_property
     def trials(self) -> list[Trial]:
-        """What becomes of the explanations with other errors and priors."""
+        """The explanations with other errors and priors."""
         return trials(self.search, self.final, self.claim.own)
 
     @cached_property
     def held_out(self) -> HeldOut:
-        """What the held-out setups say about the final fit."""
+        """The test of the final fit by the held-out setups."""
         return predicted(self.setups, self.search, self.final)
 
     @cached_property
@@ -224,7 +224,7 @@ class Evidence:
         return f"errors {reasons.larger(ratio**0.5)} the stated ones"
 
     def _by_nature(self, errors: Hypothesis) -> bool:
-        """Return whether the rows that are set aside are those in which a cause by nature shows alone."""
+        """Return whether the rows set aside are those in which alone a cause by nature shows."""
         rows = errors.excluded - self.final.hypothesis.excluded
         return bool(rows) and all(
             any(shows_once(self.search, self.final, cause, row) for cause in self.final.causes)
@@ -241,12 +241,12 @@ class Says:
     text : str
         The reason of the verdict.
     named : frozenset of str
-        Candidates to which it says that the data point, without a claim: what they show cannot be undetectable.
+        Candidates to which, according to it, the data point without a claim: these cannot be undetectable.
     instead : Fit or None
         An explanation that is better with other errors or priors.
     of_reading : bool
-        Whether another reading of the data decided, because something in the file is wrong, or no linear model can
-        explain it.  It is then the first note, too, and explanations of the data as they stand have no probabilities.
+        Whether another reading of the data decided, because the file is wrong, or no linear model can explain it.
+        The text is then also the first note, and explanations of the data as they stand have no probabilities.
     """
 
     text: str
@@ -265,7 +265,7 @@ A_co = TypeVar("A_co", bound=Says, covariant=True)
 
 
 class Asked(Protocol[A_co]):
-    """What rules are asked of, and the kind of their answers."""
+    """The evidence to which rules are applied, with the type of their answers."""
 
     def says(self, text: str) -> A_co:
         """Return a reason as an answer."""
@@ -276,14 +276,14 @@ T = TypeVar("T", bound=Asked[Any])
 
 @dataclass(frozen=True)
 class Rule(Generic[T, A]):
-    """A rule of a verdict, asked before a search (T = Start), after it (T = Evidence), or of damping.
+    """A rule of a verdict, applied before a search (T = Start), after it (T = Evidence), or to damping.
 
     Attributes
     ----------
     name : str
-        With that of its table: "claims.found".
+        Preceded by that of its table: "claims.found".
     ask : callable
-        Its question: the answer to it, or None or an empty text if it does not apply.
+        Returns the answer to its question; None or an empty text if it does not apply.
     """
 
     name: str

@@ -9,10 +9,10 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.posterior.document import NOTHING_MISSING, OUTSIDE, Probabilities
 
-#: Largest number of explanations: the most probable ones.
+#: Largest number of explanations, the most probable ones.
 MOST = 8
-#: Statements less probable than this are left out where the tests leave nothing of them; what these leave is at least
-#: this probable, relative to the most probable.
+#: Statements less probable than this are left out unless the tests leave a member of them; the explanations that the
+#: tests leave are at least this probable, relative to the most probable one.
 LEAST = 0.05
 
 #: Names of the causes of an explanation.
@@ -22,7 +22,7 @@ Named = Sequence[tuple[str, Fit]]
 
 
 class Explanation(NamedTuple):
-    """An explanation, and how probable it is beside the others."""
+    """An explanation, and its probability relative to the others."""
 
     name: str
     probability: float
@@ -34,14 +34,14 @@ def explanations(
 ) -> list[Explanation]:
     """Return the explanations between which a measurement could decide, the most probable first.
 
-    Members of a class have equal parts of its probability: those that the tests leave, or else all that were fitted.
-    What the tests leave that is in no class, such as a cause in a single joint, shares the probability of something
-    outside.  Otherwise something outside takes no part, because it predicts nothing.
+    Members of a class share its probability equally: those that the tests leave, or else all that were fitted.
+    Explanations that the tests leave but that are in no class, such as a cause in a single joint, share the
+    probability of something outside.  Otherwise something outside takes no part, because it predicts nothing.
 
     Parameters
     ----------
     probabilities : Probabilities or None
-        None if they are not known: what the tests leave is then equally probable.
+        None if they are unknown: the explanations that the tests leave are then equally probable.
     classes : sequence of sequence of (str, Fit)
         The classes that the tests of the verdict leave, the best first.
     """

@@ -1,4 +1,4 @@
-r"""What held-out setups say about a result: a test of its predictions, and notes on their rows.
+r"""Held-out setups as a test of the predictions of a result, and notes on their rows.
 
 Held-out setups take no part in any choice or fit, so they can refuse a result.  The prediction errors :math:`r_h` of
 their frequencies, and of shapes with stated errors, have the predictive covariance
@@ -35,7 +35,7 @@ WORSE = 2.0
 
 @dataclass(frozen=True)
 class HeldOut:
-    """What held-out setups say about a result.
+    """Result of the test by held-out setups.
 
     Attributes
     ----------
@@ -160,8 +160,8 @@ def _without_one_row(
 ) -> tuple[Fit, float]:
     """Return the fit and the p-value without the worst held-out row, if that row alone contradicts the fit.
 
-    A gross error in a held-out row is set aside on the same terms as in a fitted one: there are enough rows, and the
-    others predict it.
+    A gross error in a held-out row is set aside under the same conditions as in a fitted one: there are enough rows,
+    and the others predict it.
     """
     fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
     worst, sigmas = fitter.worst_rows(again)
@@ -184,7 +184,7 @@ def _better(search: Search, again: Fit) -> Fit | None:
     plain = len(again.causes) == 1 and not again.hypothesis.excluded
     if not again.causes or (plain and search.gate(again).above(c.gate.plainly)):
         return None
-    # One with the same predictions is listed in the class of the cause.
+    # A remote cause with the same predictions is listed in the class of the cause.
     difference = search.store.fitter.difference
     return next(
         (fit for fit in search.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None

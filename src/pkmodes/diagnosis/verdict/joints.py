@@ -1,4 +1,4 @@
-"""The one joint of a cause with a value for each joint, in words: "leg 3 is 25 % softer than the others"."""
+"""The single joint of a cause with a value for each joint, in words: "leg 3 is 25 % softer than the others"."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from dataclasses import dataclass
 from pkmodes.diagnosis.problem import Joint
 from pkmodes.support.numbers import plain
 
-#: What a part is that has less, and more, of a quantity than the others.
+#: Comparatives for a part with less, and with more, of a quantity than the others.
 COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
 
 
 @dataclass(frozen=True)
 class JointAlone:
-    """The one joint in which a cause with a value for each explains the data as well alone.
+    """The single joint in which a cause with a value for each joint explains the data as well.
 
     Attributes
     ----------
     change, sigma : float
         Relative change in this joint, if the others have none, and its standard deviation.
     number_of_others : int
-        Number of the others.
+        Number of the other joints.
     """
 
     joint: Joint

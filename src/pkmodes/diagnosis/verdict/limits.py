@@ -1,22 +1,23 @@
 """Limits of the candidates that are not claimed, and what these unseen candidates could do to the saved values.
 
-A limit is that of a candidate beside what the diagnosis says: the declared model with its nuisances refitted, the
-claimed causes, or each of the explanations that remain.  If the residual is not explained, the errors count as large
-as what each candidate leaves.
+A limit is that of a candidate beside the result of the diagnosis: the declared model with its nuisances refitted, the
+claimed causes, or each of the explanations that remain.  If the residual is not explained, errors are scaled to the
+residual that each candidate leaves.
 
 Saved values
 ------------
 A refitted value makes up for whatever is missing from the model.  When an unseen candidate moves to its limit, a
-value moves by D; a normal deviate beyond which 5 % lie on that side has the standard deviation D / 1.645, which is
-what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the data do not bound
-within its plausible range moves there; that counts for values whose priors hold them.  Others, such as the size of a
-cause, could go anywhere with it: their standard deviation leaves it out, and says so.  Of all candidates the one that
-moves the value most is counted, not their sum: like the diagnosis itself, this takes one cause to be missing, many
-candidates move the values in the same way, and a sum would count that several times (the envelope over alternative
-models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation 10, 2015, P04015).
+value moves by D; a normal deviate that exceeds D on that side with a probability of 5 % has the standard deviation
+D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the
+data do not bound within its plausible range moves to the end of that range; this counts for values held by priors.
+Other values, such as the size of a cause, could move anywhere with it: their standard deviation omits it, and a note
+says so.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
+itself, this assumes one missing cause, and many candidates move the values in the same way, which a sum would count
+several times (the envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation
+10, 2015, P04015).
 
-A default on which a claimed value rests, because nobody declared another, such as the mass of a frame that yields, is
-moved likewise.
+A default on which a claimed value rests, because its value was not declared, such as the mass of a frame that yields,
+is moved likewise.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from pkmodes.diagnosis.problem import Array, Assumption, Candidate, Parameter
 from pkmodes.diagnosis.search.limits import ONE_SIDED, Bound, bounds, moved_by_defaults
 from pkmodes.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
 
-#: Largest number of remaining explanations beside which limits are found.
+#: Largest number of remaining explanations beside which limits are determined.
 MOST = 4
 
 
@@ -45,7 +46,7 @@ class Limits:
     of : mapping of str to Limit
         By the names of their parameters.
     unseen : mapping of int to Unseen
-        What they could do to the fitted values, by parameter.
+        Their possible effects on the fitted values, by parameter.
     plausible : mapping of int to float
         Largest plausible deviations, by parameter.
     candidates, unbounded : frozenset of str
@@ -64,12 +65,12 @@ class Limits:
         return frozenset(limit.candidate for limit in self.of.values() if limit.value is not None)
 
 
-#: Where no candidate was bounded.
+#: Limits where no candidate was bounded.
 NO_LIMITS = Limits({}, {}, {}, frozenset(), frozenset())
 
 
 def unknown(store: FitStore, candidates: Iterable[Candidate]) -> Limits:
-    """Return the limits where the data say nothing, because of an obvious mistake in them."""
+    """Return the limits where the data are uninformative because of an obvious mistake."""
     fitter = store.fitter
     index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
     names = frozenset(candidate.name for candidate, _ in index)
@@ -85,7 +86,7 @@ def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate]
     candidates : iterable of Candidate
         A candidate that is a cause of some of the fits is bounded in those alone.
     noise : bool
-        Whether what the fits leave is noise.
+        Whether the residuals of the fits are noise.
     """
     fitter = store.fitter
     linear = bool(slowness(fitter.structure))
@@ -125,7 +126,7 @@ def _size(limit: Limit) -> float:
 def _unseen(
     fit: Fit, bounded: Collection[Bound], by_defaults: Mapping[Assumption, Array]
 ) -> dict[int, Unseen]:
-    """Return the largest movement of each fitted value as a standard deviation, and what is behind it."""
+    """Return the largest movement of each fitted value as a standard deviation, and its origin."""
     unseen = {}
     for i in fit.free if bounded else ():
         worst = max(bounded, key=lambda bound: bound.moved[i])

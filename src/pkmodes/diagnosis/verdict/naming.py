@@ -1,4 +1,4 @@
-"""How a cause is named: a class of several candidates as what it is, never by one of them.
+"""Names of causes: a class of several candidates is named as a class, never by one of its members.
 
 Members that share a kind are named by it, "a compliance in series with the belt (clamps, gearboxes)"; the others by
 their sentences.  Every headline, reason and table takes its words from here.
@@ -12,7 +12,7 @@ from pkmodes.diagnosis.verdict.findings import Finding, Member
 
 #: Numbers as words; larger ones are written in digits.
 NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
-#: Characters of a class in a headline; what does not fit is counted, and listed below it.
+#: Largest number of characters for a class in a headline; members that do not fit are counted, and listed below it.
 LONGEST = 120
 
 

@@ -1,4 +1,4 @@
-"""The next measurement: the pose, motors and perhaps load that are expected to tell most about what is true."""
+"""The next measurement: the pose, motors and perhaps load that are expected to be most informative."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ class _Proposal(NamedTuple):
     Attributes
     ----------
     told : float
-        Part of what is unknown about the explanations that it is expected to tell.
+        Expected information, as a part of what is unknown about the explanations.
     sigmas : float
-        How far the two explanations that it separates are apart.
+        Distance between the two explanations that it separates.
     """
 
     told: float
@@ -43,9 +43,9 @@ class _Proposal(NamedTuple):
 def next_measurement(
     store: FitStore, probabilities: Probabilities | None, classes: Sequence[Named]
 ) -> tuple[NextMeasurement | None, str]:
-    """Propose a pose, with other motors or a load if that tells far more than any pose alone.
+    """Propose a pose, with other motors or a load if that is far more informative than any pose alone.
 
-    Motors that give way, in all that the tests leave, are not to be held, unless they were in a measurement.
+    Motors that give way in all remaining explanations are not to be held, unless they were in a measurement.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ def next_measurement(
     Returns
     -------
     NextMeasurement or None
-        None if nothing separates any two of them.
+        None if no measurement separates any two of them.
     str
         Why not; empty if there is a proposal, or fewer than two are left.
     """
@@ -84,17 +84,18 @@ def next_measurement(
 
 
 def _may_be_held(structure: Structure, classes: Sequence[Named]) -> bool:
-    """Return whether held motors may be proposed; a cause is certain that is in all that the tests leave."""
+    """Return whether held motors may be proposed; a cause is certain if it is in all remaining explanations."""
     causes = [{cause.name for cause in fit.causes} for group in classes for _, fit in group]
     certain = set.intersection(*causes) if causes else set[str]()
     return not isinstance(structure, Driven) or structure.may_be_held(certain)
 
 
 def _proposed(fitter: Fitter, rivals: Sequence[Explanation], points: Array, way: Way) -> _Proposal:
-    """Return the pose that is expected to tell most, of those at which two explanations differ enough.
+    """Return the pose expected to be most informative among those at which two explanations differ enough.
 
-    It separates the two that differ enough and that it tells apart with the largest probability; of poses that tell
-    the same, it is where these differ most.  If none differ enough anywhere, it is where two differ most.
+    It separates the two that differ enough and that it tells apart with the largest probability; of equally
+    informative poses, it is the one where these differ most.  If none differ enough anywhere, it is where two differ
+    most.
     """
     there, both = [elsewhere(fitter, way, rival.fit) for rival in rivals], pairs(len(rivals))
     distances, _, overlaps = apart(there, range(len(points)))
@@ -118,9 +119,9 @@ def _proposed(fitter: Fitter, rivals: Sequence[Explanation], points: Array, way:
 def _hiding(fitter: Fitter, two: Sequence[Elsewhere], pose: int) -> str:
     """Return the uncertain value that could make up most of a difference at a pose within its standard deviation.
 
-    What the motors did in the measurements may have left values undetermined that matter now, such as the inertia of
-    motors that were held.  Empty if the difference is worth measuring beside all that is uncertain, or would not be
-    so, or twice as large, with that value known.
+    The state of the motors in the measurements may have left values undetermined that matter now, such as the
+    inertia of motors that were held.  Empty if the difference is worth measuring despite all uncertainties, or if
+    knowing that value would neither make it so nor double it.
     """
     least = fitter.criteria.claim.worth_measuring
 
@@ -134,7 +135,7 @@ def _hiding(fitter: Fitter, two: Sequence[Elsewhere], pose: int) -> str:
 
 
 def _nowhere(where: str, tried: Sequence[Way], proposals: Sequence[_Proposal], least: float) -> str:
-    """Return why nothing is proposed although explanations are left."""
+    """Return why nothing is proposed although several explanations remain."""
     best = max(proposals, key=lambda proposal: proposal.sigmas)
     if not best.sigmas:
         return f"at none of {where} can the remaining explanations be compared"

@@ -21,11 +21,11 @@ from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 from pkmodes.support.numbers import plain, signed, times
 
-#: Measured modes below this part of the lowest frequency of the declared model are none of its modes; fewest setups
-#: at which they are reported.
+#: Measured modes below this part of the lowest frequency of the declared model are not modes of it; smallest number
+#: of setups with such modes that is reported.
 CLEARLY_BELOW, FEWEST_SETUPS = 0.7, 2
-#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of so
-#: small a residual is below the second number.
+#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of such a
+#: small residual is below the second number.
 MISSTATED, SO_SMALL = 3.0, 1e-4
 
 
@@ -123,7 +123,7 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
 def low_modes(declared: Stage) -> list[str]:
     """Return a note if measured modes lie clearly below all of the declared model at half of the setups or more.
 
-    Such modes have no partner, whatever its values: something stands on a spring that the model does not have.
+    Such modes have no partner, whatever its parameter values: something stands on a spring that the model lacks.
     """
     data, spectrum = declared.data, declared.predicted.spectrum
     with warnings.catch_warnings():

@@ -23,19 +23,19 @@ def names(causes: Sequence[Candidate]) -> str:
 
 
 def described(causes: Sequence[Candidate]) -> str:
-    """Return what causes are, each with its name in brackets."""
+    """Return causes in words, each with its name in brackets."""
     return " and ".join(
         f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in causes
     )
 
 
 def explains(causes: Sequence[Candidate]) -> str:
-    """Return who explains something, as the beginning of a clause: the causes would, or the declared model does."""
+    """Return the beginning of a clause: the causes would explain, or the declared model explains."""
     return f"{names(causes)} would explain" if causes else "the declared model explains"
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
-    """Return what a fit attributes to measurement errors."""
+    """Return the measurement errors of a fit, in words."""
     parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]
     if len(excluded) == 1:
         parts.append(f"line {excluded[0]} set aside as an outlier")

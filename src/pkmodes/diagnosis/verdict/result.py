@@ -49,7 +49,7 @@ class Stages:
     before, refit, after : Predicted or None
         As declared, with the nuisances refitted, and with the causes.
     without : ndarray, shape (S, m), or None
-        The spectrum of the last of them without its causes, at its values; None where it has none.
+        Spectrum of the last model without its causes, at its values; None where it has none.
     """
 
     before: Predicted
@@ -107,7 +107,7 @@ class Damping:
 
     @property
     def sentences(self) -> dict[str, str]:
-        """What each candidate means."""
+        """Meaning of each candidate."""
         return {candidate.name: candidate.sentence for candidate in self.candidates}
 
     def document(self) -> DampingDocument:
@@ -144,7 +144,7 @@ class Diagnosis:
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     not_separated : str
-        Why none is proposed although explanations are left; empty where one is, or none are.
+        Why none is proposed although several explanations remain; empty otherwise.
     candidates : tuple of Examined
     rows : tuple of Row
     scatter : float
@@ -166,17 +166,17 @@ class Diagnosis:
     damping : Damping
         What the damping says; its ratios are among the rows.
     headline : str
-        What of the refitted values a headline says beside the verdict; empty for nothing.
+        Part of a headline about refitted values, beside the verdict; empty if there is none.
     rule : str
         The rule that decided, with its table (`rules`): "claims.found".  For tests and studies; not part of the JSON.
     alone : mapping of str to JointAlone
-        The one joint that explains the data as well, of each cause that is claimed or remains and has one; it is
+        The single joint that explains the data as well, for each claimed or remaining cause that has one; it is
         among the sentences.
     probabilities : Probabilities or None
         Of all explanations: a second opinion, on which no verdict depends.  None without a search, and where the data
         themselves are mistaken.
     beyond : Beyond or None
-        What one thing at one place would explain that the catalogue does not; None where it was not tried.
+        What a single form at one place would explain that the catalogue does not; None where it was not tried.
     """
 
     verdict: Word
@@ -240,7 +240,7 @@ class Diagnosis:
 
     @property
     def sentences(self) -> dict[str, str]:
-        """What each candidate means; where one joint would do, what it says of that."""
+        """Meaning of each candidate; that of a single joint where one explains as much."""
         sentences = {candidate.name: candidate.sentence for candidate in self.candidates}
         return sentences | {name: joint.sentence for name, joint in self.alone.items()}
 

@@ -1,9 +1,10 @@
-"""The rules of the verdict, in tables: of those that are asked, the first that applies decides.
+"""The rules of the verdict, in tables: of those that are tried, the first that applies decides.
 
-A rule has a name, which begins with that of its table, the verdict that it gives, and a question of the evidence,
-whose docstring says when the rule applies, and whose answer is the reason of the verdict.  `before` is asked first,
-without a search if one applies.  After a search come `after`, then `ADEQUACY` where the declared model leaves noise,
-`CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
+A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
+whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of `before` are tried
+first; if one applies, there is no search.  After a search come `after`, then `ADEQUACY` where the declared model
+leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the
+tables.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.support.numbers import p_in_words, p_text, plain
 
-#: Largest number of other causes that a reason mentions.
+#: Largest number of other causes mentioned in a reason.
 MENTIONED = 4
 
 
@@ -79,7 +80,7 @@ def extra_modes(e: Evidence) -> str:
 
 
 def _extra_lines(e: Evidence) -> list[int]:
-    """Return the lines of rows set aside where the model has no mode left near them: no error moved one there."""
+    """Return the lines of rows set aside with no mode of the model left near them that an error could have moved."""
     fitter, final, lines = e.fitter, e.final, []
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
@@ -320,7 +321,7 @@ def causes_found(e: Evidence) -> Says:
 
 
 def before() -> tuple[Rule[Start, Says], ...]:
-    """Return the rules that are asked before a search."""
+    """Return the rules that are tried before a search."""
     return (
         *_of_readings(
             "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
@@ -331,7 +332,7 @@ def before() -> tuple[Rule[Start, Says], ...]:
 
 
 def after() -> tuple[Rule[Evidence, Says], ...]:
-    """Return the rules that are asked whatever a search found."""
+    """Return the rules that are tried after a search, whatever its result."""
     amplitude = Rule[Evidence, Says]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
     return (
         *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
@@ -344,7 +345,7 @@ def _of_readings(
     question: Callable[[table.Reading], Callable[..., str] | None],
     of: Callable[[T], tuple[object, ...]],
 ) -> Iterator[Rule[T, Says]]:
-    """Yield the rules that ask for other readings of the data."""
+    """Yield the rules about other readings of the data."""
     for reading in table.READINGS:
         if ask := question(reading):
             says = functools.partial(_says, ask, of)
@@ -357,7 +358,7 @@ def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], eviden
     return Says(text, of_reading=True) if text else None
 
 
-#: Asked if the declared model leaves noise.
+#: Tried if the declared model leaves noise.
 ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
@@ -366,7 +367,7 @@ ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
     Rule("adequacy.adequate", ADEQUATE, nothing_missing),
 )
 
-#: Asked if causes leave noise.
+#: Tried if causes leave noise.
 CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),

@@ -2,8 +2,8 @@
 
 The explanations that the search found are refitted with all sigma halved, with all sigma doubled, and with all priors
 twice as wide; there is no new search.  If another cause is then better, the cause is not claimed: it depends on
-numbers that are not known to a factor of two.  A special case of the cause, or a cause of which it is a special case,
-does not count as another one.
+numbers that are not known to within a factor of two.  A special case of the cause, or a cause of which it is a
+special case, does not count as another one.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pkmodes.diagnosis.verdict.findings import Stability
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 from pkmodes.measured.scaling import with_errors
 
-#: Factors of the errors and of the priors.
+#: Factors on the errors and on the priors.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
 
 

@@ -1,11 +1,11 @@
-"""Whether fewer values are measured than are unknown."""
+"""The rule for data with fewer measured values than unknowns."""
 
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.evidence import Start
 from pkmodes.support.numbers import p_in_words
 
-#: Number of uncertain values, in parts, that the data may determine and yet count as held by their priors.
+#: Effective number of uncertain values that the data may determine although these count as held by their priors.
 HELD = 0.1
 
 

@@ -1,6 +1,6 @@
-"""Causes whose fit was blocked because the model cannot be evaluated at the values it approaches.
+"""Causes whose fit was blocked because the model cannot be evaluated at the values that it approaches.
 
-A fit avoids such values and stops next to them, so a poor fit is then no evidence against the cause.
+A fit avoids such values and stops near them, so a poor fit is then no evidence against the cause.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
 from pkmodes.support.numbers import plain
 
-#: Largest number of bisections towards the first value that cannot be evaluated; it is reported to three digits.
+#: Largest number of bisections towards the first value that cannot be evaluated, which is reported to three digits.
 HALVINGS = 20
 
 
@@ -35,7 +35,7 @@ def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
 
 
 def _tried(store: FitStore, reported: Fit) -> Iterator[Fit]:
-    """Yield the reported fit and those of single causes; one without a start is started from the plain fit."""
+    """Yield the reported fit and those of single causes; a cause without a fit is fitted from the plain fit."""
     fitter = store.fitter
     yield reported
     for candidate in fitter.structure.candidates:
@@ -84,7 +84,7 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
             break
         middle = 0.5 * (good + bad)
         good, bad = (middle, bad) if _evaluable(fitter, at(middle)) else (good, middle)
-    # It may converge before that: a long step of a linear model is inaccurate.
+    # The fit may converge before that: a long step of a linear model is inaccurate.
     there = fitter.rough_fit(fit.hypothesis, fitter.roughly([(fit.hypothesis, at(good))])[0])
     if there is None or _onward(fitter, there)[1] <= fitter.criteria.search.survives:
         return ""

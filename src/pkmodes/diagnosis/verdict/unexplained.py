@@ -1,4 +1,4 @@
-"""What is said of a residual that nothing explains: `OPEN`, a table of rules (`rules`)."""
+"""Rules for a residual that nothing explains: `OPEN`, a table (`rules`)."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def nearly_all(e: Evidence) -> Says | None:
         return None
     order = _priced(e)
     best, after = min(explanations, key=lambda entry: order(entry[0]))
-    # Two causes were found in both orders, which fit alike but for rounding: name them as the candidates stand.
+    # Two causes are found in both orders, which fit alike up to rounding: name them in the order of the candidates.
     places = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
     causes = sorted(best.causes, key=lambda cause: places.get(cause.name, len(places)))
     verb = "explain" if len(causes) > 1 else "explains"
@@ -166,7 +166,7 @@ def real(e: Evidence) -> Says:
     return _beside_best(e, text)
 
 
-#: Asked if nothing leaves noise.
+#: Tried if nothing leaves noise.
 OPEN: tuple[Rule[Evidence, Says], ...] = (
     Rule("open.added_modes", UNEXPLAINED, added_modes),
     Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
@@ -181,7 +181,7 @@ OPEN: tuple[Rule[Evidence, Says], ...] = (
 
 
 def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Says:
-    """Return what the residual is, and which explanation reduces it most and why that is not claimed."""
+    """Return a description of the residual, with the explanation that reduces it most and why that is not claimed."""
     best = _best_of_all(e)
     if best is None:
         return Says.naming(text, pointed)
@@ -190,9 +190,9 @@ def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Says:
 
 
 def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
-    """Return which explanation reduces the residual most, why it is not claimed, and whom that names.
+    """Return which explanation reduces the residual most, why it is not claimed, and the candidates that this names.
 
-    None if none reduces it clearly.  A second cause is named if the data clearly ask for it.
+    None if none reduces it clearly.  A second cause is named if the data clearly require it.
     """
     store = e.store
     better = store.criterion(e.outcome.nuisances) - e.criteria.search.survives
@@ -211,7 +211,7 @@ def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
 
 
 def left_by(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
-    """Return why the gate refuses an explanation, empty if it does not, and the candidate to which that points."""
+    """Return why the gate refuses an explanation, empty if it does not, and the candidates to which this points."""
     gate = e.search.gate(fit)
     if gate.unpaired:
         return f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched", []
@@ -241,7 +241,7 @@ def _without_errors(store: FitStore) -> list[Fit]:
 
 
 def _priced(e: Evidence) -> Callable[[Fit], float]:
-    """Return the order of explanations: by their criterion, a second cause only where the data ask for it."""
+    """Return the sort key of explanations: their criterion, penalising a second cause unless the data require it."""
     store, price = e.store, e.criteria.claim.told_apart
     return lambda fit: store.criterion(fit) + price * len(fit.causes)
 
