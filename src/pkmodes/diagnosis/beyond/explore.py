@@ -26,7 +26,7 @@ from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, N
 
 
 class TermSearch:
-    """A search among terms, run at most once, when it is needed.
+    """A search among terms, run when it is first needed.
 
     Parameters
     ----------

@@ -41,7 +41,7 @@ class Priors:
     Raises
     ------
     PkmodesError
-        If correlations are not symmetric or impossible, a prior is not positive, a candidate does not have one for
+        If correlations are asymmetric or impossible, a prior is not positive, a candidate does not have one for
         each parameter, two candidates contradict each other, or a log-normal parameter is not positive.
     """
 
@@ -123,7 +123,7 @@ def whitening(parameters: Sequence[Parameter]) -> Array | None:
     Raises
     ------
     PkmodesError
-        If the correlations are not symmetric, or impossible.
+        If the correlations are asymmetric or impossible.
     """
     place = {p.name: i for i, p in enumerate(parameters)}
     correlation = np.eye(len(parameters))

@@ -22,7 +22,7 @@ from pkmodes.diagnosis.search.score import one_sided
 
 #: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
 WRONG_ROW, SHARED = 0.01, 0.02
-#: Largest plausible signal of a cause, at most, and where nothing bounds its size.
+#: Cap on the largest plausible signal of a cause, used where nothing bounds its size.
 SIGNAL = 1e3
 #: Factor by which a size must exceed its plausible range to be beyond it: fits end at bounds up to rounding.
 BEYOND = 1.001

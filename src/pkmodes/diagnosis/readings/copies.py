@@ -44,9 +44,7 @@ def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
         rest = rest[conditions[rest] == conditions[i]]
-        rest = rest[
-            ~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))
-        ]  # reported separately
+        rest = rest[~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))]  # reported apart
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
             first, second = sorted((int(i), int(k)))

@@ -86,7 +86,7 @@ class Additions:
         return [option for option in fits if self.store.p_value(option) > c.gate.surely]
 
     def _hopeless(self, fit: Fit) -> bool:
-        """Return whether the residual is far too large with a shared error in each setup and without the worst rows.
+        """Return whether far too much is left even with a shared error in each setup and without the worst rows.
 
         A gross outlier may distort the fit, so many rows look wrong: the fit is repeated without the worst rows.
         """

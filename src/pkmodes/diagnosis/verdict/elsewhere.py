@@ -82,7 +82,7 @@ def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[
 
 
 def elsewhere(fitter: Fitter, way: Way, fit: Fit) -> Elsewhere:
-    """Return what an explanation predicts; NaN if it is a wrong load: setting that would not remove it.
+    """Return what an explanation predicts; NaN if its cause is a wrong load, which setting it would not remove.
 
     With motors in another state, modes that were not measured say nothing about which are measurable.
     """
