@@ -138,7 +138,7 @@ def test_an_added_quantity_has_degrees_and_a_p_value_of_its_own(monkeypatch: pyt
     with_residues(monkeypatch, log)
     fitter = Fitter(frame(), data)
     assert fitter.observations.size == 24
-    assert fitter.observations.degrees(fitter.observations.every) == 24
+    assert fitter.observations.degrees(fitter.observations.all_rows) == 24
     fit = fitter.fit(Hypothesis())
     assert fit is not None
     misfit = fitter.misfit(fit, "residue", stated=True)
@@ -174,14 +174,14 @@ def test_data_of_all_quantities_have_the_derivatives_of_their_differences(
     fitter = Fitter(structure, data)
     seen, by = fitter.observations, [p.name for p in structure.parameters].index(free)
     prediction = structure.predict(fitter.declared, (by,), shape_rates=True)
-    pairing = seen.pairer.pair(prediction, seen.every)
-    rates = seen.rates(prediction, pairing, seen.every)[:, 0]
+    pairing = seen.pairer.pair(prediction, seen.all_rows)
+    rates = seen.rates(prediction, pairing, seen.all_rows)[:, 0]
     step = 1e-5
     sides = []
     for sign in (1.0, -1.0):
         values = fitter.declared.copy()
         values[by] += sign * step
-        sides.append(seen.residual(structure.predict(values, ()), pairing, seen.every))
+        sides.append(seen.residual(structure.predict(values, ()), pairing, seen.all_rows))
     np.testing.assert_allclose(rates, (sides[1] - sides[0]) / (2.0 * step), rtol=1e-6, atol=1e-6)
 
 
@@ -192,12 +192,12 @@ def test_copies_give_each_prediction_the_same_data(monkeypatch: pytest.MonkeyPat
     structure = frame()
     seen = Fitter(structure, data).observations
     values = np.array([[1.0, 1.0], [1.2, 1.0], [1.0, 1.3]])
-    some = seen.every
+    some = seen.all_rows
     some[3] = False
-    together = list(seen.beside_many(structure, values, [(0, 1)] * 3, [seen.every, some, seen.every]))
+    together = list(seen.beside_many(structure, values, [(0, 1)] * 3, [seen.all_rows, some, seen.all_rows]))
     assert [one.number for one in together] == [0, 1, 2]
     for one in together:
-        used = some if one.number == 1 else seen.every
+        used = some if one.number == 1 else seen.all_rows
         alone = structure.predict(values[one.number], (0, 1), shape_rates=True)
         pairing = seen.pairer.pair(alone, used)
         np.testing.assert_allclose(one.residual, seen.residual(alone, pairing, used), rtol=1e-9, atol=1e-12)

@@ -229,7 +229,7 @@ def test_losses_have_correlated_priors_too() -> None:
         mode=np.arange(count),
         ratio=rates @ declared * 1.15,
         stated=np.full(count, 0.1),
-        other=np.full(count, 0.1),
+        unstated=np.full(count, 0.1),
         above=np.ones(count, dtype=bool),
         frequency=10.0 + np.arange(count),
         least=np.zeros(count),

@@ -58,7 +58,7 @@ def test_the_gain_is_the_drop_of_the_sum_of_squares_in_a_linear_model(
     measured = data(model, {"n1": 3.0, "a0": 1.5, "three1": -1.0}, 0)
     fitter, before = fit(model, measured, hypothesis)
     (candidate,) = (c for c in model.candidates if c.name == name)
-    one = score(fitter, before, [candidate]).each[0]
+    one = score(fitter, before, [candidate]).by_candidate[0]
     after = fitter.fit(hypothesis.adding(candidate))
     assert after is not None
     assert one.gain == pytest.approx(before.chi2 - after.chi2, rel=1e-4)
@@ -78,7 +78,7 @@ def test_the_gain_is_the_drop_with_a_shared_error_and_uncertain_positions() -> N
     y = model.base + model.G @ [1.0, 1.0, 2.0] + 0.01 * rng.standard_normal((6, 1))
     y += SIGMA * rng.standard_normal(y.shape)
     fitter, before = fit(model, logs_measured(y, SIGMA, np.full((6, 3), 5e-4)), Hypothesis(scatter=True))
-    one = score(fitter, before, model.candidates).each[0]
+    one = score(fitter, before, model.candidates).by_candidate[0]
     # By hand: V is what the fit found, and the priors of the nuisances are further data.
     motion = [SIGMA**2 * np.eye(5) + before.scatter**2 + 25e-8 * B @ B.T for B in model.B]
     G = np.vstack([np.linalg.solve(np.linalg.cholesky(V), g) for V, g in zip(motion, model.G, strict=True)])
@@ -100,7 +100,7 @@ def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
     model.G[..., 4] = 0.0
     model = LogLinear(model.base, model.G, free, model.candidates)
     fitter, before = fit(model, data(model, {"n1": 8.0, "nearly0": 2.0}, 2))
-    like, nearly, nothing = score(fitter, before, model.candidates).each
+    like, nearly, nothing = score(fitter, before, model.candidates).by_candidate
     for one in (like, nothing):
         assert (one.visible, one.gain, one.p_value) == (False, 0.0, 1.0)
         assert one.step.tolist() == [0.0]
@@ -115,7 +115,7 @@ def test_a_candidate_gets_no_credit_for_what_the_nuisances_explain() -> None:
 def test_a_cause_that_cannot_be_negative_counts_in_one_direction_only(true: float, lower: float) -> None:
     model = structure(3, {"a": (1, lower), "b": (1, -np.inf)})
     fitter, before = fit(model, data(model, {"a0": true}, 3))
-    one = score(fitter, before, model.candidates).each[0]
+    one = score(fitter, before, model.candidates).by_candidate[0]
     free, cut = structure(3, {"a": (1, -np.inf), "b": (1, -np.inf)}), lower == 0.0
     after = Fitter(free, fitter.data).fit(Hypothesis((free.candidates[0],)))
     assert after is not None
@@ -134,7 +134,7 @@ def test_a_cause_that_cannot_be_positive_counts_in_the_other() -> None:
     parameters = [*model.parameters[:2], Parameter("a0", 0.0, upper=0.0)]
     model = LogLinear(model.base, model.G, parameters, model.candidates)
     p_values = [
-        score(*fit(model, data(model, {"a0": true}, 4)), model.candidates).each[0].p_value
+        score(*fit(model, data(model, {"a0": true}, 4)), model.candidates).by_candidate[0].p_value
         for true in (-2.0, 2.0)
     ]
     assert p_values[0] < 1e-4
@@ -146,7 +146,7 @@ def test_parameters_with_the_same_effect_count_once() -> None:
     model.G[..., 3] = model.G[..., 4] = model.G[..., 5] = model.G[..., 2]
     model.G[..., 6] = 0.0
     fitter, before = fit(model, data(model, {"one0": 1.0}, 5))
-    one, twins, blind = score(fitter, before, model.candidates).each
+    one, twins, blind = score(fitter, before, model.candidates).by_candidate
     assert twins.gain == pytest.approx(one.gain)
     assert twins.p_value == pytest.approx(one.p_value)
     assert twins.step == pytest.approx([one.step[0] / 2] * 2)
@@ -170,7 +170,7 @@ def test_one_candidate_alone_has_its_own_p_value() -> None:
         model = structure(7, {"a": (1, 0.0 if seed % 2 else -np.inf)})
         found = score(*fit(model, data(model, {}, seed)), model.candidates)
         # 20000 draws scatter by 0.0035 at most: four of these.
-        assert found.p_value == pytest.approx(found.each[0].p_value, abs=0.014)
+        assert found.p_value == pytest.approx(found.by_candidate[0].p_value, abs=0.014)
 
 
 def test_many_copies_of_a_candidate_are_as_one_and_independent_ones_are_many() -> None:
@@ -178,12 +178,12 @@ def test_many_copies_of_a_candidate_are_as_one_and_independent_ones_are_many() -
     model = structure(8, names, setups=8)
     measured = data(model, {}, 8)
     independent = score(*fit(model, measured), model.candidates)
-    smallest = min(one.p_value for one in independent.each)
+    smallest = min(one.p_value for one in independent.by_candidate)
     # Nearly orthogonal signatures: Sidak's formula.
     assert independent.p_value == pytest.approx(1 - (1 - smallest) ** 12, rel=0.15)
     model.G[..., 3:] = model.G[..., 2:3]
     copies = score(*fit(model, measured), model.candidates)
-    assert copies.p_value == pytest.approx(copies.each[0].p_value, abs=0.014)
+    assert copies.p_value == pytest.approx(copies.by_candidate[0].p_value, abs=0.014)
 
 
 @pytest.mark.parametrize("negative", [False, True])
@@ -198,7 +198,7 @@ def test_causes_of_one_sign_are_one_if_they_do_the_same_and_two_if_the_opposite(
     count = 1 if negative == (factor < 0.0) else 2
     for seed in range(6):
         found = score(*fit(model, data(model, {}, seed)), model.candidates)
-        smallest = min(one.p_value for one in found.each)
+        smallest = min(one.p_value for one in found.by_candidate)
         # Opposites: one of z and -z is as large with twice the probability.
         assert found.p_value == pytest.approx(min(count * smallest, 1.0), abs=0.014)
 
@@ -207,7 +207,7 @@ def test_p_values_that_no_draw_reaches_are_small_but_not_zero() -> None:
     model = structure(9, {f"c{i}": (1, -np.inf) for i in range(5)})
     for size in (2.0, 3.0, 5.0):
         found = score(*fit(model, data(model, {"c00": size}, 9)), model.candidates)
-        smallest = min(one.p_value for one in found.each)
+        smallest = min(one.p_value for one in found.by_candidate)
         assert 0.0 < smallest <= found.p_value <= max(5 * smallest, 1e-4)
 
 
@@ -225,7 +225,7 @@ def calibrated(monkeypatch: pytest.MonkeyPatch, draws: int) -> tuple[np.ndarray,
         true = {"n1": 5.0 * rng.standard_normal(), "n2": 1.0 + 0.5 * rng.standard_normal()}
         scores = score(*fit(model, data(model, true, seed)), model.candidates)
         found.append(scores.p_value)
-        smallest.append(min(one.p_value for one in scores.each))
+        smallest.append(min(one.p_value for one in scores.by_candidate))
     return np.array(found), np.array(smallest)
 
 

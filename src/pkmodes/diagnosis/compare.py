@@ -62,7 +62,7 @@ class ComparedRow(Place, frozen=True, omit_defaults=True):
 
     @property
     def no_evidence(self) -> bool:
-        """Whether its damping says nothing about its partner, whose shape is another one."""
+        """Whether its damping says nothing about its partner, because their shapes differ."""
         return self.damping is not None and self.mac is not None and self.mac < Criteria.shapes.strange_mac
 
 
@@ -167,8 +167,8 @@ def compare(structure: Structure, data: Measurements) -> Comparison:
     fitter = Fitter(structure, data)
     pairing, *_ = fitter.unfitted(fitter.declared, np.ones(len(data.frequency), dtype=bool))
     paired = pairing.partner >= 0
-    pairing, left, sigma, chi2 = fitter.unfitted(fitter.declared, paired)
-    predicted, sigmas = data.frequency * np.exp(-left), -left / sigma
+    pairing, deviation, sigma, chi2 = fitter.unfitted(fitter.declared, paired)
+    predicted, sigmas = data.frequency * np.exp(-deviation), -deviation / sigma
     residual = predicted / data.frequency - 1.0
     drives = drives_of(structure, data)
     rows = tuple(

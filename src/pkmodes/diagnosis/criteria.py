@@ -24,7 +24,7 @@ class PairingCriteria:
     #: A MAC of 0 counts like this difference of the frequencies.
     shape_weight: float = 0.25
     #: The part of 1 - MAC that the errors of a shape explain, up to this many standard deviations and down to
-    #: `good_mac`, does not count: within its errors a shape does not tell which of two modes it is.
+    #: `good_mac`, does not count: within its errors a shape does not show to which of two modes it belongs.
     shape_sigmas: float = 3.0
     #: Modes of the model closer than this are one group: the smallest error rotates their shapes into each other, so
     #: their measured partners are assigned by the order of the frequencies alone.
@@ -41,7 +41,7 @@ class PairingCriteria:
 
 @dataclass(frozen=True)
 class ShapeCriteria:
-    """Shapes, their errors, and those that are another mode's.
+    """Shapes, their errors, and shapes that belong to another mode.
 
     Raises
     ------
@@ -49,11 +49,11 @@ class ShapeCriteria:
         If `sharper` is not below 1: the search would not end.
     """
 
-    #: Least error of a component of a shape.  A smaller stated one is that of the identification alone: sensors are
-    #: calibrated to half a per cent and mounted to half a degree, and a machine that settles anew turns the shapes of
-    #: close modes.
+    #: Smallest error of a component of a shape.  A smaller stated error covers only the identification: sensors are
+    #: calibrated to half a per cent and mounted to half a degree, and the shapes of close modes rotate when a machine
+    #: settles again.
     least_sigma: float = 0.01
-    #: Initial scatter of shapes without a stated one; it is then estimated from the best explanation.
+    #: Initial scatter of shapes without a stated error; it is then estimated from the best explanation.
     scatter: float = 0.05
     #: Range of the scatter relative to the largest component: measurements are not better than the lower limit, and
     #: beyond the upper one the shapes do not agree.
@@ -61,18 +61,18 @@ class ShapeCriteria:
     most_scatter: float = 0.2
     #: The search is repeated if the best explanation has a scatter smaller than the assumed one by this factor.
     sharper: float = 0.8
-    #: Below this MAC a shape is not that of its mode, whatever its stated error.
+    #: Below this MAC a shape does not belong to its mode, whatever its stated error.
     strange_mac: float = 0.7
-    #: Above this MAC it is, even if all other shapes fit far better.  In the pairing, errors explain no lower one.
+    #: Above this MAC it does, even if all other shapes fit far better.  In the pairing, errors explain no lower MAC.
     good_mac: float = 0.9
     #: One shape in this many may disagree: a sensor at a node, a misidentified mode.
     strange_allowed: int = 20
 
     def __post_init__(self) -> None:
         if not self.sharper < 1.0:
-            what = f"expected a factor below 1, found {self.sharper:g}: the search would not end"
+            problem = f"expected a factor below 1, found {self.sharper:g}: the search would not end"
             remedy = f"choose a smaller one; the default is {ShapeCriteria.sharper:g}"
-            raise PkmodesError(what, "ShapeCriteria.sharper", remedy)
+            raise PkmodesError(problem, "ShapeCriteria.sharper", remedy)
 
 
 @dataclass(frozen=True)
@@ -90,18 +90,18 @@ class FitCriteria:
 
 @dataclass(frozen=True)
 class GateCriteria:
-    """The tests whether a residual is noise, and of modes that were not measured."""
+    """Tests of whether a residual is noise, and of modes that were not measured."""
 
-    #: Level of each of its tests.
+    #: Level of each test.
     level: float = 0.01
     #: Their level if one cause was found: it is refused, and a second one sought, only if its residual is clearly
-    #: more than noise.  A rival below this level is excluded.
+    #: more than noise.  Rivals below this level are excluded.
     surely: float = 1e-3
     #: If the residual of one cause is noise with a p-value above this, remote causes are not considered beside it.
     plainly: float = 0.2
-    #: A mode lies between the measured ones of its setup if it is this far inside the lowest and the highest.
+    #: A mode lies between the measured ones of its setup if it is this far above the lowest and below the highest.
     margin: float = 0.01
-    #: The sensors are at nodes of a mode if it moves them less than this part of the median over the modes.
+    #: The sensors are at nodes of a mode if it moves them by less than this part of the median over all modes.
     visible: float = 0.3
 
 
@@ -129,7 +129,7 @@ class SearchCriteria:
     #: Rough fits are completed for the best few, and for those that differ from the best by less than this.
     best_few: int = 4
     nearly: float = 60.0
-    #: Largest part of the rows whose wrong pairing may keep a fit in a local minimum.
+    #: Largest part of the rows that, wrongly paired, may hold a fit in a local minimum.
     misled: float = 0.25
     #: An outlier costs as much as three parameters, because it was chosen among all rows.
     price_of_row: float = 3.0
@@ -140,29 +140,29 @@ class SearchCriteria:
     rows_to_set_aside: int = 12
     rows_per_outlier: int = 30
     redundant: float = 0.5
-    #: A row that is farther from any mode than this many standard deviations may be no mode at all.
+    #: A row farther than this many standard deviations from any mode may be no mode at all.
     strange: float = 15.0
 
 
 @dataclass(frozen=True)
 class ClaimCriteria:
-    """What a claim needs, its class, its stability, and what would be measured next.
+    """Claims: what they need, their classes, their stability, and the next measurement.
 
-    The constants of the class are not chosen: they say what is claimed, a cause or a change (`ClaimOfChanges`).
+    The class constants are not to be chosen: they depend on what is claimed, a cause or a change (`ClaimOfChanges`).
     """
 
     #: Whether a cause may rest on one row where each mode was measured once, at one setup, and the cause by nature
-    #: hardly changes the others.  Of one state it may not: a mistaken row is as likely.
+    #: hardly changes other modes.  For a single state it may not: a mistaken row is as likely.
     once: ClassVar[bool] = False
     #: Whether a term is as likely as a cause of the catalogue: a part at one place that changed.
     any_place: ClassVar[bool] = False
     #: Whether several causes at once are claimed: one change is more likely than two, and the errors of a wrong model
     #: can look like two.
     several: ClassVar[bool] = True
-    #: Whether a law is a rival of a term as long as it survives beside it.  A part that changed is more likely than a
+    #: Whether a law rivals a term whenever it survives beside it.  A part that changed is more likely than a
     #: change that varies with the position, so for changes a law is a rival only where it is clearly better.
     laws_survive: ClassVar[bool] = True
-    #: Stated errors may be too small by this factor at most, where that competes with a cause.
+    #: Largest factor by which stated errors may be too small, as an explanation that competes with a cause.
     wrong_errors: ClassVar[float] = np.inf
     #: The limit of `specific` for a term, since so many of these are tried.
     specific_term: ClassVar[float] = 0.01
@@ -184,7 +184,7 @@ class ClaimCriteria:
     #: Two causes are not claimed from fewer measured frequencies than this: something outside the candidates looks
     #: like some pair of causes at the same place.
     rows_for_two: int = 10
-    #: Measured values required beyond the uncertain parameters: one for a cause, and one to test it.
+    #: Measured values required in addition to the uncertain parameters: one for a cause, and one to test it.
     redundancy: int = 2
     #: Explanations whose predictions differ by less than this sum of squares are one class: if one were true, the
     #: other would survive too often.
@@ -193,7 +193,7 @@ class ClaimCriteria:
     #: to any measurement count too: where they did not, one cause outside the catalogue in ten was claimed (CoreXY).
     most_members: int = 5
     most_pairs: int = 4
-    #: A setup with more leverage than this alone determines some parameter: the others do not predict it.
+    #: A setup with more leverage than this determines some parameter by itself: the others do not predict it.
     alone: float = 0.7
     #: A change of this many standard deviations is probably detected, even among many candidates.
     seen: float = 5.0
@@ -203,8 +203,8 @@ class ClaimCriteria:
     near: float = 60.0
     #: Standard deviations by which two explanations must differ at a pose for it to be worth measuring.
     worth_measuring: float = 2.0
-    #: A load, or motors that do something else than they mostly did, are proposed if they are expected to tell this
-    #: many times as much as any pose without: they are more work, and a load has errors of its mass and position.
+    #: A load, or motors in another state than in most measurements, is proposed if it is expected to yield this many
+    #: times the information of any pose without it: it is more work, and a load has errors of mass and position.
     worth_loading: float = 1.5
 
 
@@ -212,28 +212,29 @@ class ClaimCriteria:
 class DampingCriteria:
     """The diagnosis of damping."""
 
-    #: Least relative error of a damping ratio: halves of one modal test differ by 10 to 50 % in damping, whatever
-    #: sigma a file states.  It also covers what light damping neglects.
+    #: Smallest relative error of a damping ratio: halves of one modal test differ by 10 to 50 % in damping, whatever
+    #: sigma a file states.  It also covers what the approximation of light damping neglects.
     floor: float = 0.1
-    #: Least error of a damping ratio: no test of a machine resolves it better.
+    #: Smallest error of a damping ratio: no test of a machine resolves it better.
     resolution: float = 1e-4
-    #: A ratio is resolved if it is above this many standard deviations: below, its logarithm has no normal error.
+    #: A ratio is resolved if it exceeds this many standard deviations: below, its logarithm has no normal error.
     resolved: float = 3.0
-    #: A prediction of no damping counts as this part of the measured ratio, whose logarithm is a clear contradiction.
+    #: A prediction of no damping counts as this part of the measured ratio: its logarithm is a clear contradiction.
     least: float = 0.01
-    #: Ratios whose median is above this are not light damping, and more likely per cent.
+    #: Ratios whose median is above this are not light damping, and more likely given in per cent.
     most: float = 0.3
-    #: Ratios that scatter about those of the model by no more than this beyond their stated errors, as those of
-    #: repeated tests often do, contradict it no more than a common ratio that differs so much from the declared one;
-    #: about any one value, if the model declares no damping.  A factor of 1.5, since tests differ by up to 50 %: with
-    #: 1.3, 7 of 54 complete machines whose ratios scatter by 20 to 40 % from mode to mode were unexplained, with 1.5
-    #: one.
+    #: Largest scatter beyond the stated errors, as in repeated tests, that does not contradict the model: of ratios
+    #: about those of the model, or about any one value if it declares no damping.  Neither does a common ratio that
+    #: differs by this much from the declared one.  It is a factor of 1.5, since tests differ by up to 50 %: of 54
+    #: complete machines whose ratios scatter by 20 to 40 % from mode to mode, 7 were unexplained with 1.3, and one
+    #: with 1.5.
     scatter: float = 0.4
-    #: A claim needs data that reject laws outside the candidates: ratios that differ from mode to mode by a factor of
-    #: two (the standard deviation of their logarithm); no larger part of them may look like a candidate, or a pair.
+    #: A claim needs data that reject laws outside the candidates, in which ratios differ from mode to mode by a
+    #: factor of two (standard deviation of the logarithm): no larger part of these may look like a candidate, or like
+    #: a pair.
     spread: float = 0.7
     specific: tuple[float, float] = (0.05, 0.01)
-    #: One row may be set aside if it is farther than this many standard deviations from what the others say.
+    #: One row may be set aside if it is farther than this many standard deviations from the prediction of the others.
     outlier: float = 4.0
 
 
@@ -248,7 +249,8 @@ class ReasonCriteria:
     nearly_all: tuple[float, float] = (0.1, 4.0)
     #: Stated errors may be wrong if chi2 per degree of freedom is in this range; a larger residual is a model error.
     dispersed: tuple[float, float] = (1.5, 100.0)
-    #: A residual has no direction if every candidate gains less, per parameter and in units of the mean residual.
+    #: A residual has no direction if each candidate gains less than this, per parameter and in units of the mean
+    #: residual.
     no_direction: float = 9.0
 
 
@@ -270,15 +272,15 @@ class ReadingCriteria:
     rewired_noise: float = 3.0
     #: A wiring remains if its deviance differs from the best one by less than this.
     rewired_told_apart: float = 25.0
-    #: A channel that is 0 in every row is dead if the model moves it by more than the first part of the largest one
-    #: of its unit, in more than the second part of the rows.
+    #: A channel that is 0 in every row is dead if the model moves it by more than the first fraction of the largest
+    #: component of its unit, in at least the second fraction of the rows.
     dead: tuple[float, float] = (0.3, 0.25)
     #: Frequencies at one position differ clearly if by more than this many standard deviations and this fraction, for
     #: half of the modes or more.
     same_place: tuple[float, float] = (6.0, 0.01)
     #: Another unit is reported if it reduces the median difference of the frequencies by this factor, to less than
     #: this difference, and if this part of the rows then has a mode: a robot tied to ground has modes far below those
-    #: of the model, which a factor brings there, and the others far above them.
+    #: of the model, and a factor that moves these up to it moves the others far above.
     unit_gain: float = 4.0
     unit_difference: float = 0.15
     unit_paired: float = 0.75
@@ -286,7 +288,7 @@ class ReadingCriteria:
     #: frequencies by this factor, to less than this difference.
     drives_gain: float = 4.0
     drives_difference: float = 0.1
-    #: Fewest rows at those setups, if not at all, for which another word for the motors is considered.
+    #: Fewest rows for which another state of the motors is considered at some setups only.
     drives_rows: int = 3
 
 
@@ -310,7 +312,7 @@ class Criteria:
 
 
 class ClaimOfChanges(ClaimCriteria):
-    """What a claim needs that something changed between two states of one machine."""
+    """Claims that something changed between two states of one machine."""
 
     once: ClassVar[bool] = True
     any_place: ClassVar[bool] = True
@@ -318,12 +320,12 @@ class ClaimOfChanges(ClaimCriteria):
     laws_survive: ClassVar[bool] = False
     wrong_errors: ClassVar[float] = 3.0
     specific_term: ClassVar[float] = 0.2
-    #: Least `specific`: what changed is more often one part than what a model lacks is one candidate.
+    #: Lower limit of `specific`: what changed is more often one part than what a model lacks is one candidate.
     least_specific: ClassVar[float] = 0.2
 
 
 def of_changes(criteria: Criteria) -> Criteria:
-    """Return the thresholds of what changed between two states of one machine."""
-    same = {one.name: getattr(criteria.claim, one.name) for one in fields(ClaimCriteria)}
+    """Return the thresholds for changes between two states of one machine."""
+    same = {threshold.name: getattr(criteria.claim, threshold.name) for threshold in fields(ClaimCriteria)}
     same["specific"] = max(same["specific"], ClaimOfChanges.least_specific)
     return replace(criteria, claim=ClaimOfChanges(**same))

@@ -38,7 +38,7 @@ from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Su
 from pkmodes.diagnosis.structure.terms import SuppliedWithTerms, terms_of
 from pkmodes.support.numbers import plain
 
-#: The time of a diagnosis is dominated by calls of the callable that take longer than this [s].
+#: Calls of the callable that take longer than this dominate the time of a diagnosis [s].
 SLOW = 0.02
 
 
@@ -116,8 +116,8 @@ class MatrixStructure:
         self.setups: tuple[str, ...] = tuple(listed(setups, "labels", "setups", '"P1"', str))
         check_callables(matrices, derivatives)
         if isinstance(rigid, bool) or not isinstance(rigid, int | np.integer) or rigid < 0:
-            what = f"expected a number of modes, found {shown(rigid)}"
-            raise PkmodesError(what, "rigid", "give the number of rigid-body modes")
+            problem = f"expected a number of modes, found {shown(rigid)}"
+            raise PkmodesError(problem, "rigid", "give the number of rigid-body modes")
         self.rigid = int(rigid)
         for p in self.parameters:
             check_parameter(p)
@@ -133,14 +133,14 @@ class MatrixStructure:
         for candidate in self.candidates:
             check_candidate(candidate, {p.name: p for p in self.parameters})
         if not isinstance(modes, int | None) or (modes is not None and modes <= rigid):
-            what = f"expected a whole number of modes, more than the {rigid} rigid ones, found {modes}"
+            problem = f"expected a whole number of modes, more than the {rigid} rigid ones, found {modes}"
             raise PkmodesError(
-                what, "modes", "give the number of measured modes plus the rigid ones, or more"
+                problem, "modes", "give the number of measured modes plus the rigid ones, or more"
             )
         both = listed(units, "units", "units", '"kg", "N/m"', str)
         if len(both) != 2:
-            what = f"expected the units of M and K, found {shown(units)}"
-            raise PkmodesError(what, "units", 'give two, such as ("kg", "N/m")')
+            problem = f"expected the units of M and K, found {shown(units)}"
+            raise PkmodesError(problem, "units", 'give two, such as ("kg", "N/m")')
         self.units: tuple[str, str] = (both[0], both[1])
         self._map = sensor_map(self.channels, coordinates, sensors)
         self._size = len(self.channels) if self._map is None else self._map.shape[1]
@@ -170,7 +170,7 @@ class MatrixStructure:
         """
         if isinstance(self._supplied, SuppliedWithTerms):
             return self
-        taken = {*(p.name for p in self.parameters), *(one.name for one in self.candidates)}
+        taken = {*(p.name for p in self.parameters), *(candidate.name for candidate in self.candidates)}
         terms = list(terms_of(self.coordinates, self.units, taken))
         extended = copy.copy(self)
         extended._supplied, extended._solutions = SuppliedWithTerms(self._supplied, terms), Kept()
@@ -187,23 +187,24 @@ class MatrixStructure:
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes in all setups, with derivatives with respect to some of the parameters."""
         solved = self._solved(values)
-        known = {setup: s for setup, s in zip(self.setups, solved, strict=True) if s is not None}
-        count = min((len(s.modes.eigenvalues) for s in known.values()), default=self._count)
+        solvable = {setup: s for setup, s in zip(self.setups, solved, strict=True) if s is not None}
+        count = min((len(s.modes.eigenvalues) for s in solvable.values()), default=self._count)
         count = min(count, self._count)
         size = (len(self.setups), count)
         eigenvalues, rates = np.full(size, np.nan), np.full((*size, len(by)), np.nan)
         shapes = np.zeros((*size, len(self.channels)))
         moved = np.full((*shapes.shape, len(by)), np.nan) if shape_rates else None
-        pairs = {setup: s.pair for setup, s in known.items()}
-        by_each = [self._supplied.rates(values, i, pairs) for i in by] if known else []
-        for at, (setup, one) in enumerate(known.items()):
-            k, changes = self.setups.index(setup), [None if each is None else each[at] for each in by_each]
-            eigenvalues[k] = one.modes.eigenvalues[:count]
-            shapes[k] = self._measured(one.modes.shapes[:count])
-            forces, norm = changes_of(one.modes, changes)
-            rates[k] = np.einsum("tin,in->it", forces, one.modes.shapes)[:count]
+        pairs = {setup: s.pair for setup, s in solvable.items()}
+        by_each = [self._supplied.rates(values, i, pairs) for i in by] if solvable else []
+        for at, (setup, solution) in enumerate(solvable.items()):
+            k = self.setups.index(setup)
+            changes = [None if by_setup is None else by_setup[at] for by_setup in by_each]
+            eigenvalues[k] = solution.modes.eigenvalues[:count]
+            shapes[k] = self._measured(solution.modes.shapes[:count])
+            forces, norm = changes_of(solution.modes, changes)
+            rates[k] = np.einsum("tin,in->it", forces, solution.modes.shapes)[:count]
             if moved is not None:
-                along = shape_rates_of(one.pair.K, one.modes, forces, norm)[:, :count]
+                along = shape_rates_of(solution.pair.K, solution.modes, forces, norm)[:, :count]
                 moved[k] = np.moveaxis(self._measured(along), 0, -1)
         return Prediction(eigenvalues, rates, shapes, self.rigid, moved)
 
@@ -243,8 +244,8 @@ class MatrixStructure:
             except UnusableError as error:
                 if isinstance(error, UnstableError) and kind is not UnstableError:
                     continue
-                what = f"the model cannot be evaluated with its declared values: {error.what}"
-                raise PkmodesError(what, f"{error.where} for setup {shown(setup)}", error.remedy) from None
+                problem = f"the model cannot be evaluated with its declared values: {error.what}"
+                raise PkmodesError(problem, f"{error.where} for setup {shown(setup)}", error.remedy) from None
 
     @property
     def _declared(self) -> Array:
@@ -261,7 +262,7 @@ class MatrixStructure:
             return self._solutions[key]
         solutions = [self._solve(values, setup) for setup in self.setups]
         return self._solutions.keep(
-            key, solutions, sum(one.modes.size for one in solutions if one is not None)
+            key, solutions, sum(solution.modes.size for solution in solutions if solution is not None)
         )
 
     def _solve(self, values: Array, setup: str) -> _Solved | None:
@@ -297,8 +298,8 @@ def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
         return structure
     for label in labels:
         if label not in structure.setups:
-            what = f"the structure has no setup {shown(label)}, which was measured"
-            raise PkmodesError(what, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
+            problem = f"the structure has no setup {shown(label)}, which was measured"
+            raise PkmodesError(problem, "setups", f"setups are: {', '.join(map(shown, structure.setups))}")
     measured = structure.subset([structure.setups.index(label) for label in labels])
     measured.check_stands()
     return measured

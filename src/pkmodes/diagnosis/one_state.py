@@ -36,7 +36,7 @@ from pkmodes.measured.measurements import Measurements
 
 #: By default, one in this many poses is held out.
 HELD_OUT = 6
-#: Measured modes that are diagnosed at most: some minutes, and a third of a megabyte for each.
+#: Largest number of measured modes that are diagnosed: this takes some minutes, and a third of a megabyte per mode.
 MOST = 10_000
 
 
@@ -59,9 +59,9 @@ def diagnosed(
     """
     structure = checked(structure, data)
     if (count := len(data.frequency)) > MOST:
-        what = f"expected at most {MOST:,} measured modes to diagnose, found {count:,}"
+        problem = f"expected at most {MOST:,} measured modes to diagnose, found {count:,}"
         remedy = f"keep one pose in {-(-count // MOST)}: the others tell hardly more; compare takes them all"
-        raise PkmodesError(what, data.source, remedy)
+        raise PkmodesError(problem, data.source, remedy)
     first = _of_frequencies(structure, data, holdout, progress, criteria, terms)
     return with_damping(structure, data, first, criteria)
 
@@ -74,7 +74,7 @@ def _of_frequencies(
     criteria: Criteria | None,
     terms: bool,
 ) -> Diagnosis:
-    """Return what frequencies and shapes say."""
+    """Return the diagnosis of the frequencies and shapes."""
     if progress is not None and (remark := slowness(structure)):
         progress(remark)
     fitted, held = split(data, holdout)
@@ -85,8 +85,8 @@ def _of_frequencies(
         return builder.before_search(start, early)
     search, outcome = _searched(start.plain, structure, progress)
     if outcome is None:
-        what = "the model cannot be evaluated with its declared values"
-        raise PkmodesError(what, data.source, "check the poses and the robot file")
+        problem = "the model cannot be evaluated with its declared values"
+        raise PkmodesError(problem, data.source, "check the poses and the robot file")
     if not (terms and isinstance(structure, Extensible)):
         evidence = Evidence(start.setups, search, outcome)
         return builder.after_search(evidence, decide(evidence))
@@ -105,14 +105,14 @@ def split(data: Measurements, holdout: Sequence[str] | None) -> tuple[list[int],
         held = sorted({int((k + 0.5) * count / number) for k in range(number)})
     else:
         if isinstance(holdout, str) or not all(isinstance(label, str) for label in holdout):
-            what = f"expected a list of labels to hold out, found {shown(holdout)}"
+            problem = f"expected a list of labels to hold out, found {shown(holdout)}"
             remedy = f"write [{shown(holdout)}]" if isinstance(holdout, str) else "give labels as strings"
-            raise PkmodesError(what, "holdout", remedy)
+            raise PkmodesError(problem, "holdout", remedy)
         unknown = [label for label in holdout if label not in data.labels]
         if unknown:
             nearest = difflib.get_close_matches(unknown[0], data.labels, n=1)
-            some = ", ".join(data.labels[:10]) + (", ..." if count > 10 else "")
-            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"labels are: {some}"
+            listed = ", ".join(data.labels[:10]) + (", ..." if count > 10 else "")
+            remedy = f'did you mean "{nearest[0]}"?' if nearest else f"labels are: {listed}"
             raise PkmodesError(f"no pose is called {shown(unknown[0])}", "holdout", remedy)
         held = sorted({data.labels.index(label) for label in holdout})
     fitted = [i for i in range(count) if i not in held]
@@ -143,7 +143,7 @@ def _searched(
         search = Search(store, structure.candidates, progress)
         outcome = search.run()
         scatters = [search.store.shape_scatter(fit) for fit in search.store.tried()]
-        best = min((each for each in scatters if each is not None), default=None)
+        best = min((estimate for estimate in scatters if estimate is not None), default=None)
         # If nothing explains even the frequencies, a smaller shape scatter changes nothing.
         hopeless = all(search.store.frequency_p_value(fit) <= c.gate.surely for fit in search.store.tried())
         if (

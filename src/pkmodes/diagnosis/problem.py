@@ -78,7 +78,7 @@ class Assumption(NamedTuple):
 
 
 class Joint(NamedTuple):
-    """One of the equal parts of a machine that have a value each in a cause: a relative change of a declared value.
+    """One of several equal machine parts that each have a value in a cause: a relative change of a declared value.
 
     Attributes
     ----------
@@ -410,5 +410,5 @@ def one_by_one(
 ) -> list[Batch]:
     """Return the result of `Structure.predict_many` with one batch for each set of values."""
     sets = zip(values, by, strict=True)
-    predictions = [structure.predict(one, some, shape_rates=shape_rates) for one, some in sets]
+    predictions = [structure.predict(point, indices, shape_rates=shape_rates) for point, indices in sets]
     return [Batch(np.array([k]), prediction) for k, prediction in enumerate(predictions)]

@@ -31,7 +31,7 @@ from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.measured.measurements import Measurements
 
-#: Largest number of rounds to estimate the scatter of shapes without a stated one.
+#: Largest number of rounds to estimate the scatter of shapes without a stated error.
 ROUNDS = 4
 #: Relative change of the scatter at convergence.
 SETTLED = 0.02
@@ -81,7 +81,7 @@ class Update:
     rows : tuple of Row
         Every measured mode with its predictions before and after (`refit` and `after` are the same).
     shape_scatter : float or None
-        Scatter of the shapes without a stated one, relative to the largest component.
+        Scatter of the shapes without a stated error, relative to the largest component.
     notes : tuple of str
         Notes on the data and the update.
     """
@@ -145,7 +145,7 @@ def update(
     declared, after = setups.stage(fitter.declared), setups.stage(fit.values)
     squares, degrees = store.frequency_misfit(fit)
     updated = tuple(_updated(fitter, fit, i) for i in chosen)
-    found = [
+    messages = [
         *declared_otherwise(fitter),
         *explained_otherwise(fitter, fit),
         *remarks(setups.stage(fit.values), fitter.criteria.readings),
@@ -154,9 +154,9 @@ def update(
     held_by_prior = [p.name for p in updated if p.resolution < 0.05]
     if held_by_prior:
         priors = "only its prior does" if len(held_by_prior) == 1 else "only their priors do"
-        found.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
+        messages.append(f"these data do not determine {', '.join(held_by_prior)}: {priors}")
     if stats.chi2.sf(squares, max(degrees, 1.0)) < fitter.criteria.gate.surely:
-        found.append("the residual still exceeds the stated errors: something else is missing")
+        messages.append("the residual still exceeds the stated errors: something else is missing")
     return Update(
         parameters=updated,
         correlation=correlation(fit.covariance_of(chosen)),
@@ -166,7 +166,7 @@ def update(
         held_out_poses=setups.held_out_poses,
         rows=setups.rows(declared, after, after, nothing),
         shape_scatter=store.shape_scatter(fit),
-        notes=(*found, *notes(store, fit, adequate=False)),
+        notes=(*messages, *notes(store, fit, adequate=False)),
     )
 
 
@@ -175,16 +175,16 @@ def _chosen(fitter: Fitter, parameters: Sequence[str] | None) -> list[int]:
     if is_all(parameters):
         parameters = None
     if isinstance(parameters, str):
-        what = f"expected a list of names, found {shown(parameters)}"
-        raise PkmodesError(what, "parameters", f"write [{shown(parameters)}]")
+        problem = f"expected a list of names, found {shown(parameters)}"
+        raise PkmodesError(problem, "parameters", f"write [{shown(parameters)}]")
     for name in parameters or ():
         if name not in names:
-            what = f"there is no parameter {shown(name)}"
-            raise PkmodesError(what, "parameters", f"parameters are: {', '.join(names)}")
+            problem = f"there is no parameter {shown(name)}"
+            raise PkmodesError(problem, "parameters", f"parameters are: {', '.join(names)}")
         if fitter.priors.of(names.index(name)) is None:
-            what = f"the parameter {shown(name)} has no prior"
+            problem = f"the parameter {shown(name)} has no prior"
             remedy = "give it a sigma: an update needs the plausible error of each value"
-            raise PkmodesError(what, "parameters", remedy)
+            raise PkmodesError(problem, "parameters", remedy)
     chosen = [i for i, name in enumerate(names) if parameters is None or name in parameters]
     chosen = [i for i in chosen if fitter.priors.of(i) is not None]
     if not chosen:
@@ -206,12 +206,12 @@ def _fitted(fitter: Fitter, chosen: Sequence[int]) -> tuple[Fitter, Fit]:
         fitter = Fitter(fitter.structure, fitter.data, c, scatter, parameters=kept)
         fit = fitter.fit(hypothesis, start)
         if fit is None:
-            what = "the model cannot be evaluated with its declared values"
-            raise PkmodesError(what, fitter.data.source, "check the parameters and the setups")
-        left, start, rounds = FitStore(fitter).shape_scatter(fit), fit.values, rounds - 1
-        if left is None or not rounds:
+            problem = "the model cannot be evaluated with its declared values"
+            raise PkmodesError(problem, fitter.data.source, "check the parameters and the setups")
+        estimate, start, rounds = FitStore(fitter).shape_scatter(fit), fit.values, rounds - 1
+        if estimate is None or not rounds:
             return fitter, fit
-        scatter = float(np.clip(left, c.shapes.least_scatter, c.shapes.most_scatter))
+        scatter = float(np.clip(estimate, c.shapes.least_scatter, c.shapes.most_scatter))
         if abs(scatter / fitter.shape_scatter - 1.0) < SETTLED:
             return fitter, fit
 

@@ -1,4 +1,4 @@
-"""What terms would do to the data: the directions of their signatures beside a fit."""
+"""Directions in which terms would change the data, beside a fit."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from pkmodes.diagnosis.search.score import LEFT
 
 
 def of_starts(fitter: Fitter, plain: Fit, terms: Sequence[Candidate]) -> Iterator[tuple[Array, int]]:
-    """Yield the directions of terms that are fitted from starts of their own: one of their size at each start.
+    """Yield the directions of terms that have their own starts: one, that of their size, at each start.
 
-    At the size 0 the other parameters change nothing, but they determine what a small size does: a resonator pushes
+    At size 0 the other parameters have no effect, but they determine the effect of a small size: a resonator pushes
     the modes on both sides of its frequency apart.
     """
-    for some in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
-        present = [(term, others) for term, others in zip(terms, some, strict=True) if others is not None]
+    for starts in zip_longest(*(dict.fromkeys(start[1:] for start in term.starts) for term in terms)):
+        present = [(term, fixed) for term, fixed in zip(terms, starts, strict=True) if fixed is not None]
         values = plain.values.copy()
-        for term, others in present:
-            values[list(fitter.indices(term))[1:]] = others
+        for term, fixed in present:
+            values[list(fitter.indices(term))[1:]] = fixed
         by = [fitter.indices(term)[0] for term, _ in present]
         raw = np.nan_to_num(fitter.signatures(replace(plain, values=values), by)[1])
-        left = raw - plain.basis @ (plain.basis.T @ raw)
-        size = np.linalg.norm(left, axis=0)
+        remainder = raw - plain.basis @ (plain.basis.T @ raw)
+        size = np.linalg.norm(remainder, axis=0)
         for k in np.flatnonzero(size > LEFT * np.linalg.norm(raw, axis=0)):
-            yield left[:, [k]] / size[k], 1
+            yield remainder[:, [k]] / size[k], 1

@@ -1,4 +1,4 @@
-"""What the rules beyond the catalogue ask about: the evidence for the best term, its class, and what else remains."""
+"""Evidence for the rules beyond the catalogue: the best term, its class, and what else remains."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from pkmodes.diagnosis.verdict.stability import Trial, trials
 
 #: Number of equally good terms that a reason mentions.
 MENTIONED = 3
-#: Number of explanations outside its class with which a claim is compared with other errors, and at all setups.
+#: Number of explanations outside its class with which a claim is compared, under other errors and at all setups.
 CONTENDERS = 6
-#: Explanations whose criteria differ by less are equally good: they differ in the last digits of their residuals.
+#: Explanations whose criteria differ by less are equally good: only the last digits of their residuals differ.
 EQUAL = 1e-6
 
 
@@ -74,12 +74,12 @@ class TermEvidence(Evidence):
 
     @property
     def words(self) -> str:
-        """What the best term is, with its name, and those that are equally good."""
-        own = self.store.criterion(self.final)
-        equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - own) < EQUAL]
-        every = best_first(self.store, equal) or [self.final]
-        words = " or ".join(described(fit.causes) for fit in every[:MENTIONED])
-        return words if len(every) <= MENTIONED else f"{words} or {len(every) - MENTIONED} more"
+        """The best term in words, with its name, and those that are equally good."""
+        reference = self.store.criterion(self.final)
+        equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - reference) < EQUAL]
+        ranked = best_first(self.store, equal) or [self.final]
+        words = " or ".join(described(fit.causes) for fit in ranked[:MENTIONED])
+        return words if len(ranked) <= MENTIONED else f"{words} or {len(ranked) - MENTIONED} more"
 
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""
@@ -87,11 +87,12 @@ class TermEvidence(Evidence):
         index = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
         labels = [name_of(fit) for fit in group]
         alternatives = {
-            name: values(fitter, fit, own) for name, fit, own in zip(labels, group, index, strict=True)
+            name: values(fitter, fit, indices)
+            for name, fit, indices in zip(labels, group, index, strict=True)
         }
         covariances = {
-            name: tuple(map(tuple, fit.covariance_of(own).tolist()))
-            for name, fit, own in zip(labels, group, index, strict=True)
+            name: tuple(map(tuple, fit.covariance_of(indices).tolist()))
+            for name, fit, indices in zip(labels, group, index, strict=True)
         }
         return Finding(
             name=labels[0],
@@ -110,29 +111,29 @@ class TermEvidence(Evidence):
     @cached_property
     def contenders(self) -> list[Fit]:
         """The best explanations outside the class of the best one."""
-        own = {name_of(fit) for group in self.groups[:1] for fit in group}
+        members = {name_of(fit) for group in self.groups[:1] for fit in group}
         store = self.store
         limit = store.criterion(self.final) + self.criteria.claim.near
-        others = [
+        outside = [
             fit
             for fit in (*self.tried.fits, *self.tried.carried)
-            if name_of(fit) not in own and not fit.at_bound and store.criterion(fit) < limit
+            if name_of(fit) not in members and not fit.at_bound and store.criterion(fit) < limit
         ]
-        return best_first(store, others)[:CONTENDERS]
+        return best_first(store, outside)[:CONTENDERS]
 
     @cached_property
     def trials(self) -> list[Trial]:
-        """What becomes of the best explanations with other errors and priors."""
+        """The best explanations with other errors and priors."""
         return trials(self.search, self.final, self.groups[:1], self.contenders)
 
     @cached_property
     def held_out(self) -> HeldOut:
-        """What the held-out setups say about the final fit."""
+        """The test of the final fit by the held-out setups."""
         return predicted(self.setups, self.search, self.final, self.contenders)
 
     @cached_property
     def p_outside(self) -> float:
-        """Probability that something that no term has would look like a term."""
+        """Probability that an effect that no term describes would look like a term."""
         return p_outside(self.tried, self.final)
 
     @cached_property
@@ -142,10 +143,10 @@ class TermEvidence(Evidence):
 
     @cached_property
     def pointed(self) -> tuple[Candidate, float] | None:
-        """The term to which what is left points, and the p-value of that; None if it points to none."""
-        some = [term for term in self.tried.terms if not term.starts and term not in self.final.causes]
-        scores = score(self.fitter, self.final, some)
-        best = min(scores.each, key=lambda one: one.p_value, default=None)
+        """The term to which the remaining residual points, with the p-value of its score; None if there is none."""
+        terms = [term for term in self.tried.terms if not term.starts and term not in self.final.causes]
+        scores = score(self.fitter, self.final, terms)
+        best = min(scores.by_candidate, key=lambda entry: entry.p_value, default=None)
         if best is None or scores.p_value > self.criteria.gate.surely:
             return None
         return best.candidate, scores.p_value
@@ -199,7 +200,7 @@ def _p_value(tried: Tried, final: Fit) -> float:
     if cause is None:
         return 1.0
     fitter, gain = tried.search.store.fitter, max(tried.plain.deviance - final.deviance, 0.0)
-    p = float(stats.chi2.sf(gain, sum(len(each.parameters) for each in final.causes)))
+    p = float(stats.chi2.sf(gain, sum(len(added.parameters) for added in final.causes)))
     if len(final.causes) == 1 and one_sided(fitter, cause):
         p *= 0.5
     return min(p_of_smallest(tried.directions, p), 1.0)

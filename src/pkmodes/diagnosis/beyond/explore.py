@@ -1,4 +1,4 @@
-"""Ask whether one thing at one place explains what the catalogue does not."""
+"""Test whether one form at one place explains what the catalogue does not."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, N
 
 
 class TermSearch:
-    """A search among terms, made once where it is needed.
+    """A search among terms, run when it is first needed.
 
     Parameters
     ----------
@@ -43,20 +43,20 @@ class TermSearch:
     def evidence(self, catalogue: Evidence) -> TermEvidence | None:
         """Return the evidence for terms beside what the catalogue found."""
         if self._found is None or self._found[0] is not catalogue:
-            found = tried(self.structure.with_terms(), catalogue, self.held, self.progress)
-            self._found = catalogue, None if found is None else TermEvidence(found)
+            explored = tried(self.structure.with_terms(), catalogue, self.held, self.progress)
+            self._found = catalogue, None if explored is None else TermEvidence(explored)
         return self._found[1]
 
     def instead(self, catalogue: Evidence) -> Fit | None:
         """Return the fit with one term that explains the data in place of the causes of the catalogue."""
-        asked = one_of_many(catalogue) or in_one_joint(self.structure, catalogue)
-        if not asked and not may_compete(self.structure.with_terms(), catalogue, self.held):
+        terms_compete = one_of_many(catalogue) or in_one_joint(self.structure, catalogue)
+        if not terms_compete and not may_compete(self.structure.with_terms(), catalogue, self.held):
             return None
         of_terms = self.evidence(catalogue)
         return None if of_terms is None else instead(of_terms, catalogue)
 
     def after(self, catalogue: Evidence, decision: Decision[Evidence, Says]) -> TermEvidence | None:
-        """Return the evidence for terms; None where the verdict of the catalogue leaves nothing to try."""
+        """Return the evidence for terms; None where the catalogue's verdict leaves nothing to try."""
         open_to_terms = decision.verdict in (AMBIGUOUS, UNEXPLAINED) and not decision.says.of_reading
         claimed = decision.verdict is EFFECT_FOUND
         if not open_to_terms and not (claimed and in_one_joint(self.structure, catalogue)):
@@ -65,7 +65,7 @@ class TermSearch:
 
 
 def in_one_joint(structure: Extensible, catalogue: Evidence) -> bool:
-    """Return whether a claimed cause has a value for each joint, and terms have one of these each."""
+    """Return whether a claimed cause has a value for each joint, and several terms have one of these values each."""
     causes = catalogue.final.causes
     if len(causes) != 1 or len(causes[0].parameters) < 2:
         return False
@@ -83,25 +83,25 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evi
     groups = [] if status is NOTHING else evidence.groups
     classes = _classes(evidence, groups)
     best = _best_of(catalogue)
-    said = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
+    beyond = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
     if sum(map(len, groups)) > 1:
-        left = [[(name_of(fit), fit) for fit in group] for group in groups]
-        proposed, not_separated = next_measurement(evidence.store, None, left)
+        remaining = [[(name_of(fit), fit) for fit in group] for group in groups]
+        proposed, not_separated = next_measurement(evidence.store, None, remaining)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
     elif status is FOUND:
-        # What was remarked on the fit without the term does not hold with it.
+        # Notes on the fit without the term do not apply to the fit with it.
         remarks = tuple(notes(evidence.store, evidence.final, adequate=True))
         result = replace(result, next_measurement=None, not_separated=status.nothing_next, notes=remarks)
-    reason = f"{words}; {result.reason}" if (words := said.words()) else result.reason
-    return replace(result, beyond=said, reason=reason)
+    reason = f"{words}; {result.reason}" if (words := beyond.words()) else result.reason
+    return replace(result, beyond=beyond, reason=reason)
 
 
 def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[TermClass, ...]:
-    """Return classes as parts of a result, with how probable each is beside the others."""
+    """Return classes as parts of a result, each with its probability relative to the others."""
     store, builder = evidence.store, DiagnosisBuilder(evidence.setups)
     criteria = [np.array([store.criterion(fit) for fit in group]) for group in groups]
-    least = min((float(each.min()) for each in criteria), default=0.0)
-    weights = np.array([np.exp(-0.5 * (each - least)).sum() for each in criteria])
+    least = min((float(values.min()) for values in criteria), default=0.0)
+    weights = np.array([np.exp(-0.5 * (values - least)).sum() for values in criteria])
     return tuple(
         TermClass(
             finding=evidence.finding(k),

@@ -44,9 +44,9 @@ def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) 
     plain = FitStore(fitter).fit(Hypothesis(), fitter.padded(declared.values))
     if plain is None:
         return False
-    terms = [one for one in structure.candidates if one.form and not one.starts]
-    most = max((one.gain for one in score(fitter, plain, terms).each), default=0.0)
-    return most >= COMPETES * (declared.deviance - catalogue.final.deviance)
+    terms = [term for term in structure.candidates if term.form and not term.starts]
+    largest = max((entry.gain for entry in score(fitter, plain, terms).by_candidate), default=0.0)
+    return largest >= COMPETES * (declared.deviance - catalogue.final.deviance)
 
 
 def instead(of_terms: TermEvidence, catalogue: Evidence) -> Fit | None:

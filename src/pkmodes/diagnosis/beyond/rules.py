@@ -32,8 +32,8 @@ def nothing(e: TermEvidence) -> str:
     if p_value <= e.criteria.gate.surely < e.store.frequency_p_value(e.final):
         return f"{count}: the best, {e.words}, leaves frequencies as measured, but not shapes ({p_in_words(p_value)})"
     if p_value <= e.criteria.gate.surely:
-        left = larger((squares / max(degrees, 1.0)) ** 0.5)
-        return f"{count}: the best, {e.words}, leaves a residual {left} the stated errors ({p_in_words(p_value)})"
+        factor = larger((squares / max(degrees, 1.0)) ** 0.5)
+        return f"{count}: the best, {e.words}, leaves a residual {factor} the stated errors ({p_in_words(p_value)})"
     if not measured(e.search, e.final):
         return f"{count}: {best}, because it adds modes between the measured ones that were not measured"
     return f"{count}: {best}, because it does not help to predict setups left out of the fit"
@@ -70,7 +70,7 @@ def like_a_law(e: TermEvidence) -> str:
     law = e.law
     if law is None:
         return ""
-    return f"{e.words} would explain the residual, but so would {law.what}, if it varied {law.along}"
+    return f"{e.words} would explain the residual, but so would {law.quantity}, if it varied {law.along}"
 
 
 def not_specific(e: TermEvidence) -> str:
@@ -96,8 +96,8 @@ def several(e: TermEvidence) -> str:
     """Several classes leave noise, or one of more than five members."""
     if len(e.groups) > 1:
         best = "; ".join(_any_of(e, k) for k in range(min(len(e.groups), rules.MENTIONED)))
-        more = len(e.groups) - rules.MENTIONED
-        rest = f"; and {more} more" if more > 0 else ""
+        unlisted = len(e.groups) - rules.MENTIONED
+        rest = f"; and {unlisted} more" if unlisted > 0 else ""
         return f"{len(e.groups)} different explanations remain: {best}{rest}"
     members = distinct(e.groups[0])
     if members <= e.criteria.claim.most_members:
@@ -121,15 +121,15 @@ def found(e: TermEvidence) -> Says:
 def _any_of(e: TermEvidence, k: int) -> str:
     """Return the members of a class, and how many more it has."""
     group = e.groups[k]
-    some = [
+    listed = [
         names(fit.causes) + (" (implausible)" if fit.causes[-1].name in e.claim.implausible else "")
         for fit in group[: e.criteria.claim.most_members]
     ]
-    more = len(group) - len(some)
-    return " or ".join(some) + (f" or {more} more" if more > 0 else "")
+    unlisted = len(group) - len(listed)
+    return " or ".join(listed) + (f" or {unlisted} more" if unlisted > 0 else "")
 
 
-#: Asked of what was tried beyond the catalogue.
+#: Rules for what was tried beyond the catalogue.
 BEYOND: tuple[Rule[TermEvidence, Says], ...] = (
     Rule("beyond.nothing", NOTHING, nothing),
     Rule("beyond.in_the_catalogue", NOTHING, in_the_catalogue),

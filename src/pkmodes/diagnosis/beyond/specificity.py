@@ -1,15 +1,14 @@
-r"""Specificity: whether something that no term has would look like a term.
+r"""Specificity: whether an effect that no term describes would look like a term.
 
 Four kinds of residuals as large as the measured one are drawn, none of which a term causes: arbitrary changes of the
 modes, independent in all setups, and combinations of all that was tried, as for the catalogue
 (`verdict.specificity`); arbitrary changes of the modes, the same in all setups; and *laws*, in which a cause of the
 catalogue varies: with the position, to first and second order, with the order in which setups were measured, or with
-frequency.  A law is a signature times such a function of the row, without its
-mean,
+frequency.  A law is a signature times such a function of the row, without its mean,
 
 .. math:: d_r = g_r \, (h_r - \sum g^2 h / \sum g^2) ,
 
-since its mean is the same as a change of the thing itself.  A law that explains these data as well as a term does is
+since a mean would be equivalent to a change of the cause itself.  A law that explains these data as well as a term is
 named.
 """
 
@@ -33,21 +32,21 @@ from pkmodes.diagnosis.verdict.specificity import (
     modal_changes,
 )
 
-#: Relative size below which a law is nothing but what it varies.
+#: Relative size below which what remains of a signature is negligible.
 SAME = 1e-3
 
 
 class Law(NamedTuple):
-    """A law: what varies, and with what, in words; its signature, and that without the variation, (D,)."""
+    """A law: in words, what varies and with what; its signature, and that of its constant part, (D,)."""
 
-    what: str
+    quantity: str
     along: str
     varying: Array
     constant: Array
 
 
 def p_outside(tried: Tried, final: Fit) -> float:
-    """Return the largest probability, over the kinds, that something that no term has looks like some term."""
+    """Return the largest probability, over the kinds, that an effect that no term describes looks like some term."""
     search, plain, directions = tried.search, tried.plain, tried.directions
     fitter, gain = search.store.fitter, plain.chi2 - final.chi2
     if gain <= 0.0:
@@ -57,18 +56,18 @@ def p_outside(tried: Tried, final: Fit) -> float:
     degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     kinds = [coincidence(search, final, gain, drawn, directions, degrees, final.chi2)]
-    # A few directions do not represent what else may be wrong: a combination of them says nothing.
+    # A few directions do not represent what else may be wrong: their combinations are not informative.
     varying = _unit(plain, [law.varying for law in laws(tried)])
     changes = modal_changes(fitter, plain)
     common = np.vstack([changes, np.zeros((len(plain.white) - len(changes), changes.shape[1]))])
-    for some, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
-        if len(some) < few:
+    for subspace, few in ((directions, many), (varying, many), (_unit(plain, common.T), 1)):
+        if len(subspace) < few:
             continue
-        plausible = Plausible.of(some, float(np.sqrt(gain)))
+        plausible = Plausible.of(subspace, float(np.sqrt(gain)))
         if plausible.different >= min(few, len(plausible.axes)):
             along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
-            combined, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, left))
+            combined, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+            kinds.append(coincidence(search, final, gain, combined, along, plausible.resolved, squares))
     return max(kinds)
 
 
@@ -87,19 +86,21 @@ def like_a_law(tried: Tried, final: Fit) -> Law | None:
     for law in laws(tried):
         both = np.stack([_beside(plain, law.constant), _beside(plain, law.varying)], axis=1)
         basis = orthonormal(both)
-        left = plain.white - basis @ (basis.T @ plain.white)
-        cost = float(left @ left) + 2.0 * price
+        residual = plain.white - basis @ (basis.T @ plain.white)
+        cost = float(residual @ residual) + 2.0 * price
         if cost <= limit:
             best, limit = law, cost
     return best
 
 
 def laws(tried: Tried) -> Iterator[Law]:
-    """Yield the laws: every claimable cause of the catalogue and all frequencies alike, varying with the row."""
+    """Yield the laws: each claimable cause of one parameter, and all frequencies alike, varying from row to row."""
     fitter, plain = tried.search.store.fitter, tried.plain
     data, rows = slice(0, fitter.prior_rows.start), fitter.observations.frequency_rows
     single = [
-        (one.name, fitter.indices(one)[0]) for one in tried.search.candidates if len(one.parameters) == 1
+        (candidate.name, fitter.indices(candidate)[0])
+        for candidate in tried.search.candidates
+        if len(candidate.parameters) == 1
     ]
     raw = fitter.signatures(plain, [i for _, i in single])[1] if single else np.zeros((len(plain.white), 0))
     alike = np.zeros((len(plain.white), 1))
@@ -119,7 +120,7 @@ def laws(tried: Tried) -> Iterator[Law]:
 
 
 def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
-    """Yield what laws may vary with, in words and as a function of the rows, of the order of 1."""
+    """Yield what laws may vary with, in words and as values in the rows, of order 1."""
     fitter = tried.search.store.fitter
     data = fitter.data
     points = np.nan_to_num(data.points[data.pose])
@@ -137,12 +138,12 @@ def _functions(tried: Tried) -> Iterator[tuple[str, Array]]:
 
 
 def _unit(plain: Fit, signatures: Iterable[Array]) -> Directions:
-    """Return the directions of signatures beside the uncertain values, without those of which nothing is left."""
-    left = [(_beside(plain, each), float(np.linalg.norm(each))) for each in signatures]
-    sizes = [(each, float(np.linalg.norm(each)), whole) for each, whole in left]
-    return [(each[:, None] / size, 0) for each, size, whole in sizes if size > SAME * whole]
+    """Return the directions of signatures beside the uncertain values, without those that vanish there."""
+    projected = [(_beside(plain, signature), float(np.linalg.norm(signature))) for signature in signatures]
+    sizes = [(remainder, float(np.linalg.norm(remainder)), whole) for remainder, whole in projected]
+    return [(remainder[:, None] / size, 0) for remainder, size, whole in sizes if size > SAME * whole]
 
 
 def _beside(plain: Fit, signature: Array) -> Array:
-    """Return what is left of a signature beside the uncertain values."""
+    """Return the part of a signature that the uncertain values cannot produce."""
     return np.asarray(signature - plain.basis @ (plain.basis.T @ signature))

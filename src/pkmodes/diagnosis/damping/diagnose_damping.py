@@ -1,7 +1,7 @@
 """The second stage of a diagnosis: damping, at the final model of the frequencies and shapes.
 
 Losses change neither frequencies nor shapes, so the first stage needs no damping, and the second one takes its model,
-its values and its pairing as they are.  If the first stage does not settle, its modes may be the wrong ones, and
+its values and its pairing as they are.  If the first stage is not settled, its modes may be the wrong ones, and
 damping is not diagnosed.
 """
 
@@ -24,14 +24,14 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.stability import CHANGES
 from pkmodes.measured.measurements import Measurements
 
-#: Logarithm within which a common factor is a hundred.
+#: Logarithm of a factor of a hundred, and the largest distance from it that counts as one.
 HUNDRED, CLOSE = float(np.log(100.0)), 0.7
 
 
 def with_damping(
     structure: Structure, data: Measurements, result: Diagnosis, criteria: Criteria | None
 ) -> Diagnosis:
-    """Return a diagnosis of frequencies and shapes with what the damping says, beside its verdict."""
+    """Return a diagnosis of frequencies and shapes extended by that of the damping."""
     c = criteria or Criteria()
     if np.isnan(data.damping).all():
         return result
@@ -41,19 +41,19 @@ def with_damping(
         return replace(result, damping=undiagnosed(structure.losses, words.UNSETTLED))
     predicted = result.stages.after or result.stages.refit
     assert predicted is not None
-    every = observed(structure, data, predicted.mode, _states(structure, result), c)
-    strange = predicted.mac[every.index] < c.shapes.strange_mac  # not where no shape was measured: NaN
-    held = np.array([row.held_out for row in result.rows])[every.index]
-    aside = np.array([row.outlier for row in result.rows])[every.index]
-    known = usable(every)
-    good = known & ~strange
-    rows = every.some(good & ~held & ~aside)
+    all_rows = observed(structure, data, predicted.mode, _states(structure, result), c)
+    strange = predicted.mac[all_rows.index] < c.shapes.strange_mac  # not where no shape was measured: NaN
+    held = np.array([row.held_out for row in result.rows])[all_rows.index]
+    aside = np.array([row.outlier for row in result.rows])[all_rows.index]
+    informative = usable(all_rows)
+    good = informative & ~strange
+    rows = all_rows.some(good & ~held & ~aside)
     fitter = LossFitter(rows, tuple(structure.losses), c)
     notes = []
-    if not known.all():
-        notes.append(words.unresolved(data.lines[every.index[~known]].tolist()))
+    if not informative.all():
+        notes.append(words.unresolved(data.lines[all_rows.index[~informative]].tolist()))
     if strange.any():
-        notes.append(words.other_shape(data.lines[every.index[strange]].tolist(), c.shapes.strange_mac))
+        notes.append(words.other_shape(data.lines[all_rows.index[strange]].tolist(), c.shapes.strange_mac))
     median = float(np.median(rows.ratio[rows.above])) if rows.above.any() else 0.0
     if median > c.damping.most:
         return replace(result, damping=undiagnosed(structure.losses, words.per_cent(median), notes))
@@ -61,13 +61,13 @@ def with_damping(
         change: judge(LossEvidence(fitter.with_changes(errors, priors), ROUGH_DOUBTS), ROUGHLY)
         for change, (errors, priors) in CHANGES.items()
     }
-    judged = judge(LossEvidence(fitter, DOUBTS, trials, every.some(held & good)), LOSSES)
+    judged = judge(LossEvidence(fitter, DOUBTS, trials, all_rows.some(held & good)), LOSSES)
     if judged.final.outlier is not None:
         i = int(rows.index[judged.final.outlier])
         notes.append(words.set_aside(int(data.lines[i]), data.labels[data.pose[i]], float(data.damping[i])))
     notes += [text] if (text := _hundred(fitter, judged)) else []
     return with_outcome(
-        result, data, DampingStage(fitter, every, held & good, strange, judged, trials, tuple(notes))
+        result, data, DampingStage(fitter, all_rows, held & good, strange, judged, trials, tuple(notes))
     )
 
 

@@ -1,7 +1,8 @@
-"""What speaks against an explanation of damping: a trend that it leaves, and laws that would look like it.
+"""What speaks against an explanation of damping: a trend in its residual, and laws that would look like it.
 
-Specific is what few laws outside the candidates look like: the damping ratio of each mode differs from what was found
-by a factor of its own, the same at all setups, and the measurements scatter as stated.
+An explanation is specific if few laws outside the candidates look like it.  In such a law the damping ratio of each
+mode differs from that of the explanation by a random factor, the same at all setups, and the measurements scatter as
+stated.
 """
 
 from __future__ import annotations
@@ -14,13 +15,13 @@ from scipy import stats
 from pkmodes.diagnosis.damping.fit import PARTS, LossFit, LossFitter
 from pkmodes.diagnosis.problem import Array
 
-#: A trend that the fitted losses follow but for this sum of squares, in standard deviations, cannot be seen.
+#: A trend that the fitted losses reproduce up to this sum of squares, in standard deviations, cannot be seen.
 UNSEEN = 1.0
 #: Number of laws drawn, and their seed.
 DRAWS, SEED = 200, 5
-#: Steps of Gauss and Newton, and the largest change of a logarithm in one.
+#: Number of Gauss-Newton steps, and the largest change of a logarithm in one step.
 STEPS, LARGEST = 20, 1.0
-#: Smallest curvature of a logarithm that a step trusts: of a loss that has become nothing.
+#: Curvature added for each logarithm, since that of a vanishing loss is 0.
 FLAT = 1e-3
 
 
@@ -41,7 +42,7 @@ def p_of_trend(fitter: LossFitter, fit: LossFit) -> float:
 
 
 def p_coincidence(fitter: LossFitter, fit: LossFit) -> float:
-    """Return the fraction of laws outside the candidates that as many candidates as were found explain."""
+    """Return the fraction of laws outside the candidates that are explained by as many candidates as were found."""
     c, rows = fitter.criteria, fitter.observations.some(fitter.observations.above)
     fitter = fitter.of(rows)
     rng = np.random.default_rng(SEED)
@@ -71,12 +72,12 @@ def _squares(fitter: LossFitter, fit: LossFit, causes: tuple[int, ...], drawn: A
     parts = np.where(np.arange(len(causes)) == largest, PARTS[0], PARTS[1])
     x = np.tile(np.log(parts), (len(drawn), 1))
     for _ in range(STEPS):
-        each = np.exp(x)[:, None, :] * by_unit
-        ratio = each.sum(axis=-1) + rest
-        left = weight * (drawn - np.log(ratio))
-        rates = weight[:, None] * each / ratio[..., None]
+        contributions = np.exp(x)[:, None, :] * by_unit
+        ratio = contributions.sum(axis=-1) + rest
+        residual = weight * (drawn - np.log(ratio))
+        rates = weight[:, None] * contributions / ratio[..., None]
         square = np.swapaxes(rates, 1, 2) @ rates + FLAT * np.eye(len(causes))
-        step = np.linalg.solve(square, np.swapaxes(rates, 1, 2) @ left[..., None])[..., 0]
+        step = np.linalg.solve(square, np.swapaxes(rates, 1, 2) @ residual[..., None])[..., 0]
         x = x + np.clip(step, -LARGEST, LARGEST)
-    left = weight * (drawn - np.log((np.exp(x)[:, None, :] * by_unit).sum(axis=-1) + rest))
-    return np.asarray(np.einsum("dr,dr->d", left, left))
+    residual = weight * (drawn - np.log((np.exp(x)[:, None, :] * by_unit).sum(axis=-1) + rest))
+    return np.asarray(np.einsum("dr,dr->d", residual, residual))

@@ -1,4 +1,4 @@
-"""What the rules of the verdict on damping ask about."""
+"""Evidence for the rules of the verdict on damping."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class DampingJudgement:
     base : LossFit
         With the declared losses.
     final : LossFit
-        With the causes; the base where none is found and none remains.
+        With the causes; the base where none is found or remains.
     places, p_values
         Those of the `Explanation` that is found or remains; otherwise empty.
     says : LossSays
@@ -65,7 +65,7 @@ class DampingJudgement:
 
 
 class LossEvidence:
-    """Damping ratios and the losses that explain them; what takes time is computed when a rule first asks for it.
+    """Damping ratios and the losses that explain them; costly results are computed when a rule first needs them.
 
     Parameters
     ----------
@@ -142,8 +142,8 @@ class LossEvidence:
     def scatter_about(self, fit: LossFit) -> float:
         """Return how far ratios are from a fit beyond their stated errors: standard deviation of the logarithm."""
         rows, above = self.fitter.observations, self.fitter.observations.above
-        left = (rows.logarithms - rows.predicted(fit.values))[above]
-        beyond = float(np.mean(left**2)) - float(np.mean(rows.stated[above] ** 2))
+        deviation = (rows.logarithms - rows.predicted(fit.values))[above]
+        beyond = float(np.mean(deviation**2)) - float(np.mean(rows.stated[above] ** 2))
         return math.sqrt(max(beyond, 0.0))
 
 

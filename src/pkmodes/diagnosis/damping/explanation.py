@@ -16,7 +16,7 @@ from scipy import stats
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.support.numbers import plain
 
-#: Squared difference below which two explanations are the same to any measurement.
+#: Squared difference below which no measurement separates two explanations.
 SAME = 1.0
 
 
@@ -28,8 +28,8 @@ class Explanation:
     ----------
     best : LossFit
     places : tuple of tuple of LossFit
-        For each cause, the fits of its class; its own is first.
-    others : tuple of LossFit
+        For each cause, the fits of its class, the best explanation first.
+    rivals : tuple of LossFit
         Explanations in no class that are as good, the best first.
     p_values : tuple of float
         One for each cause.
@@ -37,7 +37,7 @@ class Explanation:
 
     best: LossFit
     places: tuple[tuple[LossFit, ...], ...]
-    others: tuple[LossFit, ...]
+    rivals: tuple[LossFit, ...]
     p_values: tuple[float, ...]
 
     @property
@@ -66,8 +66,8 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
     survivors = [fit for fit in near if fit is best or _explains(fitter, fit, c.gate.surely)]
     alike = [fit for fit in survivors if fitter.difference(best, fit) < c.claim.told_apart]
     alike.sort(key=lambda fit: (not _is_effect(fitter, fit), fit.criterion))
-    # Of explanations that are the same to any measurement, an effect names the class; and of any class in which the
-    # best is not a cause.
+    # An effect names the class among explanations that no measurement separates, and in any class whose best member
+    # is not a cause.
     claimable = all(fitter.losses[j].claimable for j in best.causes)
     same = [fit for fit in alike if not claimable or fitter.difference(best, fit) < SAME]
     best = same[0] if same else best
@@ -75,14 +75,14 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
         (best, *(fit for fit in alike if fit is not best and set(best.causes) - {cause} < set(fit.causes)))
         for cause in best.causes
     )
-    others = [fit for fit in survivors if not any(fit is one for place in places for one in place)]
-    others.sort(key=lambda fit: fit.criterion)
+    rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
+    rivals.sort(key=lambda fit: fit.criterion)
     p_values = tuple(_p_of_place(fitter, best, cause) for cause in best.causes)
-    return Explanation(best, places, tuple(others), p_values)
+    return Explanation(best, places, tuple(rivals), p_values)
 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
-    """Return whether a fit leaves noise, and each of its causes is there."""
+    """Return whether a fit leaves noise, and each of its causes is present."""
     causes = [j for j in fit.causes if j in fit.absent and not fitter.declared[j]]
     at_bound = [j for j in fit.causes if fit.values[j] > NEARLY * fitter.losses[j].parameter.upper]
     return fit.p_value > level and not causes and not at_bound
@@ -108,15 +108,15 @@ def _p_of_place(fitter: LossFitter, fit: LossFit, cause: int) -> float:
     return p_of_one_more(fitter, fitter.fit(rest), fit)
 
 
-def p_of_one_more(fitter: LossFitter, less: LossFit, more: LossFit) -> float:
+def p_of_one_more(fitter: LossFitter, smaller: LossFit, larger: LossFit) -> float:
     """Return the p-value of a likelihood-ratio test of one more loss, corrected for the number of hypotheses.
 
     These are the candidates, or their pairs if the fit has two, but not fewer than the candidates.
     """
     candidates = len(fitter.candidates)
-    number = max(comb(candidates, len(more.causes)), candidates)
-    (added,) = set(more.causes) - set(less.causes)
-    gain = max(less.chi2 + less.price - more.chi2 - more.price, 0.0)
+    number = max(comb(candidates, len(larger.causes)), candidates)
+    (added,) = set(larger.causes) - set(smaller.causes)
+    gain = max(smaller.chi2 + smaller.price - larger.chi2 - larger.price, 0.0)
     one_sided = 1.0 if fitter.declared[added] else 0.5
     return min(1.0, one_sided * float(stats.chi2.sf(gain, 1)) * number)
 
@@ -131,10 +131,10 @@ def nearest(fitter: LossFitter) -> str:
     if not fits:
         return "no loss shows in these modes"
     best = min(fits, key=lambda fit: fit.chi2)
-    left = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
+    deviation = (fitter.observations.logarithms - fitter.observations.predicted(best.values))[
         fitter.observations.above
     ]
-    factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(left), 10.0) ** 2))))
+    factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
     name = names_of(fitter, best)
     return (
         f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {plain(factor, 2)}"

@@ -1,9 +1,9 @@
 """Fit losses to measured damping ratios: least squares in the logarithms of ratios, over positive losses.
 
-The ratio of a mode is the sum of what each loss gives, coefficient times value.  A measured ratio that is not
-significantly above 0 has no logarithm with a normal error, but says that the mode is not damped more.  The logarithm
-of each fitted loss is the variable, so that a single loss without a declared one beside it is a linear problem, and
-none is ever negative.
+The ratio of a mode is the sum over the losses of coefficient times value.  The logarithm of a measured ratio that is
+not significantly above 0 has no normal error, but the ratio shows that the mode is not damped more.  The variables
+are the logarithms of the fitted losses, so that a single loss without a declared one beside it is a linear problem,
+and none is ever negative.
 """
 
 from __future__ import annotations
@@ -22,11 +22,12 @@ from pkmodes.diagnosis.fit.hypothesis import Fitted
 from pkmodes.diagnosis.fit.priors import Priors
 from pkmodes.diagnosis.problem import Array, Loss
 
-#: A loss below this part of what would explain a typical mode alone is absent.
+#: A loss below this part of the value that alone would explain a typical mode is absent.
 ABSENT = 1e-4
 #: A loss above this part of its bound is at the bound.
 NEARLY = 0.999
-#: Parts of a typical mode that fitted losses start from: each the largest once, and all alike.
+#: Start values of fitted losses, as parts of those that alone would explain a typical mode: that of the largest loss,
+#: and of the others.  Each loss is the largest in one start.
 PARTS = (0.9, 0.1)
 
 
@@ -63,7 +64,7 @@ class LossFit(Fitted):
 
     @property
     def price(self) -> float:
-        """Squares that a row set aside costs: it was chosen among all rows."""
+        """Penalty for a row set aside, which was chosen among all rows."""
         return 0.0 if self.outlier is None else 3.0 * float(np.log(self.count))
 
     @property
@@ -103,11 +104,15 @@ class LossFitter:
     @cached_property
     def typical(self) -> Array:
         """Value of each loss that alone would give a typical row its ratio, (J,); inf where it shows in none."""
-        seen = self.observations
+        rows = self.observations
         with np.errstate(divide="ignore"):
-            alone = np.where(seen.by_loss > 0.0, seen.ratio[:, None] / seen.by_loss, np.inf)
-        alone = alone[seen.above] if seen.above.any() else alone
-        return np.asarray(np.median(alone, axis=0)) if len(alone) else np.full(len(self.losses), np.inf)
+            sufficient = np.where(rows.by_loss > 0.0, rows.ratio[:, None] / rows.by_loss, np.inf)
+        sufficient = sufficient[rows.above] if rows.above.any() else sufficient
+        return (
+            np.asarray(np.median(sufficient, axis=0))
+            if len(sufficient)
+            else np.full(len(self.losses), np.inf)
+        )
 
     @cached_property
     def declared(self) -> Array:
@@ -120,8 +125,8 @@ class LossFitter:
 
     def with_changes(self, errors: float, priors: float) -> LossFitter:
         """Return the fitter with stated errors and priors larger by factors."""
-        other = self.observations.with_errors(errors)
-        return replace(self, observations=other, widened=priors, _fits={})
+        observations = self.observations.with_errors(errors)
+        return replace(self, observations=observations, widened=priors, _fits={})
 
     def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
@@ -149,7 +154,7 @@ class LossFitter:
         return without if gross and without.p_value > c.gate.level else fit
 
     def _fitted(self, causes: tuple[int, ...], fixed: dict[int, float], outlier: int | None) -> LossFit:
-        seen, count = self.observations, len(self.observations.ratio)
+        rows, count = self.observations, len(self.observations.ratio)
         free = tuple(j for j in dict.fromkeys((*self.nuisances, *causes)) if j not in fixed)
         index, values = list(free), self.declared.copy()
         for j, value in fixed.items():
@@ -166,10 +171,10 @@ class LossFitter:
 
         def residual(x: Array) -> Array:
             full = at(x)
-            return np.concatenate([used * seen.residual(full), priors.residual(full)])
+            return np.concatenate([used * rows.residual(full), priors.residual(full)])
 
         def by_value(full: Array) -> Array:
-            return np.vstack([used[:, None] * seen.rates(full)[:, index], priors.rates(full, free)])
+            return np.vstack([used[:, None] * rows.rates(full)[:, index], priors.rates(full, free)])
 
         def rates(x: Array) -> Array:
             return np.asarray(by_value(at(x)) * np.exp(x))
@@ -179,9 +184,11 @@ class LossFitter:
         best, white = np.zeros(0), residual(np.zeros(0)) if not free else None
         for start in self._starts(free, causes):
             first = np.clip(start, lower + 1e-9, upper - 1e-9)
-            found = least_squares(residual, first, rates, (lower, upper), x_scale=1.0, xtol=1e-12, ftol=1e-12)
-            if white is None or found.fun @ found.fun < white @ white:
-                best, white = found.x, found.fun
+            solution = least_squares(
+                residual, first, rates, (lower, upper), x_scale=1.0, xtol=1e-12, ftol=1e-12
+            )
+            if white is None or solution.fun @ solution.fun < white @ white:
+                best, white = solution.x, solution.fun
         assert white is not None
         reached = at(best)
         return LossFit(
@@ -198,8 +205,8 @@ class LossFitter:
 
     def _scale(self, j: int) -> float:
         """Return a typical value of a loss."""
-        own = self.declared[j] + (self.losses[j].parameter.sigma or 0.0)
-        return float(self.typical[j] if np.isfinite(self.typical[j]) else own or 1.0)
+        declared_size = self.declared[j] + (self.losses[j].parameter.sigma or 0.0)
+        return float(self.typical[j] if np.isfinite(self.typical[j]) else declared_size or 1.0)
 
     def _starts(self, free: tuple[int, ...], causes: tuple[int, ...]) -> list[Array]:
         """Return start values of the logarithms of the fitted losses."""

@@ -40,14 +40,14 @@ class DampingObservations:
         Numbers of the partners among the elastic modes of their setups, from 0.
     ratio, stated : ndarray, shape (R,)
         Measured ratios and the standard deviations of their logarithms, as the file states them.
-    other : ndarray, shape (R,)
-        Root of the sum of squares of the other errors of the logarithms.
+    unstated : ndarray, shape (R,)
+        Root sum of squares of all other errors of the logarithms.
     above : ndarray of bool, shape (R,)
         Whether the ratio is significantly above 0; otherwise it only says that the mode is not damped more.
     frequency : ndarray, shape (R,)
         [Hz].
     least : ndarray, shape (R,)
-        What a prediction of no damping counts as.
+        Ratio that a prediction of no damping counts as.
     by_loss : ndarray, shape (R, J)
         Damping ratio per unit of each loss.
     """
@@ -56,7 +56,7 @@ class DampingObservations:
     mode: NDArray[np.intp]
     ratio: Array
     stated: Array
-    other: Array
+    unstated: Array
     above: Mask
     frequency: Array
     least: Array
@@ -65,7 +65,7 @@ class DampingObservations:
     @property
     def sigma(self) -> Array:
         """Standard deviations of the logarithms, (R,)."""
-        return np.hypot(self.stated, self.other)
+        return np.hypot(self.stated, self.unstated)
 
     def some(self, mask: Mask) -> DampingObservations:
         """Return some of the rows."""
@@ -77,7 +77,7 @@ class DampingObservations:
 
     def with_scatter(self, scatter: float) -> DampingObservations:
         """Return the rows with a further error, a standard deviation of the logarithm."""
-        return replace(self, other=np.hypot(self.other, scatter))
+        return replace(self, unstated=np.hypot(self.unstated, scatter))
 
     # Beside predictions ------------------------------------------------------------------------------------
 
@@ -100,14 +100,14 @@ class DampingObservations:
         A ratio not above 0 has the stated error, and the model the others, which are parts of its ratio.
         """
         ratios = self.ratios(values)
-        linear = (self.ratio - ratios) / np.hypot(self.stated * self.ratio, self.other * ratios)
+        linear = (self.ratio - ratios) / np.hypot(self.stated * self.ratio, self.unstated * ratios)
         return np.where(self.above, (self.logarithms - self.predicted(values)) / self.sigma, linear)
 
     def rates(self, values: Array) -> Array:
         """Return the derivatives of the residual with respect to the losses, (R, J)."""
         ratios = self.ratios(values)
-        variance = (self.stated * self.ratio) ** 2 + (self.other * ratios) ** 2
-        linear = -(1.0 + (self.ratio - ratios) * self.other**2 * ratios / variance) / np.sqrt(variance)
+        variance = (self.stated * self.ratio) ** 2 + (self.unstated * ratios) ** 2
+        linear = -(1.0 + (self.ratio - ratios) * self.unstated**2 * ratios / variance) / np.sqrt(variance)
         slopes = np.where(self.above, -1.0 / ((ratios + self.least) * self.sigma), linear)
         return np.asarray(slopes[:, None] * self.by_loss)
 
@@ -134,8 +134,8 @@ def observed(
     assert isinstance(structure, Damped)
     index = np.flatnonzero(~np.isnan(data.damping) & (mode > 0))
     setup, number = data.pose[index], mode[index] - 1
-    every = [structure.damping_rates(values) for values in states]
-    at = every[0][setup, number]
+    by_state = [structure.damping_rates(values) for values in states]
+    at = by_state[0][setup, number]
     ratio = data.damping[index]
     stated = np.hypot(data.damping_sigma[index], criteria.damping.resolution)
     # A ratio of 0 with a standard deviation is known to be small; its logarithm is not used.
@@ -143,16 +143,18 @@ def observed(
     with np.errstate(divide="ignore", invalid="ignore"):
         stated = np.where(ratio > 0.0, stated / ratio, np.inf)
     logs = _logarithms(at)
-    moved = [np.abs(_logarithms(rates[setup, number]) - logs).max(axis=1, initial=0.0) for rates in every[1:]]
-    mixed = _mixed(structure, states[0], every[0], setup, number, criteria)
-    other = np.sqrt(criteria.damping.floor**2 + sum((d**2 for d in moved), mixed**2))
+    moved = [
+        np.abs(_logarithms(rates[setup, number]) - logs).max(axis=1, initial=0.0) for rates in by_state[1:]
+    ]
+    mixed = _mixed(structure, states[0], by_state[0], setup, number, criteria)
+    unstated = np.sqrt(criteria.damping.floor**2 + sum((d**2 for d in moved), mixed**2))
     above = stated < 1.0 / criteria.damping.resolved
     return DampingObservations(
         index=index,
         mode=number,
         ratio=ratio,
         stated=stated,
-        other=other,
+        unstated=unstated,
         above=above,
         frequency=data.frequency[index],
         least=criteria.damping.least * ratio,
@@ -163,7 +165,7 @@ def observed(
 def usable(rows: DampingObservations) -> Mask:
     """Return a mask of the rows that say something: a ratio of 0 without a standard deviation was not measured.
 
-    Rows whose losses the measurements set say nothing about these.
+    Rows in which the measurements set the losses say nothing about them.
     """
     return np.isfinite(rows.stated) & np.isfinite(rows.by_loss).all(axis=1)
 

@@ -1,4 +1,4 @@
-"""The result of a diagnosis with what its damping says, beside the verdict on frequencies and shapes.
+"""The result of a diagnosis, extended by that of the damping, beside the verdict on frequencies and shapes.
 
 That verdict and all that belongs to it stay as they are: real machines have friction that no linear model has, and
 neither a cause that the frequencies show nor a model that they confirm must be lost because of it.
@@ -36,14 +36,14 @@ from pkmodes.diagnosis.verdict.verdicts import (
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.grouping import grouped
 
-#: Explanations beside which limits are found.
+#: Largest number of explanations beside which limits are determined.
 MOST = 4
-#: Steps of a factor of two in which the end of a profile is bracketed.
+#: Largest number of doublings that bracket the end of a profile.
 DOUBLINGS = 60
 
 
 def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) -> Damping:
-    """Return what is said where the damping was measured, but not diagnosed."""
+    """Return the result where damping was measured but not diagnosed."""
     suspected = [loss for loss in losses if loss.candidate and loss.claimable]
     return Damping(
         verdict=INSUFFICIENT_DATA.word,
@@ -57,37 +57,37 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
 
 
 def with_outcome(result: Diagnosis, data: Measurements, stage: DampingStage) -> Diagnosis:
-    """Return a diagnosis with what its damping says, and every measured ratio beside that of the model."""
+    """Return a diagnosis with the result for its damping, and every measured ratio beside that of the model."""
     return replace(result, rows=_rows(result, data, stage), damping=_outcome(stage))
 
 
 def _outcome(stage: DampingStage) -> Damping:
     fitter, judged = stage.fitter, stage.judged
-    found = findings(fitter, judged)
-    above, used, held = stage.every.above, stage.used, stage.held
+    effects = findings(fitter, judged)
+    above, used, held = stage.all_rows.above, stage.used, stage.held
     with np.errstate(divide="ignore", invalid="ignore"):
-        before, after = (np.log(stage.every.ratio) - np.log(predicted) for predicted in stage.predicted)
+        before, after = (np.log(stage.all_rows.ratio) - np.log(predicted) for predicted in stage.predicted)
     held_out = words.factor_of(after[held & above])
     notes = list(stage.notes)
     settled = judged.verdict in (ADEQUATE, EFFECT_FOUND)
-    held_rows = stage.every.some(held)
+    held_rows = stage.all_rows.some(held)
     if (
         settled
         and held_out is not None
         and contradicted(held_rows, stage.final.values, fitter.criteria, judged.says.scatter)
     ):
         notes.append(words.not_predicted(held_out))
-    tests, limits = tested(stage, found)
+    tests, limits = tested(stage, effects)
     corrected = _corrected(stage)
     nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
     return Damping(
         verdict=judged.verdict.word,
-        reason=words.sentence(fitter, judged, found),
-        effects=found,
+        reason=words.sentence(fitter, judged, effects),
+        effects=effects,
         survivors=survivors(fitter, judged) if judged.verdict is AMBIGUOUS else (),
         limits=limits,
         refitted=tuple(Refitted.of(v) for v in corrected if v.name in nuisances),
-        undetectable=tuple(one.name for one in tests if not one.detectable),
+        undetectable=tuple(test.name for test in tests if not test.detectable),
         candidates=tuple(tests),
         notes=tuple(notes),
         stability=_stability(stage),
@@ -103,7 +103,7 @@ def _outcome(stage: DampingStage) -> Damping:
 
 def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[Row, ...]:
     """Return every measured mode with its damping beside that of the model."""
-    every, used = stage.every, stage.used
+    all_rows, used = stage.all_rows, stage.used
     rows = list(result.rows)
     for i in np.flatnonzero(~np.isnan(data.damping)).tolist():
         measured, sigma = float(data.damping[i]), float(data.damping_sigma[i])
@@ -115,8 +115,8 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             damping_remark="the mode has no partner",
         )
     before, after = stage.predicted
-    sigma_used, known = stage.sigma_used, usable(every)
-    for k, i in enumerate(every.index.tolist()):
+    sigma_used, informative = stage.sigma_used, usable(all_rows)
+    for k, i in enumerate(all_rows.index.tolist()):
         old, new, width = (
             float(value[k]) if np.isfinite(value[k]) else None for value in (before, after, sigma_used)
         )
@@ -126,16 +126,18 @@ def _rows(result: Diagnosis, data: Measurements, stage: DampingStage) -> tuple[R
             damping_after=new,
             damping_used=bool(used[k]),
             sigma_damping_used=width,
-            damping_remark=None if used[k] else _remark(rows[i], bool(known[k]), bool(stage.strange[k])),
+            damping_remark=None
+            if used[k]
+            else _remark(rows[i], bool(informative[k]), bool(stage.strange[k])),
         )
     return tuple(rows)
 
 
-def _remark(row: Row, known: bool, strange: bool) -> str:
+def _remark(row: Row, informative: bool, strange: bool) -> str:
     """Return why the ratio of a row takes no part."""
     if row.held_out:
         return "held out"
-    if not known:
+    if not informative:
         return "it says nothing of the losses"
     if strange:
         return f"the shape is another one (MAC {row.mac:.2f})"
@@ -143,16 +145,16 @@ def _remark(row: Row, known: bool, strange: bool) -> str:
 
 
 def _stability(stage: DampingStage) -> tuple[Stability, ...]:
-    """Return what the verdict on the damping becomes with other errors and priors."""
+    """Return the verdicts on the damping with other errors and priors."""
     if stage.judged.verdict is INSUFFICIENT_DATA:
         return ()
     entries = []
     for change, trial in stage.trials.items():
-        found = trial.verdict is EFFECT_FOUND
-        if found and stage.judged.rule == NOT_PREDICTED:  # nor does it predict the held-out poses then
+        claimed = trial.verdict is EFFECT_FOUND
+        if claimed and stage.judged.rule == NOT_PREDICTED:  # nor does it predict the held-out poses then
             entries.append(Stability(change, UNEXPLAINED.word, ()))
             continue
-        names = tuple(stage.fitter.losses[j].candidate for j in trial.final.causes) if found else ()
+        names = tuple(stage.fitter.losses[j].candidate for j in trial.final.causes) if claimed else ()
         entries.append(Stability(change, trial.verdict.word, names))
     return tuple(entries)
 
@@ -193,10 +195,13 @@ def value_of(fitter: LossFitter, fit: LossFit, loss: int) -> Value:
 
 def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, ...], ...]:
     """Return the classes that remain, the best first."""
-    own = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
-    every = [*own, *(fit for fit in judged.says.rivals if not any(fit is one for one in own))]
+    claimed = [fit for place in judged.places for fit in place] if len(judged.places) == 1 else []
+    remaining = [
+        *claimed,
+        *(fit for fit in judged.says.rivals if not any(fit is member for member in claimed)),
+    ]
     near = fitter.criteria.claim.told_apart
-    groups = grouped(every, lambda member, fit: fitter.difference(fit, member) < near)
+    groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < near)
     return tuple(tuple(names_of(fitter, fit) for fit in group) for group in groups)
 
 
@@ -222,18 +227,18 @@ def tested(stage: DampingStage, findings: Sequence[Finding]) -> tuple[list[Exami
             if j in fitter.candidates
             else Limit(loss.candidate, None, loss.parameter.unit)
         )
-        seen = loss.candidate in claimed | remain
+        explaining = loss.candidate in claimed | remain
         bounded = limit.value is not None
-        tests.append(_examined(fitter, judged.final, j, p_value, bounded=bounded, shown=seen))
+        tests.append(_examined(fitter, judged.final, j, p_value, bounded=bounded, shown=explaining))
         if loss.candidate not in claimed:
             limits[name_of(loss.parameter)] = limit
     return tests, limits
 
 
 def _limit_of(fitter: LossFitter, fits: Sequence[LossFit], loss: int) -> Limit:
-    """Return how far a loss may be from its declared value at 95 %: the largest beside any of some fits.
+    """Return how far a loss may be from its declared value at 95 %: the largest limit over the given fits.
 
-    It is the one-sided end of the profile likelihood.  None bounds it if every mode could be damped critically.
+    It is the one-sided end of the profile likelihood; there is none if even critical damping of a mode is allowed.
     """
     parameter, candidate = fitter.losses[loss].parameter, fitter.losses[loss].candidate
     if not np.isfinite(fitter.typical[loss]):
@@ -250,19 +255,21 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
     declared = float(fitter.declared[loss])
     best = fitter.fit((*rest, loss))
     start, least = best.values[loss], min(best.chi2, fitter.fit(rest).chi2)
-    most = min(fitter.losses[loss].parameter.upper, 1.0 / float(fitter.observations.by_loss[:, loss].max()))
+    critical = min(
+        fitter.losses[loss].parameter.upper, 1.0 / float(fitter.observations.by_loss[:, loss].max())
+    )
 
     def excess(value: float) -> float:
         return fitter.fit(rest, {loss: value}).chi2 - least - ONE_SIDED**2
 
     upper = max(start, 1e-3 * fitter.typical[loss])
     for _ in range(DOUBLINGS):
-        if upper >= most:
+        if upper >= critical:
             break
         if excess(upper) > 0.0:
             break
         upper *= 2.0
-    upper = min(upper, most)
+    upper = min(upper, critical)
     if excess(upper) <= 0.0:
         return None
     highest = (
@@ -275,19 +282,19 @@ def _size(fitter: LossFitter, fit: LossFit, loss: int) -> float | None:
 
 
 def _as_large_as_left(fitter: LossFitter, fit: LossFit) -> LossFitter:
-    """Return a fitter whose errors are as large as what a fit leaves, where that is more than noise."""
+    """Return a fitter with errors as large as the residual of a fit, where that is more than noise."""
     ratio = fit.chi2 / max(fit.degrees, 1)
     if fit.p_value > fitter.criteria.gate.surely or ratio <= 1.0:
         return fitter
     scale = float(np.sqrt(ratio))
     rows = fitter.observations
-    return fitter.of(replace(rows, stated=scale * rows.stated, other=scale * rows.other))
+    return fitter.of(replace(rows, stated=scale * rows.stated, unstated=scale * rows.unstated))
 
 
 def _examined(
     fitter: LossFitter, final: LossFit, loss: int, p_value: float, *, bounded: bool, shown: bool
 ) -> Examined:
-    """Return the test of a loss, the smallest one that would show beside a fit, and whether it is detectable.
+    """Return the test of a loss, its smallest visible value beside a fit, and whether it is detectable.
 
     Parameters
     ----------
@@ -296,21 +303,21 @@ def _examined(
     shown : bool
         Whether it is claimed, in the class of a claim, or remains as an explanation.
     """
-    c, one = fitter.criteria, fitter.losses[loss]
+    c, suspect = fitter.criteria, fitter.losses[loss]
     sigma = _sigma(fitter, final, loss)
     size = c.claim.seen * sigma
-    seen = shown or bounded or p_value <= c.gate.surely
-    if not (bounded or shown) or not np.isfinite(size) or size > one.parameter.upper:
-        return Examined(one.candidate, p_value, (), seen, one.sentence)
-    visible = Value(one.parameter.name, float(size), float(sigma), one.parameter.unit)
-    return Examined(one.candidate, p_value, (visible,), seen, one.sentence)
+    detectable = shown or bounded or p_value <= c.gate.surely
+    if not (bounded or shown) or not np.isfinite(size) or size > suspect.parameter.upper:
+        return Examined(suspect.candidate, p_value, (), detectable, suspect.sentence)
+    visible = Value(suspect.parameter.name, float(size), float(sigma), suspect.parameter.unit)
+    return Examined(suspect.candidate, p_value, (visible,), detectable, suspect.sentence)
 
 
 def _sigma(fitter: LossFitter, fit: LossFit, loss: int) -> float:
     """Return the standard deviation that a loss would have beside a fit, in the linear model; inf if invisible."""
     rows = fitter.observations
     weighted = rows.by_loss / ((rows.ratios(fit.values) + rows.least) * rows.sigma)[:, None]
-    own, others = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]
-    left = own - others @ np.linalg.lstsq(others, own)[0] if others.shape[1] else own
-    size = float(np.linalg.norm(left))
-    return 1.0 / size if size > 1e-6 * float(np.linalg.norm(own)) > 0.0 else np.inf
+    signature, fitted = weighted[:, loss], weighted[:, [j for j in fit.free if j != loss]]
+    remainder = signature - fitted @ np.linalg.lstsq(fitted, signature)[0] if fitted.shape[1] else signature
+    size = float(np.linalg.norm(remainder))
+    return 1.0 / size if size > 1e-6 * float(np.linalg.norm(signature)) > 0.0 else np.inf

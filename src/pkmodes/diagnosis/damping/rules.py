@@ -5,9 +5,9 @@ improves significantly on the declared losses, and is specific.  Friction that d
 Coulomb friction, is not a loss of the catalogue; it is refused because it leaves more than noise, or a trend with
 frequency.
 
-Tests of one machine find ratios that scatter by more than each states, mode by mode.  A model that declares no loss
-says nothing about damping, so that a ratio common to all modes contradicts nothing either, and names no joint.  Nor
-does one that differs from the declared ratio by no more than repeated tests do.
+Repeated tests of one machine give ratios that scatter from mode to mode by more than their stated errors.  A model
+that declares no loss says nothing about damping, so a ratio common to all modes contradicts nothing, and names no
+joint.  Neither does one that differs from the declared ratio by no more than repeated tests do.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ def judge(evidence: LossEvidence, rules: LossRules) -> DampingJudgement:
     """Return the verdict of the first rule that applies."""
     decision = first(rules, evidence)
     assert decision is not None  # the last rule always applies
-    found = evidence.explanation if decision.verdict in (EFFECT_FOUND, AMBIGUOUS) else None
+    explanation = evidence.explanation if decision.verdict in (EFFECT_FOUND, AMBIGUOUS) else None
     return DampingJudgement(
         decision.rule.name,
         decision.verdict,
         evidence.base,
-        final=found.best if found else evidence.base,
-        places=found.places if found else (),
-        p_values=found.p_values if found else (),
+        final=explanation.best if explanation else evidence.base,
+        places=explanation.places if explanation else (),
+        p_values=explanation.p_values if explanation else (),
         says=decision.says,
     )
 
@@ -58,8 +58,8 @@ def too_few(e: LossEvidence) -> str:
     count = e.resolved
     if count >= len(e.fitter.nuisances) + 1 + e.criteria.claim.redundancy:
         return ""
-    what = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
-    return f"{what} too few"
+    subject = "1 resolved damping ratio is" if count == 1 else f"{count} resolved damping ratios are"
+    return f"{subject} too few"
 
 
 def as_declared(e: LossEvidence) -> LossSays | None:
@@ -73,8 +73,12 @@ def as_declared(e: LossEvidence) -> LossSays | None:
 
 def several(e: LossEvidence) -> LossSays | None:
     """Several explanations remain that do not form one class."""
-    found = e.explanation
-    return LossSays("", rivals=(found.best, *found.others)) if found and found.others else None
+    explanation = e.explanation
+    return (
+        LossSays("", rivals=(explanation.best, *explanation.rivals))
+        if explanation and explanation.rivals
+        else None
+    )
 
 
 def nearly_declared(e: LossEvidence) -> LossSays | None:
@@ -96,10 +100,10 @@ def common_ratio(e: LossEvidence) -> str:
         return ""
     fit = e.fitter.fit((e.common,))  # also where it is not among the chosen candidates
     if e.claim is None:
-        alone = fit.p_value > e.criteria.gate.level
+        sole = fit.p_value > e.criteria.gate.level
     else:
-        alone = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
-    return words.common_ratio(*words.ratio_of(fit, e.common)) if alone else ""
+        sole = e.claim.best.causes == (e.common,) and not e.fitter.losses[e.common].claimable
+    return words.common_ratio(*words.ratio_of(fit, e.common)) if sole else ""
 
 
 def scattered(e: LossEvidence) -> LossSays | None:
@@ -124,10 +128,10 @@ def scattered(e: LossEvidence) -> LossSays | None:
 
 def tells_nothing(e: LossEvidence) -> str:
     """All candidates are in one class although their effects differ."""
-    found = e.explanation
-    if found is None or len(found.best.causes) != 1:
+    explanation = e.explanation
+    if explanation is None or len(explanation.best.causes) != 1:
         return ""
-    alike = found.places[0]
+    alike = explanation.places[0]
     differ = any(e.fitter.difference(alike[0], fit) >= SAME for fit in alike)
     if not differ or {fit.causes[0] for fit in alike} != set(e.fitter.candidates):
         return ""
@@ -136,38 +140,40 @@ def tells_nothing(e: LossEvidence) -> str:
 
 def may_be_chance(e: LossEvidence) -> str:
     """The improvement may be chance: its p-value, corrected for the number of candidates, is above 0.1 %."""
-    found = e.explanation
-    if found is None or max(found.p_values) <= e.criteria.claim.claimed:
+    explanation = e.explanation
+    if explanation is None or max(explanation.p_values) <= e.criteria.claim.claimed:
         return ""
-    return _would(e, found, f"but the improvement may be chance (p = {plain(max(found.p_values), 2)})")
+    return _would(
+        e, explanation, f"but the improvement may be chance (p = {plain(max(explanation.p_values), 2)})"
+    )
 
 
 def leaves_a_trend(e: LossEvidence) -> str:
     """What the explanation leaves has a trend with the frequency."""
-    found = e.explanation
-    if found is None or e.p_trend > e.criteria.gate.level:
+    explanation = e.explanation
+    if explanation is None or e.p_trend > e.criteria.gate.level:
         return ""
     why = (
         "but what it leaves follows the frequency: friction that depends on the amplitude, or something outside the "
         "candidates"
     )
-    return _would(e, found, why)
+    return _would(e, explanation, why)
 
 
 def not_specific(e: LossEvidence) -> str:
     """Too many laws outside the candidates would look like one of them."""
-    found = e.explanation
-    if found is None or e.coincidence <= e.criteria.damping.specific[len(found.best.causes) - 1]:
+    explanation = e.explanation
+    if explanation is None or e.coincidence <= e.criteria.damping.specific[len(explanation.best.causes) - 1]:
         return ""
     why = (
         "but the damping ratios are too few or too uncertain to rule out something outside the candidates: "
         f"{plain(100 * e.coincidence, 2)} % of such laws would look like a candidate"
     )
-    return _would(e, found, why)
+    return _would(e, explanation, why)
 
 
-def _would(e: LossEvidence, found: Explanation, why: str) -> str:
-    return f"{names_of(e.fitter, found.best)} would explain it, {why}"
+def _would(e: LossEvidence, explanation: Explanation, why: str) -> str:
+    return f"{names_of(e.fitter, explanation.best)} would explain it, {why}"
 
 
 def unexplained(e: LossEvidence) -> str:
@@ -180,21 +186,21 @@ def unexplained(e: LossEvidence) -> str:
 
 def other_errors(e: LossEvidence) -> LossSays | None:
     """With errors halved or doubled, or priors twice as wide, another loss takes the place of a claimed one."""
-    found = e.explanation
-    assert found is not None  # `unexplained` stands before
+    explanation = e.explanation
+    assert explanation is not None  # `unexplained` stands before
     for change, trial in e.trials.items():
-        if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= found.known:
+        if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.known:
             text = f"with {change}, {names_of(e.fitter, trial.final)} would explain it better"
-            return LossSays(text, rivals=(found.best, e.fitter.fit(trial.final.causes)))
+            return LossSays(text, rivals=(explanation.best, e.fitter.fit(trial.final.causes)))
     return None
 
 
 def not_predicted(e: LossEvidence) -> str:
     """The ratios of the held-out poses contradict the explanation."""
-    found = e.explanation
-    if found is None or e.held is None or not contradicted(e.held, found.best.values, e.criteria):
+    explanation = e.explanation
+    if explanation is None or e.held is None or not contradicted(e.held, explanation.best.values, e.criteria):
         return ""
-    name = names_of(e.fitter, found.best)
+    name = names_of(e.fitter, explanation.best)
     return f"{name} would explain that of the fitted poses, but not that of the held-out ones"
 
 

@@ -1,4 +1,4 @@
-"""What the second stage of a diagnosis has found, before it becomes a result."""
+"""The second stage of a diagnosis, before it becomes a result."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ class DampingStage:
     ----------
     fitter : LossFitter
         Of the rows that take part.
-    every : DampingObservations
+    all_rows : DampingObservations
         All rows with a damping ratio and a partner.
     held : ndarray of bool
-        Which of these are held out, and say something.
+        Which of these are held out and informative.
     strange : ndarray of bool
-        Which of these have another shape than the modes with which they are paired.
+        Which of these differ in shape from the modes with which they are paired.
     judged : DampingJudgement
     trials : mapping of str to DampingJudgement
         By change of the errors or priors.
@@ -35,7 +35,7 @@ class DampingStage:
     """
 
     fitter: LossFitter
-    every: DampingObservations
+    all_rows: DampingObservations
     held: NDArray[np.bool_]
     strange: NDArray[np.bool_]
     judged: DampingJudgement
@@ -44,19 +44,19 @@ class DampingStage:
 
     @property
     def final(self) -> LossFit:
-        """The losses with what is claimed; as declared, within their priors, where nothing is."""
+        """The losses with the claimed ones; as declared, within their priors, where nothing is claimed."""
         return self.judged.final if self.judged.verdict is EFFECT_FOUND else self.judged.base
 
     @property
     def used(self) -> NDArray[np.bool_]:
         """Mask of the rows that took part."""
         index, outlier = self.fitter.observations.index, self.final.outlier
-        return np.isin(self.every.index, index if outlier is None else np.delete(index, outlier))
+        return np.isin(self.all_rows.index, index if outlier is None else np.delete(index, outlier))
 
     @property
     def predicted(self) -> tuple[Array, Array]:
         """Ratios of the model for all rows, with the losses as declared and as diagnosed."""
-        return self.every.ratios(self.fitter.declared), self.every.ratios(self.final.values)
+        return self.all_rows.ratios(self.fitter.declared), self.all_rows.ratios(self.final.values)
 
     @property
     def sigma_used(self) -> Array:
@@ -66,8 +66,8 @@ class DampingStage:
         allows for.  An error of the logarithm is a part of the measured ratio; of a ratio that is not above 0, the
         others are parts of that of the model.
         """
-        every = self.every
-        other = np.hypot(every.other, self.judged.says.scatter)
-        of_model = np.where(every.above, every.ratio, self.predicted[1])
+        rows = self.all_rows
+        unstated = np.hypot(rows.unstated, self.judged.says.scatter)
+        of_model = np.where(rows.above, rows.ratio, self.predicted[1])
         with np.errstate(invalid="ignore"):  # a ratio of 0 without a standard deviation has no logarithm
-            return np.asarray(np.hypot(every.stated * every.ratio, other * of_model))
+            return np.asarray(np.hypot(rows.stated * rows.ratio, unstated * of_model))

@@ -14,7 +14,7 @@ from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, INSUFFICIENT_DATA
 from pkmodes.support.numbers import p_in_words, plain, rounded
 
-#: Most lines that a note lists.
+#: Largest number of lines listed in a note.
 LISTED = 8
 #: Why measured damping is not diagnosed.
 NO_LOSSES = "the damping is not diagnosed: no loss is among the candidates"
@@ -24,9 +24,9 @@ UNSETTLED = (
 
 
 def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Finding]) -> str:
-    """Return what a judgement says, as a clause about the damping.
+    """Return a judgement as a clause about the damping.
 
-    That of a cause has no p-value: the cause has its own, and another one beside it would only contradict it.
+    For a claimed cause it has no p-value: the cause has its own, and a second one would only contradict it.
     """
     if judged.verdict is ADEQUATE:
         return judged.says.text or f"the damping is that of the model ({p_in_words(judged.base.p_value)})"
@@ -48,7 +48,7 @@ def _cause(fitter: LossFitter, finding: Finding) -> str:
 
 
 def common_ratio(ratio: float, sigma: float) -> str:
-    """Return what is said if one ratio explains the damping of a model that declares none."""
+    """Return the sentence for one ratio that explains the damping of a model that declares none."""
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the file declares no damping; every measured mode agrees with a damping ratio of {percent}, which names no "
@@ -57,7 +57,7 @@ def common_ratio(ratio: float, sigma: float) -> str:
 
 
 def scattered(ratio: float | None, scatter: float) -> str:
-    """Return what is said if damping scatters like that of repeated tests, and no loss explains it.
+    """Return the sentence for damping that scatters as in repeated tests, and that no loss explains.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def scattered(ratio: float | None, scatter: float) -> str:
 
 
 def nearly_declared(ratio: float, sigma: float, declared: float) -> str:
-    """Return what is said if another ratio of all modes than the declared one fits, as near as repeated tests are."""
+    """Return the sentence for a common ratio that differs from the declared one no more than repeated tests do."""
     percent = f"{rounded(100.0 * ratio, 100.0 * sigma)} %"
     return (
         f"the measured ratios are those of a damping ratio of {percent} instead of the "
@@ -90,7 +90,7 @@ def not_predicted(factor: float) -> str:
 
 
 def per_cent(ratio: float) -> str:
-    """Return what is said if damping ratios seem to be in per cent."""
+    """Return the reason where damping ratios seem to be in per cent."""
     return (
         f"the damping ratios, {plain(ratio, 2)} in the median, are not those of a lightly damped machine, and not "
         "diagnosed: if they are in per cent, write the column as damping [%]"
@@ -99,8 +99,8 @@ def per_cent(ratio: float) -> str:
 
 def factor_hundred(*, above: bool) -> str:
     """Return the note if damping ratios are a hundred times, or a hundredth of, those of the model."""
-    what = "a hundred times" if above else "a hundredth of"
-    return f"the damping ratios are {what} those of the model: check the unit, damping or damping [%]"
+    multiple = "a hundred times" if above else "a hundredth of"
+    return f"the damping ratios are {multiple} those of the model: check the unit, damping or damping [%]"
 
 
 def unresolved(lines: Sequence[int]) -> str:

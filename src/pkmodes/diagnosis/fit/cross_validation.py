@@ -24,7 +24,7 @@ def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array
     squares : ndarray, shape (S,)
         Sum of squares of each setup.
     leverage : ndarray, shape (S,)
-        Largest eigenvalue of H_ii: near 1 the setup alone determines some parameter, and no other one predicts it.
+        Largest eigenvalue of H_ii: near 1 the setup alone determines some parameter, which no other predicts.
     """
     squares, leverage = [], []
     for rows in setups:
@@ -53,5 +53,5 @@ def deleted(basis: Array, white: Array) -> Array:
     inside = basis.T @ basis
     if not inside.size:
         return white
-    left = np.eye(len(inside)) - inside
-    return np.asarray(white + basis @ np.linalg.lstsq(left, basis.T @ white, rcond=1e-9)[0])
+    complement = np.eye(len(inside)) - inside
+    return np.asarray(white + basis @ np.linalg.lstsq(complement, basis.T @ white, rcond=1e-9)[0])

@@ -25,7 +25,7 @@ from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter, Structure, reached_bounds
 from pkmodes.measured.measurements import Measurements
 
-#: If there are more than twice this many setups, start values are found from this many.
+#: If there are more than twice this many setups, start values are determined from this many.
 SCOUTED = 12
 
 
@@ -73,12 +73,12 @@ class Fitter:
         return tuple(self._index[name] for name in cause.parameters)
 
     def padded(self, values: Array) -> Array:
-        """Return values of the first parameters, as of a fit of fewer, with the declared ones of the others."""
+        """Complete the values of the first parameters, from a fit with fewer of them, by declared values."""
         return np.concatenate([values, self.declared[len(values) :]])
 
     def used(self, hypothesis: Hypothesis) -> NDArray[np.bool_]:
         """Return a mask of the rows that a hypothesis does not exclude."""
-        used = self.observations.every
+        used = self.observations.all_rows
         used[list(hypothesis.excluded)] = False
         return used
 
@@ -105,10 +105,11 @@ class Fitter:
     def chi2_of_many(self, trials: Sequence[tuple[Hypothesis, Array]]) -> list[float]:
         """Return sums of squares for several hypotheses and values without fit or priors; inf if not evaluable."""
         sums, noise = [np.inf] * len(trials), self.observations.noise
-        values, used = np.array([one for _, one in trials]), [self.used(one) for one, _ in trials]
-        for one in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
-            white = one.residual / noise.stated
-            sums[one.number] = float(white @ white)
+        values = np.array([start for _, start in trials])
+        used = [self.used(hypothesis) for hypothesis, _ in trials]
+        for evaluation in self.observations.beside_many(self.structure, values, [()] * len(trials), used):
+            white = evaluation.residual / noise.stated
+            sums[evaluation.number] = float(white @ white)
         return sums
 
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
@@ -165,7 +166,7 @@ class Fitter:
         return self._finished(hypothesis, values, free, used, tau, converged)
 
     def roughly(self, starts: Sequence[tuple[Hypothesis, Array]]) -> list[Descent]:
-        """Take a few steps from each start, all together.
+        """Take a few steps from all starts in lockstep.
 
         Shared errors and position errors are neglected.
         """
@@ -271,7 +272,7 @@ class Fitter:
         used = self.used(fit.hypothesis)
         rates = self.observations.rates(prediction, fit.pairing, used)
         whitening = self.whitening(fit)
-        # A free parameter with a prior is pulled towards its declared value.
+        # The prior of a free parameter pulls it towards its declared value.
         return rates[self.observations.frequency_rows], np.vstack(
             [whitening.whitened(rates), -self.priors.rates(fit.values, by)]
         )
@@ -279,10 +280,10 @@ class Fitter:
     def misfit(self, fit: Fit, name: str, *, stated: bool) -> Misfit:
         """Return the misfit of a quantity beside the frequencies, with (or without) stated errors."""
         observations, quantity = self.observations, self.observations.beside[name]
-        some = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
+        rows = self.used(fit.hypothesis) & quantity.known & (quantity.stated == stated)
         squares = (observations.by_row(name, fit.white) ** 2).sum(axis=1)
         taken = observations.by_row(name, fit.leverage).sum(axis=1)
-        return Misfit(float(squares[some].sum()), float(quantity.count[some].sum() - taken[some].sum()))
+        return Misfit(float(squares[rows].sum()), float(quantity.count[rows].sum() - taken[rows].sum()))
 
     def worst_rows(self, fit: Fit) -> tuple[NDArray[np.intp], Array]:
         """Return the rows, those with the largest frequency residuals first, and all residuals in sigma, (R,)."""

@@ -1,4 +1,4 @@
-"""A hypothesis about what the declared model lacks, a fit of it, and how good it is."""
+"""A hypothesis about what the declared model lacks, its fit, and the goodness of that fit."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pkmodes.diagnosis.fit.solver import correlation, inverse_of_square
 from pkmodes.diagnosis.match.pairing import Pairing
 from pkmodes.diagnosis.problem import Array, Candidate, Prediction
 
-#: Cosine of the angle between the changes of all modes by two parameters from which on they are the same.
+#: Smallest cosine of the angle between the changes of all modes by two parameters that count as the same.
 PARALLEL = 1.0 - 1e-6
 
 
@@ -61,8 +61,10 @@ class Hypothesis:
         return any(cause.remote and not cause.form for cause in self.causes)
 
     def allows(self, cause: Candidate) -> bool:
-        """Return whether a cause may be added: a whole and a part of it are the same cause given in two ways."""
-        return not any(cause.part_of == one.name or one.part_of == cause.name for one in self.causes)
+        """Return whether a cause may be added: a whole and a part of it are one cause in two forms."""
+        return not any(
+            cause.part_of == present.name or present.part_of == cause.name for present in self.causes
+        )
 
     def adding(self, cause: Candidate) -> Hypothesis:
         """Return the hypothesis with an additional cause."""
@@ -177,11 +179,11 @@ def parallel(rates: Array) -> NDArray[np.bool_]:
     Parameters
     ----------
     rates : ndarray, shape (S, m, T)
-        Derivatives of the eigenvalues; modes for which some are not known are left out.
+        Derivatives of the eigenvalues; modes for which some are unknown are left out.
     """
-    known = rates[np.isfinite(rates).all(axis=-1)]
-    size = np.linalg.norm(known, axis=0)
-    unit = known / np.where(size > 0.0, size, 1.0)
+    finite = rates[np.isfinite(rates).all(axis=-1)]
+    size = np.linalg.norm(finite, axis=0)
+    unit = finite / np.where(size > 0.0, size, 1.0)
     return np.asarray(np.abs(unit.T @ unit) >= PARALLEL)
 
 

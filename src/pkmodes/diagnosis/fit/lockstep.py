@@ -151,10 +151,10 @@ class Lockstep:
         moving = ~(((at <= lower) & (gradient > 0.0)) | ((at >= upper) & (gradient < 0.0))) & (size > 0.0)
         step = np.zeros(len(index))
         while moving.any():
-            some = np.flatnonzero(moving)
+            active = np.flatnonzero(moving)
             step[:] = 0.0
-            step[some] = -scale[some] * np.linalg.solve(
-                square[np.ix_(some, some)], gradient[some] * scale[some]
+            step[active] = -scale[active] * np.linalg.solve(
+                square[np.ix_(active, active)], gradient[active] * scale[active]
             )
             # Parameters at a bound that the step would leave are fixed there.
             held = moving & (((at <= lower) & (step < 0.0)) | ((at >= upper) & (step > 0.0)))

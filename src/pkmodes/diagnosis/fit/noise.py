@@ -64,7 +64,7 @@ class Noise:
     sigma : ndarray, shape (R,)
         Stated standard deviations of ln f.
     stated : ndarray, shape (D,)
-        Standard deviations of all data, without correlations.
+        Standard deviations of all data, without correlated errors.
     rows : list of ndarray
         Rows of each setup.
     uncertain : bool

@@ -1,9 +1,9 @@
-"""What was measured beside what a structure predicts: the data of a fit, their errors, and which rows count.
+"""Measurements beside the predictions of a structure: the data of a fit, their errors, and which rows count.
 
 A row is a measured mode.  Its data are the components of each measured *quantity*: one of its frequency, one of its
-shape for each channel.  All data stand in one vector, quantity by quantity: with R rows of n components each, those
-of a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts know only this vector, so that a further
-quantity is a class with the members of `Quantity` and an entry in `QUANTITIES`.
+shape for each channel.  All data are in one vector, quantity by quantity: with R rows of n components each, those of
+a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts use only this vector, so adding a quantity
+takes a class with the members of `Quantity` and an entry in `QUANTITIES`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pkmodes.measured.quantities import FREQUENCY
 
 
 class Measured(NamedTuple):
-    """What a quantity is made of.
+    """Arguments from which the data of a quantity are made.
 
     Attributes
     ----------
@@ -50,7 +50,7 @@ def shapes(measured: Measured) -> ShapeRows:
 
 
 SHAPE = "shape"
-#: The quantities of a measured mode beside its frequency.
+#: Quantities of a measured mode in addition to its frequency.
 QUANTITIES: dict[str, Callable[[Measured], Quantity]] = {SHAPE: shapes}
 
 
@@ -106,49 +106,49 @@ class Observations:
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
         measured = Measured(data, structure, pairer, scatter, criteria)
         self.beside: Mapping[str, Quantity] = {name: of(measured) for name, of in QUANTITIES.items()}
-        self._every: tuple[Quantity, ...] = (self.frequencies, *self.beside.values())
-        sizes = [quantity.sigma.size for quantity in self._every]
+        self._quantities: tuple[Quantity, ...] = (self.frequencies, *self.beside.values())
+        sizes = [quantity.sigma.size for quantity in self._quantities]
         ends = np.cumsum(sizes).tolist()
-        self.frequency_rows, *others = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
-        self._places = dict(zip(self.beside, others, strict=True))
+        self.frequency_rows, *ranges = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))
+        self._places = dict(zip(self.beside, ranges, strict=True))
         self.size: int = ends[-1]
-        self.shape_rates = any(quantity.shape_rates for quantity in self._every)
-        self.noise = Noise(data, self._every, criteria.fits.most_shared)
+        self.shape_rates = any(quantity.shape_rates for quantity in self._quantities)
+        self.noise = Noise(data, self._quantities, criteria.fits.most_shared)
         self._copies = 1
 
     @property
     def pairer(self) -> Pairer:
-        """What pairs these rows with modes of a model."""
+        """The pairer of these rows with modes of a model."""
         return self.frequencies.pairer
 
     @property
     def shapes(self) -> ShapeRows:
         """The measured shapes."""
-        found = self.beside[SHAPE]
-        assert isinstance(found, ShapeRows)
-        return found
+        quantity = self.beside[SHAPE]
+        assert isinstance(quantity, ShapeRows)
+        return quantity
 
     # Which rows count --------------------------------------------------------------------------------------
 
     @property
-    def every(self) -> Mask:
+    def all_rows(self) -> Mask:
         """A mask of all rows, (R,)."""
         return np.ones(len(self.log), dtype=bool)
 
     def degrees(self, used: Mask) -> int:
         """Return the degrees of freedom of the data of some rows."""
-        return sum(int(quantity.count[used].sum()) for quantity in self._every)
+        return sum(int(quantity.count[used].sum()) for quantity in self._quantities)
 
     def stated(self, used: Mask) -> tuple[Mask, int]:
         """Return the data of some rows with a stated error, as a mask (D,), and their degrees of freedom."""
-        rows = [used & quantity.known & quantity.stated for quantity in self._every]
-        each = list(zip(self._every, rows, strict=True))
-        mask = np.concatenate([np.repeat(some, quantity.sigma.shape[1]) for quantity, some in each])
-        return mask, sum(int(quantity.count[some].sum()) for quantity, some in each)
+        rows = [used & quantity.known & quantity.stated for quantity in self._quantities]
+        masked = list(zip(self._quantities, rows, strict=True))
+        mask = np.concatenate([np.repeat(row_mask, quantity.sigma.shape[1]) for quantity, row_mask in masked])
+        return mask, sum(int(quantity.count[row_mask].sum()) for quantity, row_mask in masked)
 
     def of_rows(self, used: Mask) -> Mask:
         """Return a mask of the data of some rows, (D,)."""
-        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._every])
+        return np.concatenate([np.repeat(used, quantity.sigma.shape[1]) for quantity in self._quantities])
 
     def place(self, rows: NDArray[np.intp]) -> NDArray[np.intp]:
         """Return the indices of the data of some rows."""
@@ -161,23 +161,29 @@ class Observations:
         return [self.place(rows) for rows in self.noise.rows]
 
     def part(self, name: str) -> slice:
-        """Return where the data of a quantity beside the frequencies are."""
+        """Return the slice of the data of a quantity other than the frequencies."""
         return self._places[name]
 
     def by_row(self, name: str, data: Array) -> Array:
-        """Return those of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
+        """Return a quantity's part of a vector of all data, perhaps followed by the priors, row by row: (R, n)."""
         return np.asarray(data[self._places[name]].reshape(self.beside[name].sigma.shape))
 
     # Beside predictions ------------------------------------------------------------------------------------
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
         """Return measured minus model, (D,); 0 for rows that are not used."""
-        return np.concatenate([each.residual(prediction, pairing, used).ravel() for each in self._every])
+        return np.concatenate(
+            [quantity.residual(prediction, pairing, used).ravel() for quantity in self._quantities]
+        )
 
     def rates(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:
         """Return the derivatives of the predictions with respect to the requested parameters, (D, T)."""
-        each = [one.rates(prediction, pairing, used) for one in self._every if one.sigma.size]
-        rates = np.vstack([rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in each])
+        by_quantity = [
+            quantity.rates(prediction, pairing, used) for quantity in self._quantities if quantity.sigma.size
+        ]
+        rates = np.vstack(
+            [rate.reshape(rate.shape[0] * rate.shape[1], rate.shape[2]) for rate in by_quantity]
+        )
         # A step may lead to a mode at 0 Hz, whose logarithm has no derivative.
         return np.asarray(np.where(np.isfinite(rates), rates, 0.0))
 
@@ -186,21 +192,21 @@ class Observations:
         copies = copy.copy(self)
         copies.frequencies, copies._copies = self.frequencies.tiled(count), count
         copies.beside = {name: quantity.tiled(count) for name, quantity in self.beside.items()}
-        copies._every = (copies.frequencies, *copies.beside.values())
+        copies._quantities = (copies.frequencies, *copies.beside.values())
         return copies
 
     def of_each(self, values: Array) -> Array:
         """Reshape the data of all copies, (B D, ...), to (B, D, ...)."""
-        parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._every])[:-1])
-        each = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
-        return np.concatenate(each, axis=1)
+        parts = np.split(values, np.cumsum([quantity.sigma.size for quantity in self._quantities])[:-1])
+        reshaped = [part.reshape(self._copies, len(part) // self._copies, *part.shape[1:]) for part in parts]
+        return np.concatenate(reshaped, axis=1)
 
     def beside_many(
         self, structure: Structure, values: Array, by: Sequence[tuple[int, ...]], used: Sequence[Mask]
     ) -> Iterator[Beside]:
         """Yield the measurements beside a structure with several sets of values, evaluated together.
 
-        Those at which it cannot be evaluated are left out.
+        Sets at which it cannot be evaluated are left out.
 
         Parameters
         ----------
@@ -216,12 +222,12 @@ class Observations:
         for batch in structure.predict_many(values, by, shape_rates=shape_rates):
             if not np.isfinite(batch.prediction.eigenvalues).all():
                 continue
-            rows, some = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
-            pairing = rows.pairer.pair(batch.prediction, some, compare=False)
-            residuals = rows.of_each(rows.residual(batch.prediction, pairing, some))
+            rows, used_rows = self.tiled(len(batch.sets)), np.concatenate([used[k] for k in batch.sets])
+            pairing = rows.pairer.pair(batch.prediction, used_rows, compare=False)
+            residuals = rows.of_each(rows.residual(batch.prediction, pairing, used_rows))
             rates = np.zeros((*residuals.shape, 0))
             if any(by):
-                rates = rows.of_each(rows.rates(batch.prediction, pairing, some))
+                rates = rows.of_each(rows.rates(batch.prediction, pairing, used_rows))
             for k, number in enumerate(batch.sets.tolist()):
                 prediction = _part(batch.prediction, k, len(batch.sets))
                 yield Beside(number, residuals[k], rates[k, :, : len(by[number])], prediction)
@@ -230,6 +236,6 @@ class Observations:
 def _part(prediction: Prediction, k: int, count: int) -> Prediction:
     """Return one of several predictions that were evaluated together, without derivatives of the shapes."""
     size = len(prediction.eigenvalues) // count
-    some = slice(k * size, (k + 1) * size)
+    block = slice(k * size, (k + 1) * size)
     values, rates, shapes = prediction.eigenvalues, prediction.rates, prediction.shapes
-    return Prediction(values[some], rates[some], shapes[some], prediction.rigid)
+    return Prediction(values[block], rates[block], shapes[block], prediction.rigid)

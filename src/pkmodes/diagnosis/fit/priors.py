@@ -1,9 +1,10 @@
-r"""Priors as additional data: always for nuisances, for parameters of candidates if the candidate is assumed.
+r"""Priors as additional data: of nuisances always, of parameters of candidates if the candidate is assumed.
 
 Correlated priors are whitened: with their distances d in standard deviations and the correlation R, the data are
 :math:`R^{-1/2} d`, whose sum of squares is :math:`d^T R^{-1} d`.  R may be singular, as for values that are exactly
-proportional.  Its eigenvalues count as `LEAST` at least: a combination of values without any uncertainty has one of a
-ten-thousandth of a standard deviation of its values, which holds it and leaves the least squares well conditioned.
+proportional.  Its eigenvalues are raised to at least `LEAST`: the standard deviation of a combination without any
+uncertainty is then a ten-thousandth of that of its values, which fixes it and keeps the least squares well
+conditioned.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import PkmodesError, shown
 from pkmodes.diagnosis.problem import Array, Candidate, Parameter
 
-#: Least eigenvalue of a correlation, and rounding of what was given.
+#: Smallest eigenvalue of a correlation matrix, and rounding allowed in a declared one.
 LEAST, ROUNDING = 1e-8, 1e-6
 
 
@@ -40,7 +41,7 @@ class Priors:
     Raises
     ------
     PkmodesError
-        If correlations are not symmetric or not possible, a prior is not positive, a candidate does not have one for
+        If correlations are asymmetric or impossible, a prior is not positive, a candidate does not have one for
         each parameter, two candidates contradict each other, or a log-normal parameter is not positive.
     """
 
@@ -54,25 +55,25 @@ class Priors:
                 continue
             where = f"candidate {shown(candidate.name)}"
             if len(candidate.sigma) != len(candidate.parameters):
-                what = (
+                problem = (
                     f"expected {len(candidate.parameters)} standard deviations, found {len(candidate.sigma)}"
                 )
-                raise PkmodesError(what, where, "give one for each of its parameters")
+                raise PkmodesError(problem, where, "give one for each of its parameters")
             for name, sigma in zip(candidate.parameters, candidate.sigma, strict=True):
                 if not 0.0 < sigma < np.inf:
-                    what = f"expected a standard deviation above 0, found {sigma:g}"
-                    raise PkmodesError(what, where, "leave sigma out if unknown")
+                    problem = f"expected a standard deviation above 0, found {sigma:g}"
+                    raise PkmodesError(problem, where, "leave sigma out if unknown")
                 if sigmas.setdefault(names[name], sigma) != sigma:
-                    what = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
-                    raise PkmodesError(what, where, "give the same one in every candidate")
+                    problem = f"{shown(name)} has two priors: {sigmas[names[name]]:g} and {sigma:g}"
+                    raise PkmodesError(problem, where, "give the same one in every candidate")
         self.index: NDArray[np.intp] = np.array(sorted(sigmas), dtype=np.intp)
         self._row = {i: row for row, i in enumerate(self.index.tolist())}
         self.sigma = widened * np.array([sigmas[i] for i in sorted(sigmas)], dtype=float)
         self._declared = np.array([parameters[i].value for i in self.index])
         self._log = np.array([parameters[i].log for i in self.index], dtype=bool)
         for i in self.index[self._log & (self._declared <= 0.0)]:
-            what = f"expected a positive value for a log-normal prior, found {parameters[i].value:g}"
-            raise PkmodesError(what, f"parameter {shown(parameters[i].name)}", "leave out log=True")
+            problem = f"expected a positive value for a log-normal prior, found {parameters[i].value:g}"
+            raise PkmodesError(problem, f"parameter {shown(parameters[i].name)}", "leave out log=True")
         self.whitening = whitening([parameters[i] for i in self.index])
 
     def residual(self, values: Array) -> Array:
@@ -81,7 +82,7 @@ class Priors:
         return away if self.whitening is None else np.asarray(self.whitening @ away)
 
     def away(self, values: Array) -> Array:
-        """Return the distance of each value from its declared one in its own standard deviation, (P,)."""
+        """Return the distance of each value from its declared one in its standard deviations, (P,)."""
         at = values[self.index]
         with np.errstate(divide="ignore", invalid="ignore"):
             away = np.where(
@@ -117,29 +118,31 @@ def whitening(parameters: Sequence[Parameter]) -> Array | None:
     Parameters
     ----------
     parameters : sequence of Parameter
-        Correlations with others than these do not count.
+        Correlations with other parameters do not count.
 
     Raises
     ------
     PkmodesError
-        If the correlations are not symmetric, or no values can be correlated like this.
+        If the correlations are asymmetric or impossible.
     """
     place = {p.name: i for i, p in enumerate(parameters)}
-    found = np.eye(len(parameters))
+    correlation = np.eye(len(parameters))
     for i, p in enumerate(parameters):
         for name, rate in p.correlated:
             if (k := place.get(name)) is not None and k != i:
-                found[i, k] = rate
-    apart = found != np.eye(len(found))
-    some = np.flatnonzero(apart.any(axis=1) | apart.any(axis=0))
-    if not len(some):
+                correlation[i, k] = rate
+    apart = correlation != np.eye(len(correlation))
+    correlated = np.flatnonzero(apart.any(axis=1) | apart.any(axis=0))
+    if not len(correlated):
         return None
-    part = found[np.ix_(some, some)]
+    part = correlation[np.ix_(correlated, correlated)]
     values, vectors = np.linalg.eigh(0.5 * (part + part.T))
     if not np.allclose(part, part.T, rtol=0.0, atol=ROUNDING) or values[0] < -ROUNDING:
-        names = ", ".join(parameters[i].name for i in some.tolist())
-        what = "expected a symmetric, positive semidefinite matrix of correlations, found another one"
-        raise PkmodesError(what, f"parameters {names}", "give each correlation with both of its parameters")
+        names = ", ".join(parameters[i].name for i in correlated.tolist())
+        problem = "expected a symmetric, positive semidefinite matrix of correlations, found another one"
+        raise PkmodesError(
+            problem, f"parameters {names}", "give each correlation with both of its parameters"
+        )
     white = np.eye(len(parameters))
-    white[np.ix_(some, some)] = (vectors / np.sqrt(np.maximum(values, LEAST))) @ vectors.T
+    white[np.ix_(correlated, correlated)] = (vectors / np.sqrt(np.maximum(values, LEAST))) @ vectors.T
     return white

@@ -8,8 +8,8 @@ of r and g outside the span of N,
 .. math:: p(\theta + d) \approx |A + B d|^2 ,
 
 which is solved for d on the outer side, with the nuisances that belong to it: the step of Venzon and Moolgavkar (A
-method for computing profile-likelihood-based confidence intervals, Applied Statistics 37, 1988) with the Hessian of
-Gauss and Newton.  The model is evaluated there, until p is the wanted sum; a bracket catches steps of poor models.
+method for computing profile-likelihood-based confidence intervals, Applied Statistics 37, 1988) with the Gauss-Newton
+Hessian.  The model is then evaluated there, until p is the required sum; a bracket safeguards steps of poor models.
 Evaluating all ends together takes little longer than evaluating one.
 """
 
@@ -25,29 +25,29 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Array
 
-#: Largest number of evaluations of an end.
+#: Largest number of evaluations for an end.
 ROUNDS = 12
 #: An end is found if its sum of squares is wrong by less than this part of the rise, and the nuisances could lower it
 #: by no more than this: a tenth moves the end by a twentieth.
 PART = 0.1
 #: Largest step outwards, relative to the size reached.
 GROWTH = 8.0
-#: Part of the way that is kept in a step back from where the model cannot be evaluated, or is lost.
+#: Part of the way that a step back keeps where the model cannot be evaluated, and where it is lost.
 RETREAT = 0.5
 FAR_RETREAT = 0.125
-#: A model is lost where more than this part of the rise of its sum of squares is that of measured modes without a
-#: partner: their residuals do not depend on any value, so that no refit leads back.
+#: A model is lost where more than this part of the rise of its sum of squares comes from measured modes without a
+#: partner: their residuals depend on no value, so no refit leads back.
 LOST = 0.5
 #: Relative singular value below which a combination of nuisances changes nothing.
 NOTHING = 1e-9
 
 
 class Asked(NamedTuple):
-    """Values at which a model is needed, its free parameters, and those without a prior, whatever the fitter has."""
+    """Values at which a model is needed, its free parameters, and those to be taken without their priors."""
 
     values: Array
     free: tuple[int, ...]
-    own: tuple[int, ...]
+    without_prior: tuple[int, ...]
 
 
 class Point(NamedTuple):
@@ -83,12 +83,12 @@ class Side:
         Side of the declared value.
     free : tuple of int
         Indices of all free parameters.
-    own : tuple of int
-        Parameters without a prior, whatever the fitter has.
-    most : float
+    without_prior : tuple of int
+        Parameters to be taken without their priors.
+    largest : float
         Largest plausible size on this side.
     least : Point
-        Where the sum of squares is least.
+        Point of the smallest sum of squares.
     target : float
         Sum of squares at the end.
     """
@@ -97,14 +97,14 @@ class Side:
     declared: float
     sign: int
     free: tuple[int, ...]
-    own: tuple[int, ...]
-    most: float
+    without_prior: tuple[int, ...]
+    largest: float
     least: Point
     target: float
 
     @property
     def rise(self) -> float:
-        """By how much the sum of squares rises to the end."""
+        """Rise of the sum of squares to the end."""
         return self.target - self.least.squares
 
     def size(self, values: Array) -> float:
@@ -165,38 +165,42 @@ class Profiles:
         self.fitter, self.fit = fitter, fit
         self._used, self._whitening = fitter.used(fit.hypothesis), fitter.whitening(fit)
 
-    def points(self, asked: Sequence[Asked]) -> list[Point | None]:
+    def points(self, requests: Sequence[Asked]) -> list[Point | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
-        found: list[Point | None] = [None] * len(asked)
-        fitter, by = self.fitter, [one.free for one in asked]
-        values, used = np.array([one.values for one in asked]), [self._used] * len(asked)
-        for one in fitter.observations.beside_many(fitter.structure, values, by, used):
-            found[one.number] = self._point(asked[one.number], one.residual, one.rates)
-        return found
+        points: list[Point | None] = [None] * len(requests)
+        fitter, by = self.fitter, [request.free for request in requests]
+        values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
+        for evaluation in fitter.observations.beside_many(fitter.structure, values, by, used):
+            points[evaluation.number] = self._point(
+                requests[evaluation.number], evaluation.residual, evaluation.rates
+            )
+        return points
 
-    def _point(self, asked: Asked, residual: Array, rates: Array) -> Point:
+    def _point(self, request: Asked, residual: Array, rates: Array) -> Point:
         priors, whitened = self.fitter.priors, self._whitening.whitened
-        white = np.concatenate([whitened(residual), priors.residual(asked.values)])
-        jacobian = np.vstack([-whitened(rates), priors.rates(asked.values, asked.free)])
-        return Point(asked.values, *without_priors(self.fitter, white, jacobian, asked.own))
+        white = np.concatenate([whitened(residual), priors.residual(request.values)])
+        jacobian = np.vstack([-whitened(rates), priors.rates(request.values, request.free)])
+        return Point(request.values, *without_priors(self.fitter, white, jacobian, request.without_prior))
 
     def linear(self, side: Side) -> End:
         """Return an end of the model linearised at the least sum of squares."""
         step = self._step(side, side.least)
-        size = min(_outward(side, side.least, step), side.most)
-        return End(self._moved(side, side.least, step, size), size, size < side.most)
+        size = min(_outward(side, side.least, step), side.largest)
+        return End(self._moved(side, side.least, step, size), size, size < side.largest)
 
     def ends(self, sides: Sequence[Side]) -> list[End]:
         """Return the ends of all sides."""
         searches = [_Search.begun(side, self.linear(side)) for side in sides]
         for _ in range(ROUNDS):
-            going = [one for one in searches if one.end is None]
+            going = [search for search in searches if search.end is None]
             if not going:
                 break
-            points = self.points([Asked(one.next, one.side.free, one.side.own) for one in going])
-            for one, point in zip(going, points, strict=True):
-                self._take(one, point)
-        return [one.end or one.given_up() for one in searches]
+            points = self.points(
+                [Asked(search.next, search.side.free, search.side.without_prior) for search in going]
+            )
+            for search, point in zip(going, points, strict=True):
+                self._take(search, point)
+        return [search.end or search.given_up() for search in searches]
 
     def _take(self, search: _Search, point: Point | None) -> None:
         """Use the model at the proposed values, None if it cannot be evaluated there, and propose the next ones."""
@@ -210,16 +214,16 @@ class Profiles:
         wrong = step.profile - side.target
         if step.unsettled > PART * side.rise:
             search.next = (
-                here  # the same size again: the linear model is poor so far from the refitted nuisances
+                here  # same size again: the linear model is poor this far from the refitted nuisances
             )
         elif abs(wrong) <= PART * side.rise:
             search.end = End(here, size, True)
-        elif wrong < 0.0 and size >= side.most:
+        elif wrong < 0.0 and size >= side.largest:
             search.end = End(here, size, False)
         else:
             search.bracket(here, wrong < 0.0)
             farthest = size + GROWTH * max(abs(size), abs(search.first))
-            there = min(_outward(side, point, step), side.most, farthest)
+            there = min(_outward(side, point, step), side.largest, farthest)
             lost = point.fixed - side.least.fixed > LOST * (point.squares - side.least.squares)
             if wrong > 0.0 and lost:
                 search.astray |= search.outside == size
@@ -232,13 +236,13 @@ class Profiles:
     def _step(self, side: Side, point: Point) -> Step:
         """Return the linear model of a profile at a point."""
         place = side.free.index(side.index)
-        others = [k for k in range(len(side.free)) if k != place]
-        index = [side.free[k] for k in others]
-        g, N = point.jacobian[:, place], point.jacobian[:, others]
+        nuisances = [k for k in range(len(side.free)) if k != place]
+        index = [side.free[k] for k in nuisances]
+        g, N = point.jacobian[:, place], point.jacobian[:, nuisances]
         at, lower, upper = point.values[index], self.fitter.lower[index], self.fitter.upper[index]
-        rest, along = np.zeros(len(others)), np.zeros(len(others))
-        moving = np.ones(len(others), dtype=bool)
-        for _ in range(2):  # again without those that would leave their bounds
+        rest, along = np.zeros(len(nuisances)), np.zeros(len(nuisances))
+        moving = np.ones(len(nuisances), dtype=bool)
+        for _ in range(2):  # repeated without those that would leave their bounds
             columns = N[:, moving]
             length = np.linalg.norm(columns, axis=0)
             scale = 1.0 / np.where(length > 0.0, length, 1.0)
@@ -314,14 +318,16 @@ class _Search:
         self.next = self.within + part * (self.next - self.within)
 
     def given_up(self) -> End:
-        """Return the end as far as it is known: rather too large than too small."""
-        known = bool(np.isfinite(self.outside)) and not self.astray
-        return End(self.within, self.outside if known else self.side.most, known, reached=False)
+        """Return the end as far as it is known, too large rather than too small."""
+        bounded = bool(np.isfinite(self.outside)) and not self.astray
+        return End(self.within, self.outside if bounded else self.side.largest, bounded, reached=False)
 
 
-def without_priors(fitter: Fitter, white: Array, jacobian: Array, own: Sequence[int]) -> tuple[Array, Array]:
+def without_priors(
+    fitter: Fitter, white: Array, jacobian: Array, index: Sequence[int]
+) -> tuple[Array, Array]:
     """Return residual and derivatives without the priors of some parameters."""
-    rows = fitter.priors.rows(own)
+    rows = fitter.priors.rows(index)
     if rows:
         at = fitter.prior_rows.start + np.array(rows)
         white, jacobian = white.copy(), jacobian.copy()
@@ -330,7 +336,7 @@ def without_priors(fitter: Fitter, white: Array, jacobian: Array, own: Sequence[
 
 
 def _outward(side: Side, point: Point, step: Step) -> float:
-    """Return the size at which the linear model reaches the wanted sum of squares on the outer side."""
+    """Return the size at which the linear model reaches the required sum of squares on the outer side."""
     size, slope, above = side.size(point.values), side.sign * step.slope, step.profile - side.target
     if step.square <= 0.0:
         return np.inf if above < 0.0 else size

@@ -30,7 +30,7 @@ class Quantity(Protocol):
 
     @property
     def count(self) -> NDArray[np.int_]:
-        """Degrees of freedom of each row, (R,); 0 where it is not known."""
+        """Degrees of freedom of each row, (R,); 0 for rows without the quantity."""
 
     @property
     def shape_rates(self) -> bool:

@@ -5,9 +5,9 @@ The residual of a measured shape s of any scale with respect to a shape :math:`\
 .. math:: r = s - \phi \, (\phi^T s) / (\phi^T \phi), \qquad dr = -\frac{\phi^T s}{\phi^T \phi} P d\phi ,
 
 where P projects out :math:`\phi` (variable projection; Kaufman, BIT 15, 1975).  Modes whose measured frequencies
-nearly agree are projected out together.  Components are relative to the row's largest, so their standard deviation is
-the stated ``sigma_shape``.  If none is stated, the scatter is that of the best explanation, and metres and radians
-are scaled by the motion of their channels in the declared model.
+nearly agree are projected out together.  Components are relative to the largest of their row, so their standard
+deviation is the stated ``sigma_shape``.  If none is stated, the scatter is that of the best explanation, and metres
+and radians are scaled by the motion of their channels in the declared model.
 """
 
 from __future__ import annotations
@@ -83,15 +83,15 @@ class ShapeRows:
         self.known = (components >= 2) & (largest[:, 0] > 0.0)
         self._shapes[~self.known] = 0.0
         self.count = np.where(self.known, components - 1, 0)
-        each = np.where(self.stated, shape_errors(data, criteria), scatter)
-        self.sigma = np.broadcast_to(each[:, None], data.shapes.shape)
+        by_row = np.where(self.stated, shape_errors(data, criteria), scatter)
+        self.sigma = np.broadcast_to(by_row[:, None], data.shapes.shape)
         self._close = criteria.pairing.close
         self._crowd(neighbours(data, criteria))
 
     def _crowd(self, mates: NDArray[np.intp]) -> None:
         """Set up the rows that are compared with the modes of several rows at once."""
         several = (mates >= 0).sum(axis=1)
-        # As many modes as components would explain any shape: such a row carries no information.
+        # As many modes as components explain any shape: such a row carries no information.
         silent = (several > 1) & ~(self.known & (several <= self.count))
         self.known[silent], self.count[silent], self._shapes[silent] = False, 0, 0.0
         self._mates = np.where(silent[:, None], -1, mates)
@@ -111,7 +111,7 @@ class ShapeRows:
 
     @property
     def shape_rates(self) -> bool:
-        """Whether there is anything whose derivatives need those of the shapes of the model."""
+        """Whether any shape was measured, whose derivatives need those of the shapes of the model."""
         return self._shapes.size > 0
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: NDArray[np.bool_]) -> Array:
@@ -173,7 +173,7 @@ def _scales(units: Sequence[str], moves: Array) -> Array:
     """Return the reciprocal rms motion of the channels of each unit over all setups, (C,); 0 if they do not move."""
     scales = np.zeros(len(units))
     for unit in set(units):
-        some = [i for i, other in enumerate(units) if other == unit]
-        size = float(np.sqrt(np.mean(moves[:, some] ** 2)))
-        scales[some] = 1.0 / size if size > 0.0 else 0.0
+        channels = [i for i, unit_of_channel in enumerate(units) if unit_of_channel == unit]
+        size = float(np.sqrt(np.mean(moves[:, channels] ** 2)))
+        scales[channels] = 1.0 / size if size > 0.0 else 0.0
     return scales

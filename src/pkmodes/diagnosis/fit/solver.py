@@ -10,11 +10,11 @@ from scipy.optimize import least_squares
 from pkmodes.core.linalg.decomposition import thin_svd
 from pkmodes.diagnosis.problem import Array
 
-#: Largest unit of a variable, in widths of its range: beyond it both bounds would be one number in these units.
+#: Largest unit of a variable, in widths of its range: in larger units both bounds would be the same number.
 MOST_RANGES = 1e6
-#: Largest unit of a variable, in multiples of its start value: beyond it rounding would lose that value.
+#: Largest unit of a variable, in multiples of its start value: in larger units that value would be lost to rounding.
 MOST_TIMES = 1e9
-#: Smallest length of the first step in standard deviations.
+#: Smallest length of the first step, in standard deviations.
 FIRST_STEP = 10.0
 
 
@@ -57,7 +57,7 @@ def bounded_least_squares(
     start = values.copy()
     start[index] = first
     size = np.linalg.norm(rates(start), axis=0)
-    # A variable that the data hardly see has an enormous standard deviation.
+    # A variable that hardly affects the data has an enormous standard deviation.
     unit = np.minimum(1.0 / np.where(size > 0.0, size, 1.0), MOST_RANGES * (upper - lower))
     unit = np.where(first != 0.0, np.minimum(unit, MOST_TIMES * np.abs(first)), unit)
     origin = first - np.maximum(np.abs(first), FIRST_STEP * unit)

@@ -14,7 +14,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit, Hypothesis, Misfit
 from pkmodes.diagnosis.fit.observations import SHAPE
 from pkmodes.diagnosis.problem import Array, Candidate
 
-#: A further parameter of a term within this many standard deviations of 0 is not counted as one.
+#: A further parameter of a term within this many standard deviations of 0 is not counted as a parameter.
 ABSENT = 1e-3
 
 Key = tuple[frozenset[str], frozenset[int], bool]
@@ -39,7 +39,7 @@ class FitStore:
         earlier = {} if before is None else before._fits
         self._seeds = {k: fit.values for k, fit in earlier.items() if fit is not None}
         self._rows = len(fitter.observations.log)
-        self._data = fitter.observations.degrees(fitter.observations.every)
+        self._data = fitter.observations.degrees(fitter.observations.all_rows)
         self._fits: dict[Key, Fit | None] = {}
         self._rough: set[Key] = set()
         self._begun: set[Key] = set()
@@ -54,19 +54,19 @@ class FitStore:
             self._begun.add(k)
         elif start is not None and k not in self._begun:
             self._begun.add(k)
-            again, known = self.fitter.fit(hypothesis, start), self._fits[k]
-            if again is not None and (known is None or again.deviance < known.deviance):
+            again, previous = self.fitter.fit(hypothesis, start), self._fits[k]
+            if again is not None and (previous is None or again.deviance < previous.deviance):
                 self._fits[k] = again
                 self._rough.discard(k)
         fit = self._fits[k]
-        # The order of the causes is that of the hypothesis asked for.
+        # The causes are in the order of the requested hypothesis.
         return fit if fit is None or fit.hypothesis == hypothesis else replace(fit, hypothesis=hypothesis)
 
     def again(self, hypothesis: Hypothesis, start: Array) -> Fit | None:
         """Fit again from another start, and keep the better fit."""
         k = key(hypothesis)
-        again, known = self.fitter.fit(hypothesis, start), self._fits.get(k)
-        if again is not None and (known is None or again.deviance < known.deviance):
+        again, previous = self.fitter.fit(hypothesis, start), self._fits.get(k)
+        if again is not None and (previous is None or again.deviance < previous.deviance):
             self._fits[k] = again
             self._rough.discard(k)
         return self.fit(hypothesis)
@@ -77,10 +77,10 @@ class FitStore:
 
     def roughly(self, jobs: Sequence[tuple[Hypothesis, Sequence[Array]]]) -> list[Fit]:
         """Fit several hypotheses roughly, each from the best of several starts, and return those that succeed."""
-        starts = [(hypothesis, values) for hypothesis, some in jobs for values in some]
+        starts = [(hypothesis, values) for hypothesis, guesses in jobs for values in guesses]
         reached, fits = iter(self.fitter.roughly(starts)), []
-        for hypothesis, some in jobs:
-            best, k = min((next(reached) for _ in some), key=lambda descent: descent.chi2), key(hypothesis)
+        for hypothesis, guesses in jobs:
+            best, k = min((next(reached) for _ in guesses), key=lambda descent: descent.chi2), key(hypothesis)
             if (
                 hypothesis.scatter or self.fitter.observations.noise.uncertain
             ):  # correlated errors: the rough fit is only a start
@@ -92,12 +92,12 @@ class FitStore:
         return [fit for fit in fits if fit is not None]
 
     def finished(self, fits: list[Fit]) -> list[Fit]:
-        """Complete the rough fits among the best until no rough one is left there; return all, best first."""
+        """Complete the rough fits among the best until none of these is rough; return all, best first."""
         c = self.fitter.criteria
         while fits:
             fits = sorted(fits, key=self.criterion)
             best = self.criterion(fits[0])
-            # A converged fit is completed only if it may survive, or be in the class of a survivor.
+            # A converged fit is completed only if it may survive, or belong to the class of a survivor.
             near = {True: best + c.search.survives + c.claim.told_apart, False: best + c.search.nearly}
             rough = next(
                 (
@@ -147,7 +147,7 @@ class FitStore:
         return count - sum(fitter.priors.of(i) is None for i in self.added(fit)) - int(h.scatter)
 
     def p_value(self, fit: Fit) -> float:
-        """Return the smallest p-value: of the frequencies with priors, and of what has stated errors beside them."""
+        """Return the smallest p-value: of the frequencies with priors, and of other quantities with stated errors."""
         beside = (self.fitter.misfit(fit, name, stated=True) for name in self.fitter.observations.beside)
         return min(self.frequency_p_value(fit), *(misfit.p_value for misfit in beside))
 
@@ -176,17 +176,17 @@ class FitStore:
         penalty, and so have prior odds below 1.
         """
         h, fitter = fit.hypothesis, self.fitter
-        price, each = sum(map(_odds, fit.causes), 0.0), self.parameter_price
+        price, per_parameter = sum(map(_odds, fit.causes), 0.0), self.parameter_price
         for i in self.added(fit):
             row = fitter.priors.of(i)
             if row is None:
-                price += each
+                price += per_parameter
             else:
                 k = fit.free.index(i)
                 width = fitter.priors.width(fit.values)[row]
                 price += max(float(np.log(width**2 / max(fit.covariance[k, k], 1e-300))), 0.0)
         count = int(h.scatter) + fitter.criteria.search.price_of_row * len(h.excluded)
-        return fit.deviance + price + each * count
+        return fit.deviance + price + per_parameter * count
 
     def price(self, candidate: Candidate) -> float:
         """Return the penalty of a candidate in the criterion, for its parameters without prior and its odds."""
@@ -206,10 +206,10 @@ class FitStore:
         places, priors = self.fitter.observations.places(), self.fitter.prior_rows
         squares, leverage = left_out(fit, places)
         tells = leverage < self.fitter.criteria.claim.alone
-        others = left_out(less, places)[0]
-        # A cause that lets the nuisances stay near their declared values is credited for that.
+        baseline = left_out(less, places)[0]
+        # A cause is credited for letting the nuisances stay near their declared values.
         saved = float((less.white[priors] ** 2).sum() - (fit.white[priors] ** 2).sum())
-        return tells.sum() < 2 or bool(squares[tells].sum() < others[tells].sum() + saved)
+        return tells.sum() < 2 or bool(squares[tells].sum() < baseline[tells].sum() + saved)
 
     def shape_scatter(self, fit: Fit) -> float | None:
         """Return the scatter of the shapes without stated errors at a fit; None if there are too few."""
@@ -221,12 +221,12 @@ class FitStore:
     def added(self, fit: Fit) -> list[int]:
         """Return the indices of the parameters that the causes of a fit add.
 
-        A further parameter of a term that is 0, such as the mass of a support, does nothing and is left out.
+        A further parameter of a term that is 0, such as the mass of a support, has no effect and is left out.
         """
         added: list[int] = []
         for cause in fit.causes:
-            first, *others = self.fitter.indices(cause)
-            added += [first, *(i for i in others if not (cause.form and self._absent(fit, i)))]
+            first, *further = self.fitter.indices(cause)
+            added += [first, *(i for i in further if not (cause.form and self._absent(fit, i)))]
         return added
 
     def _absent(self, fit: Fit, i: int) -> bool:

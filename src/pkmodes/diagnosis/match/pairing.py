@@ -3,7 +3,7 @@
 Each setup is an assignment problem: measured modes are assigned one-to-one to modes of the model with the least sum
 of distances.  The distance is the squared logarithm of the frequency ratio plus, if there are shapes, a multiple of
 one minus the modal assurance criterion (`support.mac`), less the part that the errors of the shape explain: within
-its errors a shape does not tell which of two modes it is.
+its errors a shape does not show to which of two modes it belongs.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Pairing:
     mac: Array
 
     def within(self, prediction: Prediction) -> Pairing:
-        """Return it for a prediction that may lack a mode, which a cause adds: its row is unmatched there."""
+        """Return the pairing for a prediction that may lack a mode that a cause adds: its row is unmatched there."""
         there = self.partner < prediction.eigenvalues.shape[1]
         return self if there.all() else Pairing(np.where(there, self.partner, -1), self.mac)
 
@@ -65,7 +65,7 @@ class _Shapes(NamedTuple):
     measured: NDArray[np.bool_]
     errors: Array
 
-    def alone(self) -> Array:
+    def single_macs(self) -> Array:
         """Return the MAC of each row with each mode of its setup, (S, r, m)."""
         return mac(self.rows, self.model, self.measured)
 
@@ -154,14 +154,14 @@ class Pairer:
             close = np.diff(logs, axis=1) < c.pairing.close
         cost = distance**2
         if shapes is not None:
-            alone = shapes.alone()
-            likeness = self._grouped(alone, shapes, logs, close)
+            single_macs = shapes.single_macs()
+            likeness = self._grouped(single_macs, shapes, logs, close)
             explained = explained_difference(shapes.rows, shapes.errors, c.pairing.shape_sigmas)[..., None]
             explained = np.minimum(explained, 1.0 - c.shapes.good_mac)
             unlike = np.maximum(1.0 - likeness - explained, 0.0) / (1.0 - explained)
             cost = cost + c.pairing.shape_weight**2 * np.where(np.isnan(likeness), 0.0, unlike)
-        # The assignment may take a mode that is too far away; it is then not a partner.  The cost of this is
-        # constant: otherwise a mode that the model lacks would shift the others.
+        # The assignment may take a mode that is too far away, which is then no partner.  Its cost is constant:
+        # otherwise a mode that the model lacks would shift the others.
         cost = np.where(distance <= c.pairing.reach, cost, c.pairing.reach**2 + c.pairing.shape_weight**2)
         partner = _assigned(cost, present, np.isfinite(logs))
         at = np.arange(len(row))[:, None], np.arange(row.shape[1]), np.maximum(partner, 0)
@@ -176,14 +176,14 @@ class Pairer:
         if compare and shapes is not None:
             beside = unmeasured_neighbours(prediction, partners, self.pose, c.pairing.close)
             beside = np.where(beside >= 0, beside - rigid, -1)
-            values = self._compared(partners - rigid, beside, alone, shapes)
+            values = self._compared(partners - rigid, beside, single_macs, shapes)
         return Pairing(partners, values)
 
     def macs(self, prediction: Prediction) -> Array:
         """Return the MAC of each row with each elastic mode of its setup, (R, m); NaN without a shape."""
         if not len(self.columns):
             return np.full((len(self._log), prediction.shapes.shape[1] - prediction.rigid), np.nan)
-        return self._shapes(prediction).alone()[self.pose, self._place]
+        return self._shapes(prediction).single_macs()[self.pose, self._place]
 
     def differences(self, prediction: Prediction, pairing: Pairing) -> Array:
         """Return measured minus model in ln f, (R,); an unmatched mode counts as the reach of the pairing."""
@@ -197,37 +197,37 @@ class Pairer:
         model = prediction.shapes[..., self.columns]
         weights = channel_weights(model, self.moves)
         rows = self._normalised * weights
-        # A stated error is relative to the largest component; the scatter, where there is none, to the largest in
-        # units of each channel's motion.
+        # A stated error is relative to the largest component; the scatter used otherwise, to the largest in units of
+        # each channel's motion.
         stated = self._errors[..., None] * weights
         scatter = self._criteria.shapes.scatter * np.abs(rows).max(axis=-1, keepdims=True)
         errors = np.where(np.isnan(stated), scatter, stated) * self._measured
         return _Shapes(rows, model[:, prediction.rigid :] * weights, self._measured, errors)
 
-    def _grouped(self, alone: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
+    def _grouped(self, single_macs: Array, shapes: _Shapes, logs: Array, close: NDArray[np.bool_]) -> Array:
         """Return the MAC of each row with each mode of the model, or with the subspace of the modes close to it."""
         setups = np.flatnonzero(close.any(axis=1))
         if not len(setups):
-            return alone
+            return single_macs
         with np.errstate(invalid="ignore"):
             near = np.abs(logs[setups][:, :, None] - logs[setups][:, None, :]) < self._criteria.pairing.close
         which, k = np.nonzero(near.sum(axis=-1) > 1)
         # Every row of a setup with a known shape, with every mode that has close neighbours.
-        entry, place = np.nonzero(np.isfinite(alone[setups[which], :, k]))
+        entry, place = np.nonzero(np.isfinite(single_macs[setups[which], :, k]))
         if not len(entry):
-            return alone
+            return single_macs
         which, k = which[entry], k[entry]
-        likeness = alone.copy()
+        likeness = single_macs.copy()
         inside = shapes.in_subspace(setups[which], place, near[which, k])
         at = setups[which], place, k
         likeness[at] = np.where(np.isnan(inside), likeness[at], inside)
         return likeness
 
-    def _compared(self, partner: Index, beside: Index, alone: Array, shapes: _Shapes) -> Array:
+    def _compared(self, partner: Index, beside: Index, single_macs: Array, shapes: _Shapes) -> Array:
         """Return the MAC of each row with its partner, or with the subspace of the partners and modes close to it."""
         pose, place = self.pose, self._place
         paired = partner >= 0
-        likeness = np.where(paired, alone[pose, place, np.maximum(partner, 0)], np.nan)
+        likeness = np.where(paired, single_macs[pose, place, np.maximum(partner, 0)], np.nan)
         crowded = (self._mates[:, 1:] >= 0).any(axis=1) | (beside >= 0).any(axis=1)
         i = np.flatnonzero(paired & crowded)
         if len(i):
@@ -262,7 +262,7 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
     log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
     limits, pose = criteria.pairing, data.pose
     order = np.lexsort((log, pose))
-    found: list[tuple[Index, Index]] = []
+    close_pairs: list[tuple[Index, Index]] = []
     beside: Index = np.empty(0, dtype=np.intp)
     for a, b in pairs_of_setups(pose, order):
         apart = np.abs(log[a] - log[b])
@@ -272,18 +272,18 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
             break
         errors = limits.mixed_sigmas * np.hypot(sigma[a], sigma[b])
         near = apart < np.clip(errors, limits.mixed, limits.most_mixed)
-        if not found:
+        if not close_pairs:
             beside = np.union1d(a[near], b[near])
-        found += [(a[near], b[near]), (b[near], a[near])]
-    rows, others = (np.concatenate([pair[side] for pair in found] or [beside]) for side in (0, 1))
+        close_pairs += [(a[near], b[near]), (b[near], a[near])]
+    rows, mates = (np.concatenate([pair[side] for pair in close_pairs] or [beside]) for side in (0, 1))
     kept = np.isin(rows, beside)
-    rows, others = rows[kept], others[kept]
-    sequence = np.lexsort((others, rows))
-    rows, others = rows[sequence], others[sequence]
+    rows, mates = rows[kept], mates[kept]
+    sequence = np.lexsort((mates, rows))
+    rows, mates = rows[sequence], mates[sequence]
     counts = np.bincount(rows, minlength=len(log))
     padded = np.full((len(log), 1 + int(counts.max(initial=0))), -1, dtype=np.intp)
     padded[:, 0] = np.arange(len(log))
-    padded[rows, 1 + np.arange(len(rows)) - (np.cumsum(counts) - counts)[rows]] = others
+    padded[rows, 1 + np.arange(len(rows)) - (np.cumsum(counts) - counts)[rows]] = mates
     return padded
 
 
@@ -310,13 +310,13 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
     beside = np.maximum(partner, 0)[:, None] + np.array([-2, -1, 1, 2])
     inside = (beside >= prediction.rigid) & (beside < logs.shape[1]) & paired[:, None]
     beside = np.where(inside, beside, 0)
-    own = logs[pose, np.maximum(partner, 0)][:, None]
+    partner_logs = logs[pose, np.maximum(partner, 0)][:, None]
     with np.errstate(invalid="ignore"):
-        near = np.abs(logs[pose[:, None], beside] - own) < close
+        near = np.abs(logs[pose[:, None], beside] - partner_logs) < close
     return np.where(inside & near & ~taken[pose[:, None], beside], beside, -1)
 
 
-def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_]) -> Index:
+def _assigned(cost: Array, present: NDArray[np.bool_], available: NDArray[np.bool_]) -> Index:
     """Assign the rows of each setup one-to-one to modes (S, r) with the least sum of costs; -1 for unassigned rows.
 
     Parameters
@@ -324,17 +324,17 @@ def _assigned(cost: Array, present: NDArray[np.bool_], known: NDArray[np.bool_])
     cost : ndarray, shape (S, r, m)
     present : ndarray of bool, shape (S, r)
         Rows to assign.
-    known : ndarray of bool, shape (S, m)
+    available : ndarray of bool, shape (S, m)
         Modes available.
     """
-    cost = np.where(known[:, None], cost, np.inf)
+    cost = np.where(available[:, None], cost, np.inf)
     best: Index = cost.argmin(axis=2)
-    best[~(present & known.any(axis=1, keepdims=True))] = -1
-    # If every row gets its best mode, the sum is least.
+    best[~(present & available.any(axis=1, keepdims=True))] = -1
+    # If every row can have its best mode, the sum is least.
     ordered = np.sort(best, axis=1)
     contested = ((np.diff(ordered, axis=1) == 0) & (ordered[:, 1:] >= 0)).any(axis=1)
     for setup in np.flatnonzero(contested):
-        rows, modes = np.flatnonzero(present[setup]), np.flatnonzero(known[setup])
+        rows, modes = np.flatnonzero(present[setup]), np.flatnonzero(available[setup])
         i, k = linear_sum_assignment(cost[setup][np.ix_(rows, modes)])
         best[setup] = -1
         best[setup, rows[i]] = modes[k]
@@ -355,6 +355,6 @@ def _columns(data: Measurements, channels: tuple[str, ...]) -> Index:
     """Return the indices of the measured channels among the model's."""
     for name in data.channels:
         if name not in channels:
-            what = f"the model has no channel {shown(name)} for the measured shapes"
-            raise PkmodesError(what, data.source, f"channels are: {', '.join(channels)}")
+            problem = f"the model has no channel {shown(name)} for the measured shapes"
+            raise PkmodesError(problem, data.source, f"channels are: {', '.join(channels)}")
     return np.array([channels.index(name) for name in data.channels], dtype=np.intp)

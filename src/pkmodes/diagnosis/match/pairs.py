@@ -1,4 +1,4 @@
-"""Pairs of measured rows of one setup, without looking at those of others."""
+"""Pairs of measured rows of the same setup, without visiting pairs across setups."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pkmodes.diagnosis.problem import Index
 def pairs_of_setups(pose: Index, order: Index) -> Iterator[tuple[Index, Index]]:
     """Yield all pairs of rows of the same setup: those next to each other in an order first.
 
-    The time grows with the number of rows times the largest number of them in one setup.
+    The time grows as the number of rows times the largest number of rows in a setup.
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ def pairs_of_setups(pose: Index, order: Index) -> Iterator[tuple[Index, Index]]:
     Yields
     ------
     a, b : ndarray of int
-        The first and the second row of each pair; a row is in each of them once at most.
+        The first and the second rows of the pairs; a row occurs at most once in each array.
     """
     for step in range(1, len(order)):
         a, b = order[:-step], order[step:]

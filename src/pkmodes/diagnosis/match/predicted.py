@@ -59,11 +59,11 @@ class Predicted:
         """
         paired = pairing.partner >= 0
         logs = prediction.log_frequencies
-        own = np.where(paired, logs[data.pose, np.maximum(pairing.partner, 0)], np.nan)
+        partner_logs = np.where(paired, logs[data.pose, np.maximum(pairing.partner, 0)], np.nan)
         return cls(
-            frequency=np.exp(own),
+            frequency=np.exp(partner_logs),
             mode=np.where(paired, pairing.partner - prediction.rigid + 1, 0),
-            sigmas=(own - FREQUENCY.transformed(data)) / sigma,
+            sigmas=(partner_logs - FREQUENCY.transformed(data)) / sigma,
             mac=pairing.mac,
             macs=pairer.macs(prediction),
             spectrum=spectrum_of(prediction, data),

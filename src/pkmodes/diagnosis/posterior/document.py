@@ -55,11 +55,11 @@ class Probabilities(Document, frozen=True):
         return [
             (NOTHING_MISSING, self.nothing_missing),
             (OUTSIDE, self.outside),
-            *((one.members, one.probability) for one in self.classes),
-            *((one.members, one.probability) for one in self.pairs),
+            *((group.members, group.probability) for group in self.classes),
+            *((pair.members, pair.probability) for pair in self.pairs),
         ]
 
     @property
     def top(self) -> tuple[Statement, float]:
         """The most probable statement: ``nothing_missing``, ``outside``, or members; and its probability."""
-        return max(self.statements, key=lambda one: one[1])
+        return max(self.statements, key=lambda statement: statement[1])

@@ -22,13 +22,13 @@ from pkmodes.diagnosis.search.score import one_sided
 
 #: Prior probabilities that a row is not a mode, and that the modes of a setup share an error.
 WRONG_ROW, SHARED = 0.01, 0.02
-#: Upper limit of the largest plausible signal of a cause, which it has where nothing bounds its size.
+#: Cap on the largest plausible signal of a cause, used where nothing bounds its size.
 SIGNAL = 1e3
-#: A size counts as beyond its plausible range from this factor on: fits end at bounds up to rounding.
+#: Factor by which a size must exceed its plausible range to be beyond it: fits end at bounds up to rounding.
 BEYOND = 1.001
-#: The largest plausible signal is at least this factor beyond that of the fit.
+#: The largest plausible signal is at least this many times that of the fit.
 BEYOND_SIGNAL = 1.1
-#: Cap of the square of a datum in `capped_deviance`: about the price of a row.
+#: Cap on the square of a datum in `capped_deviance`: about the price of a row.
 CAP = 20.0
 
 
@@ -47,7 +47,7 @@ class Linearised:
     parts : tuple of slice
         Frequencies, each other quantity, and priors among the data.
     degrees : tuple of float
-        Degrees of freedom of all these but the priors, without the rows set aside.
+        Degrees of freedom of all these except the priors, without the rows set aside.
     basis, white : ndarray, shape (D, k) and (D,)
         Orthonormal basis of the derivatives, and the whitened residual, 0 for rows set aside.
     set_aside : frozenset of int
@@ -81,11 +81,11 @@ class Linearised:
         along, taken : ndarray, shape (D, n)
             Parts of the residual that they remove, and the leverages of their directions.
         """
-        left = self.white[:, None] - along
-        squares = [(left[part] ** 2).sum(axis=0) for part in self.parts]
+        residual = self.white[:, None] - along
+        squares = [(residual[part] ** 2).sum(axis=0) for part in self.parts]
         total, prior = self.log_factor - 0.5 * squares[-1], prior_of_scale()
-        for some, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
-            total += marginal_log_likelihood(some, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
+        for sums, part, degrees in zip(squares, self.parts, self.degrees, strict=False):
+            total += marginal_log_likelihood(sums, np.maximum(degrees - taken[part].sum(axis=0), 0.0), prior)
         return np.asarray(total)
 
 
@@ -125,8 +125,8 @@ def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Line
     log_factor += _log_occam_factor_of_values(fitter, fit) + sum(
         _log_occam_factor_of_cause(fitter, fit, cause, plausible) for cause in fit.causes
     )
-    every = (*parts, fitter.prior_rows)
-    return Linearised(fit, log_factor, every, degrees, basis, white, frozenset(aside))
+    all_parts = (*parts, fitter.prior_rows)
+    return Linearised(fit, log_factor, all_parts, degrees, basis, white, frozenset(aside))
 
 
 def capped_deviance(fitter: Fitter, fit: Fit) -> float:
@@ -161,13 +161,15 @@ def _log_occam_factor_of_cause(
     if cause.sigma is not None:
         width = fitter.priors.width(fit.values)[fitter.priors.rows(index)]
         return 0.5 * float(np.linalg.slogdet(covariance / np.outer(width, width))[1])
-    most, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
-    if (np.abs(away) > BEYOND * most).any():
+    limits, sigma = np.array([plausible.get(i, np.inf) for i in index]), np.sqrt(np.diagonal(covariance))
+    if (np.abs(away) > BEYOND * limits).any():
         return -np.inf
     information = np.linalg.pinv(covariance / np.outer(sigma, sigma), hermitian=True)
-    ratio, z = np.minimum(most / sigma, SIGNAL), away / sigma
+    ratio, z = np.minimum(limits / sigma, SIGNAL), away / sigma
     signals = np.linalg.eigvalsh(information * np.outer(ratio, ratio))
     signal = float(np.sqrt(max(z @ information @ z, 0.0)))
     largest = max(float(np.sqrt(max(signals[-1], 1.0))), BEYOND_SIGNAL * signal)
     determined, sided = max(int((signals > 1.0).sum()), 1), one_sided(fitter, cause) != 0
-    return float(log_occam_factor(*(np.array([one]) for one in (signal, determined, largest, sided)))[0])
+    return float(
+        log_occam_factor(*(np.array([argument]) for argument in (signal, determined, largest, sided)))[0]
+    )

@@ -9,7 +9,7 @@ logarithms, up to the same constant for the same data.  Three kinds of unknowns 
 * the size of a cause.  Its signal r, the root of the squares that it adds to chi-square, has a log-uniform prior from
   1 to the largest plausible signal R, and every direction of several parameters the same one: a mixture of Zellner's
   g-priors (Liang, Paulo, Molina, Clyde and Berger, Journal of the American Statistical Association 103, 2008, 410).
-  A signal below 1 could not be told from none, so it counts as the hypothesis that nothing is missing;
+  A signal below 1 is indistinguishable from none, so it counts as the hypothesis that nothing is missing;
 * the factor s by which stated errors are wrong, separately for frequencies and shapes.
 """
 
@@ -20,13 +20,12 @@ from scipy import special
 
 from pkmodes.diagnosis.problem import Array
 
-#: Logarithms of the factor on the stated errors, its square inverted, and its prior, a mixture of two normal
+#: Logarithms of the factor on the stated errors, and its inverse square.  Its prior is a mixture of two normal
 #: distributions of the logarithm: their standard deviations, and the weight of the wide one.
 LOG_SCALE = np.linspace(-1.2, 3.0, 85)
 SHRUNK = np.exp(-2.0 * LOG_SCALE)
 SCALE_SIGMA, SCALE_WIDE, WIDE = 0.1, 0.5, 0.1
-#: Half width of the range of the quadrature over the signal, the number of its points, and the weights of the
-#: trapezoidal rule.
+#: Half width of the range of the quadrature over the signal, number of points, and weights of the trapezoidal rule.
 REACH, POINTS = 6.0, 49
 TRAPEZOID = np.concatenate([[0.5], np.ones(POINTS - 2), [0.5]])
 

@@ -10,7 +10,7 @@ the frequencies, beside whatever is fitted, is normal with the covariance
 :math:`s^2 I + \frac{a^2}{n} G G^T`, where G has the n unit signatures of these products and a is the size of the
 change, log-uniform from `LEAST` to what changes the frequencies by `MOST`.  The factor s may be larger than that of
 misstated errors: a change that differs between setups, or adds a mode, is not in this family and looks like scatter.
-Everything else is as for the catalogue: errors misstated, rows set aside, errors that a setup shares.
+Misstated errors, rows set aside and errors shared in a setup are treated as for the catalogue.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pkmodes.diagnosis.posterior.linearised import Linearised
 from pkmodes.diagnosis.posterior.marginal import LOG_SCALE, marginal_log_likelihood, prior_of_scale
 from pkmodes.diagnosis.problem import Array
 
-#: Least signal of a change, largest relative change of the frequencies, and number of sizes in the quadrature.
+#: Smallest signal of a change, largest relative change of the frequencies, and number of sizes in the quadrature.
 LEAST, MOST, SIZES = 5.0, 0.3, 15
 #: Prior probability of a change that looks like scatter, and its largest factor on the errors.
 SCATTERED, FACTOR = 0.5, 20.0
@@ -64,11 +64,11 @@ def log_evidence_of_frequencies(
     sizes = np.geomspace(LEAST, max(largest, 2.0 * LEAST), SIZES)
     shown = sizes[-1] ** 2 * g > SHOWN
     g, c = g[shown], c[shown]
-    other, count = max(squares - float(c.sum()), 0.0), max(degrees - len(g), 0.0)
+    remainder, count = max(squares - float(c.sum()), 0.0), max(degrees - len(g), 0.0)
     log, weights = LOG_SCALE[::2], prior[::2] / prior[::2].sum()
     variance = np.exp(2.0 * log)[:, None, None] + sizes[:, None] ** 2 * g
     exponent = -0.5 * (np.log(variance) + c / variance).sum(axis=-1)
-    exponent -= (0.5 * other * np.exp(-2.0 * log) + count * log)[:, None]
+    exponent -= (0.5 * remainder * np.exp(-2.0 * log) + count * log)[:, None]
     return float(special.logsumexp(exponent, b=weights[:, None] / SIZES))
 
 
@@ -91,8 +91,8 @@ def spectrum(fitter: Fitter, model: Linearised) -> tuple[Array, Array]:
     unit = raw[:, size > 0.0] / size[size > 0.0]
     # A root of the covariance with few columns, then that of its part beside what is fitted.
     values, vectors = np.linalg.eigh(unit @ unit.T / max(unit.shape[1], 1))
-    some = values > ROUNDING * max(values[-1], ROUNDING)
-    root = vectors[:, some] * np.sqrt(values[some])
+    significant = values > ROUNDING * max(values[-1], ROUNDING)
+    root = vectors[:, significant] * np.sqrt(values[significant])
     inner = model.basis[rows].T @ root
     g, axes = np.linalg.eigh(root.T @ root - inner.T @ inner)
     kept = g > 100.0 * ROUNDING * g.max(initial=0.0)

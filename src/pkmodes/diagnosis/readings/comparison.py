@@ -1,4 +1,4 @@
-"""The comparison of two readings of the data: how far each is from the model, and which is far better."""
+"""Comparison of two readings of the data: the distance of each from the model, and which is far better."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from pkmodes.measured.measurements import Measurements
 
 
 class Apart(NamedTuple):
-    """How far data are from a model, as in the file and with another reading."""
+    """Distances of the data from a model, as in the file and with another reading."""
 
     here: float
     there: float
 
-    def far_better(self, gain: float, most: float = np.inf) -> bool:
+    def far_better(self, gain: float, limit: float = np.inf) -> bool:
         """Return whether the other reading is nearer by a factor, and near enough."""
-        return self.there <= most and self.there * gain <= self.here
+        return self.there <= limit and self.there * gain <= self.here
 
 
 def differences(
@@ -31,9 +31,9 @@ def differences(
 
     The differences are infinite where the model cannot be evaluated.
     """
-    every = np.ones(len(data.frequency), dtype=bool)
+    all_rows = np.ones(len(data.frequency), dtype=bool)
     if not np.isfinite(prediction.eigenvalues).all():
-        return np.full(len(every), np.inf), ~every
+        return np.full(len(all_rows), np.inf), ~all_rows
     pairer = Pairer(data, fitter.structure.channels, prediction, fitter.criteria)
-    pairing = pairer.pair(prediction, every, compare=False)
+    pairing = pairer.pair(prediction, all_rows, compare=False)
     return pairer.differences(prediction, pairing), pairing.partner >= 0

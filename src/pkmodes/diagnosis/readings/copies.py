@@ -1,4 +1,4 @@
-"""Shapes that were copied, and poses with a wrong label: what all measurements show, including held-out ones."""
+"""Copied shapes and wrongly labelled poses, in all measurements including held-out ones."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NEAR = 1e-6
 
 
 def copied_shapes(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
-    """Yield a sentence for each two rows whose shapes are identical, which never happens in real measurements."""
+    """Yield a sentence for each pair of rows with identical shapes, which never occur in real measurements."""
     data, first = stage.data, dict[bytes, int]()
     if all_alike(data, c.same_shape):  # reported separately
         return
@@ -44,27 +44,27 @@ def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
     for place, (i, end) in enumerate(zip(order, ends, strict=True)):
         rest = order[place + 1 : end]
         rest = rest[conditions[rest] == conditions[i]]
-        rest = rest[~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))]  # seen on its own
+        rest = rest[~(np.abs(np.log(data.level[rest] / data.level[i])) > np.log(DIFFER))]  # reported apart
         apart = np.linalg.norm(data.points[rest] - data.points[i], axis=1)
         for k in rest[apart <= NEAR]:
-            one, other = sorted((int(i), int(k)))
-            most = _difference(stage, c.same_place, one, other)
-            if most:
+            first, second = sorted((int(i), int(k)))
+            largest = _difference(stage, c.same_place, first, second)
+            if largest:
                 yield (
-                    f"poses {data.labels[one]} and {data.labels[other]} are at the same position, but their "
-                    f"frequencies differ by up to {plain(100 * most, 2)} %: is one of them somewhere else?"
+                    f"poses {data.labels[first]} and {data.labels[second]} are at the same position, but their "
+                    f"frequencies differ by up to {plain(100 * largest, 2)} %: is one of them somewhere else?"
                 )
 
 
-def _difference(stage: Stage, clearly: tuple[float, float], one: int, other: int) -> float:
+def _difference(stage: Stage, clearly: tuple[float, float], first: int, second: int) -> float:
     """Return the largest relative difference of the modes that two poses have in common; 0 if most agree."""
     data, sigma, (sigmas, least) = stage.data, stage.sigma, clearly
     partner = stage.pairing.partner
-    rows = [{int(partner[r]): r for r in np.flatnonzero(data.pose == p)} for p in (one, other)]
+    rows = [{int(partner[r]): r for r in np.flatnonzero(data.pose == p)} for p in (first, second)]
     common = sorted({mode for mode in rows[0] if mode >= 0} & set(rows[1]))
     if not common:
         return 0.0
-    a, b = (np.array([each[mode] for mode in common]) for each in rows)
+    a, b = (np.array([by_mode[mode] for mode in common]) for by_mode in rows)
     apart = np.abs(np.log(data.frequency[a] / data.frequency[b]))
     clear = (apart > sigmas * np.hypot(sigma[a], sigma[b])) & (apart > least)
     return float(np.expm1(apart.max())) if clear.mean() >= 0.5 else 0.0
@@ -76,11 +76,11 @@ def all_alike(data: Measurements, same: float) -> tuple[str, ...]:
     for setup, label in enumerate(data.labels):
         shapes = data.shapes[data.pose == setup]
         common = np.isfinite(shapes).all(axis=0)
-        some: Array = shapes[:, common]
-        if len(some) < 3 or common.sum() < 2:
+        shared: Array = shapes[:, common]
+        if len(shared) < 3 or common.sum() < 2:
             continue
-        largest = np.abs(some).max(axis=1, keepdims=True)  # shapes have any scale
-        some = some / np.where(largest > 0.0, largest, 1.0)
-        if mac(some, some, np.ones(some.shape, dtype=bool)).min() > same:
+        largest = np.abs(shared).max(axis=1, keepdims=True)  # shapes have any scale
+        shared = shared / np.where(largest > 0.0, largest, 1.0)
+        if mac(shared, shared, np.ones(shared.shape, dtype=bool)).min() > same:
             labels.append(label)
     return tuple(labels)

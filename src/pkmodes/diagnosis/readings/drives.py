@@ -1,7 +1,7 @@
 """Motors that were held although the measurements say free, or the reverse.
 
-Held motors change every frequency, and no cause is needed to explain that.  Where the declared model fits far better
-with the other word, or only with it, and no single cause does better, that is what is reported.
+Held motors change every frequency, and no cause is needed to explain that.  It is reported if the declared model fits
+far better, or only, with the motors in the other state, and no single cause does better.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Labels that the sentence lists.
+#: Largest number of labels listed in the sentence.
 MOST = 6
-#: The other word is tried at some setups if it brings their declared frequencies nearer by this factor, perhaps by
+#: The other state is tried at some setups if it brings their declared frequencies nearer by this factor, perhaps by
 #: chance.
 PERHAPS = 2.0
 
@@ -51,7 +51,7 @@ def other_drives(plain: FitStore) -> str:
         there = _mean(fitter, setups, fit.residual)
         apart = Apart(declared.here if first is None else _mean(fitter, setups, first.residual), there)
         if explains or apart.far_better(c.readings.drives_gain, c.readings.drives_difference):
-            # What holds the motors a little, or makes them heavy, is a cause, and nearly the same.
+            # A cause that holds the motors weakly, or makes them heavy, has nearly the same effect.
             singles = Search(plain, structure.candidates).additions.would_do()
             least = min((plain.criterion(single) for single in singles), default=np.inf)
             if store.criterion(fit) <= least + (c.search.survives if explains else 0.0):
@@ -60,24 +60,27 @@ def other_drives(plain: FitStore) -> str:
 
 
 def _suspected(fitter: Fitter) -> dict[tuple[int, ...], Apart]:
-    """Return all setups, and those whose declared frequencies are nearer with the motors doing something else."""
-    structure, data, every = fitter.structure, fitter.data, tuple(range(len(fitter.data.labels)))
+    """Return all setups, and those whose declared frequencies are nearer with the motors in the other state."""
+    structure, data, all_setups = fitter.structure, fitter.data, tuple(range(len(fitter.data.labels)))
     if not isinstance(structure, Driven):
         return {}
     predictions = (
-        one.predict(fitter.declared, ()) for one in (structure, structure.with_other_drives(every))
+        variant.predict(fitter.declared, ())
+        for variant in (structure, structure.with_other_drives(all_setups))
     )
     here, there = (differences(fitter, prediction, data)[0] for prediction in predictions)
 
     def apart(setups: Sequence[int]) -> Apart:
         return Apart(_mean(fitter, setups, here), _mean(fitter, setups, there))
 
-    means = (np.bincount(data.pose, np.abs(one)) / np.bincount(data.pose) for one in (here, there))
-    some = tuple(
+    means = (
+        np.bincount(data.pose, np.abs(difference)) / np.bincount(data.pose) for difference in (here, there)
+    )
+    nearer = tuple(
         k for k, pair in enumerate(zip(*means, strict=True)) if Apart(*map(float, pair)).far_better(PERHAPS)
     )
-    enough = np.isin(data.pose, some).sum() >= fitter.criteria.readings.drives_rows
-    return {setups: apart(setups) for setups in ((every, some) if enough else (every,))}
+    enough = np.isin(data.pose, nearer).sum() >= fitter.criteria.readings.drives_rows
+    return {setups: apart(setups) for setups in ((all_setups, nearer) if enough else (all_setups,))}
 
 
 def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
@@ -88,12 +91,12 @@ def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
 
 
 def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str:
-    """Return what was noticed, and what to write.
+    """Return the finding, and what to write in the file.
 
     Parameters
     ----------
     apart : Apart, optional
-        How much nearer the frequencies are; None if the declared model explains them.
+        Distances of the frequencies; None if the declared model explains them in the other state.
     """
     data = fitter.data
     words = {data.drives[k] for k in setups}
@@ -103,11 +106,13 @@ def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str
         size = f" ({plain(100 * apart.there, 2)} % instead of {plain(100 * apart.here, 2)} %)"
     if len(words) > 1:
         return f"the frequencies {fits} with free and held exchanged{size}: correct drives"
-    every = len(setups) == len(data.labels)
-    of = "" if every else f" at {listed([data.labels[k] for k in setups], MOST)}"
+    everywhere = len(setups) == len(data.labels)
+    of = "" if everywhere else f" at {listed([data.labels[k] for k in setups], MOST)}"
     (word,) = words
     says, than = other(word), ", not" if apart is None else " than"
-    remedy = f"write # drives: {says}, or --drives {says}" if every else f"write {says} in the column drives"
+    remedy = (
+        f"write # drives: {says}, or --drives {says}" if everywhere else f"write {says} in the column drives"
+    )
     return (
         f"the frequencies{of} {fits} with motors {says}{than} with motors {word}{size}: "
         f"if they were {says}, {remedy}"

@@ -1,4 +1,4 @@
-"""How well wirings of the sensors fit.
+"""Misfits of the measurements with different wirings of the sensors.
 
 A wrong wiring changes the shapes, and with them the pairing: modes of nearly equal frequency are told apart by their
 shapes alone.  So every wiring has its own pairing, and frequencies count as well as shapes.
@@ -20,19 +20,19 @@ from pkmodes.diagnosis.readings.comparison import Apart
 from pkmodes.diagnosis.readings.wirings import Wiring, as_in_file
 from pkmodes.support.mac import channel_motion
 
-#: Numbers in the largest array that is evaluated at once.
+#: Largest size of an array that is evaluated at once.
 AT_ONCE = 2_000_000
-#: Number of setups, those with the worst shapes, that show whether another wiring may fit.
+#: Number of setups, with the worst shapes, at which other wirings are tried first.
 WORST = 3
 #: Other wirings are examined only if one of them reduces the squares there by this factor.
 PERHAPS = 1.5
-#: Parameters are refitted for this many wirings, with deviances within this from the best one.
+#: Parameters are refitted for at most this many wirings, with deviances within this of the best.
 REFITS, NEAR = 6, 100.0
 
 
 @dataclass(frozen=True)
 class WiringMisfit:
-    """WiringMisfit of the measurements with one wiring.
+    """Misfit of the measurements with one wiring.
 
     Attributes
     ----------
@@ -41,7 +41,7 @@ class WiringMisfit:
     count : ndarray, shape (3,)
         Numbers of these data.
     least : ndarray, shape (3,)
-        Sums of squares of the smallest errors that measurements have; smaller ones count as these.
+        Sums of squares for the smallest realistic errors; smaller sums count as these.
     difference : float
         Root mean square of the differences of the shapes, relative to the largest component of each.
     """
@@ -56,15 +56,15 @@ class WiringMisfit:
         """Return the misfit of unwhitened residuals of all data, (R + R C,), of which some rows count."""
         observations = fitter.observations
         shapes, white = observations.shapes, residual / observations.noise.stated
-        known = used & shapes.known
-        masks = known & shapes.stated, known & ~shapes.stated
-        each = (observations.by_row(SHAPE, white) ** 2).sum(axis=1)
+        shaped = used & shapes.known
+        masks = shaped & shapes.stated, shaped & ~shapes.stated
+        by_row = (observations.by_row(SHAPE, white) ** 2).sum(axis=1)
         frequencies = (white[observations.frequency_rows][used] ** 2).sum()
         count = np.array([used.sum(), *(shapes.count[mask].sum() for mask in masks)], dtype=float)
         smallest = fitter.criteria.shapes.least_scatter / fitter.shape_scatter
         apart = (residual[observations.part(SHAPE)] ** 2).sum() / max(count[1:].sum(), 1.0)
         return cls(
-            squares=np.array([frequencies, *(each[mask].sum() for mask in masks)]),
+            squares=np.array([frequencies, *(by_row[mask].sum() for mask in masks)]),
             count=count,
             least=np.maximum(count * [1.0, 1.0, smallest**2], 1e-300),
             difference=float(np.sqrt(apart)),
@@ -79,10 +79,10 @@ class WiringMisfit:
             Whether the frequencies count: not if something else is missing in the model, because modes paired
             wrongly may then seem to fit better.
         """
-        some = self.count > 0
-        some[0] &= frequencies
-        squares = np.maximum(self.squares, self.least)[some]
-        return float((self.count[some] * np.log(squares / self.least[some])).sum())
+        counted = self.count > 0
+        counted[0] &= frequencies
+        squares = np.maximum(self.squares, self.least)[counted]
+        return float((self.count[counted] * np.log(squares / self.least[counted])).sum())
 
     @property
     def shapes(self) -> float:
@@ -104,64 +104,68 @@ def at_prediction(
         return []
     motion = channel_motion(fitter.structure.predict(fitter.declared, ()).shapes)
     numbers = len(fitter.observations.log) * prediction.shapes.shape[1] * len(fitter.data.channels)
-    most, found = max(AT_ONCE // max(numbers, 1), 1), list[WiringMisfit]()
-    for some in (wirings[start : start + most] for start in range(0, len(wirings), most)):
-        rows, tiled = fitter.observations.tiled(len(some)), np.tile(used, len(some))
-        order = [[fitter.structure.channels.index(name) for name in w.channels] for w in some]
+    batch_size, results = max(AT_ONCE // max(numbers, 1), 1), list[WiringMisfit]()
+    for batch in (wirings[start : start + batch_size] for start in range(0, len(wirings), batch_size)):
+        rows, tiled = fitter.observations.tiled(len(batch)), np.tile(used, len(batch))
+        order = [[fitter.structure.channels.index(name) for name in w.channels] for w in batch]
         rows.pairer.moves = np.concatenate([motion[:, columns] for columns in order])
-        # The modes once for each wiring, with what its columns measure in the place of the file's.
-        shapes = np.tile(prediction.shapes, (len(some), 1, 1, 1))
-        for each, columns, wiring in zip(shapes, order, some, strict=True):
-            each[..., fitter.observations.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
-        eigenvalues = np.tile(prediction.eigenvalues, (len(some), 1))
-        together = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
-        pairing = rows.pairer.pair(together, tiled, compare=False)
-        residuals = rows.of_each(rows.residual(together, pairing, tiled))
-        found += [WiringMisfit.of(fitter, used, residual) for residual in residuals]
-    return found
+        # The modes once for each wiring, with its channels in the columns of the file.
+        shapes = np.tile(prediction.shapes, (len(batch), 1, 1, 1))
+        for rewired, columns, wiring in zip(shapes, order, batch, strict=True):
+            rewired[..., fitter.observations.pairer.columns] = prediction.shapes[..., columns] * wiring.signs
+        eigenvalues = np.tile(prediction.eigenvalues, (len(batch), 1))
+        stacked = _modes(eigenvalues, np.concatenate(shapes), prediction.rigid)
+        pairing = rows.pairer.pair(stacked, tiled, compare=False)
+        residuals = rows.of_each(rows.residual(stacked, pairing, tiled))
+        results += [WiringMisfit.of(fitter, used, residual) for residual in residuals]
+    return results
 
 
 def promising(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> bool:
     """Return whether some other wiring fits the shapes better where they fit worst.
 
-    At these few setups a wrong wiring is plain, and no wiring helps if there is only noise: most files need no more.
+    At these few setups a wrong wiring is obvious, and no wiring helps if there is only noise: for most files this is
+    enough.
     """
     shapes, setups, pose = fitter.observations.shapes, len(fitter.data.labels), fitter.data.pose
     if setups <= 2 * WORST:
         return True
     squares = (fitter.observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
     sums = np.bincount(pose, squares, setups) / np.maximum(np.bincount(pose, shapes.count, setups), 1.0)
-    some = np.sort(np.argsort(sums)[-WORST:])
-    part = fitter.at(some.tolist())
-    every, used = [as_in_file(fitter.data.channels), *wirings], part.observations.every
-    there = _modes(fit.prediction.eigenvalues[some], fit.prediction.shapes[some], fit.prediction.rigid)
+    worst = np.sort(np.argsort(sums)[-WORST:])
+    part = fitter.at(worst.tolist())
+    all_wirings, used = [as_in_file(fitter.data.channels), *wirings], part.observations.all_rows
+    there = _modes(fit.prediction.eigenvalues[worst], fit.prediction.shapes[worst], fit.prediction.rigid)
     declared = part.structure.predict(part.declared, ())
-    found = [at_prediction(part, used, one, every) for one in (declared, there)]
-    least = [min(one.shapes for one in each) for each in zip(*filter(None, found), strict=True)]
+    by_model = [at_prediction(part, used, prediction, all_wirings) for prediction in (declared, there)]
+    least = [
+        min(misfit.shapes for misfit in alternatives)
+        for alternatives in zip(*filter(None, by_model), strict=True)
+    ]
     return bool(least) and Apart(least[0], min(least[1:])).far_better(PERHAPS)
 
 
 def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring, WiringMisfit]:
-    """Return the misfit of the file and of other wirings, each with the values that suit it best.
+    """Return the misfits of the file and of other wirings, each with the parameter values that suit it best.
 
     These are the declared ones, those of the fit, and those refitted with the best few wirings.
     """
-    own, used = as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
-    every = [own, *wirings]
-    found = {own: WiringMisfit.of(fitter, used, fit.residual)}
+    as_filed, used = as_in_file(fitter.data.channels), fitter.used(fit.hypothesis)
+    all_wirings = [as_filed, *wirings]
+    by_wiring = {as_filed: WiringMisfit.of(fitter, used, fit.residual)}
 
     def keep(misfits: Iterable[tuple[Wiring, WiringMisfit]]) -> None:
         for wiring, misfit in misfits:
-            if wiring not in found or misfit.deviance() < found[wiring].deviance():
-                found[wiring] = misfit
+            if wiring not in by_wiring or misfit.deviance() < by_wiring[wiring].deviance():
+                by_wiring[wiring] = misfit
 
     for prediction in (fitter.structure.predict(fitter.declared, ()), fit.prediction):
-        keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))
-    best = sorted((w for w in found if w != own), key=lambda wiring: found[wiring].deviance())
-    near = found[best[0]].deviance() + NEAR
+        keep(zip(all_wirings, at_prediction(fitter, used, prediction, all_wirings), strict=False))
+    best = sorted((w for w in by_wiring if w != as_filed), key=lambda wiring: by_wiring[wiring].deviance())
+    near = by_wiring[best[0]].deviance() + NEAR
     hypotheses = [Hypothesis(excluded=fit.hypothesis.excluded), *([fit.hypothesis] if fit.causes else [])]
     again: list[tuple[float, Prediction]] = []
-    for wiring in [w for w in best if found[w].deviance() < near][:REFITS]:
+    for wiring in [w for w in best if by_wiring[w].deviance() < near][:REFITS]:
         rewired = Fitter(
             fitter.structure,
             wiring.of(fitter.data),
@@ -170,15 +174,15 @@ def misfits(fitter: Fitter, fit: Fit, wirings: Sequence[Wiring]) -> dict[Wiring,
             parameters=fitter.parameters,
         )
         for hypothesis in hypotheses:
-            other = rewired.fit(hypothesis, fit.values if hypothesis.causes else None)
-            if other is not None:
-                misfit = WiringMisfit.of(fitter, used, other.residual)
+            refit = rewired.fit(hypothesis, fit.values if hypothesis.causes else None)
+            if refit is not None:
+                misfit = WiringMisfit.of(fitter, used, refit.residual)
                 keep([(wiring, misfit)])
-                again.append((misfit.deviance(), other.prediction))
-    if again:  # the parameters are the same with whatever wiring
-        prediction = min(again, key=lambda one: one[0])[1]
-        keep(zip(every, at_prediction(fitter, used, prediction, every), strict=False))
-    return found
+                again.append((misfit.deviance(), refit.prediction))
+    if again:  # the parameters do not depend on the wiring
+        prediction = min(again, key=lambda entry: entry[0])[1]
+        keep(zip(all_wirings, at_prediction(fitter, used, prediction, all_wirings), strict=False))
+    return by_wiring
 
 
 def _modes(eigenvalues: Array, shapes: Array, rigid: int) -> Prediction:

@@ -1,6 +1,6 @@
-"""The readings, in the order in which they are asked: what a file may have wrong, and when that is seen.
+"""Readings, in the order in which they are tested: possible mistakes in a file, and when they can be recognised.
 
-A question answers with what is wrong and what to do, or with an empty text where the file is right.
+A test returns what is wrong and what to do about it, or an empty text if the file is right.
 """
 
 from __future__ import annotations
@@ -25,20 +25,20 @@ MOST = 4
 
 @dataclass(frozen=True)
 class Reading:
-    """Another reading of the data, with a question for each moment at which it can be told from that of the file.
+    """Another reading of the data, with a test for each stage at which it can be told from that of the file.
 
     Attributes
     ----------
     name : str
     declared : callable, optional
-        Asked of the declared model, nothing fitted.  It decides a diagnosis unless there is `refitted`; otherwise it
-        is a note, of comparisons and of data that are too few.
+        Test of the declared model, nothing fitted.  It decides a diagnosis unless there is `refitted`; otherwise it
+        is a note of comparisons, and where the data are too few.
     refitted : callable, optional
-        Asked of the store of the declared model, whose uncertain values are refitted, before any search.
+        Test of the fits of the declared model, with its uncertain values refitted, before any search.
     explained : callable, optional
-        Asked of the final fit.
+        Test of the final fit.
     remarks : callable, optional
-        Asked of all measurements, including held-out ones: notes, which decide nothing.
+        Notes on all measurements, including held-out ones, which decide nothing.
     """
 
     name: str
@@ -59,13 +59,13 @@ READINGS = (
 
 
 def declared_otherwise(fitter: Fitter) -> tuple[str, ...]:
-    """Return what the first reading says with which the declared model fits far better; none if it fits as it is."""
+    """Return the answer of the first reading with which the declared model fits far better, if there is one."""
     answers = (reading.declared(fitter) for reading in READINGS if reading.declared)
     return tuple(itertools.islice(filter(None, answers), 1))
 
 
 def explained_otherwise(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
-    """Return what the first reading says that a final fit shows; none if it shows none."""
+    """Return the answer of the first reading that the final fit shows, if there is one."""
     answers = (reading.explained(fitter, fit) for reading in READINGS if reading.explained)
     return tuple(itertools.islice(filter(None, answers), 1))
 
@@ -78,5 +78,5 @@ def remarks(stage: Stage, criteria: ReadingCriteria) -> tuple[str, ...]:
     stage : Stage
         Its values determine which rows are the same mode.
     """
-    found = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
-    return tuple(text for texts in found for text in itertools.islice(texts, MOST))
+    answers = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
+    return tuple(text for texts in answers for text in itertools.islice(texts, MOST))

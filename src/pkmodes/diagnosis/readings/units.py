@@ -13,7 +13,7 @@ from pkmodes.diagnosis.readings.comparison import Apart, differences
 from pkmodes.measured.measurements import Measurements
 from pkmodes.support.numbers import plain
 
-#: Units in which frequencies are measured, each with its number per Hz.
+#: Units in which frequencies are measured, and how many of each make 1 Hz.
 UNITS = {unit: float(1 / frequency_factor(unit)) for unit in ("Hz", "rad/s", "1/min", "mHz", "kHz", "deg/s")}
 #: Number of evenly spread setups from which the unit is determined.
 ENOUGH = 200
@@ -25,7 +25,7 @@ TWICE = ("rad/s", "1/min")
 class Unit:
     """A meaning of the frequency column: factor times the value read as Hz, or factor over it for periods."""
 
-    what: str
+    meaning: str
     remedy: str
     factor: float
     inverse: bool = False
@@ -38,12 +38,12 @@ class Unit:
 
 
 def others(unit: str) -> Iterator[Unit]:
-    """Yield what else a frequency column may mean whose header states a unit (Hz if empty)."""
+    """Yield the other meanings of a frequency column whose header states a unit (Hz if empty)."""
     declared = float(1 / frequency_factor(unit)) if unit else 1.0
     for name, times in UNITS.items():
         if abs(declared / times - 1.0) > 1e-9:
             yield Unit(name, f"write frequency [{name}], and sigma in its own unit", declared / times)
-    # A period n was read as n / said Hz, and 1 / n is the frequency.
+    # A period n was read as the frequency n / declared [Hz], but the frequency is 1 / n.
     yield Unit("periods in s", "write frequencies, 1 / period", 1.0 / declared, inverse=True)
     for name in TWICE:
         yield Unit(f"{name}, converted twice", f"multiply them by {plain(UNITS[name], 4)}", UNITS[name])
@@ -52,8 +52,8 @@ def others(unit: str) -> Iterator[Unit]:
 def other_unit(fitter: Fitter) -> str:
     """The frequencies fit the declared model far better in another unit, or as periods."""
     c, count = fitter.criteria.readings, len(fitter.data.labels)
-    some = sorted(set(np.linspace(0, count - 1, min(count, ENOUGH)).astype(int).tolist()))
-    declared, data = fitter.structure.subset(some).predict(fitter.declared, ()), fitter.data.at(some)
+    sampled = sorted(set(np.linspace(0, count - 1, min(count, ENOUGH)).astype(int).tolist()))
+    declared, data = fitter.structure.subset(sampled).predict(fitter.declared, ()), fitter.data.at(sampled)
 
     def usual(reading: Measurements) -> tuple[float, float]:
         """Return the median difference, since the model may lack some modes, and the part of the rows paired."""
@@ -61,10 +61,10 @@ def other_unit(fitter: Fitter) -> str:
         return float(np.median(np.abs(apart))), float(paired.mean())
 
     there, paired, unit = min(
-        ((*usual(unit.of(data)), unit) for unit in others(data.unit)), key=lambda one: one[0]
+        ((*usual(unit.of(data)), unit) for unit in others(data.unit)), key=lambda trial: trial[0]
     )
     apart = Apart(usual(data)[0], there)
     if paired < c.unit_paired or not apart.far_better(c.unit_gain, c.unit_difference):
         return ""
     claim = f"the header says {data.unit}, but the numbers" if data.unit else "the frequencies"
-    return f"{claim} fit the declared model as {unit.what} ({plain(100 * there, 2)} %): {unit.remedy}"
+    return f"{claim} fit the declared model as {unit.meaning} ({plain(100 * there, 2)} %): {unit.remedy}"

@@ -1,4 +1,4 @@
-"""Sensors wired or mounted otherwise than the file says, or not connected.
+"""Sensors wired or mounted differently from the file, or not connected.
 
 If the shapes disagree with the model, every wiring that a single mistake gives is tried, each with the modes paired
 anew (`misfits`).  A mistake is reported if some wiring fits far better than the file's; it is named if no other
@@ -31,7 +31,7 @@ from pkmodes.diagnosis.readings.wirings import (
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
 
-#: Largest number of wirings that a sentence names.
+#: Largest number of wirings named in a sentence.
 MOST = 4
 
 
@@ -49,14 +49,14 @@ class Rewired(NamedTuple):
 def certain_wiring(plain: FitStore) -> str:
     """Another wiring of the sensors brings the shapes near to their errors."""
     fitter, fit = plain.fitter, plain.fit(Hypothesis())
-    found = None if fit is None or dead_channels(fitter, fit) else rewired(fitter, fit)
-    return found.sentence if found is not None and found.certain else ""
+    rewiring = None if fit is None or dead_channels(fitter, fit) else rewired(fitter, fit)
+    return rewiring.sentence if rewiring is not None and rewiring.certain else ""
 
 
 def other_wiring(fitter: Fitter, fit: Fit) -> str:
     """The shapes fit far better with another wiring of the sensors."""
-    found = rewired(fitter, fit)
-    return "" if found is None else found.sentence
+    rewiring = rewired(fitter, fit)
+    return "" if rewiring is None else rewiring.sentence
 
 
 def dead_channels(fitter: Fitter, fit: Fit) -> str:
@@ -69,14 +69,14 @@ def dead_channels(fitter: Fitter, fit: Fit) -> str:
     columns = fitter.observations.pairer.columns
     model = np.abs(fit.prediction.shapes[data.pose, np.maximum(pairing.partner, 0)][:, columns])
     units = np.array([fitter.structure.channel_units[i] for i in columns])
-    moved, some = fitter.criteria.readings.dead
+    moved, share = fitter.criteria.readings.dead
     dead = []
     for k, name in enumerate(data.channels):
         rows = measured[:, k]
         if not rows.any() or np.nan_to_num(data.shapes[:, k]).any():
             continue
         alike = np.where(measured & (units == units[k]), model, 0.0).max(axis=1)
-        if (model[rows, k] > moved * alike[rows]).mean() >= some and alike[rows].any():
+        if (model[rows, k] > moved * alike[rows]).mean() >= share and alike[rows].any():
             dead.append(name)
     if len(dead) == 1:
         return f"channel {dead[0]} is 0 in every row: is the sensor connected? If not, leave the column out"
@@ -97,12 +97,12 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     tried = wirings(columns, sensors) if _doubtful(fitter, fit) else {}
     if not tried or not promising(fitter, fit, tuple(tried)):
         return None
-    found = misfits(fitter, fit, tuple(tried))
-    here = found.pop(as_in_file(columns))
-    complete = min(misfit.per_value[0] for misfit in (here, *found.values())) < c.rewired_noise
-    deviance = {wiring: misfit.deviance(complete) for wiring, misfit in found.items()}
+    by_wiring = misfits(fitter, fit, tuple(tried))
+    here = by_wiring.pop(as_in_file(columns))
+    complete = min(misfit.per_value[0] for misfit in (here, *by_wiring.values())) < c.rewired_noise
+    deviance = {wiring: misfit.deviance(complete) for wiring, misfit in by_wiring.items()}
     order = sorted(deviance, key=deviance.__getitem__)
-    least, best = deviance[order[0]], found[order[0]]
+    least, best = deviance[order[0]], by_wiring[order[0]]
     better = Apart(here.shapes, best.shapes).far_better(c.rewired)
     if not better or here.deviance(complete) - least < c.rewired_certain:
         return None
@@ -119,21 +119,21 @@ def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
 
 
 def _doubtful(fitter: Fitter, fit: Fit) -> bool:
-    """Return whether the shapes differ from the model by more than their stated errors, or visibly."""
+    """Return whether the shapes differ from the model by more than their stated errors, or scatter visibly."""
     c = fitter.criteria.readings
     visible = (c.rewired_scatter / fitter.shape_scatter) ** 2
     parts = (
-        (fitter.misfit(fit, SHAPE, stated=s), most)
-        for s, most in ((True, c.rewired_misfit), (False, visible))
+        (fitter.misfit(fit, SHAPE, stated=s), limit)
+        for s, limit in ((True, c.rewired_misfit), (False, visible))
     )
-    return any(degrees >= 1.0 and squares / degrees > most for (squares, degrees), most in parts)
+    return any(degrees >= 1.0 and squares / degrees > limit for (squares, degrees), limit in parts)
 
 
 def _mistakes(same: Sequence[Wiring], columns: Sequence[str], sensors: Sequence[Sensor]) -> list[str]:
     """Return what is wrong: the simplest of several mistakes that shapes cannot tell apart, and turned sensors."""
     in_order = sorted(same, key=lambda wiring: simplicity(wiring, columns))
-    first, *others = (described(wiring, columns, sensors) for wiring in in_order)
-    return [first, *(text for text in others if " is turned by " in text)]
+    first, *alternatives = (described(wiring, columns, sensors) for wiring in in_order)
+    return [first, *(text for text in alternatives if " is turned by " in text)]
 
 
 def _sentence(
@@ -144,15 +144,15 @@ def _sentence(
         f"the shapes differ from the model by {plain(100 * here.difference, 2)} % of their largest component as in "
         f"the file, by {plain(100 * best.difference, 2)} % with this corrected"
     )
-    some = [joined(each, "or") for each in mistakes[:MOST]]
+    named = [joined(equivalent, "or") for equivalent in mistakes[:MOST]]
     if len(mistakes) == 1:
         seems = "" if certain else "it seems that "
         same = " (for shapes, which have any sign, the same)" if len(mistakes[0]) > 1 else ""
-        return f"{seems}{some[0]}{same}: {size}; {change}"
+        return f"{seems}{named[0]}{same}: {size}; {change}"
     if len(mistakes) > MOST:
-        some.append(f"{len(mistakes) - MOST} others")
+        named.append(f"{len(mistakes) - MOST} others")
     return (
         "sensors are exchanged, reversed or turned, and these data do not tell which: "
-        f"{'; '.join(some[:-1])}; or {some[-1]} ({size}); "
+        f"{'; '.join(named[:-1])}; or {named[-1]} ({size}); "
         "check cables and mountings, then correct the columns of the shapes"
     )

@@ -1,8 +1,9 @@
 """What each shape column of a file may really measure, and with which sign.
 
-A sensor with three axes has 48 signed orders, 24 of them turned mountings (rotations) and 24 of the other hand, which
-only exchanged or reversed cables give; in a plane there are 8.  If some of its axes are not in the file, a column may
-also measure one of those.  Shapes have any sign, so wirings that differ by the sign of all columns are the same.
+A sensor with three axes has 48 signed orders: 24 are turned mountings (rotations), and 24 are left-handed, which only
+exchanged or reversed cables produce; in a plane there are 8.  If some of its axes are not in the file, a column may
+also measure one of those.  The sign of a shape is arbitrary, so wirings that differ by the sign of all columns are
+the same.
 
 The axes of a sensor in the directions of the model are the rows of a signed permutation W.  If det W = 1, the sensor
 is mounted in another direction: it is turned by R = W^T.  Otherwise cables are exchanged or reversed.
@@ -37,12 +38,12 @@ class Wiring:
     signs: tuple[int, ...]
 
     def of(self, data: Measurements) -> Measurements:
-        """Return the measurements with columns that say what they measure."""
+        """Return the measurements with columns named and signed by what they measure."""
         return replace(data, channels=self.channels, shapes=data.shapes * self.signs)
 
     @property
     def up_to_sign(self) -> Wiring:
-        """The same wiring with the first column of positive sign: shapes do not tell the two apart."""
+        """The same wiring with a positive first column: shapes do not tell the two apart."""
         return Wiring(self.channels, tuple(sign * self.signs[0] for sign in self.signs))
 
 
@@ -52,18 +53,18 @@ def as_in_file(columns: Sequence[str]) -> Wiring:
 
 
 def wirings(columns: Sequence[str], sensors: Sequence[Sensor]) -> dict[Wiring, list[Wiring]]:
-    """Return all wirings that a single mistake gives, except that of the file.
+    """Return all wirings that result from a single mistake, except that of the file.
 
-    They are up to the sign of all columns, each with the mistakes that give it.
+    They are unique up to the sign of all columns, each with the mistakes that lead to it.
     """
     right = as_in_file(columns)
-    found: dict[Wiring, list[Wiring]] = {}
+    by_wiring: dict[Wiring, list[Wiring]] = {}
     for wiring in _mistakes(right, sensors):
-        same = found.setdefault(wiring.up_to_sign, [])
+        same = by_wiring.setdefault(wiring.up_to_sign, [])
         if wiring not in same:
             same.append(wiring)
-    found.pop(right.up_to_sign, None)
-    return found
+    by_wiring.pop(right.up_to_sign, None)
+    return by_wiring
 
 
 def _mistakes(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
@@ -75,13 +76,13 @@ def _mistakes(right: Wiring, sensors: Sequence[Sensor]) -> Iterator[Wiring]:
         exchanged = {i: names[k], k: names[i]}
         yield Wiring(tuple(exchanged.get(j, names[j]) for j in places), right.signs)
     for sensor in sensors:
-        own = [i for i in places if names[i] in sensor.channels]
-        orders = itertools.permutations(sensor.channels, len(own))
-        for order, signs in itertools.product(orders, itertools.product((1, -1), repeat=len(own))):
-            channels, each = list(names), list(right.signs)
-            for i, name, sign in zip(own, order, signs, strict=True):
-                channels[i], each[i] = name, sign
-            yield Wiring(tuple(channels), tuple(each))
+        columns = [i for i in places if names[i] in sensor.channels]
+        orders = itertools.permutations(sensor.channels, len(columns))
+        for order, signs in itertools.product(orders, itertools.product((1, -1), repeat=len(columns))):
+            channels, directions = list(names), list(right.signs)
+            for i, name, sign in zip(columns, order, signs, strict=True):
+                channels[i], directions[i] = name, sign
+            yield Wiring(tuple(channels), tuple(directions))
 
 
 def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:

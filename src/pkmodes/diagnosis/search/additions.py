@@ -14,7 +14,7 @@ from pkmodes.diagnosis.search.score import Score, Scores, one_sided, score
 from pkmodes.diagnosis.search.starts import starts
 
 Progress = Callable[[str], None]
-#: More pairs than this are not all refitted, which would take minutes.
+#: Largest number of pairs that are all refitted; more would take minutes.
 FEW_PAIRS = 120
 
 
@@ -45,8 +45,8 @@ class Additions:
         Parameters
         ----------
         rival : bool, optional
-            Whether they only compete with a claim: then a row may be excluded even if there are too few to tell that
-            it is wrong.
+            Whether they only compete with a claim: then a row may be excluded even if there are too few rows to show
+            that it is wrong.
         """
         h, c, fits = fit.hypothesis, self.criteria, []
         enough = self._rows >= c.search.rows_to_set_aside
@@ -55,24 +55,24 @@ class Additions:
         room = self.room(fit) and not h.remote
         if room and not h.scatter and self._setups >= 4 and self._rows >= 2 * self._setups:
             fits.append(self.store.fit(replace(h, scatter=True), fit.values))
-        most = self._most_outliers if enough or rival else 0
-        if (room or h.excluded) and len(h.excluded) < most:
+        allowed = self._most_outliers if enough or rival else 0
+        if (room or h.excluded) and len(h.excluded) < allowed:
             worst, sigmas = self.fitter.worst_rows(fit)
             for row in worst[:3]:
-                # A row that the others do not predict is not set aside: there is no evidence that it is wrong.
+                # A row that the others do not predict is not set aside: nothing shows that it is wrong.
                 if sigmas[row] > 3.0 and (rival or fit.leverage[row] < c.search.redundant):
                     fits.append(self.store.fit(replace(h, excluded=h.excluded | {int(row)}), fit.values))
         return [option for option in fits if option is not None]
 
     def without_distant_rows(self, fit: Fit) -> list[Fit]:
-        """Return fits with a cause and without the rows that are farthest from any mode, those that leave only noise.
+        """Return fits with a cause, without the rows farthest from any mode, that leave only noise.
 
         A row that is not a mode, such as a tone or a peak of noise, may be as far from the model as a large cause,
-        and distort all fits: no cause helps until it is gone.  A cause that helps alone needs none of these.
+        and distort all fits: no cause helps until it is removed.  None is needed where a cause helps by itself.
         """
-        c, found = self.criteria, list[Fit]()
+        c, fits = self.criteria, list[Fit]()
         if self._rows < c.search.rows_to_set_aside or fit.causes or fit.hypothesis.excluded:
-            return found
+            return fits
         for _ in range(self._most_outliers):
             worst, sigmas = self.fitter.worst_rows(fit)
             if sigmas[worst[0]] < c.search.strange:
@@ -82,11 +82,11 @@ class Additions:
             if less is None:
                 break
             fit = less
-            found += self.causes(fit, score(self.fitter, fit, self.candidates))
-        return [one for one in found if self.store.p_value(one) > c.gate.surely]
+            fits += self.causes(fit, score(self.fitter, fit, self.candidates))
+        return [option for option in fits if self.store.p_value(option) > c.gate.surely]
 
     def _hopeless(self, fit: Fit) -> bool:
-        """Return whether far too much is left with a shared error in each setup and without the worst rows.
+        """Return whether far too much is left even with a shared error in each setup and without the worst rows.
 
         A gross outlier may distort the fit, so many rows look wrong: the fit is repeated without the worst rows.
         """
@@ -98,11 +98,11 @@ class Additions:
         return without is None or self._far(without)
 
     def _far(self, fit: Fit) -> bool:
-        left = np.array(fit.residual[self.fitter.observations.frequency_rows])
+        residual = np.array(fit.residual[self.fitter.observations.frequency_rows])
         for rows in self.fitter.observations.noise.rows:
-            left[rows] -= np.median(left[rows])  # robust against one outlier
-        left /= self.fitter.observations.sigma
-        kept = np.sort(left**2)[: max(self._rows - self._most_outliers, 0)]
+            residual[rows] -= np.median(residual[rows])  # robust against one outlier
+        residual /= self.fitter.observations.sigma
+        kept = np.sort(residual**2)[: max(self._rows - self._most_outliers, 0)]
         degrees = max(self._rows - self._most_outliers - self._setups, 1)
         return bool(kept.sum() > self.criteria.search.hopeless * degrees)
 
@@ -122,23 +122,23 @@ class Additions:
             best = min(options, key=self.store.criterion, default=fit)
             gain = self.store.criterion(fit) - self.store.criterion(best)
             # Rows are set aside one by one, the worst first: later ones gain less.
-            more = self._most_outliers - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
-            within = self.store.criterion(best) - gain * more <= enough
+            remaining = self._most_outliers - len(best.hypothesis.excluded) + (not best.hypothesis.scatter)
+            within = self.store.criterion(best) - gain * remaining <= enough
             fit = best if gain > 0.0 and within else None
         return errors
 
     def causes(self, fit: Fit, scores: Scores) -> list[Fit]:
-        """Return fits with one more cause, best first: those that the linear model favours, and all absent ones."""
-        gains = sorted((s.gain for s in scores.each), reverse=True)
+        """Return fits with one more cause, best first: those that the linear model favours, and absent effects."""
+        gains = sorted((s.gain for s in scores.by_candidate), reverse=True)
         if not gains:
             return []
         c = self.criteria
         enough = min(c.search.promising * gains[0], gains[min(c.search.at_least, len(gains)) - 1])
-        # The score is inaccurate for large causes: an absent cause, which may be large, is always tried.
+        # The score is inaccurate for large changes: an absent effect, which may be large, is always tried.
         promising = [
-            (fit, one)
-            for one in scores.each
-            if one.visible and (one.gain >= enough or one_sided(self.fitter, one.candidate))
+            (fit, entry)
+            for entry in scores.by_candidate
+            if entry.visible and (entry.gain >= enough or one_sided(self.fitter, entry.candidate))
         ]
         return self.store.finished(
             self.refitted([x for x in promising if self._testable(fit, x[1].candidate)])
@@ -154,7 +154,9 @@ class Additions:
         plain = self.store.fit(Hypothesis())
         if plain is None:
             return []
-        refitted = self.refitted([(plain, one) for one in score(self.fitter, plain, self.candidates).each])
+        refitted = self.refitted(
+            [(plain, entry) for entry in score(self.fitter, plain, self.candidates).by_candidate]
+        )
         fits = [fit for fit in refitted if self.store.p_value(fit) > self.criteria.gate.level]
         return sorted(fits, key=self.store.criterion)
 
@@ -162,25 +164,25 @@ class Additions:
         """Return fits with two causes: all pairs if both pairs and data are few, else the most promising.
 
         These are the pairs for which the linear model at the fit of one of them promises most, and the best cause
-        with every absent one, for which the linear model is inaccurate.
+        with every absent effect, for which the linear model is inaccurate.
         """
         store, c = self.store, self.criteria
         promised: dict[Key, tuple[float, Fit, Score]] = {}
         absent: dict[Key, tuple[float, Fit, Score]] = {}
         singles = sorted(self.singles(), key=store.criterion)
         for single in singles:
-            others = [candidate for candidate in self.candidates if candidate not in single.causes]
-            for one in score(self.fitter, single, others).each:
-                if one.visible and self._testable(single, one.candidate):
-                    left = store.criterion(single) - one.gain + store.price(one.candidate)
-                    pair, promise = key(single.hypothesis.adding(one.candidate)), (left, single, one)
-                    if one.gain > 0.0 or self.few:
+            further = [candidate for candidate in self.candidates if candidate not in single.causes]
+            for entry in score(self.fitter, single, further).by_candidate:
+                if entry.visible and self._testable(single, entry.candidate):
+                    expected = store.criterion(single) - entry.gain + store.price(entry.candidate)
+                    pair, promise = key(single.hypothesis.adding(entry.candidate)), (expected, single, entry)
+                    if entry.gain > 0.0 or self.few:
                         promised[pair] = min(promised.get(pair, promise), promise, key=_first)
-                    if single is singles[0] and one_sided(self.fitter, one.candidate):
+                    if single is singles[0] and one_sided(self.fitter, entry.candidate):
                         absent[pair] = promise
-        most = len(promised) if self.few else c.search.pairs
-        best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:most]}
-        return store.finished(self.refitted([(fit, one) for _, fit, one in {**absent, **best}.values()]))
+        count = len(promised) if self.few else c.search.pairs
+        best = {pair: promised[pair] for pair in sorted(promised, key=lambda pair: promised[pair][0])[:count]}
+        return store.finished(self.refitted([(fit, entry) for _, fit, entry in {**absent, **best}.values()]))
 
     @property
     def few(self) -> bool:
@@ -195,20 +197,20 @@ class Additions:
 
     def refitted(self, additions: Sequence[tuple[Fit, Score]]) -> list[Fit]:
         """Return fits with one more cause; new ones are rough, each from the best of several starts."""
-        store, known, seeded, new = self.store, [], [], []
-        for fit, one in additions:
-            hypothesis = fit.hypothesis.adding(one.candidate)
+        store, fitted, seeded, new = self.store, [], [], []
+        for fit, entry in additions:
+            hypothesis = fit.hypothesis.adding(entry.candidate)
             seed = store.seed(hypothesis)
             if store.known(hypothesis):
-                known.append(store.fit(hypothesis))
+                fitted.append(store.fit(hypothesis))
                 continue
             self._progress(f"refitting with {' and '.join(c.name for c in hypothesis.causes)}")
             if seed is None:
-                new.append((fit, one, hypothesis))
+                new.append((fit, entry, hypothesis))
             else:
                 seeded.append((hypothesis, [seed]))
         begun = zip((hypothesis for _, _, hypothesis in new), starts(self.fitter, new), strict=True)
-        return [fit for fit in known if fit is not None] + store.roughly([*seeded, *begun])
+        return [fit for fit in fitted if fit is not None] + store.roughly([*seeded, *begun])
 
 
 def _first(promise: tuple[float, Fit, Score]) -> float:

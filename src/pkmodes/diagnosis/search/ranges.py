@@ -1,10 +1,10 @@
-"""How large a candidate may plausibly be: beyond that, the model would describe another machine.
+"""Plausible ranges of candidates: beyond them, the model would describe another machine.
 
-A bound of the data beyond this range says nothing.  The range of a parameter ends
+A limit beyond this range is meaningless.  The range of a parameter ends
 
 * at its bounds, such as a third and three times the declared value of a robot;
 * at three standard deviations of its prior, if the candidate has one;
-* otherwise, above all for absent effects, at the size which in the linear model changes some frequency of the model,
+* otherwise, mainly for absent effects, at the size that in the linear model changes some frequency of the model,
   measured or not, by as much as the largest size from which a search starts.
 """
 

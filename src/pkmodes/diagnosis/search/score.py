@@ -30,9 +30,9 @@ Directions = Sequence[tuple[Array, int]]
 #: Number of draws of the smallest p-value under the hypothesis, and their seed.
 DRAWS = 20_000
 SEED = 20_221_107
-#: More directions than this are not drawn by their correlations, whose eigenvectors would take longer.
+#: Largest number of directions drawn by their correlations; for more, the eigenvectors would take longer.
 MANY = 200
-#: A signature with less than this fraction left after the projection has no direction.
+#: Smallest fraction of a signature that must remain after the projection for it to have a direction.
 LEFT = 1e-4
 
 
@@ -53,7 +53,7 @@ class Score:
     largest : ndarray, shape (k,)
         Largest relative change of a measured frequency per unit of each parameter.
     visible : bool
-        Whether anything is left of the signatures after the projection.
+        Whether any signature remains after the projection.
     """
 
     candidate: Candidate
@@ -75,18 +75,20 @@ class Scores:
         Orthonormal directions of the candidates' signatures, and the sign that physics allows, 0 for both.
     """
 
-    each: tuple[Score, ...]
+    by_candidate: tuple[Score, ...]
     directions: tuple[tuple[Array, int], ...]
 
     @property
     def bound(self) -> float:
         """An upper bound of the p-value of the best candidate, by Bonferroni's inequality."""
-        return min(1.0, min((s.p_value for s in self.each), default=1.0) * max(len(self.directions), 1))
+        return min(
+            1.0, min((s.p_value for s in self.by_candidate), default=1.0) * max(len(self.directions), 1)
+        )
 
     @cached_property
     def p_value(self) -> float:
         """The p-value of the best candidate, corrected for their number; evaluated on demand, as it takes time."""
-        return p_of_smallest(self.directions, min((s.p_value for s in self.each), default=1.0))
+        return p_of_smallest(self.directions, min((s.p_value for s in self.by_candidate), default=1.0))
 
 
 def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
@@ -96,37 +98,39 @@ def score(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> Scores:
         return Scores((), ())
     rates, raw = fitter.signatures(fit, by)
     basis = fit.basis
-    left = raw - basis @ (basis.T @ raw)
+    remainder = raw - basis @ (basis.T @ raw)
     unit = np.abs(rates)
     scores, directions, start = [], [], 0
     for candidate in candidates:
         columns = slice(start, start + len(candidate.parameters))
         start = columns.stop
-        result, axes = _one(fitter, fit, candidate, raw[:, columns], left[:, columns], unit[:, columns])
+        result, axes = _score_of(
+            fitter, fit, candidate, raw[:, columns], remainder[:, columns], unit[:, columns]
+        )
         scores.append(result)
         if result.visible:
             directions.append((axes, one_sided(fitter, candidate)))
     return Scores(tuple(scores), tuple(directions))
 
 
-def _one(
-    fitter: Fitter, fit: Fit, candidate: Candidate, raw: Array, left: Array, unit: Array
+def _score_of(
+    fitter: Fitter, fit: Fit, candidate: Candidate, raw: Array, remainder: Array, unit: Array
 ) -> tuple[Score, Array]:
-    size, data = np.linalg.norm(left, axis=0), slice(0, fitter.prior_rows.start)
+    size, data = np.linalg.norm(remainder, axis=0), slice(0, fitter.prior_rows.start)
     whole = np.linalg.norm(raw[data], axis=0)
-    seen = np.linalg.norm(left[data], axis=0) > LEFT * np.maximum(whole, 1e-300)
+    visible = np.linalg.norm(remainder[data], axis=0) > LEFT * np.maximum(whole, 1e-300)
     largest = unit.max(axis=0, initial=0.0)
-    step = np.zeros(left.shape[1])
-    if not seen.any():
-        return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), left
+    step = np.zeros(remainder.shape[1])
+    if not visible.any():
+        return Score(candidate, 1.0, 0.0, step, np.full(len(step), np.inf), largest, False), remainder
     # Parameters may have the same effect, or none: the degrees of freedom are the directions that they span.
-    u, s, vt = thin_svd(left[:, seen] / size[seen])
+    u, s, vt = thin_svd(remainder[:, visible] / size[visible])
     axes, s, vt = u[:, s > LEFT], s[s > LEFT], vt[s > LEFT]
     sigma = np.full(len(step), np.inf)
-    if len(s) == seen.sum():
-        sigma[seen] = np.linalg.norm(vt / s[:, None], axis=0) / size[seen]
+    if len(s) == visible.sum():
+        sigma[visible] = np.linalg.norm(vt / s[:, None], axis=0) / size[visible]
     projection = axes.T @ fit.white
-    step[seen] = (vt.T @ (projection / s)) / size[seen]
+    step[visible] = (vt.T @ (projection / s)) / size[visible]
     sign = one_sided(fitter, candidate)
     gain = float(projection @ projection)
     if sign:

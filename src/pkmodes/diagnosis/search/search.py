@@ -92,16 +92,20 @@ class Search:
         return tested
 
     def scores(self, fit: Fit) -> Scores:
-        """Return the scores at a fit of all candidates that it does not have, those of its gate if it was tested."""
+        """Return the scores at a fit of all candidates that it does not have, from its gate if it was tested."""
         tested = self._tested(fit)
         if tested is not None:
             return tested.scores
-        return score(self.store.fitter, fit, [one for one in self.candidates if one not in fit.causes])
+        return score(
+            self.store.fitter,
+            fit,
+            [candidate for candidate in self.candidates if candidate not in fit.causes],
+        )
 
     def _tested(self, fit: Fit) -> Gate | None:
         """Return the gate of a fit with these values; None if it was not tested."""
-        known = self._gates.get(id(fit.values))
-        return known[1] if known is not None and known[0].values is fit.values else None
+        tested = self._gates.get(id(fit.values))
+        return tested[1] if tested is not None and tested[0].values is fit.values else None
 
     def alone(self) -> list[Fit]:
         """Return fits with one remote cause and nothing else, best first."""
@@ -113,13 +117,17 @@ class Search:
     def better_alone(self, fit: Fit) -> list[Fit]:
         """Return fits with one remote cause that explain significantly more than a fit, down to noise; best first."""
         limit = self.store.criterion(fit) - self.criteria.search.survives
-        return [one for one in self.alone() if self.store.criterion(one) < limit and self.gate(one).passed]
+        return [
+            option
+            for option in self.alone()
+            if self.store.criterion(option) < limit and self.gate(option).passed
+        ]
 
     def in_one_joint(self, beside: Fit) -> list[Fit]:
         """Return fits with the cause of a fit in one of its joints alone, best first."""
         name = beside.causes[0].name
         joints = {p for general in self.general if general.general_of == name for p in general.parameters}
-        remote = [one for one in self.remote if joints.issuperset(one.parameters)]
+        remote = [candidate for candidate in self.remote if joints.issuperset(candidate.parameters)]
         plain = self.store.fit(replace(beside.hypothesis, causes=()))
         if plain is None or not remote:
             return []
@@ -132,11 +140,11 @@ class Search:
         base = store.fit(hypothesis, store.undone(fit, hypothesis))
         rivals = {causes[place].name: replace(fit, hypothesis=hypothesis.adding(causes[place]))}
         if base is not None:
-            known = [*self.candidates]
+            candidates = [*self.candidates]
             if len(causes) == 1:
-                known += [cause for cause in self.remote if cause.nameable or causes[0].remote]
-            others = [candidate for candidate in known if candidate not in hypothesis.causes]
-            for option in self.additions.causes(base, score(store.fitter, base, others)):
+                candidates += [cause for cause in self.remote if cause.nameable or causes[0].remote]
+            alternatives = [candidate for candidate in candidates if candidate not in hypothesis.causes]
+            for option in self.additions.causes(base, score(store.fitter, base, alternatives)):
                 rivals.setdefault(option.causes[-1].name, option)
         return tuple(sorted(rivals.values(), key=store.criterion))
 
@@ -147,7 +155,7 @@ class Search:
         additions, criterion = self.additions, self.store.criterion
         options = additions.noise(fit)
         if not fit.causes:
-            # Outliers and a shared error use up the allowed additions: try a cause in place of them.
+            # Outliers and a shared error use up the allowed additions: a cause is tried in their place.
             options += additions.causes(fit, at.scores) if additions.room(fit) else additions.singles()
             improves = any(criterion(option) < criterion(fit) for option in options)
             options += [] if improves else self.alone()
@@ -159,7 +167,7 @@ class Search:
             return again  # no addition is needed
         elif len(fit.causes) < self.criteria.search.most_causes and not fit.causes[0].remote:
             best_few = self.alone()[: self.criteria.search.best_few]
-            remote = next((one for one in best_few if self.gate(one).passed), None)
+            remote = next((single for single in best_few if self.gate(single).passed), None)
             if remote is not None:
                 return remote  # one cause, although it will not be claimed, is preferred to two
             options += additions.pairs() if self._hopeful(fit) else []
@@ -170,7 +178,7 @@ class Search:
         """Refit the same hypothesis from fits with measurement errors; None if it is not better and down to noise.
 
         A cause that adds modes may be in a local minimum, with some modes paired wrongly.  These look like outliers
-        or a shared error, and a fit that allows for them leads out of the minimum.
+        or a shared error, and a fit that allows for those leads out of the minimum.
         """
         store, c = self.store, self.criteria
         starts = [option.values for option in options if store.criterion(option) < store.criterion(fit)]
@@ -183,10 +191,12 @@ class Search:
         """Return the values of fits without the worst rows, for several numbers of rows."""
         fitter, h = self.store.fitter, fit.hypothesis
         rows = fitter.worst_rows(fit)[0].tolist()
-        most = int(self.criteria.search.misled * len(rows))
-        counts = [count for count in (1, 2, 4, 8) if count <= most]
+        limit = int(self.criteria.search.misled * len(rows))
+        counts = [count for count in (1, 2, 4, 8) if count <= limit]
         fewer = [replace(h, excluded=h.excluded | set(rows[:count])) for count in counts]
-        return [descent.values for descent in fitter.roughly([(one, fit.values) for one in fewer])]
+        return [
+            descent.values for descent in fitter.roughly([(hypothesis, fit.values) for hypothesis in fewer])
+        ]
 
     def _hopeful(self, fit: Fit) -> bool:
         """Return whether a second cause may suffice: the first explains much, or little is left."""

@@ -1,7 +1,7 @@
 """Start values of a refit with one more cause.
 
 The linear estimate is accurate for small changes.  An absent cause may be large: several sizes are tried, and refined
-around the best, because a mode that a cause adds fits at one size only.
+around the best, because an added mode fits at one size only.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from pkmodes.diagnosis.search.score import Score, one_sided
 
 #: Sizes of a one-sided cause that are tried first, as the frequency change that the linear model predicts.
 SIZES = np.geomspace(0.003, 30.0, 12)
-#: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbours differ by a
-#: quarter, which is an eighth of the frequencies of such modes.
+#: The same for a cause that adds modes: these change a frequency only when they come near it.  Neighbouring sizes
+#: differ by a quarter, and the frequencies of the added modes by an eighth.
 CLOSE_SIZES = np.geomspace(5e-5, 0.5, 42)
 #: The grid is refined by HALVINGS bisections around the best VALLEYS sizes with sums of squares up to SLOPE times the
 #: least: such a mode fits in a narrow valley, and a grid hits only its slopes.
 VALLEYS, SLOPE = 6, 4.0
 HALVINGS = 3
-#: Part of a one-sided cause that is kept when another one is tried beside it.
+#: Part of the size of a one-sided cause that is kept when another cause is tried beside it.
 SHARE = 0.4
 #: Number of starts from which a cause that adds modes is refitted.
 FITTED = 3
@@ -49,31 +49,33 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
     searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}
     costs: dict[int, list[float] | None] = dict.fromkeys(searches)
     while searches:
-        asked: dict[int, list[Array]] = {}
+        trials: dict[int, list[Array]] = {}
         for k in list(searches):
             try:
-                given = costs[k]
-                asked[k] = next(searches[k]) if given is None else searches[k].send(given)
+                sums = costs[k]
+                trials[k] = next(searches[k]) if sums is None else searches[k].send(sums)
             except StopIteration as end:
                 best[k] = end.value
                 del searches[k]
         # Excluded rows are dropped for fewer setups, where rows are numbered differently.
         bare = {k: h if scout is fitter else Hypothesis(h.causes) for k, (_, _, h) in enumerate(additions)}
-        together = scout.chi2_of_many([(bare[k], values) for k, some in asked.items() for values in some])
-        results = iter(together)
-        costs = {k: [next(results) for _ in some] for k, some in asked.items()}
+        evaluated = scout.chi2_of_many(
+            [(bare[k], values) for k, points in trials.items() for values in points]
+        )
+        results = iter(evaluated)
+        costs = {k: [next(results) for _ in points] for k, points in trials.items()}
     return best
 
 
-def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Trials:
+def _search(fitter: Fitter, fit: Fit, entry: Score, hypothesis: Hypothesis) -> Trials:
     """Yield trial values of one refit, and return its starts."""
-    index = list(fitter.indices(one.candidate))
+    index = list(fitter.indices(entry.candidate))
     # The first parameter of a cause determines its size.
-    sign = one_sided(fitter, replace(one.candidate, parameters=one.candidate.parameters[:1]))
+    sign = one_sided(fitter, replace(entry.candidate, parameters=entry.candidate.parameters[:1]))
     unit, sizes = np.zeros(len(index)), SIZES
-    sized = bool(sign) and one.largest[0] > 0.0
+    sized = bool(sign) and entry.largest[0] > 0.0
     if sized:
-        unit[0] = sign / one.largest[0]
+        unit[0] = sign / entry.largest[0]
         if _adds_modes(fitter, fit, index[0], float(SIZES[0] * unit[0])):
             sizes = CLOSE_SIZES
     ranked: list[tuple[float, Array]] = []
@@ -84,17 +86,17 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
             full[index] = np.clip(fit.values[index] + step, fitter.lower[index], fitter.upper[index])
             return full
 
-        steps = [one.step, 0.5 * one.step]
+        steps = [entry.step, 0.5 * entry.step]
         if sized and sizes is CLOSE_SIZES and not fit.causes:
             best = yield from _least(CLOSE_SIZES, unit, at)
             steps += [size * unit for size in best]
-        elif sized:  # there are many pairs, and those tried are promising in the linear model
+        elif sized:  # there are many pairs, and only those that the linear model favours are tried
             costs = yield [at(size * unit) for size in SIZES]
             steps.append(SIZES[int(np.argmin(costs))] * unit)
-        some = [at(step) for step in steps]
-        left = yield some
-        here = sorted(zip(left, some, strict=True), key=lambda pair: pair[0])
-        # Near the distorted values of the fit, a large cause ends where it began: the best start of each origin.
+        trials = [at(step) for step in steps]
+        sums = yield trials
+        here = sorted(zip(sums, trials, strict=True), key=lambda pair: pair[0])
+        # Near the distorted values of the fit, a large cause ends where it began: one best start for each origin.
         ranked += here if sizes is CLOSE_SIZES and not fit.causes else here[:1]
     ranked.sort(key=lambda pair: pair[0])
     return [values for _, values in ranked[:FITTED]]
@@ -102,16 +104,18 @@ def _search(fitter: Fitter, fit: Fit, one: Score, hypothesis: Hypothesis) -> Tri
 
 def _origins(fitter: Fitter, fit: Fit, sign: int) -> list[Array]:
     """Return values of the other parameters for trying a cause: those of the fit, and less distorted ones."""
-    other = fit.values.copy()
+    undistorted = fit.values.copy()
     if not fit.causes:  # a large missing cause drives the nuisances far from their declared values
         nuisances = list(fitter.nuisances)
-        other[nuisances] = fitter.declared[nuisances]
-    elif sign:  # a cause that compensates for two is too large
+        undistorted[nuisances] = fitter.declared[nuisances]
+    elif sign:  # a cause that stands for two is too large
         for cause in fit.causes:
             if one_sided(fitter, cause):
                 index = list(fitter.indices(cause))
-                other[index] = fitter.declared[index] + SHARE * (fit.values[index] - fitter.declared[index])
-    return [fit.values] if np.array_equal(other, fit.values) else [fit.values, other]
+                undistorted[index] = fitter.declared[index] + SHARE * (
+                    fit.values[index] - fitter.declared[index]
+                )
+    return [fit.values] if np.array_equal(undistorted, fit.values) else [fit.values, undistorted]
 
 
 def _adds_modes(fitter: Fitter, fit: Fit, index: int, step: float) -> bool:
@@ -125,25 +129,25 @@ def _least(
     sizes: Array, unit: Array, at: Callable[[Array], Array]
 ) -> Generator[list[Array], list[float], list[float]]:
     """Return the sizes of the best local minima on a grid, refined around them."""
-    known = dict(zip(sizes.tolist(), (yield [at(size * unit) for size in sizes]), strict=True))
-    centres = [size for size in _minima(known)[:VALLEYS] if known[size] <= SLOPE * min(known.values())]
+    sums = dict(zip(sizes.tolist(), (yield [at(size * unit) for size in sizes]), strict=True))
+    centres = [size for size in _minima(sums)[:VALLEYS] if sums[size] <= SLOPE * min(sums.values())]
     for _ in range(HALVINGS):
-        ordered = sorted(known)
+        ordered = sorted(sums)
         places = [ordered.index(centre) for centre in centres]
         beside = [
             ordered[k : k + 2] for place in places for k in (place - 1, place) if 0 <= k < len(ordered) - 1
         ]
         middles = sorted({float(np.sqrt(low * high)) for low, high in beside})
-        known |= dict(zip(middles, (yield [at(size * unit) for size in middles]), strict=True))
-        ordered = sorted(known)
+        sums |= dict(zip(middles, (yield [at(size * unit) for size in middles]), strict=True))
+        ordered = sorted(sums)
         around = [ordered[max(ordered.index(centre) - 1, 0) :][:3] for centre in centres]
-        centres = [min(some, key=lambda size: known[size]) for some in around]
+        centres = [min(neighbours, key=lambda size: sums[size]) for neighbours in around]
     return centres
 
 
-def _minima(known: dict[float, float]) -> list[float]:
+def _minima(sums: dict[float, float]) -> list[float]:
     """Return the sizes with smaller sums of squares than their neighbours, best first."""
-    sizes = sorted(known)
-    costs = [np.inf, *(known[size] for size in sizes), np.inf]
+    sizes = sorted(sums)
+    costs = [np.inf, *(sums[size] for size in sizes), np.inf]
     minima = [size for i, size in enumerate(sizes, start=1) if costs[i] <= min(costs[i - 1], costs[i + 1])]
-    return sorted(minima, key=lambda size: known[size])
+    return sorted(minima, key=lambda size: sums[size])

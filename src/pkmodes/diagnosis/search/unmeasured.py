@@ -1,7 +1,7 @@
 """Unmeasured modes of a model between the measured ones.
 
 Not every mode is measured at every pose, and the rate of misses is unknown, so a single missing mode says little.
-But if a cause adds modes between measured ones and none of these was measured, their absence needs an explanation:
+But if a cause adds modes between measured ones and none of them was measured, their absence needs an explanation:
 given the numbers of modes and of missed modes there, the added modes should be missed no more often than by chance
 (hypergeometric distribution; Fisher's exact test).
 """
@@ -82,7 +82,7 @@ class NeverMeasured(NamedTuple):
 def never_measured(fitter: Fitter, fit: Fit) -> list[NeverMeasured]:
     """Return the modes that should have been measured at half of the setups or more, but never were.
 
-    Modes with free motors are others than those with held ones, whatever their number.
+    Modes with free motors differ from those with held motors, even if they have the same number.
     """
     margin, logs = fitter.criteria.gate.margin, fit.prediction.log_frequencies
     visible, ranges = _visible(fitter, fit), []

@@ -1,8 +1,8 @@
-"""What changed between states of one machine: differences compared with differences.
+"""Changes between states of one machine: differences compared with differences.
 
-The first state is trusted.  Uncertain values are fitted to it, and what it then leaves is the error of the model,
-which the other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine of its
-own: its candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
+The first state is trusted.  Uncertain values are fitted to it, and the residual is the error of the model, which the
+other states share (`shared_errors`).  Without that error a later state is diagnosed like a machine by itself: its
+candidates are what may have changed.  Poses of a later state are held out, never a state as a whole.
 """
 
 from __future__ import annotations
@@ -69,8 +69,8 @@ class Trusted:
         fitter = Fitter(structure, data, criteria)
         fit = FitStore(fitter).fit(Hypothesis())
         if fit is None:
-            what = "the model cannot be evaluated with its declared values"
-            raise PkmodesError(what, data.source, "check the poses and the model")
+            problem = "the model cannot be evaluated with its declared values"
+            raise PkmodesError(problem, data.source, "check the poses and the model")
         return cls(name, fitter, fit)
 
     @property
@@ -90,8 +90,8 @@ class Trusted:
     @property
     def model_error(self) -> float:
         """Root mean square of the relative error of the model as declared."""
-        pairing, left, *_ = self.fitter.unfitted(self.fitter.declared, self.fitter.observations.every)
-        return _rms(left[pairing.partner >= 0])
+        pairing, residual, *_ = self.fitter.unfitted(self.fitter.declared, self.fitter.observations.all_rows)
+        return _rms(residual[pairing.partner >= 0])
 
     @property
     def left(self) -> float:
@@ -114,7 +114,7 @@ class Trusted:
         Parameters
         ----------
         structure : Structure
-            At the setups of that state, with the values of the trusted one, and what may have changed as candidates.
+            At the setups of that state, with the values of the trusted one; its candidates are what may have changed.
 
         Raises
         ------
@@ -126,10 +126,10 @@ class Trusted:
         names = tuple(self.fitter.parameters[i].name for i in nuisances)
         fitted = FittedValues(names, self.fit.covariance_of(nuisances))
         shared = shared_errors(self.fitter, self.fit.values, structure, data, self.shape_error, fitted)
-        if not shared.known.any():
-            what = f"no mode of {shown(name)} was measured in {shown(self.name)}"
+        if not shared.measured_before.any():
+            problem = f"no mode of {shown(name)} was measured in {shown(self.name)}"
             remedy = "measure modes at poses that both states have"
-            raise PkmodesError(what, data.source, remedy)
+            raise PkmodesError(problem, data.source, remedy)
         corrected = without_shared_errors(data, shared)
         result = diagnosed(
             structure,
@@ -156,24 +156,27 @@ class Trusted:
         return Counterpart(int(data.lines[row]), float(data.frequency[row]), float(data.sigma[row]))
 
     def _check(self, name: str, data: Measurements) -> None:
-        """Refuse a state that is the trusted one, or was measured with the motors in another state."""
+        """Refuse the trusted state itself, and one that was measured only with the motors in another state."""
         trusted = self.fitter.data
         if data.frequency.shape == trusted.frequency.shape and np.array_equal(
             data.frequency, trusted.frequency
         ):
-            what = f"{shown(self.name)} and {shown(name)} have the same frequencies: they are one measurement"
-            raise PkmodesError(what, data.source, "give the measurement of the other state")
+            problem = (
+                f"{shown(self.name)} and {shown(name)} have the same frequencies: they are one measurement"
+            )
+            raise PkmodesError(problem, data.source, "give the measurement of the other state")
         if not {*data.drives} & {*trusted.drives}:
-            what = f"the motors were {trusted.drives[0]} in {shown(self.name)}, and {data.drives[0]} in {shown(name)}"
-            raise PkmodesError(what, data.source, "compare measurements with the motors in the same state")
+            before, after = trusted.drives[0], data.drives[0]
+            problem = f"the motors were {before} in {shown(self.name)}, and {after} in {shown(name)}"
+            raise PkmodesError(problem, data.source, "compare measurements with the motors in the same state")
 
     def _notes(self, name: str, data: Measurements, shared: SharedErrors) -> list[str]:
         """Return how the states were compared."""
         rows, compared = len(shared.offset), int(shared.compared.sum())
-        differs, left = (f"{plain(100 * error, 2)} %" for error in (self.model_error, self.left))
+        differs, remaining = (f"{plain(100 * error, 2)} %" for error in (self.model_error, self.left))
         notes = [
             f"the declared model differs from {self.name} by {differs} (rms); its values are "
-            f"fitted to {self.name}, and the {left} that this leaves are taken off {name} too: "
+            f"fitted to {self.name}, and the {remaining} that this leaves are taken off {name} too: "
             "standard deviations are those of the difference"
         ]
         if compared < rows:
@@ -212,12 +215,12 @@ def changed_between(
     name, setups = trusted
     common = Trusted.of(name, structure.subset(setups), data.at(setups), criteria)
     changes = {}
-    for other, places in later.items():
-        own = with_known(structure.subset(places), common.values)
-        held = None if holdout is None else [one for one in holdout if states.get(one) == other]
-        changes[other] = common.changed_to(
-            other,
-            own,
+    for state, places in later.items():
+        fitted_structure = with_known(structure.subset(places), common.values)
+        held = None if holdout is None else [label for label in holdout if states.get(label) == state]
+        changes[state] = common.changed_to(
+            state,
+            fitted_structure,
             data.at(places),
             holdout=held,
             progress=progress,
@@ -229,12 +232,12 @@ def changed_between(
 
 def with_known(structure: S, values: Mapping[str, float]) -> S:
     """Return a structure in which some uncertain values are known."""
-    known = copy.copy(structure)
-    known.parameters = tuple(  # type: ignore[misc]
+    fixed = copy.copy(structure)
+    fixed.parameters = tuple(  # type: ignore[misc]
         replace(p, value=values[p.name], sigma=None, correlated=()) if p.name in values else p
         for p in structure.parameters
     )
-    return known
+    return fixed
 
 
 def setups_of(
@@ -245,14 +248,14 @@ def setups_of(
     Raises
     ------
     PkmodesError
-        If the mapping is none, a measured setup is missing in it, or it has one state only.
+        If it is not a mapping, a measured setup is missing in it, or it has one state only.
     """
     example = '{"P1": "before", "P1 again": "after"}'
     if not isinstance(states, Mapping) or not all(
         isinstance(text, str) and text for pair in states.items() for text in pair
     ):
-        what = f"expected a mapping of setups to states, found {shown(states)}"
-        raise PkmodesError(what, "states", f"write for example {example}")
+        problem = f"expected a mapping of setups to states, found {shown(states)}"
+        raise PkmodesError(problem, "states", f"write for example {example}")
     for label in states:
         if label not in data.labels:
             nearest = difflib.get_close_matches(label, data.labels, n=1)
@@ -262,13 +265,13 @@ def setups_of(
             raise PkmodesError(f"no setup is called {shown(label)}", "states", remedy)
     missing = [label for label in data.labels if label not in states]
     if missing:
-        what = f"the setup {shown(missing[0])} has no state"
-        raise PkmodesError(what, "states", "give the state of every measured setup")
+        problem = f"the setup {shown(missing[0])} has no state"
+        raise PkmodesError(problem, "states", "give the state of every measured setup")
     places: dict[str, list[int]] = {state: [] for state in states.values()}
     for i, label in enumerate(data.labels):
         places[states[label]].append(i)
     (name, setups), *later = places.items()
     if not later:
-        what = f"expected two states or more, found {shown(name)} only"
-        raise PkmodesError(what, "states", "leave states out, or give the setups of the other state")
+        problem = f"expected two states or more, found {shown(name)} only"
+        raise PkmodesError(problem, "states", "leave states out, or give the setups of the other state")
     return (name, setups), dict(later)

@@ -1,9 +1,9 @@
-"""The same modes in two states: rows of a later one, with their mode of the model and their row of the trusted one.
+"""The same modes in two states: rows of a later state, with their modes of the model and rows of the trusted state.
 
-Two states of a machine are more alike than a machine and its model.  A mode that was measured in the trusted state at
-the same setup is there what was measured, any other what the model predicts with the error that the trusted state
-shows.  Which of two close modes is which no shape tells, because any change rotates them into each other: these are
-paired by the order of their frequencies.
+Two states of a machine are more alike than a machine and its model.  If a mode was measured in the trusted state at
+the same setup, that measurement is what is expected; otherwise it is the prediction of the model, with the error that
+the trusted state shows.  Shapes do not identify close modes, because any change rotates them into each other: these
+are paired by the order of their frequencies.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.support.mac import mac, normalised
 
 Index = NDArray[np.intp]
-#: Farthest logarithms of the frequencies of one mode in two states, and how far apart counts as much as shapes that
-#: have nothing in common.
+#: Largest difference of the logarithms of the frequencies of one mode in two states, and the difference that counts
+#: as much as shapes that have nothing in common.
 FARTHEST, ALIKE = 0.3, 0.1
 
 
@@ -72,20 +72,21 @@ def expected_modes(
     """
     count = len(log)
     rows = np.flatnonzero(trusted.pose == setup)
-    alone = rows[partner[rows] < 0]
-    every = np.concatenate([log, FREQUENCY.transformed(trusted)[alone]])
-    sigmas, row = np.full(len(every), sigma), np.concatenate([np.full(count, -1), alone]).astype(np.intp)
-    forms = np.vstack([shapes, np.full((len(alone), len(channels)), np.nan)])
-    mode = np.concatenate([np.arange(count), np.full(len(alone), -1)]).astype(np.intp)
-    for own in rows:
-        place = int(partner[own]) if partner[own] >= 0 else count + int(np.flatnonzero(alone == own)[0])
-        every[place], row[place] = FREQUENCY.transformed(trusted)[own], own
-        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[own]
-        measured = dict(zip(trusted.channels, trusted.shapes[own], strict=True))
+    unpaired = rows[partner[rows] < 0]
+    logs = np.concatenate([log, FREQUENCY.transformed(trusted)[unpaired]])
+    sigmas, row = np.full(len(logs), sigma), np.concatenate([np.full(count, -1), unpaired]).astype(np.intp)
+    forms = np.vstack([shapes, np.full((len(unpaired), len(channels)), np.nan)])
+    mode = np.concatenate([np.arange(count), np.full(len(unpaired), -1)]).astype(np.intp)
+    for source in rows:
+        paired = partner[source] >= 0
+        place = int(partner[source]) if paired else count + int(np.flatnonzero(unpaired == source)[0])
+        logs[place], row[place] = FREQUENCY.transformed(trusted)[source], source
+        sigmas[place] = FREQUENCY.transformed_sigma(trusted)[source]
+        measured = dict(zip(trusted.channels, trusted.shapes[source], strict=True))
         form = np.array([measured.get(name, np.nan) for name in channels])
-        if np.isfinite(form).sum() >= 2 or partner[own] < 0:
+        if np.isfinite(form).sum() >= 2 or not paired:
             forms[place] = form
-    return Expected(every, sigmas, forms, mode, row)
+    return Expected(logs, sigmas, forms, mode, row)
 
 
 def paired_with(
@@ -134,8 +135,9 @@ def common_channels(trusted: Measurements, later: Measurements) -> tuple[list[in
 
 def _alike(first: Array, second: Array) -> Array:
     """Return the MAC of each shape (m, C) with each of others (r, C); NaN with fewer than two common components."""
-    found = np.full((len(first), len(second)), np.nan)
+    macs = np.full((len(first), len(second)), np.nan)
     for k, shape in enumerate(second):
-        known = np.isfinite(first) & np.isfinite(shape)
-        found[:, k] = mac(normalised(np.where(known, first, np.nan)), normalised(shape)[None, :], known)[:, 0]
-    return found
+        finite = np.isfinite(first) & np.isfinite(shape)
+        compared = normalised(np.where(finite, first, np.nan))
+        macs[:, k] = mac(compared, normalised(shape)[None, :], finite)[:, 0]
+    return macs

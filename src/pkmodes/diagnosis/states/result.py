@@ -25,7 +25,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.measured.measurements import Measurements
 
-#: Rules of verdicts by which the data do not tell whether anything changed: they may be errors of the measurement.
+#: Rules whose verdicts leave open whether anything changed: the residual may be due to errors of the measurement.
 NOT_TOLD = (
     "before.",
     "after.",
@@ -36,7 +36,7 @@ NOT_TOLD = (
     "open.small",
     "open.no_direction",
 )
-#: Verdicts of several states: that of all is the first of these that one of them has.
+#: Precedence of verdicts: that of several states together is the first of these that any of them has.
 ORDER = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, ADEQUATE)
 
 
@@ -141,8 +141,8 @@ class Change(Diagnosis):
             row["trusted_hz"] = None if counterpart is None else counterpart.measured
             row["trusted_line"] = None if counterpart is None else counterpart.line
         first = {name: content.pop(name) for name in ("verdict", "reason")}
-        own = {"states": list(self.states), "changed": self.changed, "model_error": self.model_error}
-        return {**first, **own, **content}
+        state_keys = {"states": list(self.states), "changed": self.changed, "model_error": self.model_error}
+        return {**first, **state_keys, **content}
 
 
 def of_difference(
@@ -153,7 +153,7 @@ def of_difference(
     counterparts: tuple[Counterpart | None, ...],
     model_error: float,
 ) -> Change:
-    """Return the diagnosis of a difference as what changed.
+    """Return the diagnosis of a difference as a change.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def of_difference(
         These errors.
     """
     trusted, later = states
-    content = {one.name: getattr(result, one.name) for one in fields(Diagnosis)}
+    content = {attribute.name: getattr(result, attribute.name) for attribute in fields(Diagnosis)}
     content |= {
         "rows": tuple(
             map(_with_errors, result.rows, data.frequency.tolist(), np.exp(shared.offset).tolist())
@@ -186,7 +186,7 @@ def of_difference(
 
 
 def _with_errors(row: Row, measured: float, factor: float) -> Row:
-    """Return a row with the error that the model has in the trusted state: what was measured is as in its file."""
+    """Return a row with the error that the model has in the trusted state, and the measurement as in its file."""
     scaled = {
         name: None if (value := getattr(row, name)) is None else value * factor
         for name in ("sigma", "before", "refit", "after")
@@ -198,15 +198,19 @@ def _stages(stages: Stages, shared: SharedErrors) -> Stages:
     """Return the stages of a model with the errors that it has in the trusted state."""
 
     def spectrum(frequencies: Array) -> Array:
-        own = np.zeros_like(frequencies)
-        count = min(own.shape[1], shared.of_modes.shape[1])
-        own[:, :count] = shared.of_modes[:, :count]
-        return np.asarray(frequencies * np.exp(own))
+        errors = np.zeros_like(frequencies)
+        count = min(errors.shape[1], shared.of_modes.shape[1])
+        errors[:, :count] = shared.of_modes[:, :count]
+        return np.asarray(frequencies * np.exp(errors))
 
-    def stage(one: Predicted | None) -> Predicted | None:
-        if one is None:
+    def stage(predicted: Predicted | None) -> Predicted | None:
+        if predicted is None:
             return None
-        return replace(one, frequency=one.frequency * np.exp(shared.offset), spectrum=spectrum(one.spectrum))
+        return replace(
+            predicted,
+            frequency=predicted.frequency * np.exp(shared.offset),
+            spectrum=spectrum(predicted.spectrum),
+        )
 
     before = stage(stages.before)
     assert before is not None
@@ -228,18 +232,20 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
     if len(changes) == 1:
         return next(iter(changes.values()))
     results = list(changes.values())
-    verdict = next(one.word for one in ORDER if any(result.verdict == one.word for result in results))
+    verdict = next(
+        option.word for option in ORDER if any(result.verdict == option.word for result in results)
+    )
     answers = {result.changed for result in results}
     told = next((word for word in (True, None, False) if word in answers), None)
     first = results[0]
-    content = {one.name: getattr(first, one.name) for one in fields(Diagnosis)}
+    content = {attribute.name: getattr(first, attribute.name) for attribute in fields(Diagnosis)}
     content |= {
         "verdict": verdict,
-        "reason": "; ".join(f"{name}: {one.what}" for name, one in changes.items()),
+        "reason": "; ".join(f"{name}: {change.what}" for name, change in changes.items()),
         "effects": tuple(effect for result in results for effect in result.effects),
         "survivors": tuple(group for result in results for group in result.survivors),
         "rows": tuple(row for result in results for row in result.rows),
-        "notes": tuple(f"{name}: {note}" for name, one in changes.items() for note in one.notes),
+        "notes": tuple(f"{name}: {note}" for name, change in changes.items() for note in change.notes),
         "before": _error([result.before for result in results], results),
         "refit": _error([result.refit for result in results], results),
         "after": _error([result.after or result.refit for result in results], results)
@@ -263,7 +269,7 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
         **content,
         states=(trusted, *list(changes)),
         changed=told,
-        counterparts=tuple(one for result in results for one in result.counterparts),
+        counterparts=tuple(counterpart for result in results for counterpart in result.counterparts),
         model_error=first.model_error,
         by_state=dict(changes),
     )
@@ -271,10 +277,12 @@ def merged(trusted: str, changes: Mapping[str, Change]) -> Change:
 
 def _error(errors: Sequence[Error | None], results: Sequence[Change]) -> Error | None:
     """Return the errors of a stage over the rows of all states."""
-    known = [(error, len(one.rows)) for error, one in zip(errors, results, strict=True) if error is not None]
-    if not known:
+    counted = [
+        (error, len(result.rows)) for error, result in zip(errors, results, strict=True) if error is not None
+    ]
+    if not counted:
         return None
-    counts = np.array([count for _, count in known], dtype=float)
+    counts = np.array([count for _, count in counted], dtype=float)
 
     def mean(values: Sequence[float | None]) -> float | None:
         there = np.array([value is not None for value in values])
@@ -283,9 +291,9 @@ def _error(errors: Sequence[Error | None], results: Sequence[Change]) -> Error |
         squares = np.array([0.0 if value is None else value**2 for value in values])
         return float(np.sqrt((counts[there] * squares[there]).sum() / counts[there].sum()))
 
-    chi2 = float(counts @ np.array([error.chi2_per_dof for error, _ in known]) / counts.sum())
+    chi2 = float(counts @ np.array([error.chi2_per_dof for error, _ in counted]) / counts.sum())
     return Error(
-        mean([error.rms_relative for error, _ in known]),
-        mean([error.held_out_rms_relative for error, _ in known]),
+        mean([error.rms_relative for error, _ in counted]),
+        mean([error.held_out_rms_relative for error, _ in counted]),
         chi2,
     )

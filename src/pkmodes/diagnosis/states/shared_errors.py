@@ -1,11 +1,11 @@
-r"""What a later state shares with the trusted one: the error of the model in each mode at each setup.
+r"""Errors that a later state shares with the trusted one: those of the model in each mode at each setup.
 
 A model that is 3 % wrong is as wrong after a change as before it.  Its error :math:`\delta` in the logarithm of a
-frequency is a part of the mode, :math:`a_m`, and one of the mode at a setup, :math:`b_{sm}`:
+frequency has a part of the mode, :math:`a_m`, and one of the mode at a setup, :math:`b_{sm}`:
 
 .. math:: \ln f_{measured} - \ln f_{model} = a_m + b_{sm} + e .
 
-The trusted rows tell it: :math:`\delta` of each later row is predicted from them with its variance (best linear
+The trusted rows determine it: :math:`\delta` of each later row is predicted from them with its variance (best linear
 unbiased prediction; Robinson, That BLUP is a good thing, Statist. Sci. 6, 1991, 15).  At a setup of the trusted state
 this is, for errors of the model far above those of the measurement, the difference of two measurements.
 """
@@ -27,16 +27,16 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
 from pkmodes.support.mac import channel_motion
 
-#: Standard deviation of the error of a model in a mode: anything.
+#: Standard deviation of the error of a model in a mode: any error is possible.
 ANY = 0.3
-#: That of a mode which the trusted state does not tell, at least, and of the part that differs between setups where
-#: fewer than `FEW` differences tell it.
+#: Smallest standard deviation for a mode that the trusted state does not determine, and that of the part that differs
+#: between setups if it follows from fewer than `FEW` differences.
 UNKNOWN = 0.02
 FEW = 3
 #: The scatter between setups is taken at this upper confidence limit.
 CONFIDENCE = 0.9
-#: Setups are the same one where no component of the pose differs by more than this part of the range of the trusted
-#: ones, or this much [m or rad]; without positions, where the model has the same modes to this accuracy.
+#: Setups are the same if no component of the pose differs by more than this part of the range of the trusted poses,
+#: or by more than this [m or rad]; without positions, if the model has the same modes to this accuracy.
 NEAR, SMALL, EQUAL = 0.02, 5e-4, 1e-9
 #: Largest relative standard deviation of a frequency or of the components of a shape.
 LARGEST = 0.9
@@ -44,26 +44,26 @@ LARGEST = 0.9
 
 @dataclass(frozen=True)
 class SharedErrors:
-    """The error of the model in each row of a later state, as the trusted state tells it.
+    """The error of the model in each row of a later state, as determined by the trusted state.
 
     Attributes
     ----------
     offset, variance : ndarray, shape (R,)
-        Of ln f, and the variance of what the trusted state leaves unknown of it, so large that errors of different
-        rows may be treated as independent.
-    known : ndarray of bool, shape (R,)
+        Of ln f, and its variance given the trusted state, large enough to treat the errors of different rows as
+        independent.
+    measured_before : ndarray of bool, shape (R,)
         Rows whose mode was measured in the trusted state, at any setup.
     counterpart : ndarray of int, shape (R,)
         Row of the trusted state with the same mode at the same setup; -1 where there is none.
     of_modes : ndarray, shape (S, m)
-        Of each elastic mode at each setup, the offset.
+        Offset of each elastic mode at each setup.
     shapes, shape_sigma : ndarray, shape (R, C) and (R,)
         Shapes without the errors of those of the model, see `shared_shapes`.
     """
 
     offset: Array
     variance: Array
-    known: NDArray[np.bool_]
+    measured_before: NDArray[np.bool_]
     counterpart: NDArray[np.intp]
     of_modes: Array
     shapes: Array
@@ -104,7 +104,7 @@ def shared_errors(
     shape_error: float = 0.0,
     fitted: FittedValues | None = None,
 ) -> SharedErrors:
-    """Return what the rows of a later state share with the trusted one.
+    """Return the errors that the rows of a later state share with the trusted one.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def shared_errors(
     fitted : FittedValues, optional
         The uncertainty of these values.
     """
-    pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.every)
+    pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.all_rows)
     before, data = trusted.structure.predict(values, ()), trusted.data
     after = structure.predict(np.array([p.value for p in structure.parameters]), ())
     same = Setups(
@@ -142,8 +142,8 @@ def shared_errors(
             np.where(rows.paired, pairing.partner - after.rigid, -1),
             int(nearest),
         )
-        own = np.flatnonzero(later.pose == setup)
-        for row, place in paired_with(expected, later, own, weights, trusted.criteria.pairing):
+        in_setup = np.flatnonzero(later.pose == setup)
+        for row, place in paired_with(expected, later, in_setup, weights, trusted.criteria.pairing):
             if expected.mode[place] >= 0:
                 partner[row] = expected.mode[place] + after.rigid
             counterpart[row] = expected.row[place]
@@ -151,15 +151,15 @@ def shared_errors(
     there = after.shapes[later.pose, np.maximum(partner, 0)][:, columns]
     modes = np.where((partner >= 0)[:, None], there, np.nan)
     spread = np.zeros(len(partner))
-    own = np.flatnonzero(partner >= 0)
-    if fitted is not None and fitted.names and len(own):
-        of_logs, of_shapes = fitted.variances(structure, partner[own], later.pose[own])
-        variance[own] += of_logs
-        spread[own] = _relative(weights * np.sqrt(of_shapes[:, columns]), weights * there[own])
+    paired = np.flatnonzero(partner >= 0)
+    if fitted is not None and fitted.names and len(paired):
+        of_logs, of_shapes = fitted.variances(structure, partner[paired], later.pose[paired])
+        variance[paired] += of_logs
+        spread[paired] = _relative(weights * np.sqrt(of_shapes[:, columns]), weights * there[paired])
     shapes, shape_sigma = shapes_without_errors(data, later, counterpart, modes, weights)
-    alone = counterpart < 0
-    shapes[alone], shape_sigma[alone] = less_certain(
-        shapes[alone], shape_sigma[alone], shape_error, spread[alone]
+    unmatched = counterpart < 0
+    shapes[unmatched], shape_sigma[unmatched] = less_certain(
+        shapes[unmatched], shape_sigma[unmatched], shape_error, spread[unmatched]
     )
     return SharedErrors(
         offset,
@@ -198,7 +198,7 @@ def less_certain(shapes: Array, sigma: Array, error: float, spread: Array) -> tu
 
 
 class Setups(NamedTuple):
-    """Which setups are the same one: of the trusted state, of the later one (rows) with it, and of the later one."""
+    """Which setups are the same: within the trusted state, across both (rows: later), and within the later one."""
 
     trusted: NDArray[np.bool_]
     across: NDArray[np.bool_]
@@ -206,7 +206,7 @@ class Setups(NamedTuple):
 
 
 class TrustedRows(NamedTuple):
-    """What the model leaves of the trusted rows, (R,): of ln f, with its standard deviation, mode and setup."""
+    """Residuals of the trusted rows in ln f, (R,), with their standard deviations, modes and setups."""
 
     residual: Array
     sigma: Array
@@ -229,9 +229,9 @@ class ErrorsOfModes(NamedTuple):
     covariances : ndarray, shape (m, S, S)
         Of each mode at all setups.
     scatter : float
-        Standard deviation of what differs between setups.
+        Standard deviation of the part that differs between setups.
     unknown : float
-        Of a mode that the trusted state does not tell.
+        Standard deviation for a mode that the trusted state does not determine.
     """
 
     mean: Array
@@ -260,15 +260,15 @@ def errors_of_modes(rows: TrustedRows, same: Setups, count: int) -> ErrorsOfMode
     unknown = max(UNKNOWN, float(np.sqrt(np.mean(residual[paired] ** 2))) if paired.any() else 0.0)
     mean, covariances = np.zeros((len(same.later), count)), []
     for mode in range(count):
-        own = np.flatnonzero(partner == mode)
-        at = pose[own]
-        if not len(own):
+        of_mode = np.flatnonzero(partner == mode)
+        at = pose[of_mode]
+        if not len(of_mode):
             covariances.append(np.full(same.later.shape, unknown**2) + scatter**2 * same.later)
             continue
-        among = ANY**2 + scatter**2 * same.trusted[np.ix_(at, at)] + np.diag(sigma[own] ** 2)
+        among = ANY**2 + scatter**2 * same.trusted[np.ix_(at, at)] + np.diag(sigma[of_mode] ** 2)
         across = ANY**2 + scatter**2 * same.across[:, at]
         gain = np.linalg.solve(among, across.T).T
-        mean[:, mode] = gain @ residual[own]
+        mean[:, mode] = gain @ residual[of_mode]
         covariances.append(ANY**2 + scatter**2 * same.later - gain @ across.T)
     return ErrorsOfModes(mean, np.array(covariances), scatter, unknown)
 
@@ -280,7 +280,7 @@ def _weights(modes: Prediction, channels: tuple[str, ...]) -> Array:
 
 
 def _nearest(trusted: Measurements, later: Measurements, same: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """Return the setup of the trusted state that is each one of a later state, the nearest of several; else -1."""
+    """Return the trusted setup that is the same as each later one, the nearest if there are several; -1 if none."""
     apart = np.linalg.norm(later.points[:, None] - trusted.points[None], axis=-1)
     nearest = np.where(same, apart, np.inf).argmin(axis=1)
     return np.where(same.any(axis=1), nearest, -1)
@@ -289,7 +289,7 @@ def _nearest(trusted: Measurements, later: Measurements, same: NDArray[np.bool_]
 def between_setups(
     residual: Array, sigma: Array, partner: NDArray[np.intp], among: NDArray[np.bool_], pose: NDArray[np.int_]
 ) -> float:
-    """Return how far errors of the model in one mode differ between setups, a standard deviation, at most.
+    """Return an upper limit of the standard deviation, between setups, of the error of the model in one mode.
 
     Parameters
     ----------
@@ -298,7 +298,7 @@ def between_setups(
     partner, pose : ndarray of int, shape (R,)
         Mode and setup of each row.
     among : ndarray of bool, shape (S, S)
-        Setups that are the same one.
+        Which setups are the same.
     """
     squares, degrees = 0.0, 0
     for mode in np.unique(partner):
@@ -321,8 +321,13 @@ def same_setups(
     They are at one position with the same drives and set values; without positions, the model has the same modes.
     """
     conditions = [(first.drives[i], first.load(i)) for i in range(len(first.labels))]
-    others = [(second.drives[i], second.load(i)) for i in range(len(second.labels))]
-    alike = np.array([[one == other for one in conditions] for other in others])
+    second_conditions = [(second.drives[i], second.load(i)) for i in range(len(second.labels))]
+    alike = np.array(
+        [
+            [condition == second_condition for condition in conditions]
+            for second_condition in second_conditions
+        ]
+    )
     if first.points.any() and second.points.any():
         reach = np.maximum(NEAR * np.ptp(first.points, axis=0), SMALL)
         apart = np.abs(second.points[:, None] - first.points[None])
@@ -334,7 +339,7 @@ def same_setups(
 
 
 def without_shared_errors(data: Measurements, shared: SharedErrors) -> Measurements:
-    """Return measurements of a later state as if the model had no error that the trusted state shows."""
+    """Return measurements of a later state without the errors of the model that the trusted state shows."""
     factor = np.exp(-shared.offset)
     sigma = np.sqrt(FREQUENCY.transformed_sigma(data) ** 2 + shared.variance)
     frequency = data.frequency * factor

@@ -1,4 +1,4 @@
-r"""Shapes of a later state without the errors that those of the model have in the trusted one.
+r"""Shapes of a later state without the errors that the model's shapes have in the trusted state.
 
 A shape of the later state, :math:`\psi_b`, differs from that of the trusted one, :math:`\psi_a`, by what changed.
 Both in the scale of the mode of the model, :math:`\phi`, the shape that is compared with the model is
@@ -24,10 +24,10 @@ LEAST_MAC = 0.3
 def shapes_without_errors(
     trusted: Measurements, later: Measurements, counterpart: Index, modes: Array, weights: Array
 ) -> tuple[Array, Array]:
-    """Return the shapes of a later state without the errors of those of the model, and their standard deviations.
+    """Return the shapes of a later state without the errors of the model's shapes, and their standard deviations.
 
-    They have the components that both states have; none where the scale of one is not known.  Rows without a
-    counterpart stay as they are.
+    They have the components that both states have, and none if a scale is unknown.  Rows without a counterpart stay
+    as they are.
 
     Parameters
     ----------
@@ -43,24 +43,26 @@ def shapes_without_errors(
     shapes, sigma : ndarray, shape (R, C) and (R,)
     """
     shapes, sigma = later.shapes.copy(), later.shape_sigma.copy()
-    mine, own = common_channels(trusted, later)
+    mine, later_columns = common_channels(trusted, later)
     for row in np.flatnonzero(counterpart >= 0):
-        before, after = trusted.shapes[counterpart[row]][mine], later.shapes[row][own]
-        shape, w = modes[row][own], weights[own]
+        before, after = trusted.shapes[counterpart[row]][mine], later.shapes[row][later_columns]
+        shape, w = modes[row][later_columns], weights[later_columns]
         shapes[row] = np.nan
-        known = np.isfinite(before) & np.isfinite(after) & np.isfinite(shape)
-        if known.sum() < 2:
+        common = np.isfinite(before) & np.isfinite(after) & np.isfinite(shape)
+        if common.sum() < 2:
             continue
-        scales = [_scale(w[known] * shape[known], w[known] * one[known]) for one in (after, before)]
+        scales = [
+            _scale(w[common] * shape[common], w[common] * measured[common]) for measured in (after, before)
+        ]
         if None in scales:
             continue
         a, b = (float(scale or 0.0) for scale in scales)
-        compared = np.where(known, shape + a * after - b * before, np.nan)
-        shapes[row, own] = compared
+        compared = np.where(common, shape + a * after - b * before, np.nan)
+        shapes[row, later_columns] = compared
         largest = np.nanmax(np.abs(w * compared))
         spread = np.hypot(
-            a * later.shape_sigma[row] * np.nanmax(np.abs(w * after)[known]),
-            b * trusted.shape_sigma[counterpart[row]] * np.nanmax(np.abs(w * before)[known]),
+            a * later.shape_sigma[row] * np.nanmax(np.abs(w * after)[common]),
+            b * trusted.shape_sigma[counterpart[row]] * np.nanmax(np.abs(w * before)[common]),
         )
         sigma[row] = min(spread / largest, 0.99) if largest > 0.0 else np.nan
     return shapes, sigma

@@ -1,4 +1,4 @@
-"""The words of what changed: a diagnosis speaks of a declared model, a change of two states."""
+"""The wording of a change: a diagnosis is about a declared model, a change about two states."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.support.numbers import plain
 
 BY_MORE, AS_BEFORE = "by more than the errors of both", "a machine as in {trusted}"
-#: What is said of a declared model, and of a trusted state and a later one in its place; the first come first.
+#: Phrases about a declared model, with those about a trusted and a later state that replace them, in this order.
 PHRASES = (
     ("the residual of the declared model is not noise", f"{{later}} differs from {{trusted}} {BY_MORE}"),
     ("the residual of the declared model is noise", f"{{later}} does not differ from {{trusted}} {BY_MORE}"),
@@ -52,12 +52,12 @@ PHRASES = (
     ("Not in the catalogue: ", ""),
     ("explains the measurements", "explains the difference"),
 )
-#: How far the stiffness of all equal parts differs as from one day to another, in a sentence on refitted values.
+#: Difference of the stiffness of all equal parts, as from one day to another, in a sentence on refitted values.
 ANOTHER_DAY = re.compile(
     r"day\.(\w+)_stiffness (?:was refitted )?from 0 to (-?[\d.e-]+)(?: \(([+-][\d.]+) sigma\))?"
     r"(?:,? which an unseen [\w.:]+ could have done,?)?"
 )
-#: Sentences of candidates that are values.
+#: Sentences of candidates that are declared values.
 WRONG = re.compile(r"the declared ([^;,()]+?) is wrong")
 DIFFERS = re.compile(r"the value of (\S+) differs from that of the other axes")
 ANOTHER = re.compile(r"another value of ([\w.]*\w)")
@@ -76,15 +76,15 @@ def candidate_as_change(candidate: Candidate) -> Candidate:
 
 
 def between(text: str, trusted: str, later: str) -> str:
-    """Return what is said of a declared model and its residual as said of a trusted state and a later one."""
+    """Return a text about a declared model and its residual, reworded for a trusted state and a later one."""
     for phrase, instead in PHRASES:
         text = text.replace(phrase, instead.format(trusted=trusted, later=later))
     return as_change(ANOTHER_DAY.sub(_another_day, text))
 
 
-def _another_day(found: re.Match[str]) -> str:
+def _another_day(match: re.Match[str]) -> str:
     """Return by how much all equal parts are stiffer or softer, as after a change of temperature."""
-    part, size = found[1].replace("_", " "), 100.0 * float(found[2])
+    part, size = match[1].replace("_", " "), 100.0 * float(match[2])
     return f"all {part}s are {plain(abs(size), 2)} % {'stiffer' if size > 0.0 else 'softer'}"
 
 
@@ -94,24 +94,28 @@ Result = TypeVar("Result", bound=Diagnosis)
 def of_change(result: Result, trusted: str, later: str) -> Result:
     """Return a result in the words of a change."""
 
-    def said(text: str) -> str:
+    def reworded(text: str) -> str:
         return between(text, trusted, later)
 
     beyond = result.beyond
     if beyond is not None:
-        classes = tuple(replace(one, finding=_finding(one.finding)) for one in beyond.classes)
-        beyond = replace(beyond, reason=said(beyond.reason), classes=classes)
+        classes = tuple(
+            replace(term_class, finding=_finding(term_class.finding)) for term_class in beyond.classes
+        )
+        beyond = replace(beyond, reason=reworded(beyond.reason), classes=classes)
     reason = result.reason
     if beyond is not None and beyond.found is not None and not result.effects:
-        reason = beyond.reason  # the catalogue and the terms were asked the same
+        reason = beyond.reason  # the catalogue and the terms were tested alike
     return replace(
         result,
-        reason=said(reason),
-        headline=said(result.headline),
-        notes=tuple(map(said, result.notes)),
-        not_separated=said(result.not_separated),
+        reason=reworded(reason),
+        headline=reworded(result.headline),
+        notes=tuple(map(reworded, result.notes)),
+        not_separated=reworded(result.not_separated),
         effects=tuple(map(_finding, result.effects)),
-        candidates=tuple(replace(one, sentence=as_change(one.sentence)) for one in result.candidates),
+        candidates=tuple(
+            replace(candidate, sentence=as_change(candidate.sentence)) for candidate in result.candidates
+        ),
         beyond=beyond,
     )
 

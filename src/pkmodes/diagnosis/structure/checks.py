@@ -23,10 +23,12 @@ def check_names(kind: str, names: Sequence[str]) -> None:
 
 def check_callables(matrices: object, derivatives: object) -> None:
     """Refuse an argument that is not callable."""
-    for name, given in (("matrices", matrices), ("derivatives", derivatives)):
-        if not callable(given) and not (name == "derivatives" and given is None):
-            what = f"expected a function, found {shown(given)}"
-            raise PkmodesError(what, name, "give a function of the values by name and the label of a setup")
+    for name, function in (("matrices", matrices), ("derivatives", derivatives)):
+        if not callable(function) and not (name == "derivatives" and function is None):
+            problem = f"expected a function, found {shown(function)}"
+            raise PkmodesError(
+                problem, name, "give a function of the values by name and the label of a setup"
+            )
 
 
 def check_parameter(p: Parameter) -> None:
@@ -39,11 +41,11 @@ def check_parameter(p: Parameter) -> None:
         if not (whole or isinstance(number, float | np.floating)):
             raise PkmodesError(f"expected a number, found {shown(number)}", where, "give a number")
     if not p.lower < p.upper or not p.lower <= p.value <= p.upper or not np.isfinite(p.value):
-        what = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
-        raise PkmodesError(what, where, "widen the bounds or correct the value")
+        problem = f"expected lower <= value <= upper, found {p.lower:g}, {p.value:g}, {p.upper:g}"
+        raise PkmodesError(problem, where, "widen the bounds or correct the value")
     if p.sigma is not None and not 0.0 <= p.sigma < np.inf:
-        what = f"expected a standard deviation of at least 0, found {p.sigma:g}"
-        raise PkmodesError(what, where, "leave it out if unknown")
+        problem = f"expected a standard deviation of at least 0, found {p.sigma:g}"
+        raise PkmodesError(problem, where, "leave it out if unknown")
 
 
 def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -> None:
@@ -56,13 +58,13 @@ def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -
         raise PkmodesError(f"expected different parameters, found {list(names)}", where, "name each once")
     for name in names:
         if name not in parameters:
-            what = f"its parameter {shown(name)} does not exist"
-            raise PkmodesError(what, where, f"parameters are: {', '.join(parameters)}")
+            problem = f"its parameter {shown(name)} does not exist"
+            raise PkmodesError(problem, where, f"parameters are: {', '.join(parameters)}")
         sigma = parameters[name].sigma
         if sigma is not None:
             state = "refitted under every hypothesis" if sigma else "known exactly"
-            what = f"its parameter {shown(name)} has a sigma: it is {state}"
-            raise PkmodesError(what, where, "leave out the candidate, or the sigma")
+            problem = f"its parameter {shown(name)} has a sigma: it is {state}"
+            raise PkmodesError(problem, where, "leave out the candidate, or the sigma")
 
 
 def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Array | None:
@@ -90,29 +92,29 @@ def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, senso
             return None
         for name in channels:
             if name not in coordinates:
-                known = ", ".join(coordinates[:20]) + (", ..." if len(coordinates) > 20 else "")
-                what = f"the channel {shown(name)} is not one of the {len(coordinates)} coordinates"
+                listed_names = ", ".join(coordinates[:20]) + (", ..." if len(coordinates) > 20 else "")
+                problem = f"the channel {shown(name)} is not one of the {len(coordinates)} coordinates"
                 raise PkmodesError(
-                    what, "channels", f"coordinates are: {known}; for other places, use sensors="
+                    problem, "channels", f"coordinates are: {listed_names}; for other places, use sensors="
                 )
         place = {name: i for i, name in enumerate(coordinates)}
         columns = [place[name] for name in channels]
         return np.eye(len(coordinates))[columns]
     if coordinates is not None:
-        what = "expected sensors or coordinates, found both"
-        raise PkmodesError(what, "sensors", "leave out one of them")
+        problem = "expected sensors or coordinates, found both"
+        raise PkmodesError(problem, "sensors", "leave out one of them")
     try:
         matrix = sensors.toarray() if hasattr(sensors, "toarray") else np.asarray(sensors)
     except (TypeError, ValueError) as error:
         raise PkmodesError(f"expected a matrix, found {shown(str(error))}", "sensors", REMEDY) from error
     if matrix.ndim != 2 or matrix.shape[0] != len(channels):
-        what = f"expected one row for each channel ({len(channels)}), found the shape {matrix.shape}"
-        raise PkmodesError(what, "sensors", REMEDY)
+        problem = f"expected one row for each channel ({len(channels)}), found the shape {matrix.shape}"
+        raise PkmodesError(problem, "sensors", REMEDY)
     if matrix.dtype.kind not in "biuf" or not np.isfinite(matrix).all():
         raise PkmodesError("expected finite real numbers", "sensors", REMEDY)
-    found: Array = matrix.astype(float)
-    empty = np.flatnonzero(~found.any(axis=1))
+    mapping: Array = matrix.astype(float)
+    empty = np.flatnonzero(~mapping.any(axis=1))
     if empty.size:
-        what = f"the channel {shown(channels[empty[0]])} measures nothing: its row is zero"
-        raise PkmodesError(what, "sensors", "remove it or correct its row")
-    return found
+        problem = f"the channel {shown(channels[empty[0]])} measures nothing: its row is zero"
+        raise PkmodesError(problem, "sensors", "remove it or correct its row")
+    return mapping

@@ -7,7 +7,7 @@ from typing import Generic, TypeVar
 
 from cachetools import LRUCache
 
-#: Largest memory of all values together [bytes]; a single larger value is kept.
+#: Largest memory of all values together [bytes]; a single larger value is still kept.
 MEMORY = 64 * 2**20
 
 T = TypeVar("T")
@@ -18,7 +18,7 @@ def _size(entry: tuple[object, int]) -> int:
 
 
 class Kept(Generic[T]):
-    """A least-recently-used cache of values whose sizes are given with them."""
+    """A least-recently-used cache of values, each stored with its size."""
 
     def __init__(self, memory: int = MEMORY) -> None:
         self._values: LRUCache[Hashable, tuple[T, int]] = LRUCache(memory, getsizeof=_size)

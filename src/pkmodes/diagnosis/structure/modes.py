@@ -95,16 +95,16 @@ def condense(M: Array, K: Array) -> Condensed:
     held = N.T @ KN
     size = np.diagonal(held).copy()
     if (size <= 0.0).any() or not definite(held / np.sqrt(size[:, None] * size)):
-        what = "expected stiffness for every coordinate without mass, found a motion that has neither"
-        raise UnusableError(what, "K", "give it a mass or a stiffness, or remove it")
+        problem = "expected stiffness for every coordinate without mass, found a motion that has neither"
+        raise UnusableError(problem, "K", "give it a mass or a stiffness, or remove it")
     T = T - N @ linalg.solve(held, KN.T @ T, assume_a="pos")
     mass, stiffness = T.T @ M @ T, T.T @ K @ T
     return Condensed(0.5 * (mass + mass.T), 0.5 * (stiffness + stiffness.T), T, N)
 
 
 def _indefinite() -> UnusableError:
-    what = "expected M positive definite except for motions without mass, found a negative kinetic energy"
-    return UnusableError(what, "M", "check the signs of the masses")
+    problem = "expected M positive definite except for motions without mass, found a negative kinetic energy"
+    return UnusableError(problem, "M", "check the signs of the masses")
 
 
 def definite(scaled: Array) -> bool:
@@ -163,9 +163,9 @@ def modes_of(pair: Pair, rigid: int) -> Modes:
     # A structure that buckles does not vibrate: sqrt(|lambda|) would not be a frequency.
     lowest = eigenvalues[rigid : rigid + 1].min(initial=np.inf)
     if not np.isfinite(eigenvalues).all() or lowest < -STABLE * np.abs(eigenvalues).max():
-        what = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
+        problem = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
         remedy = "check the sign of K, and that rigid counts every free motion"
-        raise UnstableError(what, "K", remedy)
+        raise UnstableError(problem, "K", remedy)
     return Modes(eigenvalues, shapes if part.T is None else shapes @ part.T.T, part.N)
 
 

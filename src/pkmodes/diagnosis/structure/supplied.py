@@ -18,18 +18,18 @@ Derivatives = Callable[[Mapping[str, float], str, str], tuple[Any, Any]]
 
 #: Relative change of the matrices in a difference that approximates a derivative: rounding and curvature balance.
 CHANGE = 1e-6
-#: Factor by which that change may be missed, and largest number of trial steps.  Steps grow up to LARGEST, for a
-#: parameter that changes nothing.
+#: Factor by which the actual change may differ from that, and largest number of trial steps.  Steps grow up to
+#: LARGEST for a parameter without any effect.
 MISSED, TRIALS, LARGEST = 100.0, 30, 1e12
-#: Steps smaller than this, relative to the value, may be lost in rounding.
+#: Steps smaller than this, relative to the value, may be lost to rounding.
 SMALLEST = 1e-12
-#: Matrices whose second difference is less than this part of the first are linear: a one-sided difference suffices.
+#: Matrices whose second difference is below this part of the first are linear: a one-sided difference suffices.
 STRAIGHT = 1e-8
-#: Largest difference of two calls with the same values: a hundredth of the change in a difference.
+#: Largest difference between two calls with the same values: a hundredth of the change in a difference.
 REPEATABLE = 1e-8
 #: Asymmetry due to rounding, relative to an entry and to the largest entry.
 RELATIVE, ROUNDING = 1e-9, 1e-12
-#: Largest number of values that a message names.
+#: Largest number of values named in a message.
 NAMED = 8
 
 
@@ -50,14 +50,14 @@ class _Search(NamedTuple):
 
 @contextmanager
 def _errors_of(matrices: str, where: str, remedy: str) -> Iterator[None]:
-    """Raise what the user's callable raises as an error of ours."""
+    """Re-raise exceptions of the user's callable as a `PkmodesError`."""
     try:
         yield
     except PkmodesError:
         raise
     except Exception as error:
-        what = f"the callable for {matrices} failed: {type(error).__name__}: {error}"
-        raise PkmodesError(what, where, remedy) from error
+        problem = f"the callable for {matrices} failed: {type(error).__name__}: {error}"
+        raise PkmodesError(problem, where, remedy) from error
 
 
 class Supplied:
@@ -91,7 +91,7 @@ class Supplied:
         self.expected, self.reason = expected, reason
         self.steps: dict[tuple[int, tuple[str, ...]], tuple[float, bool]] = {}
         self.calls, self.seconds = 0, 0.0
-        self._known: Kept[Pair | None] = Kept()
+        self._cache: Kept[Pair | None] = Kept()
 
     @overload
     def at(self, values: Array, setup: str, finite: Literal[True]) -> Pair: ...
@@ -103,8 +103,8 @@ class Supplied:
         The callable is called once for the same values, as long as there is memory for the matrices.
         """
         key = np.asarray(values, dtype=float).tobytes(), setup
-        if key in self._known and (self._known[key] is not None or not finite):
-            return self._known[key]
+        if key in self._cache and (self._cache[key] is not None or not finite):
+            return self._cache[key]
         return self._keep(key, self._called(values, setup, finite))
 
     def check_repeatable(self, setup: str) -> None:
@@ -117,12 +117,12 @@ class Supplied:
         assert again is not None
         apart = max(_relative_change(b - a, a) for a, b in zip(before, again, strict=True))
         if apart > (REPEATABLE if self.derivatives is None else CHANGE):
-            what = f"the matrices differ by {apart:.0e} between two calls with the same values"
+            problem = f"the matrices differ by {apart:.0e} between two calls with the same values"
             remedy = "fix the seed or tighten the solver behind them"
-            raise PkmodesError(what, self._where(declared, setup), remedy)
+            raise PkmodesError(problem, self._where(declared, setup), remedy)
 
     def _keep(self, key: tuple[object, ...], pair: Pair | None) -> Pair | None:
-        return self._known.keep(key, pair, sum(matrix.nbytes for matrix in pair or ()))
+        return self._cache.keep(key, pair, sum(matrix.nbytes for matrix in pair or ()))
 
     def _called(self, values: Array, setup: str, finite: bool) -> Pair | None:
         named = self._named(values)
@@ -133,12 +133,12 @@ class Supplied:
         self.calls, self.seconds = self.calls + 1, self.seconds + time.perf_counter() - start
         pair = self._pair(returned, ("M", "K"), where)
         for name, matrix in zip(("M", "K"), pair, strict=True):
-            known = np.isfinite(matrix).all()
-            if not known and not finite:
+            all_finite = np.isfinite(matrix).all()
+            if not all_finite and not finite:
                 return None
-            if not known or not _is_symmetric(matrix):
-                what = f"expected {name} finite and symmetric"
-                raise PkmodesError(what, where, "check how it is assembled")
+            if not all_finite or not _is_symmetric(matrix):
+                problem = f"expected {name} finite and symmetric"
+                raise PkmodesError(problem, where, "check how it is assembled")
         return pair
 
     def rates(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
@@ -148,8 +148,8 @@ class Supplied:
         name, each_setup = self.parameters[i].name, []
         for setup in setups:
             key = np.asarray(values, dtype=float).tobytes(), setup, name
-            if key in self._known and (known := self._known[key]) is not None:
-                each_setup.append(known)
+            if key in self._cache and (cached := self._cache[key]) is not None:
+                each_setup.append(cached)
                 continue
             where = f"derivatives with respect to {shown(name)}, {self._where(values, setup)}"
             with _errors_of("dM and dK", where, "fix it, or leave the derivatives out"):
@@ -157,8 +157,8 @@ class Supplied:
             pair = self._pair(returned, ("dM", "dK"), where)
             for kind, matrix in zip(("dM", "dK"), pair, strict=True):
                 if not np.isfinite(matrix).all() or not _is_symmetric(matrix):
-                    what = f"expected {kind} finite and symmetric"
-                    raise PkmodesError(what, where, "fix it, or leave the derivatives out")
+                    problem = f"expected {kind} finite and symmetric"
+                    raise PkmodesError(problem, where, "fix it, or leave the derivatives out")
             each_setup.append(pair)
             self._keep(key, each_setup[-1])
         return each_setup
@@ -171,20 +171,20 @@ class Supplied:
         if key not in self.steps:
             step, straight = CHANGE * (max(abs(p.value), p.sigma or 0.0) or 1.0), False
             centres = {setup: self.at(declared, setup) for setup in setups}
-            known = {setup: pair for setup, pair in centres.items() if pair is not None}
-            if len(known) == len(centres):
-                first = self._search(declared, i, known, step)
+            evaluated = {setup: pair for setup, pair in centres.items() if pair is not None}
+            if len(evaluated) == len(centres):
+                first = self._search(declared, i, evaluated, step)
                 if first.rates is not None:
-                    step, straight = first.step, self._is_straight(declared, i, known, first.step)
+                    step, straight = first.step, self._is_straight(declared, i, evaluated, first.step)
             self.steps[key] = step, straight
         step, straight = self.steps[key]
         if step < SMALLEST * abs(values[i]):  # lost in a value that is far from the declared one
             step = CHANGE * abs(values[i])
         search = self._search(values, i, setups, step, straight)
         if not search.finite:
-            what = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
+            problem = f"expected M and K finite on both sides of {p.name} = {values[i]:.10g}"
             remedy = "give the parameter the bounds within which it has a meaning, or give derivatives"
-            raise PkmodesError(what, self._where(values, next(iter(setups))), remedy)
+            raise PkmodesError(problem, self._where(values, next(iter(setups))), remedy)
         return search.rates
 
     def _is_straight(self, values: Array, i: int, setups: Mapping[str, Pair], step: float) -> bool:
@@ -199,8 +199,8 @@ class Supplied:
             first, second = (self._difference(points[k + 1], points[k], setup) for k in range(2))
             if first is None or second is None:
                 return False
-            for one, other, of in zip(first, second, centre, strict=True):
-                if _relative_change(other - one, of) > STRAIGHT * _relative_change(one, of):
+            for former, latter, of in zip(first, second, centre, strict=True):
+                if _relative_change(latter - former, of) > STRAIGHT * _relative_change(former, of):
                     return False
         return True
 
@@ -222,15 +222,15 @@ class Supplied:
                 step *= 1e-3
                 continue
             finite = True
-            known = [pair for pair in differences if pair is not None]
+            evaluated = [pair for pair in differences if pair is not None]
             change = max(
                 _relative_change(d, of)
-                for pair, centre in zip(known, setups.values(), strict=True)
+                for pair, centre in zip(evaluated, setups.values(), strict=True)
                 for d, of in zip(pair, centre, strict=True)
             )
             if change > 0.0:
                 width = ahead[i] - behind[i]
-                rates = [Pair(pair.M / width, pair.K / width) for pair in known]
+                rates = [Pair(pair.M / width, pair.K / width) for pair in evaluated]
             whole = ahead[i] == p.upper and behind[i] == p.lower
             if abs(np.log(max(change, 1e-300) / CHANGE)) <= np.log(MISSED) or (
                 change < CHANGE and (step > LARGEST or whole)
@@ -251,36 +251,36 @@ class Supplied:
     def _where(self, values: Array, setup: str) -> str:
         moved = [(p.name, v) for p, v in zip(self.parameters, values, strict=True) if v != p.value]
         text = ", ".join(f"{name} = {value:.10g}" for name, value in moved[:NAMED]) or "the declared values"
-        more = f" and {len(moved) - NAMED} more" if len(moved) > NAMED else ""
-        return f"matrices for setup {shown(setup)} at {text}{more}"
+        suffix = f" and {len(moved) - NAMED} more" if len(moved) > NAMED else ""
+        return f"matrices for setup {shown(setup)} at {text}{suffix}"
 
     def _pair(self, returned: Any, names: tuple[str, str], where: str) -> Pair:
         kind = f"({', '.join(names)})"
         if not isinstance(returned, tuple | list) or len(returned) != 2:
-            what = f"expected a pair {kind}, found {type(returned).__name__}"
-            raise PkmodesError(what, where, f"return {kind}")
+            problem = f"expected a pair {kind}, found {type(returned).__name__}"
+            raise PkmodesError(problem, where, f"return {kind}")
         return Pair(*(self._matrix(m, name, where) for name, m in zip(names, returned, strict=True)))
 
-    def _matrix(self, given: Any, name: str, where: str) -> Array:
+    def _matrix(self, returned: Any, name: str, where: str) -> Array:
         try:
-            given = given.toarray() if hasattr(given, "toarray") else np.asarray(given)
+            returned = returned.toarray() if hasattr(returned, "toarray") else np.asarray(returned)
         except (TypeError, ValueError) as error:
             raise PkmodesError(f"expected {name} as an array: {error}", where, "return arrays") from error
-        if given.dtype.kind not in "biuf":
-            kind = "complex numbers" if given.dtype.kind == "c" else f"values of type {given.dtype}"
+        if returned.dtype.kind not in "biuf":
+            kind = "complex numbers" if returned.dtype.kind == "c" else f"values of type {returned.dtype}"
             remedy = "give real matrices: the modes are undamped"
             raise PkmodesError(f"expected {name} of real numbers, found {kind}", where, remedy)
-        if given.dtype.kind == "f" and given.dtype.itemsize < 8 and self.derivatives is None:
-            what = f"expected {name} in double precision, found {given.dtype}"
+        if returned.dtype.kind == "f" and returned.dtype.itemsize < 8 and self.derivatives is None:
+            problem = f"expected {name} in double precision, found {returned.dtype}"
             remedy = "assemble it in float64 for difference derivatives, or give derivatives"
-            raise PkmodesError(what, where, remedy)
+            raise PkmodesError(problem, where, remedy)
         n = self.expected
-        if given.shape != (n, n):
-            what = f"expected {name} of shape {(n, n)} for {self.reason}, found {given.shape}"
+        if returned.shape != (n, n):
+            problem = f"expected {name} of shape {(n, n)} for {self.reason}, found {returned.shape}"
             raise PkmodesError(
-                what, where, "give one channel for each coordinate, or coordinates= or sensors="
+                problem, where, "give one channel for each coordinate, or coordinates= or sensors="
             )
-        matrix: Array = given.astype(float)  # a copy: a callable may reuse its arrays
+        matrix: Array = returned.astype(float)  # a copy: a callable may reuse its arrays
         return matrix
 
 
@@ -298,5 +298,5 @@ def _relative_change(change: Array, of: Array) -> float:
     scale = size[rows] * size[columns]
     # Entries with a zero diagonal entry (a free coordinate) have no scale.
     scale[scale == 0.0] = np.abs(of).max(initial=0.0)
-    known = scale > 0.0
-    return float((np.abs(change[rows, columns])[known] / scale[known]).max(initial=0.0))
+    scaled = scale > 0.0
+    return float((np.abs(change[rows, columns])[scaled] / scale[scaled]).max(initial=0.0))

@@ -17,7 +17,7 @@ from pkmodes.diagnosis.problem import Array, Candidate, Parameter
 from pkmodes.diagnosis.structure.supplied import Pair, Supplied
 
 MASS, SPRING = "mass", "spring"
-#: The parameter of each form.
+#: Name of the parameter of each form.
 QUANTITIES = {MASS: "mass", SPRING: "stiffness"}
 
 
@@ -57,14 +57,14 @@ def terms_of(coordinates: Sequence[str], units: tuple[str, str], taken: Collecti
         *((SPRING, (i,)) for i in range(len(coordinates))),
         *((SPRING, both) for both in combinations(range(len(coordinates)), 2)),
     ]
-    seen = set(taken)
+    names_taken = set(taken)
     for form, at in places:
         names = [coordinates[i] for i in at]
         term = f"{form}:{'/'.join(names)}"
         parameter = Parameter(f"{term}.{QUANTITIES[form]}", 0.0, units[form == SPRING], lower=0.0)
-        if {term, parameter.name} & seen:
+        if {term, parameter.name} & names_taken:
             continue
-        seen |= {term, parameter.name}
+        names_taken |= {term, parameter.name}
         between = " and ".join(names) if len(names) > 1 else f"{names[0]} and the ground"
         sentence = f"a mass at {names[0]}" if form == MASS else f"a spring between {between}"
         yield Term(Candidate(term, (parameter.name,), sentence, remote=True, form=form), parameter, at)
@@ -80,7 +80,7 @@ class SuppliedWithTerms:
     """
 
     def __init__(self, supplied: Supplied, terms: Sequence[Term]) -> None:
-        self._supplied, self._own, size = supplied, len(supplied.parameters), supplied.expected
+        self._supplied, self._supplied_count, size = supplied, len(supplied.parameters), supplied.expected
         zero = np.zeros((size, size))
         self._changes = [term.change(size, zero) for term in terms]
         self._of_mass = np.array([term.candidate.form == MASS for term in terms])
@@ -101,19 +101,25 @@ class SuppliedWithTerms:
     def at(self, values: Array, setup: str, finite: Literal[False] = ...) -> Pair | None: ...
     def at(self, values: Array, setup: str, finite: bool = False) -> Pair | None:
         """Return M and K with all terms; if they are not finite, None or, with `finite`, an error."""
-        own = values[: self._own]
-        pair = self._supplied.at(own, setup, finite=True) if finite else self._supplied.at(own, setup)
+        supplied_values = values[: self._supplied_count]
+        pair = (
+            self._supplied.at(supplied_values, setup, finite=True)
+            if finite
+            else self._supplied.at(supplied_values, setup)
+        )
         if pair is None:
             return None
         M, K = pair
-        for k in np.flatnonzero(values[self._own :]):
-            change, value = self._changes[k], values[self._own + k]
+        for k in np.flatnonzero(values[self._supplied_count :]):
+            change, value = self._changes[k], values[self._supplied_count + k]
             M, K = (M + value * change.M, K) if self._of_mass[k] else (M, K + value * change.K)
         return Pair(M, K)
 
     def rates(self, values: Array, i: int, setups: Mapping[str, Pair]) -> list[Pair] | None:
         """Return the derivatives with respect to one parameter in setups with known M and K; None if zero."""
-        if i >= self._own:
-            return [self._changes[i - self._own]] * len(setups)
-        own = {setup: self._supplied.at(values[: self._own], setup, finite=True) for setup in setups}
-        return self._supplied.rates(values[: self._own], i, own)
+        if i >= self._supplied_count:
+            return [self._changes[i - self._supplied_count]] * len(setups)
+        supplied_pairs = {
+            setup: self._supplied.at(values[: self._supplied_count], setup, finite=True) for setup in setups
+        }
+        return self._supplied.rates(values[: self._supplied_count], i, supplied_pairs)

@@ -9,16 +9,16 @@ from pkmodes.diagnosis.readings.amplitude import in_words
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.evidence import Evidence, Says
 
-#: A dependence decides from this part on of the chi2 that causes explain, and of what the best explanation leaves.
+#: A dependence decides if its chi2 is at least this part of what causes explain, and the best explanation leaves.
 DECIDES = 0.1
 
 
 def depends_on_amplitude(e: Evidence) -> Says | None:
     """Frequencies depend on the level, by a tenth of the chi2 that causes explain, and of that which they leave."""
-    found = e.amplitude
-    if found is None or not found.significant or found.squares < DECIDES * _beside(e):
+    trend = e.amplitude
+    if trend is None or not trend.significant or trend.squares < DECIDES * _beside(e):
         return None
-    how = in_words(found, e.fitter.data)
+    how = in_words(trend, e.fitter.data)
     return Says(
         f"the residual depends on amplitude, and no candidate of a linear model does: {how}; no cause is claimed "
         "from levels that contradict each other: diagnose those of the lowest level by themselves",
@@ -27,11 +27,11 @@ def depends_on_amplitude(e: Evidence) -> Says | None:
 
 
 def _beside(e: Evidence) -> float:
-    """Return the chi2 of what the data show beside the dependence; infinite where they show nothing."""
+    """Return the chi2 with which a dependence is compared; infinite if the data show nothing else."""
     final, declared = e.final, e.outcome.nuisances
     if not e.outcome.last.passed:
-        left = misfit.of_frequencies(e.store, _best(e)).squares
-        return max(left, misfit.of_frequencies(e.store, declared).squares - left)
+        unexplained = misfit.of_frequencies(e.store, _best(e)).squares
+        return max(unexplained, misfit.of_frequencies(e.store, declared).squares - unexplained)
     if final.causes:
         return declared.deviance - final.deviance
     errors = final.hypothesis.excluded or final.hypothesis.scatter

@@ -1,4 +1,4 @@
-"""The result from the fits: verdict, causes with their classes, errors before and after, all rows."""
+"""Assemble the result from the fits: verdict, causes with their classes, errors before and after, all rows."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.stability import unchanged
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED
 
-#: Of a model that a result does not have.
+#: Stage and error of a model that a result does not have.
 NONE: tuple[None, None] = (None, None)
 
 
@@ -53,7 +53,7 @@ class _Models:
     Attributes
     ----------
     last : Fit or None
-        Of the last one; None if there are too few data to fit any.
+        Of the last model; None if there are too few data to fit any.
     outlying : ndarray of bool, shape (R,)
         Rows that it sets aside.
     corrected : tuple of Corrected
@@ -78,7 +78,7 @@ class _Models:
     def stages(self) -> Stages:
         """Partners, differences and MAC of all rows with each model."""
         before, refit, after = (
-            None if one is None else one[0].predicted for one in (self.declared, self.refit, self.after)
+            None if model is None else model[0].predicted for model in (self.declared, self.refit, self.after)
         )
         assert before is not None
         return Stages(before, refit, after, self.without)
@@ -86,7 +86,7 @@ class _Models:
 
 @dataclass(frozen=True)
 class _Searched:
-    """The reason, and what only a search adds to a result, see `Diagnosis`."""
+    """The reason, and the parts of a result that only a search adds, see `Diagnosis`."""
 
     reason: str
     headline: str = ""
@@ -96,7 +96,7 @@ class _Searched:
     not_separated: str = ""
     candidates: tuple[Examined, ...] = ()
     probabilities: Probabilities | None = None
-    alone: Mapping[str, JointAlone] = field(default_factory=dict)
+    single_joints: Mapping[str, JointAlone] = field(default_factory=dict)
 
 
 class DiagnosisBuilder:
@@ -106,9 +106,9 @@ class DiagnosisBuilder:
         self.setups, self.fitter = setups, setups.fitter
 
     def before_search(self, start: Start, decision: Decision[Start, Says]) -> Diagnosis:
-        """Return the result for too few data, or for an obvious mistake in these: nothing is searched for."""
+        """Return the result where data are too few, or obviously mistaken: nothing is searched for."""
         verdict, store = decision.verdict, start.plain
-        unseen = tuple(one.name for one in start.suspected)
+        unseen = tuple(candidate.name for candidate in start.suspected)
         bounded, fit = limits.unknown(store, start.suspected), None
         remarks: tuple[str, ...] = (decision.says.text,)
         if not decision.says.of_reading:
@@ -119,20 +119,20 @@ class DiagnosisBuilder:
             unseen = tuple(name for name in unseen if name not in {*bounded.limited, *start.hints})
         models = self._models(store, fit, None, bounded, verdict.settled)
         notes = (*remarks, *models.notes)
-        said = _Searched(decision.says.text)
-        return self._result(decision, models, bounded, unseen, notes, unchanged(verdict), said)
+        searched = _Searched(decision.says.text)
+        return self._result(decision, models, bounded, unseen, notes, unchanged(verdict), searched)
 
     def after_search(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> Diagnosis:
         """Return the result of a search and its verdict."""
         search, outcome, claim = evidence.search, evidence.outcome, evidence.claim
         verdict, final = decision.verdict, claim.final
-        findings = claim.findings(self.fitter, evidence.alone) if verdict is EFFECT_FOUND else ()
+        findings = claim.findings(self.fitter, evidence.single_joints) if verdict is EFFECT_FOUND else ()
         remaining = claim.remains(decision.says.instead) if verdict is AMBIGUOUS else []
-        left = remaining
+        undecided = remaining
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
-            own = next((fits for fits in claim.own if len(fits) > 1), claim.own[0])
-            left = [[(name_of(fit), fit) for fit in own]]
+            claimed_class = next((fits for fits in claim.own if len(fits) > 1), claim.own[0])
+            undecided = [[(name_of(fit), fit) for fit in claimed_class]]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -156,7 +156,7 @@ class DiagnosisBuilder:
             limited=bounded.limited,
             unbounded=bounded.unbounded - shown,
         )
-        unseen = tuple(one.name for one in tested if not one.detectable)
+        unseen = tuple(test.name for test in tested if not test.detectable)
         refit = final if verdict is ADEQUATE else outcome.nuisances
         causes = final if verdict is EFFECT_FOUND else None
         models = self._models(search.store, refit, causes, bounded, verdict.settled)
@@ -164,7 +164,7 @@ class DiagnosisBuilder:
         probable, accepted = None, verdict is not UNEXPLAINED
         if not decision.says.of_reading:
             probable = probabilities(search, plausible, outcome, accepted=accepted)
-        proposed, not_separated = next_measurement(search.store, probable, left)
+        proposed, not_separated = next_measurement(search.store, probable, undecided)
         reason, headline = self._with_caveats(evidence, decision, models.corrected, bounded, unseen)
         searched = _Searched(
             reason=reason,
@@ -175,7 +175,7 @@ class DiagnosisBuilder:
             not_separated=not_separated,
             candidates=tested,
             probabilities=probable,
-            alone=evidence.alone if findings or remaining else {},
+            single_joints=evidence.single_joints if findings or remaining else {},
         )
         remarks, contradictions = self._remarks(evidence, decision), self._contradictions(models)
         unexplained = verdict is UNEXPLAINED and not decision.says.of_reading
@@ -184,11 +184,11 @@ class DiagnosisBuilder:
         return self._result(decision, models, bounded, unseen, notes, stability, searched)
 
     def _remarks(self, evidence: Evidence, decision: Decision[Evidence, Says]) -> tuple[str, ...]:
-        """Return notes on the data: another reading that decided, mistakes seen in all setups, held-out rows."""
+        """Return notes on the data: another reading that decided, mistakes found in all setups, held-out rows."""
         reading = (decision.says.text,) if decision.says.of_reading else ()
-        found, data = evidence.amplitude, self.fitter.data
-        if found is not None and found.significant and in_words(found, data) not in decision.says.text:
-            reading = (*reading, note(found, data))
+        trend, data = evidence.amplitude, self.fitter.data
+        if trend is not None and trend.significant and in_words(trend, data) not in decision.says.text:
+            reading = (*reading, note(trend, data))
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
         return (*reading, *self._remarked(evidence.final), *held_out)
 
@@ -217,7 +217,7 @@ class DiagnosisBuilder:
         bounded: Limits,
         unseen: tuple[str, ...],
     ) -> tuple[str, str]:
-        """Return the reason with what belongs beside a settled verdict, and what of this is in the headline."""
+        """Return the reason with the caveats of a settled verdict, and those that the headline has too."""
         reason = decision.says.text
         if not decision.verdict.settled:
             return reason, ""
@@ -277,8 +277,8 @@ class DiagnosisBuilder:
         """Return the spectrum of a model whose causes are as declared, and all other values as fitted, (S, m)."""
         values = fit.values.copy()
         for cause in fit.causes:
-            own = list(self.fitter.indices(cause))
-            values[own] = self.fitter.declared[own]
+            index = list(self.fitter.indices(cause))
+            values[index] = self.fitter.declared[index]
         return spectrum_of(self.setups.stage(values).prediction, self.setups.data)
 
     def _result(
@@ -319,7 +319,7 @@ class DiagnosisBuilder:
             next_measurement=searched.next_measurement,
             not_separated=searched.not_separated,
             candidates=searched.candidates,
-            alone=searched.alone,
+            alone=searched.single_joints,
             rows=self.setups.rows(declared, refit, after, models.outlying),
             scatter=0.0 if last is None else last.scatter,
             corrected=models.corrected,
@@ -333,7 +333,7 @@ class DiagnosisBuilder:
         )
 
     def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
-        """Return all fitted parameters with their declared values, priors, and what was not seen."""
+        """Return all fitted parameters with their declared values, priors, and unseen influences."""
         width, corrected = self.fitter.priors.width(fit.values), []
         plausible = plausible_sizes(self.fitter, fit, fit.causes)
         for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):

@@ -1,4 +1,4 @@
-"""What belongs beside a verdict: which values were refitted and by how much, and what the data cannot see."""
+"""Caveats of a verdict: which values were refitted and by how much, and what the data cannot show."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from pkmodes.diagnosis.verdict.findings import Corrected
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Standard deviations from the declared value, or by the fit alone, from which on a refitted value is conspicuous.
+#: Smallest distance of a conspicuous refitted value from its declared one, in standard deviations of prior or fit.
 FAR = Criteria.reasons.far
-#: Most values and candidates that a sentence names.
+#: Largest numbers of values and of candidates named in a sentence.
 MOST_VALUES, MOST_NAMES = 3, 4
 
 
 def refitted(values: Sequence[Corrected]) -> str:
     """Return which uncertain values a fit moved most, and by how much; empty where there are none."""
     moved = sorted((v for v in values if v.prior_sigma), key=lambda v: -abs(_away(v)))
-    some = [v for v in moved if abs(_away(v)) >= 1.0][:MOST_VALUES] or moved[:1]
-    some += [v for v in moved if v not in some and _taken_up(v)]
-    return ", ".join(f"{_name(v)} {_step(v)} ({_away(v):+.1f} sigma){_instead(v)}" for v in some)
+    reported = [v for v in moved if abs(_away(v)) >= 1.0][:MOST_VALUES] or moved[:1]
+    reported += [v for v in moved if v not in reported and _taken_up(v)]
+    return ", ".join(f"{_name(v)} {_step(v)} ({_away(v):+.1f} sigma){_instead(v)}" for v in reported)
 
 
 def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
@@ -35,8 +35,8 @@ def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
     far = [v for v in values if v.prior_sigma and abs(_away(v)) > FAR]
     parts = [f"{_name(v)} is {abs(_away(v)):.1f} sigma from its declared value" for v in far]
     if needed:
-        some = (v for v in values if v not in far and _taken_up(v))
-        parts += [f"{_name(v)} was refitted {_step(v)}{_instead(v)}" for v in some]
+        taken_up = (v for v in values if v not in far and _taken_up(v))
+        parts += [f"{_name(v)} was refitted {_step(v)}{_instead(v)}" for v in taken_up]
     return ", ".join(parts[:MOST_VALUES])
 
 
@@ -48,7 +48,7 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
     undetectable : sequence of str
         Candidates that these data cannot show.
     limited : bool
-        Whether others have limits.
+        Whether other candidates have limits.
     """
     if undetectable:
         return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (
@@ -58,7 +58,7 @@ def unseen(undetectable: Sequence[str], limited: bool) -> str:
 
 
 def _taken_up(value: Corrected) -> bool:
-    """Return whether a fit clearly moved a value, and an unseen candidate could have done all of that."""
+    """Return whether a fit clearly moved a value, and an unseen candidate could have caused all of that."""
     moved = abs(value.value - value.declared)
     return (
         value.prior_sigma is not None

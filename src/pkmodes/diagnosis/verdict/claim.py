@@ -1,4 +1,4 @@
-"""What would be claimed at the end of a search: the preferred causes, with the classes of their rivals.
+"""The claim at the end of a search: the preferred causes, with the classes of their rivals.
 
 Each cause is compared with all others in its place.  The best survivor takes the place; survivors that these data
 cannot tell from it are its class; a member whose value is impossible leaves the class.
@@ -39,24 +39,24 @@ class Claim:
         Gate of the final fit.
     grouped : tuple
         For each cause, the classes of fits that have another cause in its place; its own class is first.
-    others : tuple of Fit
+    rivals : tuple of Fit
         Survivors beside a pair of causes.
     p_values : tuple of float
         One for each cause.
     kept : bool
         Whether each cause is among the survivors in its place.
     left_out : tuple of str
-        Sentences about what left a class, because its value is impossible.
+        Sentences about members that left a class because their values are impossible.
     plausible : mapping of int to float
         Largest plausible deviations of the values of all members from the declared ones, by parameter.
     implausible : frozenset of str
-        Names of the causes, in the place of a claimed one, whose values are not those of such a part.
+        Names of the causes, in the place of a claimed one, whose values such a part cannot have.
     """
 
     final: Fit
     last: Gate
     grouped: Grouped = ()
-    others: tuple[Fit, ...] = ()
+    rivals: tuple[Fit, ...] = ()
     p_values: tuple[float, ...] = ()
     kept: bool = True
     left_out: tuple[str, ...] = ()
@@ -84,21 +84,21 @@ class Claim:
             if len(groups) > 1 or len(self.final.causes) == 1:
                 named = [[(name_of(fit), fit) for fit in fits] for fits in groups]
                 return sorted(named, key=lambda group: all(name in self.implausible for name, _ in group))
-        return [[(_names(fit), fit)] for fit in (self.final, *self.others)]
+        return [[(_names(fit), fit)] for fit in (self.final, *self.rivals)]
 
-    def findings(self, fitter: Fitter, alone: Mapping[str, JointAlone]) -> tuple[Finding, ...]:
+    def findings(self, fitter: Fitter, single_joints: Mapping[str, JointAlone]) -> tuple[Finding, ...]:
         """Return all causes with their classes, as parts of a result.
 
         Parameters
         ----------
-        alone : mapping of str to JointAlone
+        single_joints : mapping of str to JointAlone
             The one joint that explains the data as well, of each candidate that has one.
         """
         places = enumerate(self.grouped)
-        return tuple(self._finding(fitter, place, groups[0], alone) for place, groups in places)
+        return tuple(self._finding(fitter, place, groups[0], single_joints) for place, groups in places)
 
     def _finding(
-        self, fitter: Fitter, place: int, members: list[Fit], alone: Mapping[str, JointAlone]
+        self, fitter: Fitter, place: int, members: list[Fit], single_joints: Mapping[str, JointAlone]
     ) -> Finding:
         cause = self.final.causes[place]
         index = {name_of(fit): fitter.indices(fit.causes[-1]) for fit in members}
@@ -114,12 +114,13 @@ class Claim:
             parameters=alternatives[cause.name],
             alternatives={name: alternatives[name] for name in names},
             p_value=self.p_values[place],
-            sentence=alone[cause.name].sentence if cause.name in alone else cause.sentence,
+            sentence=single_joints[cause.name].sentence if cause.name in single_joints else cause.sentence,
             covariances={name: covariances[name] for name in names},
             about={
-                name_of(fit): member(fitter, fit, self.plausible, alone.get(name_of(fit))) for fit in members
+                name_of(fit): member(fitter, fit, self.plausible, single_joints.get(name_of(fit)))
+                for fit in members
             },
-            alone=alone.get(cause.name),
+            alone=single_joints.get(cause.name),
         )
 
 
@@ -172,7 +173,7 @@ def values(fitter: Fitter, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
 
 
 def name_of(fit: Fit) -> str:
-    """Return the name of the last cause of a fit, the one in whose place others were tried."""
+    """Return the name of the last cause of a fit, in whose place others were tried."""
     return fit.causes[-1].name
 
 
@@ -189,27 +190,27 @@ def _plausible(search: Search, plain: Fit, grouped: Sequence[Sequence[Sequence[F
 def _possible(
     search: Search, final: Fit, grouped: Grouped, plausible: Mapping[int, float]
 ) -> tuple[Fit, Grouped, tuple[str, ...]]:
-    """Return the claim and its classes without members whose value is impossible, and what is said of these.
+    """Return the claim and its classes without members whose values are impossible, and sentences about these.
 
-    If the one that names the class of a single cause is one of them, the best of the others names it.
+    If the cause that names the class of a single cause is one of them, the best of the others names it.
     """
     classes, left_out = [], list[str]()
     for cause, groups in zip(final.causes, grouped, strict=True):
-        kept, left = possible(search.store.fitter, groups[0] if groups else [], plausible)
-        if left and all(fit.causes[-1] != cause for fit in kept):
+        kept, removed = possible(search.store.fitter, groups[0] if groups else [], plausible)
+        if removed and all(fit.causes[-1] != cause for fit in kept):
             if len(final.causes) > 1 or not search.gate(kept[0]).passed:
-                kept, left = groups[0], []
+                kept, removed = groups[0], []
             else:
                 final = kept[0]
         classes.append([kept, *groups[1:]] if groups else groups)
-        left_out += left
+        left_out += removed
     return final, tuple(classes), tuple(left_out)
 
 
 def _plausible_first(search: Search, final: Fit, grouped: Grouped) -> tuple[Fit, Grouped]:
-    """Return the claim and its classes, in each of which the members with plausible values are first.
+    """Return the claim and its classes, the members with plausible values first in each.
 
-    A single cause whose value is implausible leaves the lead to the best member with a plausible one, if that leaves
+    A single cause with an implausible value is replaced by the best member with a plausible one, if that leaves
     nothing but noise.
     """
     fitter = search.store.fitter
@@ -232,7 +233,7 @@ def _preferred(search: Search, final: Fit) -> tuple[Fit, list[list[Fit]]]:
         if better is None:
             return final, places
         final = better
-    return final, [[] for _ in final.causes]  # the preferences do not settle: nothing is claimed
+    return final, [[] for _ in final.causes]  # the preferences do not converge: nothing is claimed
 
 
 def _pairs_like(search: Search, final: Fit) -> list[Fit]:

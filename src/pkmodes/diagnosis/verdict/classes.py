@@ -24,9 +24,9 @@ from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 from pkmodes.support.grouping import grouped
 
-#: A cause is a special case of another if no larger part of its signature lies outside the span of the other's:
-#: difference derivatives are this accurate, and a random direction in a space with two more dimensions than the span
-#: is this close to it once in a million.
+#: Largest part of the signature of a special case outside the span of the general cause's signatures: difference
+#: derivatives are this accurate, and a random direction in a space with two more dimensions than the span is this
+#: close to it once in a million.
 NESTED = 1e-3
 
 
@@ -57,7 +57,7 @@ def survivors(search: Search, rivals: Sequence[Fit]) -> list[Fit]:
     also = [fitting[i] for i, deviance in alike.items() if deviance <= least + c.search.survives]
     if surviving:
         also += [fit for fit in fitting if _remains_beside(store, fit, surviving[0])]
-    return surviving + [fit for fit in also if all(fit is not other for other in surviving)]
+    return surviving + [fit for fit in also if all(fit is not survivor for survivor in surviving)]
 
 
 def _remains_beside(store: FitStore, part: Fit, whole: Fit) -> bool:
@@ -102,25 +102,25 @@ def other_pairs(
     store, c = search.store, search.criteria
     members = [{fit.causes[-1].name for fit in groups[0]} for groups in grouped if groups]
     many = int(np.prod([len(names) for names in members])) > c.claim.most_pairs
-    others = []
+    beside = []
     for pair in survivors(search, sorted(pairs, key=store.criterion)):
         a, b = (cause.name for cause in pair.causes)
-        known = len(members) == 2 and (
+        within = len(members) == 2 and (
             (a in members[0] and b in members[1]) or (b in members[0] and a in members[1])
         )
         # A pair of other causes is another explanation, even if its predictions are the same.
-        if {a, b} != {cause.name for cause in final.causes} and (many or not known):
-            others.append(pair)
-    alone = [
+        if {a, b} != {cause.name for cause in final.causes} and (many or not within):
+            beside.append(pair)
+    remote = [
         fit for fit in search.alone() if store.criterion(fit) <= store.criterion(final) + c.search.survives
     ]
-    return others + [fit for fit in alone if store.p_value(fit) > c.gate.surely and not fit.at_bound]
+    return beside + [fit for fit in remote if store.p_value(fit) > c.gate.surely and not fit.at_bound]
 
 
 def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
     """Group survivors that these data cannot tell apart, the class of the best one first.
 
-    A whole and a part of it that fit nearly as well are not told apart by what shapes of close modes differ in.
+    A whole and a part of it that fit nearly as well are not told apart by differences in the shapes of close modes.
     """
     near = store.fitter.criteria.claim.told_apart
 
@@ -142,7 +142,7 @@ def distinct(members: Sequence[Fit]) -> int:
 def parts_alone(members: Sequence[Fit]) -> bool:
     """Return whether a class has several parts of a whole that is not in it, such as two directions of a frame.
 
-    Data that do not tell along which direction a frame yields do not tell either that it yields along one of them,
+    Data that do not show along which direction a frame yields do not show either that it yields along one of them
     rather than obliquely, or by rocking.
     """
     causes = [fit.causes[-1] for fit in members]
@@ -174,7 +174,7 @@ def more_general(search: Search, final: Fit) -> tuple[Candidate, Candidate] | No
             if general.general_of != cause.name:
                 continue
             scores = score(search.store.fitter, final, [general])
-            if scores.each[0].p_value < search.criteria.gate.surely:
+            if scores.by_candidate[0].p_value < search.criteria.gate.surely:
                 return cause, general
     return None
 
@@ -185,8 +185,8 @@ def _is_special(fitter: Fitter, fit: Fit, special: Candidate, general: Candidate
     if fitter.observations.degrees(used) < len(general.parameters) + fitter.criteria.claim.redundancy:
         return False
     rates, basis = _rates(fitter, fit, special), orthonormal(_rates(fitter, fit, general))
-    left = np.linalg.norm(rates - basis @ (basis.T @ rates), axis=0)
-    return bool((left <= NESTED * np.linalg.norm(rates, axis=0)).all())
+    residual = np.linalg.norm(rates - basis @ (basis.T @ rates), axis=0)
+    return bool((residual <= NESTED * np.linalg.norm(rates, axis=0)).all())
 
 
 def _rates(fitter: Fitter, fit: Fit, cause: Candidate) -> Array:

@@ -1,4 +1,4 @@
-"""The rule of causes that only a default makes specific, because nobody declared the value on which they rest."""
+"""The rule for causes that only a default makes specific, because the value on which they rest was not declared."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ def by_a_default(e: Evidence) -> Says | None:
     """
     if e.criteria.claim.any_place:
         return None
-    members = [fit.causes[-1] for own in e.claim.own for fit in own]
-    needed = [one for cause in members if cause.part_of for one in cause.assumes]
-    assumed = [one for one in e.by_default if one in needed]
+    members = [fit.causes[-1] for fits in e.claim.own for fit in fits]
+    needed = [assumption for cause in members if cause.part_of for assumption in cause.assumes]
+    assumed = [assumption for assumption in e.by_default if assumption in needed]
     if not assumed:
         return None
-    words = " and ".join(one.words for one in assumed)
-    declare = " and ".join(one.key for one in assumed)
+    words = " and ".join(assumption.words for assumption in assumed)
+    declare = " and ".join(assumption.key for assumption in assumed)
     text = (
         f"{e.explains} the residual for {words}, which the robot file does not declare; with another value there, "
         "another size explains it as well, and so may anything else that moves on a spring of its own: declare "

@@ -1,7 +1,7 @@
 """A law outside the candidates: a declared stiffness that changes with the frequency, as that of rubber belts does.
 
-Its effect on the frequencies is that of another stiffness, times a function of the frequency: of its logarithm, for a
-power law, or of its square.  A score test, at the fit without the causes, says what each of these would explain.
+Its effect on the frequencies is that of a changed stiffness times a function of the frequency: its logarithm, for a
+power law, or its square.  A score test, at the fit without the causes, shows how much each of these would explain.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.verdict.evidence import Evidence
 
-#: Units of stiffnesses; one that is declared as 0 is a spring that is not there.
+#: Units of stiffnesses; one that is declared as 0 is an absent spring.
 STIFFNESSES = ("N/m", "N*m/rad")
 
 
@@ -43,19 +43,19 @@ def stiffness_of_frequency(e: Evidence) -> str:
     It has one parameter: as good as a pair of causes, it is the better explanation.  A single cause must be clearly
     worse to be refused: heavier motors of a rotary delta and reducers that soften with the frequency look the same.
     """
-    found, pair = dispersion(e.store, e.final), len(e.final.causes) > 1
+    law, pair = dispersion(e.store, e.final), len(e.final.causes) > 1
     worse = 0.0 if pair else e.criteria.search.survives
-    if found is None or found.criterion > e.store.criterion(e.final) - worse:
+    if law is None or law.criterion > e.store.criterion(e.final) - worse:
         return ""
     return (
-        f"{e.explains} the residual, but a {found.name} that {'rises' if found.rises else 'falls'} with the "
+        f"{e.explains} the residual, but a {law.name} that {'rises' if law.rises else 'falls'} with the "
         f"frequency, which is no candidate, would do so {'with one value' if pair else 'significantly better'}: look "
         "there"
     )
 
 
 def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
-    """Return the stiffness that explains the data best by a change with the frequency; None if nothing is stiff.
+    """Return the stiffness that explains the data best by a change with the frequency; None if none is declared.
 
     Parameters
     ----------
@@ -72,15 +72,15 @@ def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     rows, log = fitter.observations.frequency_rows, fitter.observations.log
     laws = (log - log.mean(), np.exp(2.0 * (log - log.max())))
     _, signatures = fitter.signatures(plain, [i for i, _ in declared])
-    found = []
+    trials = []
     for column, (_, name) in zip(signatures.T, declared, strict=True):
         for law in laws:
             signature = np.zeros(len(column))
             signature[rows] = column[rows] * law
-            left = signature - plain.basis @ (plain.basis.T @ signature)
-            size = float(np.linalg.norm(left))
-            score = float(left @ plain.white) / max(size, 1e-300)
-            found.append(
+            remainder = signature - plain.basis @ (plain.basis.T @ signature)
+            size = float(np.linalg.norm(remainder))
+            score = float(remainder @ plain.white) / max(size, 1e-300)
+            trials.append(
                 Dispersion(name, store.criterion(plain) - score**2 + store.parameter_price, score > 0.0)
             )
-    return min(found, key=lambda one: one.criterion)
+    return min(trials, key=lambda trial: trial.criterion)

@@ -1,7 +1,7 @@
-"""What explanations predict elsewhere: where, and in which ways, a structure could be measured next.
+"""Predictions of explanations elsewhere: where, and in which ways, a structure could be measured next.
 
-A prediction is uncertain by errors like those of the measurements, and by what these leave uncertain in the fitted
-values, linearised.
+A prediction is uncertain by errors like those of the measurements, and by the uncertainty of the fitted values,
+linearised.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from pkmodes.diagnosis.verdict.information import separations
 
 
 class Way(NamedTuple):
-    """A way to measure: the structure at the poses to choose from, what its motors do, and what is set there.
+    """A way to measure: the structure at the poses to choose from, the state of its motors, and the values set there.
 
     Attributes
     ----------
     unlike : bool
-        Whether its motors do something else than in most of the measurements.
+        Whether its motors are in another state than in most of the measurements.
     """
 
     structure: Structure
@@ -35,7 +35,7 @@ class Way(NamedTuple):
 
     @property
     def effort(self) -> int:
-        """How much more work it is than to measure another pose."""
+        """Additional work compared with measuring another pose."""
         return 2 if self.load else int(self.unlike)
 
 
@@ -55,11 +55,11 @@ class Elsewhere(NamedTuple):
     rates: Array
     errors: Array
 
-    def covariance(self, known: int | None = None) -> Array:
-        """Return the covariance of what would be measured, (S, m, m), perhaps with one of the values exact."""
+    def covariance(self, exact: int | None = None) -> Array:
+        """Return the covariance of what would be measured, (S, m, m), with one value exact if given."""
         C = self.fit.covariance
-        if known is not None:
-            k = self.fit.free.index(known)
+        if exact is not None:
+            k = self.fit.free.index(exact)
             C = C - np.outer(C[k], C[k]) / max(C[k, k], 1e-300)
         return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
 
@@ -75,16 +75,16 @@ def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[
     drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
     yield Way(structure, drives, {})
     if isinstance(structure, Driven) and (held or drives == HELD):
-        others = structure.with_other_drives(range(len(points)))
-        yield Way(others, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
+        switched = structure.with_other_drives(range(len(points)))
+        yield Way(switched, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
         yield Way(loaded, drives, load)
 
 
 def elsewhere(fitter: Fitter, way: Way, fit: Fit) -> Elsewhere:
-    """Return what an explanation predicts; NaN if a load is what it explains: setting it would not remove that.
+    """Return what an explanation predicts; NaN if its cause is a wrong load, which setting it would not remove.
 
-    With other motors, modes that were not measured say nothing about which are measurable.
+    With motors in another state, modes that were not measured say nothing about which are measurable.
     """
     structure, sigma = way.structure, float(np.median(fitter.observations.sigma))
     prediction = structure.predict(fit.values, fit.free)
@@ -114,11 +114,11 @@ def _misstated(fitter: Fitter, fit: Fit) -> float:
 
 
 def apart(
-    predicted: Sequence[Elsewhere], poses: Sequence[int], known: int | None = None
+    predicted: Sequence[Elsewhere], poses: Sequence[int], exact: int | None = None
 ) -> tuple[Array, Array, Array]:
-    """Return how far explanations are apart at some poses (`separations`), perhaps with one of the values exact."""
-    m, some = min(one.mean.shape[1] for one in predicted), list(poses)
+    """Return how far explanations are apart at some poses (`separations`), with one value exact if given."""
+    m, places = min(prediction.mean.shape[1] for prediction in predicted), list(poses)
     return separations(
-        np.array([one.mean[some, :m] for one in predicted]),
-        np.array([one.covariance(known)[some, :m, :m] for one in predicted]),
+        np.array([prediction.mean[places, :m] for prediction in predicted]),
+        np.array([prediction.covariance(exact)[places, :m, :m] for prediction in predicted]),
     )

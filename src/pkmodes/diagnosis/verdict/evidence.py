@@ -1,4 +1,4 @@
-"""What the rules of a verdict ask about, before a search and after it, and what a rule and its answer are."""
+"""Evidence for the rules of a verdict, before and after a search; rules and their answers."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from pkmodes.diagnosis.verdict.values import shows_once
 from pkmodes.diagnosis.verdict.verdicts import Verdict
 from pkmodes.measured.amplitude import AmplitudeDependence
 
-#: Largest number of causes named that would remove a contradiction of too few data.
+#: Largest number of causes named that would remove a contradiction where data are too few.
 HINTS = 4
 
 
@@ -47,7 +47,9 @@ class Start:
     def __init__(self, setups: AllSetups) -> None:
         self.setups, self.fitter, self.criteria = setups, setups.fitter, setups.fitter.criteria
         self.plain = FitStore(setups.fitter)
-        self.suspected = [one for one in setups.fitter.structure.candidates if one.claimable]
+        self.suspected = [
+            candidate for candidate in setups.fitter.structure.candidates if candidate.claimable
+        ]
 
     def says(self, text: str) -> Says:
         """Return a reason as an answer."""
@@ -84,7 +86,7 @@ class Start:
 
 
 class Evidence:
-    """What a search found, and what else decides; what takes time is computed when a rule first asks for it.
+    """The result of a search, and what else decides; costly results are computed when a rule first needs them.
 
     Attributes
     ----------
@@ -130,30 +132,30 @@ class Evidence:
         members = self.members
         if len(members) < 2:
             return reasons.names(self.final.causes)
-        most = self.criteria.claim.most_members
-        listed = members[:most] if len(members) <= most else members[: most - 1]
-        left = len(members) - len(listed)
-        if left:
-            return f"{', '.join(listed)} or {count(left)} others, which these data cannot tell apart,"
+        limit = self.criteria.claim.most_members
+        listed = members[:limit] if len(members) <= limit else members[: limit - 1]
+        unlisted = len(members) - len(listed)
+        if unlisted:
+            return f"{', '.join(listed)} or {count(unlisted)} others, which these data cannot tell apart,"
         return f"{', '.join(listed[:-1])} or {listed[-1]}, which these data cannot tell apart,"
 
     @property
     def members(self) -> list[str]:
         """The names of a single cause and of all that the data cannot tell from it; empty for several causes."""
-        own = self.claim.own
-        if len(self.final.causes) != 1 or not own:
+        classes = self.claim.own
+        if len(self.final.causes) != 1 or not classes:
             return []
         first = name_of(self.final)
-        return [first, *(name for fit in own[0] if (name := name_of(fit)) != first)]
+        return [first, *(name for fit in classes[0] if (name := name_of(fit)) != first)]
 
     @cached_property
     def trials(self) -> list[Trial]:
-        """What becomes of the explanations with other errors and priors."""
+        """The explanations with other errors and priors."""
         return trials(self.search, self.final, self.claim.own)
 
     @cached_property
     def held_out(self) -> HeldOut:
-        """What the held-out setups say about the final fit."""
+        """The test of the final fit by the held-out setups."""
         return predicted(self.setups, self.search, self.final)
 
     @cached_property
@@ -162,11 +164,11 @@ class Evidence:
         return dependence(self.fitter, self.final.values)
 
     @cached_property
-    def alone(self) -> dict[str, JointAlone]:
+    def single_joints(self) -> dict[str, JointAlone]:
         """The one joint that explains the data as well, of each remaining cause with a value for each joint."""
         fits = {name_of(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits}
-        some = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
-        return {name: found for name, found in some.items() if found is not None}
+        by_name = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
+        return {name: joint for name, joint in by_name.items() if joint is not None}
 
     @cached_property
     def term_instead(self) -> Fit | None:
@@ -177,13 +179,13 @@ class Evidence:
     def by_default(self) -> list[Assumption]:
         """The defaults on which values of the causes depend noticeably."""
         moved = moved_by_defaults(self.store, self.final)
-        own = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
+        indices = [i for cause in self.final.causes for i in self.fitter.indices(cause)]
         return [
             assumption
             for assumption, away in moved.items()
             if any(
                 math.hypot(self.final.sigma_of(i), away[i] / ONE_SIDED) > NOTICEABLE * self.final.sigma_of(i)
-                for i in own
+                for i in indices
             )
         ]
 
@@ -203,12 +205,12 @@ class Evidence:
         ]
         best = min(noise, key=store.criterion, default=None)
         if best is not None and store.criterion(best) <= worst:
-            what = reasons.noise(best, store.fitter.data.lines)
+            errors = reasons.noise(best, store.fitter.data.lines)
             plain = store.fit(Hypothesis())
             pattern = (
                 reasons.uneven(store.fitter, plain) if plain is not None and best.hypothesis.scatter else ""
             )
-            return f"{what}; {pattern}" if pattern else what
+            return f"{errors}; {pattern}" if pattern else errors
         h = final.hypothesis
         base = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
         if base is None:
@@ -222,7 +224,7 @@ class Evidence:
         return f"errors {reasons.larger(ratio**0.5)} the stated ones"
 
     def _by_nature(self, errors: Hypothesis) -> bool:
-        """Return whether the rows that are set aside are those in which a cause by nature shows alone."""
+        """Return whether the rows set aside are those in which alone a cause by nature shows."""
         rows = errors.excluded - self.final.hypothesis.excluded
         return bool(rows) and all(
             any(shows_once(self.search, self.final, cause, row) for cause in self.final.causes)
@@ -239,12 +241,12 @@ class Says:
     text : str
         The reason of the verdict.
     named : frozenset of str
-        Candidates to which it says that the data point, without a claim: what they show cannot be undetectable.
+        Candidates to which, according to it, the data point without a claim: these cannot be undetectable.
     instead : Fit or None
         An explanation that is better with other errors or priors.
     of_reading : bool
-        Whether another reading of the data decided, because something in the file is wrong, or no linear model can
-        explain it.  It is then the first note, too, and explanations of the data as they stand have no probabilities.
+        Whether another reading of the data decided, because the file is wrong, or no linear model can explain it.
+        The text is then also the first note, and explanations of the data as they stand have no probabilities.
     """
 
     text: str
@@ -263,7 +265,7 @@ A_co = TypeVar("A_co", bound=Says, covariant=True)
 
 
 class Asked(Protocol[A_co]):
-    """What rules are asked of, and the kind of their answers."""
+    """The evidence to which rules are applied, with the type of their answers."""
 
     def says(self, text: str) -> A_co:
         """Return a reason as an answer."""
@@ -274,14 +276,14 @@ T = TypeVar("T", bound=Asked[Any])
 
 @dataclass(frozen=True)
 class Rule(Generic[T, A]):
-    """A rule of a verdict, asked before a search (T = Start), after it (T = Evidence), or of damping.
+    """A rule of a verdict, applied before a search (T = Start), after it (T = Evidence), or to damping.
 
     Attributes
     ----------
     name : str
-        With that of its table: "claims.found".
+        Preceded by that of its table: "claims.found".
     ask : callable
-        Its question: the answer to it, or None or an empty text if it does not apply.
+        Returns the answer to its question; None or an empty text if it does not apply.
     """
 
     name: str
@@ -298,8 +300,8 @@ class Rule(Generic[T, A]):
         answer = self.ask(evidence)
         if not isinstance(answer, str):
             return answer
-        said: A | None = evidence.says(answer) if answer else None
-        return said
+        reply: A | None = evidence.says(answer) if answer else None
+        return reply
 
 
 @dataclass(frozen=True)

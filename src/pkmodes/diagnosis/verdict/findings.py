@@ -50,11 +50,11 @@ class Unseen:
     Attributes
     ----------
     sigma : float
-        As a standard deviation of the value, at the candidate's limit; of a value with a prior also without one.
+        As a standard deviation of the value, at the candidate's limit; for a value with a prior also without a limit.
     candidate : str
-        The one that could have done most; empty if a default could.
+        The candidate with the largest possible effect; empty if a default has it.
     default : str
-        The default that could have done most, such as "a frame.mass of 50 kg"; empty if a candidate could.
+        The default with the largest possible effect, such as "a frame.mass of 50 kg"; empty if a candidate has it.
     unbounded : str
         Name of a candidate without a limit that could have moved a value without a prior farther than all that is
         counted; empty if there is none.
@@ -67,7 +67,7 @@ class Unseen:
 
     @property
     def done(self) -> str:
-        """What could have changed the value, to stand before "could have done"."""
+        """What could have changed the value, for a clause ending in "could have done"."""
         if not self.default:
             return f"an unseen {self.candidate}"
         return self.default.replace(" of ", " other than ", 1) + ", which is not declared,"
@@ -84,7 +84,7 @@ class Member:
     implausible : str
         Why its value is not one that such a part can have; empty if it is.
     assumed : str
-        The defaults on which its value depends, with that nobody declared them; empty for none.
+        The defaults on which its value depends, marked as not declared; empty if there are none.
     """
 
     name: str
@@ -96,12 +96,12 @@ class Member:
 
     @property
     def words(self) -> str:
-        """What it means, or its name where nobody said."""
+        """Its meaning, or its name if it has no sentence."""
         return self.sentence or self.name
 
     @property
     def with_name(self) -> str:
-        """What it means, with its name."""
+        """Its meaning, with its name."""
         return f"{self.sentence} ({self.name})" if self.sentence else self.name
 
 
@@ -123,11 +123,11 @@ class Value:
 
     @property
     def rounded(self) -> Rounded:
-        """The value and its standard deviation as people read them."""
+        """The value and its standard deviation, rounded for reading."""
         return rounded(self.value, self.sigma, self.fit_sigma)
 
 
-#: A saved standard deviation that is larger than that of the fit by this factor is explained.
+#: Smallest ratio of a saved standard deviation to that of the fit that is explained to the reader.
 NOTICEABLE = 1.05
 
 
@@ -157,7 +157,7 @@ class Corrected(Value):
     def saved_sigma(self) -> float:
         """Standard deviation including what an unseen candidate could have done.
 
-        What was declared still holds: it is at most the root mean square distance from the value under its prior.
+        The declared value still counts: it is at most the root mean square distance from the value under its prior.
         Without a prior it is at most the largest plausible deviation.
         """
         if self.unseen is None:
@@ -174,8 +174,10 @@ class Corrected(Value):
 
 
 def saved_as(value: Value, corrected: Sequence[Corrected]) -> Corrected | None:
-    """Return a value of a cause as the corrected robot file has it; None for another member of a class."""
-    return next((one for one in corrected if (one.name, one.value) == (value.name, value.value)), None)
+    """Return a cause's value as in the corrected robot file; None for another member of a class."""
+    return next(
+        (saved for saved in corrected if (saved.name, saved.value) == (value.name, value.value)), None
+    )
 
 
 def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
@@ -185,7 +187,7 @@ def believed(value: Value, corrected: Sequence[Corrected]) -> Value:
 
 
 def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
-    """Return what the standard deviation of a value includes beyond that of the fit, and what it leaves out."""
+    """Return what the standard deviation of a value includes beyond that of the fit, and what it omits."""
     saved = saved_as(value, corrected)
     if saved is None or saved.unseen is None:
         return ""
@@ -199,7 +201,7 @@ def why_larger(value: Value, corrected: Sequence[Corrected]) -> str:
 
 
 def left_out(unseen: Unseen) -> str:
-    """Return what a standard deviation leaves out: what a candidate without a limit could have done."""
+    """Return what a standard deviation omits: the effect of a candidate without a limit."""
     return f"not included is what an unseen {unseen.unbounded} could have done, which these data do not bound"
 
 
@@ -239,9 +241,9 @@ class Finding:
     covariances : mapping of str to tuple of tuple of float
         For each member, the covariance of its parameters, in their order.
     about : mapping of str to Member
-        How its members are named, and whether their values are plausible.
+        Names of its members in words, and whether their values are plausible.
     alone : JointAlone or None
-        The one joint in which it explains the data as well alone.
+        The single joint in which it explains the data as well.
     """
 
     name: str
@@ -286,18 +288,18 @@ class Finding:
         Returns
         -------
         tuple of Value
-            Their mean is 0; empty where the parameters themselves say as much.
+            Their mean is 0; empty where the parameters themselves are as well determined.
         """
         name = member or self.name
         values = self.alternatives.get(name, ())
         if len({value.unit for value in values}) != 1:
             return ()
-        found = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
-        if found is None:
+        centred = relative_to_mean([value.value for value in values], self.covariances.get(name, ()))
+        if centred is None:
             return ()
         return tuple(
             replace(value, value=float(d), sigma=float(sigma))
-            for value, d, sigma in zip(values, *found, strict=True)
+            for value, d, sigma in zip(values, *centred, strict=True)
         )
 
 

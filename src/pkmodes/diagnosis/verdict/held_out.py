@@ -1,4 +1,4 @@
-r"""What held-out setups say about a result: a test of its predictions, and notes on their rows.
+r"""Held-out setups as a test of the predictions of a result, and notes on their rows.
 
 Held-out setups take no part in any choice or fit, so they can refuse a result.  The prediction errors :math:`r_h` of
 their frequencies, and of shapes with stated errors, have the predictive covariance
@@ -35,7 +35,7 @@ WORSE = 2.0
 
 @dataclass(frozen=True)
 class HeldOut:
-    """What held-out setups say about a result.
+    """Result of the test by held-out setups.
 
     Attributes
     ----------
@@ -64,13 +64,13 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
     if not setups.is_held.any():
         return HeldOut()
     c, fitted = search.criteria, f"{explains(final.causes)} the fitted poses"
-    every, again = _fitted_to_all(setups, search, final)
+    full_search, again = _fitted_to_all(setups, search, final)
     if again is None:
         return HeldOut(f"{fitted}, but with these values the held-out ones cannot be evaluated")
-    p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
+    p_value = p_held_out(setups, full_search.store.fitter, again.hypothesis, final)
     if p_value <= c.gate.surely:
-        again, p_value = _without_one_row(setups, every.store, again, final, p_value)
-    better = _better(every, again) if rivals is None else _best_of(every, again, rivals)
+        again, p_value = _without_one_row(setups, full_search.store, again, final, p_value)
+    better = _better(full_search, again) if rivals is None else _best_of(full_search, again, rivals)
     if p_value > c.gate.surely:
         if better is not None:
             return HeldOut(
@@ -79,9 +79,9 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
             )
         aside = (row for row in sorted(again.hypothesis.excluded) if setups.is_held[row])
         return HeldOut(notes=tuple(_check(setups.data, row) for row in aside))
-    instead = better or (_explaining(every, again) if rivals is None else None)
-    other = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
-    return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){other}")
+    instead = better or (_explaining(full_search, again) if rivals is None else None)
+    hint = f"; {names(instead.causes)} would explain all poses: look there" if instead else ""
+    return HeldOut(f"{fitted}, but not the held-out ones ({p_in_words(p_value)}){hint}")
 
 
 def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
@@ -96,30 +96,30 @@ def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
     """
     if not setups.is_held.any():
         return 1.0
-    every, again = _fitted_to_all(setups, search, final)
+    full_search, again = _fitted_to_all(setups, search, final)
     if again is None:
         return 0.0
-    p_value = p_held_out(setups, every.store.fitter, again.hypothesis, final)
+    p_value = p_held_out(setups, full_search.store.fitter, again.hypothesis, final)
     if p_value <= search.criteria.gate.surely:
-        _, p_value = _without_one_row(setups, every.store, again, final, p_value)
+        _, p_value = _without_one_row(setups, full_search.store, again, final, p_value)
     return p_value
 
 
-def p_held_out(setups: AllSetups, every: Fitter, hypothesis: Hypothesis, final: Fit) -> float:
+def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final: Fit) -> float:
     """Return the p-value of the prediction errors of the held-out setups, without excluded rows.
 
     Parameters
     ----------
-    every : Fitter
+    fitter : Fitter
         At all setups.
     hypothesis : Hypothesis
         About all setups; the causes are those of the fit.
     final : Fit
         To the setups that are not held out.
     """
-    held = setups.is_held & every.used(hypothesis)
-    rows, count = every.observations.stated(held)
-    there = every.evaluated(hypothesis, final.values, final.scatter)
+    held = setups.is_held & fitter.used(hypothesis)
+    rows, count = fitter.observations.stated(held)
+    there = fitter.evaluated(hypothesis, final.values, final.scatter)
     if there is None:
         return 0.0
     data = slice(0, len(rows))
@@ -160,8 +160,8 @@ def _without_one_row(
 ) -> tuple[Fit, float]:
     """Return the fit and the p-value without the worst held-out row, if that row alone contradicts the fit.
 
-    A gross error in a held-out row is set aside on the same terms as in a fitted one: there are enough rows, and the
-    others predict it.
+    A gross error in a held-out row is set aside under the same conditions as in a fitted one: there are enough rows,
+    and the others predict it.
     """
     fitter, c, h = store.fitter, store.fitter.criteria, again.hypothesis
     worst, sigmas = fitter.worst_rows(again)
@@ -170,42 +170,42 @@ def _without_one_row(
     if not enough or sigmas[row] <= c.reasons.far or again.leverage[row] >= c.search.redundant:
         return again, p_value
     without = store.fit(replace(h, excluded=h.excluded | {row}), again.values)
-    left = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
-    return (without, left) if without is not None and left > c.gate.surely else (again, p_value)
+    p_without = 0.0 if without is None else p_held_out(setups, fitter, without.hypothesis, final)
+    return (without, p_without) if without is not None and p_without > c.gate.surely else (again, p_value)
 
 
 def _check(data: Measurements, row: int) -> str:
     return f"{_row(data, row)} does not agree with the other held-out rows: check it"
 
 
-def _better(every: Search, again: Fit) -> Fit | None:
+def _better(search: Search, again: Fit) -> Fit | None:
     """Return the remote cause that explains all setups better than the claimed causes do; None if none does."""
-    c = every.criteria
+    c = search.criteria
     plain = len(again.causes) == 1 and not again.hypothesis.excluded
-    if not again.causes or (plain and every.gate(again).above(c.gate.plainly)):
+    if not again.causes or (plain and search.gate(again).above(c.gate.plainly)):
         return None
-    # One with the same predictions is listed in the class of the cause.
-    difference = every.store.fitter.difference
+    # A remote cause with the same predictions is listed in the class of the cause.
+    difference = search.store.fitter.difference
     return next(
-        (fit for fit in every.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
+        (fit for fit in search.better_alone(again) if difference(again, fit) >= c.claim.told_apart), None
     )
 
 
-def _best_of(every: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
+def _best_of(search: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
     """Return the rival that explains all setups significantly better than the claimed causes; None if none does."""
-    store, c, hypothesis = every.store, every.criteria, again.hypothesis
+    store, c, hypothesis = search.store, search.criteria, again.hypothesis
     fits = [
         store.fit(replace(hypothesis, causes=rival.causes), rival.values)
         for rival in rivals
         if rival.causes != again.causes
     ]
     limit = store.criterion(again) - c.search.survives
-    known = sorted((fit for fit in fits if fit is not None), key=store.criterion)
+    fitted = sorted((fit for fit in fits if fit is not None), key=store.criterion)
     difference = store.fitter.difference
     return next(
         (
             fit
-            for fit in known
+            for fit in fitted
             if store.criterion(fit) < limit
             and store.p_value(fit) > c.gate.surely
             and difference(again, fit) >= c.claim.told_apart
@@ -214,10 +214,10 @@ def _best_of(every: Search, again: Fit, rivals: Sequence[Fit]) -> Fit | None:
     )
 
 
-def _explaining(every: Search, again: Fit) -> Fit | None:
+def _explaining(search: Search, again: Fit) -> Fit | None:
     """Return the best single cause, remote ones included, that explains all setups; None if none does."""
-    fits = sorted([*every.additions.singles(), *every.alone()], key=every.store.criterion)
-    return next((fit for fit in fits if fit.causes != again.causes and every.gate(fit).passed), None)
+    fits = sorted([*search.additions.singles(), *search.alone()], key=search.store.criterion)
+    return next((fit for fit in fits if fit.causes != again.causes and search.gate(fit).passed), None)
 
 
 def remarks(

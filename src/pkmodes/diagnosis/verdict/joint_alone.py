@@ -1,4 +1,4 @@
-"""Which one: whether one joint of a cause with a value for each joint explains the data as well alone.
+"""Whether a single joint of a cause with a value for each joint explains the data as well.
 
 "The legs are not equally stiff" has six values; "leg 3 is 25 % softer than the others" has one, and says where to
 look.
@@ -19,10 +19,10 @@ from pkmodes.diagnosis.verdict.joints import JointAlone
 
 
 def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | None:
-    """Return the joint in which the last cause of a fit explains the data as well alone; None if no one does.
+    """Return the single joint in which the last cause of a fit explains the data as well; None if there is none.
 
     It fits by the criterion at least as well as all joints together, leaves only noise, predicts the held-out setups,
-    and no other joint alone survives beside it.  The fits are kept apart from those of the search, on which
+    and no other joint alone survives beside it.  The fits are kept separate from those of the search, on which
     probabilities depend.
     """
     cause, c, fitter = fit.causes[-1], search.criteria, search.store.fitter
@@ -44,18 +44,18 @@ def joint_alone(setups: AllSetups, search: Search, fit: Fit) -> JointAlone | Non
     }
     criterion = apart.store.criterion
     fits = [
-        one
-        for one in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
-        if not one.at_bound
+        option
+        for option in apart.additions.causes(base, score(fitter, base, [*singles.values()]))
+        if not option.at_bound
     ]
-    best, others = next(iter(fits), None), fits[1:]
+    best, rest = next(iter(fits), None), fits[1:]
     if best is None or criterion(best) > criterion(fit):
         return None
-    if any(criterion(one) <= criterion(best) + c.search.survives for one in others):
+    if any(criterion(rival) <= criterion(best) + c.search.survives for rival in rest):
         return None
     if not apart.gate(best).passed or p_of_held_out(setups, apart, best) <= c.gate.surely:
         return None
     (name,) = best.causes[-1].parameters
     (i,) = fitter.indices(best.causes[-1])
-    joint = next(one for one in cause.joints if one.parameter == name)
+    joint = next(part for part in cause.joints if part.parameter == name)
     return JointAlone(joint, float(best.values[i]), best.sigma_of(i), len(cause.joints) - 1)

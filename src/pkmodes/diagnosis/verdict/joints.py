@@ -1,4 +1,4 @@
-"""The one joint of a cause with a value for each joint, in words: "leg 3 is 25 % softer than the others"."""
+"""The single joint of a cause with a value for each joint, in words: "leg 3 is 25 % softer than the others"."""
 
 from __future__ import annotations
 
@@ -7,35 +7,35 @@ from dataclasses import dataclass
 from pkmodes.diagnosis.problem import Joint
 from pkmodes.support.numbers import plain
 
-#: What a part is that has less, and more, of a quantity than the others.
+#: Comparatives for a part with less, and with more, of a quantity than the others.
 COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
 
 
 @dataclass(frozen=True)
 class JointAlone:
-    """The one joint in which a cause with a value for each explains the data as well alone.
+    """The single joint in which a cause with a value for each joint explains the data as well.
 
     Attributes
     ----------
     change, sigma : float
         Relative change in this joint, if the others have none, and its standard deviation.
-    others : int
-        Number of the others.
+    number_of_others : int
+        Number of the other joints.
     """
 
     joint: Joint
     change: float
     sigma: float
-    others: int
+    number_of_others: int
 
     @property
     def compared(self) -> str:
         """How it differs from the others: "25 % softer than the others"."""
-        percent, more = plain(100.0 * abs(self.change), 2), self.change > 0.0
-        others, quantity = "the others" if self.others > 1 else "the other", self.joint.quantity
+        percent, increased = plain(100.0 * abs(self.change), 2), self.change > 0.0
+        rest, quantity = "the others" if self.number_of_others > 1 else "the other", self.joint.quantity
         if quantity in COMPARED:
-            return f"{percent} % {COMPARED[quantity][more]} than {others}"
-        return f"{percent} % {'above' if more else 'below'} {others} in {quantity}"
+            return f"{percent} % {COMPARED[quantity][increased]} than {rest}"
+        return f"{percent} % {'above' if increased else 'below'} {rest} in {quantity}"
 
     @property
     def sentence(self) -> str:

@@ -1,22 +1,23 @@
 """Limits of the candidates that are not claimed, and what these unseen candidates could do to the saved values.
 
-A limit is that of a candidate beside what the diagnosis says: the declared model with its nuisances refitted, the
-claimed causes, or each of the explanations that remain.  If the residual is not explained, the errors count as large
-as what each candidate leaves.
+A limit is that of a candidate beside the result of the diagnosis: the declared model with its nuisances refitted, the
+claimed causes, or each of the explanations that remain.  If the residual is not explained, errors are scaled to the
+residual that each candidate leaves.
 
 Saved values
 ------------
 A refitted value makes up for whatever is missing from the model.  When an unseen candidate moves to its limit, a
-value moves by D; a normal deviate beyond which 5 % lie on that side has the standard deviation D / 1.645, which is
-what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the data do not bound
-within its plausible range moves there; that counts for values whose priors hold them.  Others, such as the size of a
-cause, could go anywhere with it: their standard deviation leaves it out, and says so.  Of all candidates the one that
-moves the value most is counted, not their sum: like the diagnosis itself, this takes one cause to be missing, many
-candidates move the values in the same way, and a sum would count that several times (the envelope over alternative
-models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation 10, 2015, P04015).
+value moves by D; a normal deviate that exceeds D on that side with a probability of 5 % has the standard deviation
+D / 1.645, which is what a joint fit of both would add to its variance (JCGM 100:2008, 5.1.2).  A candidate that the
+data do not bound within its plausible range moves to the end of that range; this counts for values held by priors.
+Other values, such as the size of a cause, could move anywhere with it: their standard deviation omits it, and a note
+says so.  Of all candidates only the one that moves the value most is counted, not their sum: like the diagnosis
+itself, this assumes one missing cause, and many candidates move the values in the same way, which a sum would count
+several times (the envelope over alternative models; Dauncey, Kenzie, Wardle and Davies, Journal of Instrumentation
+10, 2015, P04015).
 
-A default on which a claimed value rests, because nobody declared another, such as the mass of a frame that yields, is
-moved likewise.
+A default on which a claimed value rests, because its value was not declared, such as the mass of a frame that yields,
+is moved likewise.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ from pkmodes.diagnosis.problem import Array, Assumption, Candidate, Parameter
 from pkmodes.diagnosis.search.limits import ONE_SIDED, Bound, bounds, moved_by_defaults
 from pkmodes.diagnosis.verdict.findings import NOTICEABLE, Limit, Unseen
 
-#: Largest number of remaining explanations beside which limits are found.
+#: Largest number of remaining explanations beside which limits are determined.
 MOST = 4
 
 
@@ -45,7 +46,7 @@ class Limits:
     of : mapping of str to Limit
         By the names of their parameters.
     unseen : mapping of int to Unseen
-        What they could do to the fitted values, by parameter.
+        Their possible effects on the fitted values, by parameter.
     plausible : mapping of int to float
         Largest plausible deviations, by parameter.
     candidates, unbounded : frozenset of str
@@ -64,12 +65,12 @@ class Limits:
         return frozenset(limit.candidate for limit in self.of.values() if limit.value is not None)
 
 
-#: Where no candidate was bounded.
+#: Limits where no candidate was bounded.
 NO_LIMITS = Limits({}, {}, {}, frozenset(), frozenset())
 
 
 def unknown(store: FitStore, candidates: Iterable[Candidate]) -> Limits:
-    """Return the limits where the data say nothing, because of an obvious mistake in them."""
+    """Return the limits where the data are uninformative because of an obvious mistake."""
     fitter = store.fitter
     index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
     names = frozenset(candidate.name for candidate, _ in index)
@@ -85,31 +86,31 @@ def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate]
     candidates : iterable of Candidate
         A candidate that is a cause of some of the fits is bounded in those alone.
     noise : bool
-        Whether what the fits leave is noise.
+        Whether the residuals of the fits are noise.
     """
     fitter = store.fitter
     linear = bool(slowness(fitter.structure))
-    found: list[Bound] = []
-    every, fits = list(candidates), fits[:MOST]
-    own = {cause for fit in fits for cause in fit.causes}
+    bounded: list[Bound] = []
+    all_candidates, fits = list(candidates), fits[:MOST]
+    causes = {cause for fit in fits for cause in fit.causes}
     for fit in fits:
-        some = [c for c in every if c not in own or c in fit.causes]
-        found += bounds(store, fit, some, noise=noise, linear=linear)
+        suspects = [c for c in all_candidates if c not in causes or c in fit.causes]
+        bounded += bounds(store, fit, suspects, noise=noise, linear=linear)
     by_name: dict[str, Limit] = {}
-    for bound in found:
+    for bound in bounded:
         p = fitter.parameters[bound.index]
         name, limit = name_of(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
         by_name[name] = max(by_name.get(name, limit), limit, key=_size)
     unseen = {}
     if noise and len(fits) == 1:
-        unseen = _unseen(fits[0], found, moved_by_defaults(store, fits[0]))
-    ordered = (name_of(fitter.parameters[i]) for c in every for i in fitter.indices(c))
+        unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
+    ordered = (name_of(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
     return Limits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,
-        {bound.index: bound.plausible for bound in found},
-        frozenset(bound.candidate.name for bound in found),
-        frozenset(bound.candidate.name for bound in found if bound.size is None),
+        {bound.index: bound.plausible for bound in bounded},
+        frozenset(bound.candidate.name for bound in bounded),
+        frozenset(bound.candidate.name for bound in bounded if bound.size is None),
     )
 
 
@@ -122,15 +123,17 @@ def _size(limit: Limit) -> float:
     return float("inf") if limit.value is None else limit.value
 
 
-def _unseen(fit: Fit, found: Collection[Bound], by_defaults: Mapping[Assumption, Array]) -> dict[int, Unseen]:
-    """Return the largest movement of each fitted value as a standard deviation, and what is behind it."""
+def _unseen(
+    fit: Fit, bounded: Collection[Bound], by_defaults: Mapping[Assumption, Array]
+) -> dict[int, Unseen]:
+    """Return the largest movement of each fitted value as a standard deviation, and its origin."""
     unseen = {}
-    for i in fit.free if found else ():
-        worst = max(found, key=lambda bound: bound.moved[i])
-        open_end = max(found, key=lambda bound: bound.farther[i])
-        sigma, more = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
+    for i in fit.free if bounded else ():
+        worst = max(bounded, key=lambda bound: bound.moved[i])
+        open_end = max(bounded, key=lambda bound: bound.farther[i])
+        sigma, farther_sigma = float(worst.moved[i]) / ONE_SIDED, float(open_end.farther[i]) / ONE_SIDED
         counted = math.hypot(fit.sigma_of(i), sigma)
-        farther = more > sigma and math.hypot(fit.sigma_of(i), more) > NOTICEABLE * counted
+        farther = farther_sigma > sigma and math.hypot(fit.sigma_of(i), farther_sigma) > NOTICEABLE * counted
         unseen[i] = Unseen(sigma, worst.candidate.name, open_end.candidate.name if farther else "")
         for default, moved in by_defaults.items():
             if moved[i] / ONE_SIDED > unseen[i].sigma:

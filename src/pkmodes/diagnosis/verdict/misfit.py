@@ -1,4 +1,4 @@
-"""Where a fit is bad: the frequencies without the priors, a value far from its declared one, a shape."""
+"""Where a fit is poor: the frequencies without the priors, a value far from its declared one, a shape."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def p_declared(store: FitStore, fit: Fit) -> float:
 
 
 def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, float]:
-    """Return which of some parameters is farthest from its declared value, and how far in sigma of its prior."""
+    """Return which of the given parameters is farthest from its declared value, and how far in sigma of its prior."""
     fitter = store.fitter
     away = np.abs(fitter.priors.away(fit.values))
     distances = [
@@ -37,7 +37,7 @@ def far_away(store: FitStore, fit: Fit, among: Sequence[int]) -> tuple[str, floa
         for i in among
         if (row := fitter.priors.of(i)) is not None
     ]
-    return max(distances, key=lambda one: one[1], default=("", 0.0))
+    return max(distances, key=lambda distance: distance[1], default=("", 0.0))
 
 
 def worst_shape(store: FitStore, fit: Fit) -> int:

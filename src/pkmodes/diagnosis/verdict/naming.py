@@ -1,4 +1,4 @@
-"""How a cause is named: a class of several candidates as what it is, never by one of them.
+"""Names of causes: a class of several candidates is named as a class, never by one of its members.
 
 Members that share a kind are named by it, "a compliance in series with the belt (clamps, gearboxes)"; the others by
 their sentences.  Every headline, reason and table takes its words from here.
@@ -12,7 +12,7 @@ from pkmodes.diagnosis.verdict.findings import Finding, Member
 
 #: Numbers as words; larger ones are written in digits.
 NUMBERS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
-#: Characters of a class in a headline; what does not fit is counted, and listed below it.
+#: Largest number of characters for a class in a headline; members that do not fit are counted, and listed below it.
 LONGEST = 120
 
 
@@ -37,10 +37,10 @@ def found(effects: Sequence[Finding], longest: int | None = None) -> str:
     if len(effects) == 1 and len(effects[0].members) > 1:
         (effect,) = effects
         return f"narrowed to {count(len(effect.members))}: {of_class(effect, longest)}{effect.assumed}"
-    return f"found: {', and '.join(_one(effect, longest) for effect in effects)}"
+    return f"found: {', and '.join(_of_effect(effect, longest) for effect in effects)}"
 
 
-def _one(effect: Finding, longest: int | None) -> str:
+def _of_effect(effect: Finding, longest: int | None) -> str:
     if len(effect.members) > 1:
         return f"one of {count(len(effect.members))}: {of_class(effect, longest)}{effect.assumed}"
     return f"{effect.member(effect.name).words}{effect.assumed}"
@@ -51,7 +51,7 @@ def explained(effects: Sequence[Finding]) -> str:
     if len(effects) == 1 and len(effects[0].members) > 1:
         return f"the cause is {found(effects)}"
     parts = [
-        _one(effect, None)
+        _of_effect(effect, None)
         if len(effect.members) > 1
         else f"{effect.member(effect.name).with_name}{effect.assumed}"
         for effect in effects
@@ -68,14 +68,14 @@ def of_class(effect: Finding, longest: int | None = None) -> str:
         Characters; the members that do not fit are counted.  There is always one alternative.
     """
     parts: list[str] = []
-    left = len(effect.members)
+    unlisted = len(effect.members)
     for text, size in _alternatives([effect.member(name) for name in effect.members]):
         if longest is not None and parts and len(", or ".join([*parts, text])) > longest:
             break
         parts.append(text)
-        left -= size
-    if left:
-        parts.append(f"{count(left)} {'other' if left == 1 else 'others'}, listed below")
+        unlisted -= size
+    if unlisted:
+        parts.append(f"{count(unlisted)} {'other' if unlisted == 1 else 'others'}, listed below")
     return ", or ".join(parts)
 
 
@@ -90,10 +90,12 @@ def _alternatives(members: Sequence[Member]) -> Iterator[tuple[str, int]]:
     for member in members:
         if member.kind in done:
             continue
-        same = [one for one in members if one.kind and one.kind == member.kind]
+        same = [sibling for sibling in members if sibling.kind and sibling.kind == member.kind]
         if len(same) > 1:
             done.add(member.kind)
-            parts = ", ".join(f"implausibly {one.part}" if one.implausible else one.part for one in same)
+            parts = ", ".join(
+                f"implausibly {sibling.part}" if sibling.implausible else sibling.part for sibling in same
+            )
             yield f"{member.kind} ({parts})", len(same)
         else:
             yield f"implausibly, {member.words}" if member.implausible else member.words, 1

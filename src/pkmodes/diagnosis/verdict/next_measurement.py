@@ -1,4 +1,4 @@
-"""The next measurement: the pose, motors and perhaps load that are expected to tell most about what is true."""
+"""The next measurement: the pose, motors and perhaps load that are expected to be most informative."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ class _Proposal(NamedTuple):
     Attributes
     ----------
     told : float
-        Part of what is unknown about the explanations that it is expected to tell.
+        Expected information, as a part of what is unknown about the explanations.
     sigmas : float
-        How far the two explanations that it separates are apart.
+        Distance between the two explanations that it separates.
     """
 
     told: float
@@ -41,64 +41,65 @@ class _Proposal(NamedTuple):
 
 
 def next_measurement(
-    store: FitStore, said: Probabilities | None, left: Sequence[Named]
+    store: FitStore, probabilities: Probabilities | None, classes: Sequence[Named]
 ) -> tuple[NextMeasurement | None, str]:
-    """Propose a pose, with other motors or a load if that tells far more than any pose alone.
+    """Propose a pose, with other motors or a load if that is far more informative than any pose alone.
 
-    Motors that give way, in all that the tests leave, are not to be held, unless they were in a measurement.
+    Motors that give way in all remaining explanations are not to be held, unless they were in a measurement.
 
     Parameters
     ----------
-    said, left
-        What is known about the explanations, see `explanations`.
+    probabilities, classes
+        Of the explanations, see `explanations`.
 
     Returns
     -------
     NextMeasurement or None
-        None if nothing separates any two of them.
+        None if no measurement separates any two of them.
     str
         Why not; empty if there is a proposal, or fewer than two are left.
     """
-    fitter, some = store.fitter, explanations(store, said, left)
-    if len(some) < 2:
+    fitter, rivals = store.fitter, explanations(store, probabilities, classes)
+    if len(rivals) < 2:
         return None, ""
-    others, where = fitter.structure.elsewhere(POSES), _surroundings(fitter.structure)
-    if others is None:
+    other_setups, where = fitter.structure.elsewhere(POSES), _surroundings(fitter.structure)
+    if other_setups is None:
         return None, UNKNOWN
-    points, structure = others
+    points, structure = other_setups
     if not len(points):
         return None, f"there are no {where}"
     best, claim = None, fitter.criteria.claim
-    tried = list(ways(structure, points, held=_may_be_held(fitter.structure, left)))
-    found = [_proposed(fitter, some, points, way) for way in tried]
-    for one in found:
-        if one.sigmas >= claim.worth_measuring and (
+    tried = list(ways(structure, points, held=_may_be_held(fitter.structure, classes)))
+    proposals = [_proposed(fitter, rivals, points, way) for way in tried]
+    for proposal in proposals:
+        if proposal.sigmas >= claim.worth_measuring and (
             best is None
-            or one.told > claim.worth_loading * best.told
-            or (one.effort == best.effort and one[:2] > best[:2])
+            or proposal.told > claim.worth_loading * best.told
+            or (proposal.effort == best.effort and proposal[:2] > best[:2])
         ):
-            best = one
+            best = proposal
     if best is not None:
         return best.measurement, ""
-    return None, _nowhere(f"{len(points)} {where}", tried, found, claim.worth_measuring)
+    return None, _nowhere(f"{len(points)} {where}", tried, proposals, claim.worth_measuring)
 
 
-def _may_be_held(structure: Structure, left: Sequence[Named]) -> bool:
-    """Return whether held motors may be proposed; a cause is certain that is in all that the tests leave."""
-    causes = [{cause.name for cause in fit.causes} for group in left for _, fit in group]
+def _may_be_held(structure: Structure, classes: Sequence[Named]) -> bool:
+    """Return whether held motors may be proposed; a cause is certain if it is in all remaining explanations."""
+    causes = [{cause.name for cause in fit.causes} for group in classes for _, fit in group]
     certain = set.intersection(*causes) if causes else set[str]()
     return not isinstance(structure, Driven) or structure.may_be_held(certain)
 
 
-def _proposed(fitter: Fitter, some: Sequence[Explanation], points: Array, way: Way) -> _Proposal:
-    """Return the pose that is expected to tell most, of those at which two explanations differ enough.
+def _proposed(fitter: Fitter, rivals: Sequence[Explanation], points: Array, way: Way) -> _Proposal:
+    """Return the pose expected to be most informative among those at which two explanations differ enough.
 
-    It separates the two that differ enough and that it tells apart with the largest probability; of poses that tell
-    the same, it is where these differ most.  If none differ enough anywhere, it is where two differ most.
+    It separates the two that differ enough and that it tells apart with the largest probability; of equally
+    informative poses, it is the one where these differ most.  If none differ enough anywhere, it is where two differ
+    most.
     """
-    there, both = [elsewhere(fitter, way, one.fit) for one in some], pairs(len(some))
+    there, both = [elsewhere(fitter, way, rival.fit) for rival in rivals], pairs(len(rivals))
     distances, _, overlaps = apart(there, range(len(points)))
-    p = np.array([one.probability for one in some])
+    p = np.array([rival.probability for rival in rivals])
     p /= p.sum()
     enough = distances >= min(fitter.criteria.claim.worth_measuring, float(distances.max()))
     told = np.round(information(p, overlaps) / -(p @ np.log(p)), 3)
@@ -108,7 +109,7 @@ def _proposed(fitter: Fitter, some: Sequence[Explanation], points: Array, way: W
     best = np.flatnonzero(told == told.max())
     k = int(best[distances[separated[best], best].argmax()])
     i, j = both[separated[k]]
-    sigmas, names = float(distances[separated[k], k]), (some[i].name, some[j].name)
+    sigmas, names = float(distances[separated[k], k]), (rivals[i].name, rivals[j].name)
     hidden = _hiding(fitter, (there[i], there[j]), k)
     pose = tuple(points[k].tolist())
     proposed = NextMeasurement(pose, names, sigmas, way.drives, hidden, dict(way.load))
@@ -118,24 +119,24 @@ def _proposed(fitter: Fitter, some: Sequence[Explanation], points: Array, way: W
 def _hiding(fitter: Fitter, two: Sequence[Elsewhere], pose: int) -> str:
     """Return the uncertain value that could make up most of a difference at a pose within its standard deviation.
 
-    What the motors did in the measurements may have left values undetermined that matter now, such as the inertia of
-    motors that were held.  Empty if the difference is worth measuring beside all that is uncertain, or would not be
-    so, or twice as large, with that value known.
+    The state of the motors in the measurements may have left values undetermined that matter now, such as the
+    inertia of motors that were held.  Empty if the difference is worth measuring despite all uncertainties, or if
+    knowing that value would neither make it so nor double it.
     """
     least = fitter.criteria.claim.worth_measuring
 
-    def left(known: int | None = None) -> float:
-        return float(apart(two, [pose], known)[1].item())
+    def separation(exact: int | None = None) -> float:
+        return float(apart(two, [pose], exact)[1].item())
 
-    most = max(fitter.nuisances, key=left, default=None)
-    if most is None or left() >= least or left(most) < min(least, 2.0 * left()):
+    hiding = max(fitter.nuisances, key=separation, default=None)
+    if hiding is None or separation() >= least or separation(hiding) < min(least, 2.0 * separation()):
         return ""
-    return fitter.parameters[most].name
+    return fitter.parameters[hiding].name
 
 
-def _nowhere(where: str, tried: Sequence[Way], found: Sequence[_Proposal], least: float) -> str:
-    """Return why nothing is proposed although explanations are left."""
-    best = max(found, key=lambda one: one.sigmas)
+def _nowhere(where: str, tried: Sequence[Way], proposals: Sequence[_Proposal], least: float) -> str:
+    """Return why nothing is proposed although several explanations remain."""
+    best = max(proposals, key=lambda proposal: proposal.sigmas)
     if not best.sigmas:
         return f"at none of {where} can the remaining explanations be compared"
     ways = f", with {motors_to_be(DRIVES)}" if any(way.unlike for way in tried) else ""

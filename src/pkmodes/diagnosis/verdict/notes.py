@@ -21,11 +21,11 @@ from pkmodes.diagnosis.verdict.shapes import strange_shapes
 from pkmodes.diagnosis.verdict.unevaluated import unevaluated
 from pkmodes.support.numbers import plain, signed, times
 
-#: Measured modes below this part of the lowest frequency of the declared model are none of its modes; fewest setups
-#: at which they are reported.
+#: Measured modes below this part of the lowest frequency of the declared model are not modes of it; smallest number
+#: of setups with such modes that is reported.
 CLEARLY_BELOW, FEWEST_SETUPS = 0.7, 2
-#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of so
-#: small a residual is below the second number.
+#: Stated errors that are wrong by more than this factor are reported; as too large only if the probability of such a
+#: small residual is below the second number.
 MISSTATED, SO_SMALL = 3.0, 1e-4
 
 
@@ -123,7 +123,7 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
 def low_modes(declared: Stage) -> list[str]:
     """Return a note if measured modes lie clearly below all of the declared model at half of the setups or more.
 
-    Such modes have no partner, whatever its values: something stands on a spring that the model does not have.
+    Such modes have no partner, whatever its parameter values: something stands on a spring that the model lacks.
     """
     data, spectrum = declared.data, declared.predicted.spectrum
     with warnings.catch_warnings():
@@ -135,13 +135,13 @@ def low_modes(declared: Stage) -> list[str]:
     setups = int((counts[measured] > 0).sum())
     if setups < max(FEWEST_SETUPS, len(measured) / 2.0):
         return []
-    most, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
+    largest, low, high = int(counts.max()), data.frequency[below].min(), data.frequency[below].max()
     where = (
         f"at {plain(low, 3)} Hz"
         if np.isclose(low, high, rtol=1e-2)
         else f"from {plain(low, 3)} to {plain(high, 3)} Hz"
     )
-    which = "a measured mode lies" if most == 1 else f"up to {count(most)} measured modes lie"
+    which = "a measured mode lies" if largest == 1 else f"up to {count(largest)} measured modes lie"
     at = "every" if setups == len(measured) else f"{setups} of {len(measured)}"
     held = " or something holds motions that are free in the model, such as motors or a cable"
     also = f",{held}" if declared.prediction.rigid else ""
@@ -153,8 +153,8 @@ def low_modes(declared: Stage) -> list[str]:
 
 def drift(fitter: Fitter, fit: Fit) -> str:
     """Return a sentence if the error that the modes of a pose share drifts with the order of the poses."""
-    left = fit.residual[fitter.observations.frequency_rows]
-    means = np.array([left[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
+    residual = fit.residual[fitter.observations.frequency_rows]
+    means = np.array([residual[rows].mean() for rows in fitter.observations.noise.rows if len(rows)])
     if len(means) < 5:
         return ""
     order = np.arange(len(means))
@@ -177,5 +177,5 @@ def _unmeasured(fitter: Fitter, fit: Fit) -> Iterator[str]:
 
 
 def _poses(labels: tuple[str, ...]) -> str:
-    some = ", ".join(labels[:5]) + (", ..." if len(labels) > 5 else "")
-    return f"pose {some}" if len(labels) == 1 else f"poses {some}"
+    listed = ", ".join(labels[:5]) + (", ..." if len(labels) > 5 else "")
+    return f"pose {listed}" if len(labels) == 1 else f"poses {listed}"

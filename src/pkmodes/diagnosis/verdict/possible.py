@@ -2,7 +2,7 @@
 
 A value is *impossible* if it lies beyond the plausible range in which limits are sought, which three standard
 deviations of a candidate's prior end too (`search.ranges`): such a member leaves the class.  It is *implausible* if
-it is outside of what such a part usually has (`Parameter.usual`): such a member stays, and is marked.
+it is outside the usual range of such a part (`Parameter.usual`): such a member stays, and is marked.
 """
 
 from __future__ import annotations
@@ -18,33 +18,33 @@ from pkmodes.diagnosis.verdict.findings import Member
 from pkmodes.diagnosis.verdict.joints import JointAlone
 from pkmodes.support.numbers import plain
 
-#: What a value may exceed its range by: the last digits of a fit.
+#: Relative amount by which a value may exceed its range: the last digits of a fit.
 ROUNDING = 1e-6
 
 
 def member(
-    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], alone: JointAlone | None = None
+    fitter: Fitter, fit: Fit, plausible: Mapping[int, float], single_joint: JointAlone | None = None
 ) -> Member:
-    """Return the last cause of a fit as the member of a class, in the words of the one joint that would do.
+    """Return the last cause of a fit as the member of a class, in the words of a single joint that explains as much.
 
     Parameters
     ----------
     plausible : mapping of int to float
         Largest plausible deviations from the declared values, by parameter.
-    alone : JointAlone, optional
-        The one joint in which it explains the data as well.
+    single_joint : JointAlone, optional
+        The single joint in which it explains the data as well.
     """
     cause = fit.causes[-1]
     why = impossible(fitter, fit, plausible) or unusual(fitter, fit)
     assumed = " and ".join(assumption.words for assumption in cause.assumes)
     of_default = f"{assumed}, not declared" if assumed else ""
-    if alone is not None:
-        return Member(cause.name, alone.sentence, implausible=why, assumed=of_default)
+    if single_joint is not None:
+        return Member(cause.name, single_joint.sentence, implausible=why, assumed=of_default)
     return Member(cause.name, cause.sentence, cause.kind, cause.part, why, of_default)
 
 
 def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
-    """Return what a value of the last cause of a fit would have to be, if it is beyond its range; else empty."""
+    """Return the plausible range of a value of the last cause of a fit, if the value is beyond it; else empty."""
     for i in fitter.indices(fit.causes[-1]):
         p, size = fitter.parameters[i], plausible.get(i, np.inf)
         if abs(float(fit.values[i]) - p.value) > (1.0 + ROUNDING) * size:
@@ -53,7 +53,7 @@ def impossible(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> str:
 
 
 def unusual(fitter: Fitter, fit: Fit) -> str:
-    """Return what is expected of a value of the last cause of a fit, if it is not one that such a part has."""
+    """Return the usual range of a value of the last cause of a fit, if the value is outside it; else empty."""
     for i in fitter.indices(fit.causes[-1]):
         p = fitter.parameters[i]
         if p.usual is not None and not p.usual[0] <= fit.values[i] <= p.usual[1]:
@@ -63,7 +63,7 @@ def unusual(fitter: Fitter, fit: Fit) -> str:
 
 
 def usual_size(p: Parameter) -> float:
-    """Return the largest deviation from the declared value that such a part has; infinite if nobody said."""
+    """Return the largest deviation from the declared value within the usual range; infinite if there is none."""
     return np.inf if p.usual is None else max(abs(end - p.value) for end in p.usual)
 
 
@@ -76,18 +76,18 @@ def possible(
 ) -> tuple[list[Fit], list[str]]:
     """Return the members of a class whose values are possible, and a sentence for each of the others.
 
-    A class of which nothing would be left stays whole.
+    A class that would become empty is kept whole.
     """
     why = [impossible(fitter, fit, plausible) for fit in group]
     if all(why):
         return list(group), []
     kept = [fit for fit, text in zip(group, why, strict=True) if not text]
-    left = [
+    removed = [
         f"{_values(fitter, fit)} would explain the measurements as well, but is left out of the class: {text}"
         for fit, text in zip(group, why, strict=True)
         if text
     ]
-    return kept, left
+    return kept, removed
 
 
 def _values(fitter: Fitter, fit: Fit) -> str:

@@ -23,19 +23,19 @@ def names(causes: Sequence[Candidate]) -> str:
 
 
 def described(causes: Sequence[Candidate]) -> str:
-    """Return what causes are, each with its name in brackets."""
+    """Return causes in words, each with its name in brackets."""
     return " and ".join(
         f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in causes
     )
 
 
 def explains(causes: Sequence[Candidate]) -> str:
-    """Return who explains something, as the beginning of a clause: the causes would, or the declared model does."""
+    """Return the beginning of a clause: the causes would explain, or the declared model explains."""
     return f"{names(causes)} would explain" if causes else "the declared model explains"
 
 
 def noise(fit: Fit, lines: NDArray[np.int_]) -> str:
-    """Return what a fit attributes to measurement errors."""
+    """Return the measurement errors of a fit, in words."""
     parts, excluded = [], [str(lines[row]) for row in sorted(fit.hypothesis.excluded)]
     if len(excluded) == 1:
         parts.append(f"line {excluded[0]} set aside as an outlier")
@@ -58,15 +58,15 @@ def larger(ratio: float) -> str:
 
 def uneven(fitter: Fitter, fit: Fit) -> str:
     """Return how the frequency residual varies with the setup; empty if it does not."""
-    left = fit.residual[fitter.observations.frequency_rows]
+    residual = fit.residual[fitter.observations.frequency_rows]
     rows = [r for r in fitter.observations.noise.rows if len(r) >= 2]
     if len(rows) < 3:
         return ""
-    means = np.array([left[r].mean() for r in rows])
+    means = np.array([residual[r].mean() for r in rows])
     between = sum(
-        len(r) * (m - left[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
+        len(r) * (m - residual[np.concatenate(rows)].mean()) ** 2 for r, m in zip(rows, means, strict=True)
     )
-    within = sum(float(((left[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
+    within = sum(float(((residual[r] - m) ** 2).sum()) for r, m in zip(rows, means, strict=True))
     count = sum(map(len, rows))
     ratio = (between / (len(rows) - 1)) / max(within / (count - len(rows)), 1e-300)
     if stats.f.sf(ratio, len(rows) - 1, count - len(rows)) > UNEVEN:

@@ -1,12 +1,12 @@
 """Values of a group of parameters relative to their mean, where the data determine only these.
 
-The factors of several belts are such a group where the stiffness that they share is uncertain: each may be anywhere,
-but only together with the others.  Their covariance C has one large eigenvalue, and its eigenvector v says how they
-move together.  The values moved along it until their mean is 0,
+The factors of several belts are such a group where the stiffness that they share is uncertain: each may have any
+value, but only together with the others.  Their covariance C has one large eigenvalue, whose eigenvector v is the
+direction in which they move together.  The values moved along it until their mean is 0,
 
     d = P a,    P = 1 - v 1^T / (1^T v),    covariance P C P^T,
 
-do not depend on where they are together.  If v is a multiple of 1 + a, as for factors of one stiffness, then d is
+do not depend on that common motion.  If v is a multiple of 1 + a, as for factors of one stiffness, then d is
 (1 + a) / mean(1 + a) - 1; if all entries of v are equal, it is a - mean(a).
 """
 
@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-#: The standard deviation of each value falls at least by this factor: otherwise the values say enough.
+#: Smallest factor by which the standard deviation of each value must fall: otherwise the values themselves suffice.
 SHARPER = 3.0
 
 
@@ -36,13 +36,13 @@ def relative_to_mean(
     Returns
     -------
     relative, sigma : ndarray, shape (n,)
-        None where they do not say far more than the values themselves.
+        None where they are not far better determined than the values themselves.
     """
     a, C = np.array(values, dtype=float), np.array(covariance, dtype=float)
     if len(a) < 2 or C.shape != (len(a), len(a)) or not np.isfinite(C).all() or not (np.diag(C) > 0.0).all():
         return None
     v = np.linalg.eigh(C)[1][:, -1]
-    if not (v > 0.0).all() and not (v < 0.0).all():  # they do not move together: there is no common part
+    if not (v > 0.0).all() and not (v < 0.0).all():  # no common motion: they do not move together
         return None
     P = np.eye(len(a)) - np.outer(v / v.sum(), np.ones(len(a)))
     sigma = np.sqrt(np.maximum(np.diag(P @ C @ P.T), 0.0))

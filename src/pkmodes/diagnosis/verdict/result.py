@@ -49,7 +49,7 @@ class Stages:
     before, refit, after : Predicted or None
         As declared, with the nuisances refitted, and with the causes.
     without : ndarray, shape (S, m), or None
-        The spectrum of the last of them without its causes, at its values; None where it has none.
+        Spectrum of the last model without its causes, at its values; None where it has none.
     """
 
     before: Predicted
@@ -107,8 +107,8 @@ class Damping:
 
     @property
     def sentences(self) -> dict[str, str]:
-        """What each candidate means."""
-        return {one.name: one.sentence for one in self.candidates}
+        """Meaning of each candidate."""
+        return {candidate.name: candidate.sentence for candidate in self.candidates}
 
     def document(self) -> DampingDocument:
         """Return it in the form described in docs/json.md."""
@@ -144,7 +144,7 @@ class Diagnosis:
     held_out_poses, undetectable : tuple of str
     next_measurement : NextMeasurement or None
     not_separated : str
-        Why none is proposed although explanations are left; empty where one is, or none are.
+        Why none is proposed although several explanations remain; empty otherwise.
     candidates : tuple of Examined
     rows : tuple of Row
     scatter : float
@@ -166,17 +166,17 @@ class Diagnosis:
     damping : Damping
         What the damping says; its ratios are among the rows.
     headline : str
-        What of the refitted values a headline says beside the verdict; empty for nothing.
+        Part of a headline about refitted values, beside the verdict; empty if there is none.
     rule : str
         The rule that decided, with its table (`rules`): "claims.found".  For tests and studies; not part of the JSON.
     alone : mapping of str to JointAlone
-        The one joint that explains the data as well, of each cause that is claimed or remains and has one; it is
+        The single joint that explains the data as well, for each claimed or remaining cause that has one; it is
         among the sentences.
     probabilities : Probabilities or None
         Of all explanations: a second opinion, on which no verdict depends.  None without a search, and where the data
         themselves are mistaken.
     beyond : Beyond or None
-        What one thing at one place would explain that the catalogue does not; None where it was not tried.
+        What a single form at one place would explain that the catalogue does not; None where it was not tried.
     """
 
     verdict: Word
@@ -240,9 +240,9 @@ class Diagnosis:
 
     @property
     def sentences(self) -> dict[str, str]:
-        """What each candidate means; where one joint would do, what it says of that."""
-        said = {one.name: one.sentence for one in self.candidates}
-        return said | {name: found.sentence for name, found in self.alone.items()}
+        """Meaning of each candidate; that of a single joint where one explains as much."""
+        sentences = {candidate.name: candidate.sentence for candidate in self.candidates}
+        return sentences | {name: joint.sentence for name, joint in self.alone.items()}
 
     @property
     def every_cause(self) -> tuple[Finding, ...]:
@@ -332,11 +332,11 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
         key(value): FoundDocument.of(value, saved_sigma=saved.get(value.name, value.sigma))
         for value in cause.parameters
     }
-    alone = cause.alone
+    single_joint = cause.alone
     return CauseDocument.of(
         cause,
-        term=(alone.joint.term or None) if alone else None,
-        term_change=ValueDocument(alone.change, alone.sigma, "1") if alone else None,
+        term=(single_joint.joint.term or None) if single_joint else None,
+        term_change=ValueDocument(single_joint.change, single_joint.sigma, "1") if single_joint else None,
         parameters=parameters,
         covariance=[list(row) for row in cause.covariance],
         relative=_by_key(ValueDocument, cause.relative()),
@@ -346,7 +346,8 @@ def _cause(cause: Finding, corrected: tuple[Corrected, ...]) -> CauseDocument:
 
 def _candidates(examined: tuple[Examined, ...]) -> list[CandidateDocument]:
     return [
-        CandidateDocument.of(one, visible_from=_by_key(SizeDocument, one.visible_from)) for one in examined
+        CandidateDocument.of(candidate, visible_from=_by_key(SizeDocument, candidate.visible_from))
+        for candidate in examined
     ]
 
 

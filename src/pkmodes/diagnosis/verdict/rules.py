@@ -1,9 +1,10 @@
-"""The rules of the verdict, in tables: of those that are asked, the first that applies decides.
+"""The rules of the verdict, in tables: of those that are tried, the first that applies decides.
 
-A rule has a name, which begins with that of its table, the verdict that it gives, and a question of the evidence,
-whose docstring says when the rule applies, and whose answer is the reason of the verdict.  `before` is asked first,
-without a search if one applies.  After a search come `after`, then `ADEQUACY` where the declared model leaves noise,
-`CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the tables.
+A rule has a name, which begins with that of its table, the verdict that it gives, and a function of the evidence,
+whose docstring says when the rule applies, and which returns the reason of the verdict.  Those of `before` are tried
+first; if one applies, there is no search.  After a search come `after`, then `ADEQUACY` where the declared model
+leaves noise, `CLAIMS` where causes do, and `OPEN` (`unexplained`) where nothing does.  docs/diagnosis.md has the
+tables.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 from pkmodes.support.numbers import p_in_words, p_text, plain
 
-#: Largest number of other causes that a reason mentions.
+#: Largest number of other causes mentioned in a reason.
 MENTIONED = 4
 
 
@@ -70,8 +71,8 @@ def extra_modes(e: Evidence) -> str:
     lines = _extra_lines(e)
     if not lines:
         return ""
-    one = len(lines) == 1
-    which = f"line {lines[0]} is a mode" if one else f"lines {', '.join(map(str, lines))} are modes"
+    single = len(lines) == 1
+    which = f"line {lines[0]} is a mode" if single else f"lines {', '.join(map(str, lines))} are modes"
     return (
         f"the declared model explains all other rows, but {which} that it does not have: all its modes near there "
         "were measured as well"
@@ -79,7 +80,7 @@ def extra_modes(e: Evidence) -> str:
 
 
 def _extra_lines(e: Evidence) -> list[int]:
-    """Return the lines of rows set aside where the model has no mode left near them: no error moved one there."""
+    """Return the lines of rows set aside with no mode of the model left near them that an error could have moved."""
     fitter, final, lines = e.fitter, e.final, []
     for row in sorted(final.hypothesis.excluded):
         setup = fitter.data.pose[row]
@@ -129,10 +130,10 @@ def nothing_missing(e: Evidence) -> Says:
 
 def remote_cause(e: Evidence) -> str:
     """A remote cause, which is never claimed, is needed, survives, or explains far more."""
-    final, others = e.final, e.claim.others
+    final, rivals = e.final, e.claim.rivals
     doubtful = len(final.causes) == 1 and not e.claim.last.above(e.criteria.gate.plainly)
     better = e.search.better_alone(final) if doubtful else []
-    remote = [cause for fit in (final, *others, *better) for cause in fit.causes if cause.remote]
+    remote = [cause for fit in (final, *rivals, *better) for cause in fit.causes if cause.remote]
     if not remote:
         return ""
     also = ", or add it to the candidates" if remote[0].nameable else ""
@@ -159,17 +160,17 @@ def better_shapes(e: Evidence) -> str:
     rival = better_by_shape(e.store, e.final)
     if rival is None:
         return ""
-    other = names(rival.causes) if rival.causes else "the declared model"
+    rival_names = names(rival.causes) if rival.causes else "the declared model"
     verb = "fit" if len(rival.causes) > 1 else "fits"
-    return f"{e.explains} the frequencies, but {other} {verb} the shapes significantly better"
+    return f"{e.explains} the frequencies, but {rival_names} {verb} the shapes significantly better"
 
 
 def general_cause(e: Evidence) -> str:
     """The residual points to a more general form of a cause, with a value of its own for each joint (score test)."""
-    found = more_general(e.search, e.final)
-    if found is None:
+    pair = more_general(e.search, e.final)
+    if pair is None:
         return ""
-    cause, general = found
+    cause, general = pair
     return f"{cause.name} would explain the residual, but {general.name} would do so significantly better: look there"
 
 
@@ -214,8 +215,8 @@ def not_specific(e: Evidence) -> str:
     p_value = p_coincidence(e.search, e.final)
     if p_value <= e.criteria.claim.specific:
         return ""
-    others = _also(e)
-    also = f" (and so would {', '.join(others)})" if others else ""
+    alternatives = _also(e)
+    also = f" (and so would {', '.join(alternatives)})" if alternatives else ""
     return (
         f"{e.explains} the residual{also}, but the data are too few to rule out a cause outside the candidates: "
         f"{plain(100 * p_value, 2)} % of such causes would look like a candidate; measure more"
@@ -265,20 +266,22 @@ def not_settled(e: Evidence) -> Says | str:
 
 def several_explanations(e: Evidence) -> Says | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
-    claim, most = e.claim, e.criteria.claim.most_members
+    claim, limit = e.claim, e.criteria.claim.most_members
     many = any(len(groups) > 1 for groups in claim.grouped)
-    many = many or any(distinct(own) > most or parts_alone(own) for own in claim.own)
-    if not claim.others and not many:
+    many = many or any(distinct(fits) > limit or parts_alone(fits) for fits in claim.own)
+    if not claim.rivals and not many:
         return None
-    alone = {name: found.sentence for name, found in e.alone.items()}
-    remarks = alone | dict.fromkeys(claim.implausible, "implausible")
+    single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}
+    remarks = single_joints | dict.fromkeys(claim.implausible, "implausible")
     remaining = [
         [f"{name} ({remarks[name]})" if name in remarks else name for name, _ in group]
         for group in claim.remains()
     ]
     listed = "; ".join(" or ".join(group) for group in remaining)
-    one = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
-    return Says(one if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}")
+    undecided = f"these data cannot tell {len(remaining[0])} explanations apart: {listed}"
+    return Says(
+        undecided if len(remaining) == 1 else f"{len(remaining)} different explanations remain: {listed}"
+    )
 
 
 def another_with_other_errors(e: Evidence) -> Says | None:
@@ -307,10 +310,10 @@ def causes_found(e: Evidence) -> Says:
     gate, setting_aside = e.outcome.first, noise(e.final, e.fitter.data.lines)
     smallest = min(gate.p_value, gate.p_candidates)
     aside = f"; {setting_aside}" if setting_aside else ""
-    found, resting = explained(e.claim.findings(e.fitter, e.alone)), once(e.search, e.final)
+    explanation, resting = explained(e.claim.findings(e.fitter, e.single_joints)), once(e.search, e.final)
     rests = f"; {resting}" if resting else ""
     return Says(
-        f"the residual of the declared model is not noise ({p_in_words(smallest)}); {found}{rests}{aside}"
+        f"the residual of the declared model is not noise ({p_in_words(smallest)}); {explanation}{rests}{aside}"
     )
 
 
@@ -318,18 +321,23 @@ def causes_found(e: Evidence) -> Says:
 
 
 def before() -> tuple[Rule[Start, Says], ...]:
-    """Return the rules that are asked before a search."""
+    """Return the rules that are tried before a search."""
     return (
-        *_of_readings("before", lambda one: None if one.refitted else one.declared, lambda s: (s.fitter,)),
+        *_of_readings(
+            "before", lambda reading: None if reading.refitted else reading.declared, lambda s: (s.fitter,)
+        ),
         Rule("before.too_few", INSUFFICIENT_DATA, too_few),
-        *_of_readings("before", lambda one: one.refitted, lambda s: (s.plain,)),
+        *_of_readings("before", lambda reading: reading.refitted, lambda s: (s.plain,)),
     )
 
 
 def after() -> tuple[Rule[Evidence, Says], ...]:
-    """Return the rules that are asked whatever a search found."""
+    """Return the rules that are tried after a search, whatever its result."""
     amplitude = Rule[Evidence, Says]("after.amplitude", UNEXPLAINED, depends_on_amplitude)
-    return (*_of_readings("after", lambda one: one.explained, lambda e: (e.fitter, e.final)), amplitude)
+    return (
+        *_of_readings("after", lambda reading: reading.explained, lambda e: (e.fitter, e.final)),
+        amplitude,
+    )
 
 
 def _of_readings(
@@ -337,7 +345,7 @@ def _of_readings(
     question: Callable[[table.Reading], Callable[..., str] | None],
     of: Callable[[T], tuple[object, ...]],
 ) -> Iterator[Rule[T, Says]]:
-    """Yield the rules that ask for other readings of the data."""
+    """Yield the rules about other readings of the data."""
     for reading in table.READINGS:
         if ask := question(reading):
             says = functools.partial(_says, ask, of)
@@ -350,7 +358,7 @@ def _says(ask: Callable[..., str], of: Callable[[T], tuple[object, ...]], eviden
     return Says(text, of_reading=True) if text else None
 
 
-#: Asked if the declared model leaves noise.
+#: Tried if the declared model leaves noise.
 ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
     Rule("adequacy.shapes", UNEXPLAINED, modes_of_other_shapes),
     Rule("adequacy.extra_modes", UNEXPLAINED, extra_modes),
@@ -359,7 +367,7 @@ ADEQUACY: tuple[Rule[Evidence, Says], ...] = (
     Rule("adequacy.adequate", ADEQUATE, nothing_missing),
 )
 
-#: Asked if causes leave noise.
+#: Tried if causes leave noise.
 CLAIMS: tuple[Rule[Evidence, Says], ...] = (
     Rule("claims.remote", UNEXPLAINED, remote_cause),
     Rule("claims.one_joint", UNEXPLAINED, in_one_joint),

@@ -36,12 +36,16 @@ def strange_shapes(store: FitStore, fit: Fit) -> NDArray[np.intp]:
     observations = fitter.observations
     squares = (observations.by_row(SHAPE, fit.white) ** 2).sum(axis=1)
     degrees = observations.shapes.count * used - observations.by_row(SHAPE, fit.leverage).sum(axis=1)
-    others = np.maximum(degrees.sum() - degrees, 1e-9)
-    ratio = (squares / np.maximum(degrees, 1e-9)) / np.maximum((squares.sum() - squares) / others, 1e-300)
-    known = (degrees > 0.5) & (others > 0.5)
-    p_value = np.where(known, stats.f.sf(ratio, np.maximum(degrees, 0.5), np.maximum(others, 0.5)), 1.0)
-    alone = p_value * max(int(known.sum()), 1) < c.gate.surely
-    return np.flatnonzero((mac < c.shapes.strange_mac) | (alone & (mac < c.shapes.good_mac)))
+    other_degrees = np.maximum(degrees.sum() - degrees, 1e-9)
+    ratio = (squares / np.maximum(degrees, 1e-9)) / np.maximum(
+        (squares.sum() - squares) / other_degrees, 1e-300
+    )
+    testable = (degrees > 0.5) & (other_degrees > 0.5)
+    p_value = np.where(
+        testable, stats.f.sf(ratio, np.maximum(degrees, 0.5), np.maximum(other_degrees, 0.5)), 1.0
+    )
+    outlying = p_value * max(int(testable.sum()), 1) < c.gate.surely
+    return np.flatnonzero((mac < c.shapes.strange_mac) | (outlying & (mac < c.shapes.good_mac)))
 
 
 def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
@@ -58,11 +62,11 @@ def better_by_shape(store: FitStore, fit: Fit) -> Fit | None:
         white = of.white[fitter.observations.part(SHAPE)]
         return float(white @ white)
 
-    known = len(fit.hypothesis.excluded)
+    excluded = len(fit.hypothesis.excluded)
     tried = [
-        other
-        for other in store.tried()
-        if len(other.causes) <= len(fit.causes) and len(other.hypothesis.excluded) == known
+        option
+        for option in store.tried()
+        if len(option.causes) <= len(fit.causes) and len(option.hypothesis.excluded) == excluded
     ]
     best = min(tried, key=squares, default=fit)
     both = (fitter.misfit(best, SHAPE, stated=stated) for stated in (True, False))

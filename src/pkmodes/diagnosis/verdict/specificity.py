@@ -4,7 +4,7 @@ The residual of a cause outside the candidates may look like a candidate by chan
 probability is estimated by simulation: residuals as large as the measured one, drawn from changes of the structure
 that are not candidates, are compared with the linear signature of every candidate.  There are two kinds of draws:
 arbitrary changes, independent in all setups, and plausible ones, combinations of the candidates.  A draw has the
-size of what the claim explains and leaves, and of what noise would hide; it looks like a candidate that explains as
+size of what the claim explains and leaves, plus what noise would hide; it looks like a candidate if that explains as
 much of it as the claim does of the residual.
 """
 
@@ -22,7 +22,7 @@ from pkmodes.diagnosis.problem import Array, Prediction
 from pkmodes.diagnosis.search.score import Directions, score
 from pkmodes.diagnosis.search.search import Search
 
-#: Relative singular value below which signatures differ by their numerical errors only.
+#: Relative singular value below which signatures differ only by numerical errors.
 SAME = 1e-3
 #: Number of draws of each kind, and their seed.
 DRAWS, SEED = 2_000, 20_221_107
@@ -90,7 +90,7 @@ class Plausible:
 
 
 def p_coincidence(search: Search, final: Fit) -> float:
-    """Return the probability that as many candidates explain a residual of this size that none of them caused."""
+    """Return the probability that as many candidates explain a residual of this size although none caused it."""
     store, fitter, h = search.store, search.store.fitter, final.hypothesis
     plain = store.fit(Hypothesis(excluded=h.excluded, scatter=h.scatter))
     if plain is None or not final.causes:
@@ -101,16 +101,16 @@ def p_coincidence(search: Search, final: Fit) -> float:
     degrees = float(fitter.observations.degrees(used) - plain.leverage[data].sum())
     drawn = arbitrary_draws(fitter, plain, DRAWS, rng)
     p_value = coincidence(search, final, gain, drawn, directions, degrees, final.chi2)
-    # A few candidates do not represent what else may be wrong: a combination of them says nothing.
-    every = (*directions, *score(fitter, plain, search.remote).directions)
+    # A few candidates do not represent what else may be wrong: their combinations are not informative.
+    all_directions = (*directions, *score(fitter, plain, search.remote).directions)
     many = search.criteria.claim.many * len(final.causes)
-    if gain <= 0.0 or len(every) < many:
+    if gain <= 0.0 or len(all_directions) < many:
         return p_value
-    plausible = Plausible.of(every, float(np.sqrt(gain)))
+    plausible = Plausible.of(all_directions, float(np.sqrt(gain)))
     if plausible.different >= min(many, len(plausible.axes)):
         along = [(plausible.axes.T @ axes, sign) for axes, sign in directions]
-        drawn, left = plausible.draws(DRAWS, rng), plausible.squares(final.white)
-        p_value = max(p_value, coincidence(search, final, gain, drawn, along, plausible.resolved, left))
+        drawn, squares = plausible.draws(DRAWS, rng), plausible.squares(final.white)
+        p_value = max(p_value, coincidence(search, final, gain, drawn, along, plausible.resolved, squares))
     return p_value
 
 
@@ -138,25 +138,25 @@ def coincidence(
     squares : float
         Sum of squares that the claimed causes leave in these directions.
     """
-    left = degrees - sum(len(cause.parameters) for cause in final.causes)
-    if left <= 0.0:
+    spare = degrees - sum(len(cause.parameters) for cause in final.causes)
+    if spare <= 0.0:
         return 1.0
-    # What the claim leaves beyond noise, another cause may leave too, and noise hides as much again.
-    size = gain + max(squares - left, 0.0) + search.criteria.claim.spread * float(np.sqrt(2.0 * left))
+    # What the claim leaves beyond noise, another cause may leave too, and noise may hide more.
+    size = gain + max(squares - spare, 0.0) + search.criteria.claim.spread * float(np.sqrt(2.0 * spare))
     sized = drawn * (np.sqrt(size) / np.maximum(np.linalg.norm(drawn, axis=0), 1e-300))
     reached = np.zeros(drawn.shape[1], dtype=bool)
-    for some in combinations(directions, len(final.causes)):
-        reached |= _gain(sized, some) >= gain
+    for chosen in combinations(directions, len(final.causes)):
+        reached |= _gain(sized, chosen) >= gain
     return float(reached.mean())
 
 
 def _gain(residuals: Array, causes: Directions) -> Array:
     """Return the squares that causes remove from residuals (D, n), at best."""
-    (axes, sign), *others = causes
-    if not others and sign:
+    (axes, sign), *further = causes
+    if not further and sign:
         along = axes[:, 0] @ residuals
         return np.where(along > 0.0, along**2, 0.0)
-    basis = axes if not others else orthonormal(np.hstack([axes for axes, _ in causes]))
+    basis = axes if not further else orthonormal(np.hstack([axes for axes, _ in causes]))
     gain: Array = ((basis.T @ residuals) ** 2).sum(axis=0)
     return gain
 

@@ -2,8 +2,8 @@
 
 The explanations that the search found are refitted with all sigma halved, with all sigma doubled, and with all priors
 twice as wide; there is no new search.  If another cause is then better, the cause is not claimed: it depends on
-numbers that are not known to a factor of two.  A special case of the cause, or a cause of which it is a special case,
-does not count as another one.
+numbers that are not known to within a factor of two.  A special case of the cause, or a cause of which it is a
+special case, does not count as another one.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pkmodes.diagnosis.verdict.findings import Stability
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, AMBIGUOUS, EFFECT_FOUND, UNEXPLAINED, Verdict
 from pkmodes.measured.scaling import with_errors
 
-#: Factors of the errors and of the priors.
+#: Factors on the errors and on the priors.
 CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.0, 2.0)}
 
 
@@ -98,13 +98,13 @@ def _trial(
     best = min(same or fits, key=store.criterion, default=None)
     instead: Fit | None = None
     if claimed is not None and best is not None:
-        others = sorted(same, key=store.criterion)
-        for fit in others[: [one is claimed for one in others].index(True)]:
+        ranked = sorted(same, key=store.criterion)
+        for fit in ranked[: [rival is claimed for rival in ranked].index(True)]:
             alike = fitter.difference(claimed, fit) < c.claim.told_apart
             if alike and store.criterion(claimed) <= store.criterion(fit) + c.search.survives:
                 best = claimed if fit is best else best  # one class, named after the claimed cause
                 break
-            was = contenders[[fit is one for one in refitted].index(True)]
+            was = contenders[[fit is refit for refit in refitted].index(True)]
             if not _is_kin(search, final, was, members):
                 instead = was
                 break
@@ -137,14 +137,14 @@ def _moved(fitter: Fitter, final: Fit, again: Fit) -> bool:
     return False
 
 
-def _is_kin(search: Search, final: Fit, other: Fit, members: Sequence[set[str]]) -> bool:
+def _is_kin(search: Search, final: Fit, rival: Fit, members: Sequence[set[str]]) -> bool:
     """Return whether one of two fits is a special case of the other, and the claimed class lists both.
 
     Smaller errors always favour more parameters, and larger errors fewer.  With the stated errors the simpler fit is
     adequate, the data cannot tell the two apart, and the claim covers both.
     """
-    names = {c.name for c in final.causes} ^ {c.name for c in other.causes}
-    return any(names <= one for one in members) and nested(search.store.fitter, final, other)
+    names = {c.name for c in final.causes} ^ {c.name for c in rival.causes}
+    return any(names <= group for group in members) and nested(search.store.fitter, final, rival)
 
 
 def _with(fitter: Fitter, errors: float, priors: float) -> Fitter:

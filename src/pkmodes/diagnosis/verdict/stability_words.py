@@ -1,4 +1,4 @@
-"""Why a diagnosis becomes another with other errors or priors, as a clause for the terminal and the report."""
+"""Why a diagnosis changes with other errors or priors, as a clause for the terminal and the report."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from pkmodes.diagnosis.verdict.verdicts import (
 )
 
 HALVED, DOUBLED, WIDENED = "sigma x 0.5", "sigma x 2", "priors x 2"
-#: What makes up for the residual, or for what the best explanation leaves of it, under each change.
+#: What explains the residual, or the part that the best explanation leaves, under each change.
 ENOUGH = {
     DOUBLED: "errors twice as large would explain {what}",
     WIDENED: "the uncertain values would then make up for {what}",
 }
-#: Why nothing explains the residual any more: halved errors make a right residual too large for every explanation.
+#: Why nothing explains the residual any more: with halved errors even the right explanation leaves too much.
 TOO_LARGE = {
     HALVED: "usual where the stated sigma is right",
     WIDENED: "the priors hold the explanation together",
@@ -32,15 +32,15 @@ UNDECIDED = {
 }
 
 
-#: Changes of the verdict that the errors themselves explain: smaller ones make noise a residual, larger ones make a
-#: residual noise.
+#: Changes of the verdict that the errors themselves explain: smaller errors turn noise into a residual, larger errors
+#: turn a residual into noise.
 EXPECTED = {(HALVED, UNEXPLAINED.word), (DOUBLED, ADEQUATE.word)}
 
 
 def stable(result: Diagnosis) -> bool:
-    """Return whether a verdict may be called stable: at most one change gives another, which the errors explain."""
-    others = [entry for entry in result.stability if not same(result, entry)]
-    return len(others) <= 1 and all((entry.change, entry.verdict) in EXPECTED for entry in others)
+    """Return whether a verdict is stable: at most one change gives another verdict, which the errors explain."""
+    different = [entry for entry in result.stability if not same(result, entry)]
+    return len(different) <= 1 and all((entry.change, entry.verdict) in EXPECTED for entry in different)
 
 
 def same(result: Diagnosis, entry: Stability) -> bool:
@@ -50,7 +50,7 @@ def same(result: Diagnosis, entry: Stability) -> bool:
 
 
 def meaning(result: Diagnosis, entry: Stability) -> str:
-    """Return why a change makes another verdict of a diagnosis; empty where it does not, or nobody can say."""
+    """Return why a change gives a diagnosis another verdict; empty if it does not, or for no known reason."""
     if same(result, entry) or INSUFFICIENT_DATA.word in (result.verdict, entry.verdict):
         return ""
     settled = VERDICTS[result.verdict].settled

@@ -11,7 +11,7 @@ def one_term(e: Evidence) -> str:
     term = e.term_instead
     if term is None:
         return ""
-    what = described(term.causes)
+    description = described(term.causes)
     if len(e.final.causes) > 1:
-        return f"{names(e.final.causes)} together would explain the residual, but {what} would do so alone"
-    return f"{e.explains} the residual, but so would {what}"
+        return f"{names(e.final.causes)} together would explain the residual, but {description} would do so alone"
+    return f"{e.explains} the residual, but so would {description}"

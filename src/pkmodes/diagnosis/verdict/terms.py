@@ -1,4 +1,4 @@
-"""What terms beyond the catalogue explain: plain data, the words of a headline, and the JSON."""
+"""Results for terms beyond the catalogue: plain data, the words of a headline, and the JSON."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Value
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.verdicts import FOUND, StatusWord
 
-#: Forms whose parameters keep the names that they have among declared values.
+#: Form whose parameters keep their names as declared values.
 DECLARED = "parameter"
 
 
@@ -22,7 +22,7 @@ class TermClass:
     Attributes
     ----------
     finding : Finding
-        Its members with their values, and the p-value of its best.
+        Its members with their values, and the p-value of the best member.
     probability : float
         Beside the other explanations that leave noise.
     forms : mapping of str to str
@@ -69,7 +69,7 @@ class TermClass:
 
 @dataclass(frozen=True)
 class Beyond:
-    """What one thing at one place would explain that the catalogue does not.
+    """What a single form at one place would explain that the catalogue does not.
 
     Attributes
     ----------
@@ -100,7 +100,7 @@ class Beyond:
         return self.classes[0] if self.status == FOUND.word else None
 
     def words(self, longest: int | None = None) -> str:
-        """Return what was found with its value, to stand alone; empty if nothing was.
+        """Return what was found with its value, as a sentence; empty if nothing was found.
 
         Parameters
         ----------
@@ -120,4 +120,6 @@ class Beyond:
 
     def document(self) -> BeyondDocument:
         """Return it in the form described in docs/json.md."""
-        return BeyondDocument(self.status, self.reason, self.tried, [one.document for one in self.classes])
+        return BeyondDocument(
+            self.status, self.reason, self.tried, [term_class.document for term_class in self.classes]
+        )

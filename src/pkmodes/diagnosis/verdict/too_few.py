@@ -1,11 +1,11 @@
-"""Whether fewer values are measured than are unknown."""
+"""The rule for data with fewer measured values than unknowns."""
 
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.evidence import Start
 from pkmodes.support.numbers import p_in_words
 
-#: Number of uncertain values, in parts, that the data may determine and yet count as held by their priors.
+#: Effective number of uncertain values that the data may determine although these count as held by their priors.
 HELD = 0.1
 
 
@@ -17,7 +17,7 @@ def too_few(start: Start) -> str:
     fitter = start.fitter
     observations = fitter.observations
     rows, shapes = len(observations.log), int(observations.shapes.count.sum())
-    if observations.degrees(observations.every) >= start.unknown - HELD + start.criteria.claim.redundancy:
+    if observations.degrees(observations.all_rows) >= start.unknown - HELD + start.criteria.claim.redundancy:
         return ""
     uncertain = [fitter.parameters[i].name for i in fitter.nuisances]
     modes = "1 measured mode" if rows == 1 else f"{rows} measured modes"
@@ -27,10 +27,10 @@ def too_few(start: Start) -> str:
     text = f"{modes} too few to fit {values}a cause, with one value left to test it"
     if start.first is None:
         return text
-    one, p = rows == 1, p_in_words(start.plain.p_value(start.first))
+    single, p = rows == 1, p_in_words(start.plain.p_value(start.first))
     if not start.contradicted:
-        them = "it" if one else "them"
+        them = "it" if single else "them"
         return f"{text}; the declared model with its uncertain values does not contradict {them} ({p})"
-    they, verb = ("it", "contradicts") if one else ("they", "contradict")
+    they, verb = ("it", "contradicts") if single else ("they", "contradict")
     would = f"; {they} would not with {' or '.join(start.hints)}" if start.hints else ""
     return f"{text}; yet {they} {verb} the declared model and its uncertain values ({p}){would}"

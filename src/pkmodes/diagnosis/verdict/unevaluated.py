@@ -1,6 +1,6 @@
-"""Causes whose fit was blocked because the model cannot be evaluated at the values it approaches.
+"""Causes whose fit was blocked because the model cannot be evaluated at the values that it approaches.
 
-A fit avoids such values and stops next to them, so a poor fit is then no evidence against the cause.
+A fit avoids such values and stops near them, so a poor fit is then no evidence against the cause.
 """
 
 from __future__ import annotations
@@ -15,27 +15,27 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array
 from pkmodes.support.numbers import plain
 
-#: Largest number of bisections towards the first value that cannot be evaluated; it is reported to three digits.
+#: Largest number of bisections towards the first value that cannot be evaluated, which is reported to three digits.
 HALVINGS = 20
 
 
 def unevaluated(store: FitStore, reported: Fit) -> Iterator[str]:
     """Yield a sentence for each fit (single causes and the reported one) that was blocked by values without modes."""
     fitter, least = store.fitter, store.criterion(reported)
-    said = set[str]()
+    reported_texts = set[str]()
     for fit in _tried(store, reported):
         _, promised = _onward(fitter, fit)
         # Only if the linear model promises a fit about as good as the reported one.
         if promised <= fitter.criteria.search.survives or store.criterion(fit) - promised > least:
             continue
         text = _stopped(fitter, fit)
-        if text and text not in said:
-            said.add(text)
+        if text and text not in reported_texts:
+            reported_texts.add(text)
             yield text
 
 
 def _tried(store: FitStore, reported: Fit) -> Iterator[Fit]:
-    """Yield the reported fit and those of single causes; one without a start is started from the plain fit."""
+    """Yield the reported fit and those of single causes; a cause without a fit is fitted from the plain fit."""
     fitter = store.fitter
     yield reported
     for candidate in fitter.structure.candidates:
@@ -61,10 +61,10 @@ def _onward(fitter: Fitter, fit: Fit) -> tuple[Array, float]:
     size = np.linalg.norm(columns, axis=0)
     scale = 1.0 / np.where(size > 0.0, size, 1.0)
     scaled = np.linalg.lstsq(columns * scale, -fit.white, rcond=1e-9)[0]
-    left = fit.white + columns * scale @ scaled
+    residual = fit.white + columns * scale @ scaled
     step = np.zeros_like(fit.values)
     step[free[~held]] = scale * scaled
-    return step, float(fit.white @ fit.white - left @ left)
+    return step, float(fit.white @ fit.white - residual @ residual)
 
 
 def _stopped(fitter: Fitter, fit: Fit) -> str:
@@ -74,22 +74,26 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
     def at(part: float) -> Array:
         return np.clip(fit.values + part * step, fitter.lower, fitter.upper)
 
-    if _known(fitter, at(1.0)):
+    if _evaluable(fitter, at(1.0)):
         return ""
     good, bad = 0.0, 1.0
     for _ in range(HALVINGS):
-        if all(f"{one:.3g}" == f"{other:.3g}" for one, other in zip(at(good), at(bad), strict=True)):
+        if all(
+            f"{passing:.3g}" == f"{failing:.3g}" for passing, failing in zip(at(good), at(bad), strict=True)
+        ):
             break
         middle = 0.5 * (good + bad)
-        good, bad = (middle, bad) if _known(fitter, at(middle)) else (good, middle)
-    # It may converge before that: a long step of a linear model is inaccurate.
+        good, bad = (middle, bad) if _evaluable(fitter, at(middle)) else (good, middle)
+    # The fit may converge before that: a long step of a linear model is inaccurate.
     there = fitter.rough_fit(fit.hypothesis, fitter.roughly([(fit.hypothesis, at(good))])[0])
     if there is None or _onward(fitter, there)[1] <= fitter.criteria.search.survives:
         return ""
     before, after = at(good), at(bad)
-    alone = [i for i in fit.free if not _known(fitter, np.where(np.arange(len(after)) == i, after, before))]
+    decisive = [
+        i for i in fit.free if not _evaluable(fitter, np.where(np.arange(len(after)) == i, after, before))
+    ]
     where = []
-    for i in alone or fit.free:
+    for i in decisive or fit.free:
         p = fitter.parameters[i]
         unit = "" if p.unit == "1" else f" {p.unit}"
         where.append((p.name, f"{'below' if after[i] < before[i] else 'above'} {plain(before[i], 3)}{unit}"))
@@ -101,5 +105,5 @@ def _stopped(fitter: Fitter, fit: Fit) -> str:
     return f"{subject} could not be followed {followed}: the model cannot be evaluated there"
 
 
-def _known(fitter: Fitter, values: Array) -> bool:
+def _evaluable(fitter: Fitter, values: Array) -> bool:
     return bool(np.isfinite(fitter.structure.predict(values, ()).eigenvalues).all())

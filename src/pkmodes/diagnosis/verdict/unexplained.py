@@ -1,4 +1,4 @@
-"""What is said of a residual that nothing explains: `OPEN`, a table of rules (`rules`)."""
+"""Rules for a residual that nothing explains: `OPEN`, a table (`rules`)."""
 
 from __future__ import annotations
 
@@ -90,14 +90,14 @@ def beyond_prior(e: Evidence) -> Says | None:
 
 def nearly_all(e: Evidence) -> Says | None:
     """One cause, or two if the data clearly ask for a second, would explain nearly all of the residual."""
-    store, (part, most) = e.store, e.criteria.reasons.nearly_all
+    store, (part, limit) = e.store, e.criteria.reasons.nearly_all
     before = _larger(store, e.outcome.nuisances)
     explanations = []
     for fit in _without_errors(store):
         if fit.at_bound:
             continue
         after = _larger(store, fit)
-        if after > min(part * before, most):
+        if after > min(part * before, limit):
             continue
         gate = e.search.gate(fit)
         if not gate.passed and gate.p_unmeasured > e.criteria.gate.surely:
@@ -105,8 +105,8 @@ def nearly_all(e: Evidence) -> Says | None:
     if not explanations:
         return None
     order = _priced(e)
-    best, after = min(explanations, key=lambda one: order(one[0]))
-    # Two causes were found in both orders, which fit alike but for rounding: name them as the candidates stand.
+    best, after = min(explanations, key=lambda entry: order(entry[0]))
+    # Two causes are found in both orders, which fit alike up to rounding: name them in the order of the candidates.
     places = {candidate.name: k for k, candidate in enumerate(e.search.candidates)}
     causes = sorted(best.causes, key=lambda cause: places.get(cause.name, len(places)))
     verb = "explain" if len(causes) > 1 else "explains"
@@ -127,17 +127,19 @@ def nearly_all(e: Evidence) -> Says | None:
 def no_direction(e: Evidence) -> Says | None:
     """The residual, scaled to the size of noise, points to no candidate: perhaps the stated errors are too small."""
     frequencies, _ = _misfits(e.store, e.outcome.nuisances)
-    scale, (least, most), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
-    gains = (s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.each)
-    if not (least < scale < most and max(gains, default=0.0) < c.reasons.no_direction):
+    scale, (least, largest), c = frequencies.ratio, e.criteria.reasons.dispersed, e.criteria
+    gains = (
+        s.gain / scale / max(len(s.candidate.parameters), 1) for s in e.outcome.first.scores.by_candidate
+    )
+    if not (least < scale < largest and max(gains, default=0.0) < c.reasons.no_direction):
         return None
     best = _best_of_all(e)
     perhaps = "perhaps the stated sigma is too small"
     if len(e.fitter.observations.log) < c.search.rows_to_set_aside:
         perhaps = "something outside the candidates, or stated errors that are too small"
     nowhere = "" if best is not None else " and points to no candidate"
-    what = uneven(e.fitter, e.outcome.nuisances) or perhaps
-    return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {what}")
+    detail = uneven(e.fitter, e.outcome.nuisances) or perhaps
+    return _beside_best(e, f"the residual is {larger(scale**0.5)} the stated errors{nowhere}: {detail}")
 
 
 def small(e: Evidence) -> Says | None:
@@ -156,15 +158,15 @@ def small(e: Evidence) -> Says | None:
 def real(e: Evidence) -> Says:
     """No candidate or pair of candidates reduces the residual to noise."""
     size, pattern = _larger(e.store, e.outcome.nuisances), uneven(e.fitter, e.outcome.nuisances)
-    seen = f"; {pattern}" if pattern else ""
+    suffix = f"; {pattern}" if pattern else ""
     text = (
         f"the residual is real, {larger(size**0.5)} the stated errors, and no candidate or pair of candidates "
-        f"reduces it to noise{seen}"
+        f"reduces it to noise{suffix}"
     )
     return _beside_best(e, text)
 
 
-#: Asked if nothing leaves noise.
+#: Tried if nothing leaves noise.
 OPEN: tuple[Rule[Evidence, Says], ...] = (
     Rule("open.added_modes", UNEXPLAINED, added_modes),
     Rule("open.unmatched", UNEXPLAINED, unmatched_modes),
@@ -179,7 +181,7 @@ OPEN: tuple[Rule[Evidence, Says], ...] = (
 
 
 def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Says:
-    """Return what the residual is, and which explanation reduces it most and why that is not claimed."""
+    """Return a description of the residual, with the explanation that reduces it most and why that is not claimed."""
     best = _best_of_all(e)
     if best is None:
         return Says.naming(text, pointed)
@@ -188,14 +190,14 @@ def _beside_best(e: Evidence, text: str, *pointed: Candidate) -> Says:
 
 
 def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
-    """Return which explanation reduces the residual most, why it is not claimed, and whom that names.
+    """Return which explanation reduces the residual most, why it is not claimed, and the candidates that this names.
 
-    None if none reduces it clearly.  A second cause is named if the data clearly ask for it.
+    None if none reduces it clearly.  A second cause is named if the data clearly require it.
     """
     store = e.store
     better = store.criterion(e.outcome.nuisances) - e.criteria.search.survives
-    some = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
-    best = min(some, key=_priced(e), default=None)
+    improving = [fit for fit in _without_errors(store) if not fit.at_bound and store.criterion(fit) < better]
+    best = min(improving, key=_priced(e), default=None)
     if best is None:
         return None
     why, pointed = left_by(e, best)
@@ -209,25 +211,27 @@ def _best_of_all(e: Evidence) -> tuple[str, list[Candidate]] | None:
 
 
 def left_by(e: Evidence, fit: Fit) -> tuple[str, list[Candidate]]:
-    """Return why the gate refuses an explanation, empty if it does not, and the candidate to which that points."""
+    """Return why the gate refuses an explanation, empty if it does not, and the candidates to which this points."""
     gate = e.search.gate(fit)
     if gate.unpaired:
         return f"it leaves {gate.unpaired} measured mode{'' if gate.unpaired == 1 else 's'} unmatched", []
     if gate.p_value <= gate.level:
-        left = larger(_larger(e.store, fit) ** 0.5)
-        return f"it leaves a residual {left} the stated errors ({p_in_words(gate.p_value)})", []
+        factor = larger(_larger(e.store, fit) ** 0.5)
+        return f"it leaves a residual {factor} the stated errors ({p_in_words(gate.p_value)})", []
     if gate.p_unmeasured <= gate.level:
         return "it adds modes between the measured ones that were not measured", []
     if gate.p_candidates <= gate.level:
-        one = _pointed(gate)
-        clause = f"what it leaves still points to a candidate, {one.name} ({p_in_words(gate.p_candidates)})"
-        return clause, [one]
+        candidate = _pointed(gate)
+        clause = (
+            f"what it leaves still points to a candidate, {candidate.name} ({p_in_words(gate.p_candidates)})"
+        )
+        return clause, [candidate]
     return "", []
 
 
 def _pointed(gate: Gate) -> Candidate:
     """Return the candidate to which a residual points most clearly."""
-    return min(gate.scores.each, key=lambda one: one.p_value).candidate
+    return min(gate.scores.by_candidate, key=lambda entry: entry.p_value).candidate
 
 
 def _without_errors(store: FitStore) -> list[Fit]:
@@ -237,7 +241,7 @@ def _without_errors(store: FitStore) -> list[Fit]:
 
 
 def _priced(e: Evidence) -> Callable[[Fit], float]:
-    """Return the order of explanations: by their criterion, a second cause only where the data ask for it."""
+    """Return the sort key of explanations: their criterion, penalising a second cause unless the data require it."""
     store, price = e.store, e.criteria.claim.told_apart
     return lambda fit: store.criterion(fit) + price * len(fit.causes)
 

@@ -12,12 +12,12 @@ from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.support.numbers import plain, rounded
 
-#: A cause shows in one row if that has more than this part of the squares of what it changes.
+#: A cause shows in one row if that has more than this part of the sum of squares of its changes.
 ONCE = 0.5
 
 
 def no_value(search: Search, final: Fit) -> str:
-    """Return which cause has a value at a bound, or one that may be the declared one; empty if none has."""
+    """Return which cause has a value at a bound, or one not distinct from the declared one; empty if none has."""
     fitter, c = search.store.fitter, search.criteria
     for cause in final.causes:
         for i in fitter.indices(cause):
@@ -39,25 +39,25 @@ def no_value(search: Search, final: Fit) -> str:
 def p_absent(search: Search, final: Fit, cause: Candidate) -> float:
     """Return the p-value of a Wald test that the values of a cause are the declared ones.
 
-    If the sum of squares has no smooth minimum, it may fall by far more than this change of values can explain.
+    If the sum of squares has no smooth minimum, it may fall by far more than such a change of values can explain.
     """
     fitter = search.store.fitter
     index = list(fitter.indices(cause))
     sigma = np.array([final.sigma_of(i) or 1.0 for i in index])
     away = (final.values[index] - fitter.declared[index]) / sigma
     information = np.linalg.pinv(final.covariance_of(index) / np.outer(sigma, sigma), hermitian=True)
-    if cause.form:  # what a term adds is absent without its first parameter, whatever the others are
+    if cause.form:  # a term is absent without its first parameter, whatever the others are
         away, information = away[:1], information[:1, :1]
     return float(stats.chi2.sf(float(away @ information @ away), len(away)))
 
 
 def rests_on_one_row(search: Search, final: Fit) -> str:
-    """Return which row alone determines a cause or its value; empty if none does."""
+    """Return which single row determines a cause or its value; empty if none does."""
     return next((text for cause in final.causes if (text := _rests_on(search, final, cause))), "")
 
 
 def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
-    """Return whether a cause by nature shows in one row: it hardly changes other modes, each measured at one setup.
+    """Return whether a cause by nature shows in one row: it hardly changes other modes, all measured at one setup.
 
     No other row could then tell a mistaken row from the cause.  Where the mode was measured at several setups, or
     the cause changes other modes as much, they could.
@@ -65,7 +65,7 @@ def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
     store, fitter = search.store, search.store.fitter
     if not search.criteria.claim.once or len(fitter.data.labels) > 1:
         return False
-    less = replace(final.hypothesis, causes=tuple(other for other in final.causes if other != cause))
+    less = replace(final.hypothesis, causes=tuple(kept for kept in final.causes if kept != cause))
     without = fitter.evaluated(less, store.undone(final, less), final.scatter)
     if without is None:
         return False
@@ -76,7 +76,7 @@ def shows_once(search: Search, final: Fit, cause: Candidate, row: int) -> bool:
 
 
 def once(search: Search, final: Fit) -> str:
-    """Return which row alone shows a cause by nature, as a clause; empty if none does."""
+    """Return which single row by nature shows a cause, as a clause; empty if none does."""
     data = search.store.fitter.data
     lines = {
         int(data.lines[row])
@@ -104,7 +104,7 @@ def _rests_on(search: Search, final: Fit, cause: Candidate) -> str:
         if shows_once(search, final, cause, int(row)):
             continue
         with_cause = replace(h, excluded=h.excluded | {int(row)})
-        without = replace(with_cause, causes=tuple(other for other in h.causes if other != cause))
+        without = replace(with_cause, causes=tuple(kept for kept in h.causes if kept != cause))
         here, less = store.fit(with_cause, final.values), store.fit(without, store.undone(final, without))
         if here is None or less is None:
             continue

@@ -1,11 +1,11 @@
-"""The verdicts: an entry each, from which exit codes, reports and the JSON schema follow."""
+"""The verdicts, one entry each, which determine exit codes, reports and the JSON schema."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-#: Colours of a page that a verdict may have.
+#: Colours that a verdict may have on a page.
 Colour = Literal["good", "found", "open", "bad", "plain"]
 
 
@@ -24,8 +24,8 @@ class Verdict:
     colour : str
         Colour of the heading.
     inspect, sure : str
-        What to look at, and how sure the verdict is, in the words of an owner.  ``{likely}`` is a word for the
-        probability of what it claims, and ``{what}`` that claim; where causes were found, these are what to look at.
+        What to look at, and how sure the verdict is, in the words of an owner.  ``{likely}`` stands for the
+        probability of the claim in words, and ``{what}`` for the claim; where causes were found, look at these.
     nothing_next : str
         Why no next measurement is proposed where there are no two explanations between which one could decide.
     settled : bool
@@ -94,7 +94,7 @@ VERDICTS = {
     verdict.word: verdict for verdict in (ADEQUATE, EFFECT_FOUND, AMBIGUOUS, UNEXPLAINED, INSUFFICIENT_DATA)
 }
 
-#: What is said of terms, beyond the catalogue.
+#: Statuses of terms, beyond the catalogue.
 FOUND = Verdict(
     "found",
     "Not in the catalogue: {causes}",
@@ -111,7 +111,7 @@ NOTHING = Verdict("none", "No single place is claimed", True, "bad", "no explana
 #: All of these by their words.
 STATUSES = {status.word: status for status in (FOUND, SEVERAL, NOTHING)}
 
-#: What stands for a verdict on the damping where none was measured.
+#: Word in place of a verdict on the damping where none was measured.
 NOT_MEASURED = "not_measured"
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ if TYPE_CHECKING:
     DampingWord = str
     StatusWord = str
 else:
-    #: Types of a verdict in a result, and of that on the damping: the enumerations of the JSON schema.
+    #: Types of the verdicts in a result, on damping and on terms: the enumerations of the JSON schema.
     Word = Literal[tuple(VERDICTS)]
     DampingWord = Literal[(*VERDICTS, NOT_MEASURED)]
     StatusWord = Literal[tuple(STATUSES)]
