@@ -128,7 +128,7 @@ class PictureKind:
         Returns the figure, or a sentence where it would show the same everywhere.
     planar : str or None
         The description for a mechanism that moves in a plane, if it is another.
-    more : callable or None
+    addition : callable or None
         Returns what the description says besides of this robot.
     """
 
@@ -137,7 +137,7 @@ class PictureKind:
     description: str
     draw: Callable[[RobotPlane], Drawing | str]
     planar: str | None = None
-    more: Callable[[RobotPlane], str] | None = None
+    addition: Callable[[RobotPlane], str] | None = None
 
 
 def known_to(spread: NDArray[Any] | None) -> str:
@@ -173,7 +173,7 @@ PICTURES = (
         "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the "
         "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
-        more=lambda robot: (
+        addition=lambda robot: (
             left_out.in_words(robot.plane.dataset)
             + known_to(median_spread(robot.model, robot.plane, robot.drives))
         ),
@@ -183,7 +183,7 @@ PICTURES = (
         "Directions of the platform's motion",
         "Lines show the direction in the plane, as long as its share of the motion.",
         lambda robot: maps.directions(robot.plane, robot.lengths),
-        more=lambda robot: with_rotations(robot.lengths),
+        addition=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "components",
@@ -191,7 +191,7 @@ PICTURES = (
         "Mass-normalised mode shapes on one scale.",
         lambda robot: maps.components(robot.plane, robot.lengths),
         planar="Mass-normalised mode shapes on one scale; this mechanism does not move out of the plane.",
-        more=lambda robot: with_rotations(robot.lengths),
+        addition=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "influence",
@@ -243,8 +243,10 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     require("figures", "plot", "matplotlib", "xarray")
     components = [component.name for component in model.mechanism.pose]
     if len(components) < 2:
-        what = f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
-        raise PkmodesError(what, model.robot.source, "draw its frequencies by the report of a map")
+        problem = (
+            f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
+        )
+        raise PkmodesError(problem, model.robot.source, "draw its frequencies by the report of a map")
     say("choosing the plane of the pictures")
     places = working_plane(model) if grid is None else places_of(model.mechanism, grid)
     plane_axes(
@@ -257,7 +259,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     for number, kind in enumerate(PICTURES, start=1):
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
-        description += kind.more(robot) if kind.more else ""
+        description += kind.addition(robot) if kind.addition else ""
         drawn = kind.draw(robot)
         if isinstance(drawn, str):
             yield Picture(kind.name, kind.title, f"{drawn} {about}.", None, about, drawn)

@@ -97,7 +97,7 @@ def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
                 x, y = ellipse(sigma, float(correlation[i, k]), probability)
                 panel.plot(x, y, form, color=BLUE, linewidth=1.4, label=f"{100 * probability:.0f}\u00a0%")
             panel.plot([0.0], [0.0], "o", color=BLUE, markersize=4.0, label="fitted")
-            away = [(value.declared - value.value) * one for value, one in zip(two, unit, strict=True)]
+            away = [(value.declared - value.value) * factor for value, factor in zip(two, unit, strict=True)]
             if all(abs(a) <= NEAR * s for a, s in zip(away, sigma, strict=True)):
                 panel.plot(away[:1], away[1:], "x", color=VERMILLION, markersize=6.0, label="declared")
             names = [short(value.name.removeprefix("effects."), LONGEST) for value in two]

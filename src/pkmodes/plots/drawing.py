@@ -83,9 +83,9 @@ def _table_of(panels: Sequence[Panel]) -> list[list[str]]:
         shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
         spreadsheet does.  Empty if nothing is drawn.
     """
-    every = [series for panel in panels for series in panel.series]
-    coloured = sum(len(series.x) for series in every if series.values is not None)
-    free = sum(len(series.x) for series in every) - coloured
+    shown_series = [series for panel in panels for series in panel.series]
+    coloured = sum(len(series.x) for series in shown_series if series.values is not None)
+    free = sum(len(series.x) for series in shown_series) - coloured
     places = next((digits for count, digits in LONG if free > count), None)
     values = DIGITS if coloured <= MANY else FEWER
     return _joined([_columns(panel, series, places, values) for panel in panels for series in panel.series])
@@ -101,24 +101,24 @@ def _columns(
     places, digits : int or None
         Significant digits of the coordinates of curves and marks, None for all, and of values shown as colours.
     """
-    seen = np.isfinite(series.x) & np.isfinite(series.y)
-    if not seen.any():  # a line across the panel
-        seen = np.isfinite(series.x) | np.isfinite(series.y)
+    drawn = np.isfinite(series.x) & np.isfinite(series.y)
+    if not drawn.any():  # a line across the panel
+        drawn = np.isfinite(series.x) | np.isfinite(series.y)
     if series.values is not None:
-        seen &= np.isfinite(series.values)
+        drawn &= np.isfinite(series.values)
         places = PLACES
-    count = int(seen.sum())
+    count = int(drawn.sum())
     columns: dict[str, list[Any]] = {PANEL: [panel.title] * count, SERIES: [series.name] * count}
     if series.part is not None:
-        columns[PART] = series.part[seen].tolist()
+        columns[PART] = series.part[drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
-    for side, every in sides:
-        title, chosen = _label(panel, side), every[seen]
+    for side, coordinates in sides:
+        title, chosen = _label(panel, side), coordinates[drawn]
         columns[title] = chosen.tolist() if places is None else _rounded(chosen, places)
         if _named(panel.names[side]):
             columns[f"{title} (name)"] = [_nearest(panel.names[side], place) for place in chosen.tolist()]
     if series.values is not None:
-        title, values = panel.labels["scale"] or "value", series.values[seen]
+        title, values = panel.labels["scale"] or "value", series.values[drawn]
         columns[title] = _rounded(values, digits)
         if series.meanings:
             columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]

@@ -45,8 +45,8 @@ def rows(panel: Panel, evidence: Evidence, x: Array, y: Array, size: float = 16.
         (evidence.outlier, OUTLIER),
     )
     count = max(int(shown.sum()), 1)
-    for some, kind in kinds:
-        chosen = shown & some
+    for of_kind, kind in kinds:
+        chosen = shown & of_kind
         if chosen.any():
             panel.scatter(
                 x[chosen],
@@ -103,9 +103,9 @@ def noise(panel: Panel, sigmas: Array) -> None:
         Differences in standard deviations.
     """
     panel.axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
-    known = sigmas[np.isfinite(sigmas)]
-    most = 1.08 * max(1.5 * NOISE, float(np.abs(known).max(initial=0.0)))
-    panel.axes.set_ylim(-most, most)
+    finite = sigmas[np.isfinite(sigmas)]
+    limit = 1.08 * max(1.5 * NOISE, float(np.abs(finite).max(initial=0.0)))
+    panel.axes.set_ylim(-limit, limit)
 
 
 def setups(panel: Panel, evidence: Evidence, *, grid: bool = False) -> str:

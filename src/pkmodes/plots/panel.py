@@ -172,10 +172,10 @@ class Panel:
     def limits(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, name: str = "") -> None:
         """Keep the limits of a band that is drawn already."""
         lower, upper = np.asarray(low, float), np.asarray(high, float)
-        known = np.isfinite(lower) & np.isfinite(upper)
+        finite = np.isfinite(lower) & np.isfinite(upper)
         for end, limit in (("lower", lower), ("upper", upper)):
             kind = f"band, {end} limit"
-            self._keep(kind, f"{name}, {end} limit" if name else "", x, np.where(known, limit, np.nan))
+            self._keep(kind, f"{name}, {end} limit" if name else "", x, np.where(finite, limit, np.nan))
 
     def bar(self, y: float, left: float, right: float, **style: Any) -> None:
         """Draw a horizontal bar; one that does not begin at 0 has two ends."""
@@ -241,8 +241,8 @@ class Panel:
         self._counts[kind] += 1
         title = visible(name) if name else f"{kind} {self._counts[kind]}"
         across, along = np.broadcast_arrays(np.atleast_1d(x).astype(float), np.atleast_1d(y).astype(float))
-        known = None if values is None else np.asarray(values, dtype=float)
-        self.series.append(Series(title, across, along, part, known, meanings))
+        numbers = None if values is None else np.asarray(values, dtype=float)
+        self.series.append(Series(title, across, along, part, numbers, meanings))
 
 
 def _edges(places: Array) -> Array:

@@ -31,8 +31,8 @@ LEAST_SPAN = 0.05
 
 def arranged(modes: int, *, tall: bool) -> tuple[int, int]:
     """Return the rows and columns of panels: as many in a row as fit, and rows as equally long as possible."""
-    most = TALL_ROW if tall else ROW if modes <= FEW else LONG_ROW
-    rows = -(-modes // most)
+    longest_row = TALL_ROW if tall else ROW if modes <= FEW else LONG_ROW
+    rows = -(-modes // longest_row)
     return rows, -(-modes // rows)
 
 
@@ -113,8 +113,8 @@ def _apart(low: float, high: float) -> Any:
     from matplotlib.ticker import MaxNLocator
 
     steps = [1, 1.5, 2, 3, 4, 5, 6, 8, 10]
-    for most in (3, 2):
-        locator = MaxNLocator(most, steps=steps, min_n_ticks=most)
+    for count in (3, 2):
+        locator = MaxNLocator(count, steps=steps, min_n_ticks=count)
         ticks = [tick for tick in locator.tick_values(low, high) if low <= tick <= high]
         if len(ticks) < 2:
             continue

@@ -189,9 +189,9 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
     several = [name for name, size in sizes.items() if size > 1]
     if len(several) != 2 or not set(several) <= set(components):
         lengths = ", ".join(f"{name}: {size}" for name, size in sizes.items())
-        what = f"expected a map over two components of the pose, found {lengths}"
+        problem = f"expected a map over two components of the pose, found {lengths}"
         remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
-        raise PkmodesError(what, place, remedy)
+        raise PkmodesError(problem, place, remedy)
     return several
 
 

@@ -91,14 +91,14 @@ def _channel(
     single = ends[0] == ends[1]
     if curves:
         above.axes.set_yscale("log")
-    seen = []
+    visible = []
     for f, values, style in curves:
         inside = (f >= ends[0]) & (f <= ends[1])
-        seen.append((f[inside], values[inside], {**style, "marker": "." if single else ""}))
-    for f, values, style in seen:
+        visible.append((f[inside], values[inside], {**style, "marker": "." if single else ""}))
+    for f, values, style in visible:
         size = np.abs(values)
         above.plot(f, np.where(size > 0.0, size, np.nan), **style)
-    draw_phases(below, seen)
+    draw_phases(below, visible)
     if curves:
         decades(above.axes.yaxis)
     else:

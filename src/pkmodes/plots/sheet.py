@@ -102,7 +102,7 @@ class Sheet:
             for row in range(len(rows))
         }
         if self.narrow:
-            across = min(len(places), 1 + sum(shape >= one for one in TALL) if frames else 3)
+            across = min(len(places), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3)
             beside = SCALE if scales == "common" or (scales == "own" and across == 1) else 0.0
             self.panel_width = (NARROW - (LABELS if frames else 0.0) - beside) / across
             heights = [(height / lines - LABELLED) * row / sum(rows) for row in rows]
@@ -110,24 +110,25 @@ class Sheet:
                 below = BELOW if scales == "own" and across > 1 else 0.0
                 heights = [shape * self.panel_width + below] * len(rows)
             around = AROUND if frames else TITLE
-            found = self._follow(places, across, heights, around, beside, share_x, share_y)
+            panels = self._follow(places, across, heights, around, beside, share_x, share_y)
         else:
             self.figure.set_size_inches(width, height)
             grid = {"height_ratios": list(rows) * lines} if len(rows) > 1 else {}
             size = lines * len(rows), columns
-            every: Any = self.figure.subplots(
+            grid_axes: Any = self.figure.subplots(
                 *size, squeeze=False, sharex=share_x, sharey=share_y, gridspec_kw=grid
             )
-            for axes in every.flat:
+            for axes in grid_axes.flat:
                 axes.set_visible(False)
             taken = set(places.values())
-            found = {
-                one: Panel(every[place], inner=_inner(one[1], place, taken)) for one, place in places.items()
+            panels = {
+                key: Panel(grid_axes[place], inner=_inner(key[1], place, taken))
+                for key, place in places.items()
             }
-            for panel in found.values():
+            for panel in panels.values():
                 panel.axes.set_visible(True)
-        self.panels = [found[one] for one in sorted(places, key=places.__getitem__)]
-        return [[found[group, row] for row in range(len(rows))] for group in range(count)]
+        self.panels = [panels[key] for key in sorted(places, key=places.__getitem__)]
+        return [[panels[group, row] for row in range(len(rows))] for group in range(count)]
 
     def _follow(
         self,
@@ -155,16 +156,16 @@ class Sheet:
         sides = {"left": 0.15, "right": 0.99 - beside / NARROW}
         spec = self.figure.add_gridspec(len(lines), across, height_ratios=lines, **sides)
         first: dict[tuple[str, int], Axes] = {}
-        found: dict[tuple[int, int], Panel] = {}
-        for k, one in enumerate(order):
-            row, column = places[one]
+        panels: dict[tuple[int, int], Panel] = {}
+        for k, cell in enumerate(order):
+            row, column = places[cell]
             keys = [("sharex", column if share_x == "col" else 0)] if share_x else []
             keys += [("sharey", row if share_y == "row" else 0)] if share_y else []
             shared: dict[str, Any] = {key[0]: first.get(key) for key in keys}
             axes = self.figure.add_subplot(spec[k // across, k % across], **shared)
             first = {**dict.fromkeys(keys, axes), **first}
-            found[one] = Panel(axes, narrow=True, before=found[order[k - 1]] if k % across else None)
-        return found
+            panels[cell] = Panel(axes, narrow=True, before=panels[order[k - 1]] if k % across else None)
+        return panels
 
     def adopt(self, axes: Axes, inner: Iterable[Part] = ()) -> Panel:
         """Return axes that were drawn elsewhere on the figure as a panel."""

@@ -97,7 +97,7 @@ def _element(figure: Figure, title: str, description: str, settings: dict[str, A
                 parent.remove(child)
     # Matplotlib's ids are digests of places with all their digits, the last of which may differ between two layouts.
     used = _used(root)
-    _rename(root, {own: str(k) for k, own in enumerate(used)})
+    _rename(root, {identifier: str(k) for k, identifier in enumerate(used)})
     for element in root.iter():
         _simplify(element)
     drawing = ElementTree.tostring(root, encoding="unicode")
@@ -128,21 +128,25 @@ def _used(root: ElementTree.Element) -> list[str]:
             if name == LINK and value.startswith("#"):
                 used.add(value[1:])
             used.update(REFERENCE.findall(value))
-    return [own for element in root.iter() if (own := element.get("id")) in used and own is not None]
+    return [
+        identifier
+        for element in root.iter()
+        if (identifier := element.get("id")) in used and identifier is not None
+    ]
 
 
 def _rename(root: ElementTree.Element, names: Mapping[str, str]) -> None:
     """Give elements other ids, also where they are referred to, and drop the ids that have no other name."""
     for element in root.iter():
-        own = names.get(element.attrib.pop("id", ""))
-        if own is not None:
-            element.set("id", own)
+        new_id = names.get(element.attrib.pop("id", ""))
+        if new_id is not None:
+            element.set("id", new_id)
         for name, value in list(element.attrib.items()):
             if name in (LINK, "href"):
                 del element.attrib[name]
                 element.set("href", f"#{names[value[1:]]}" if value.startswith("#") else value)
             elif "url(#" in value:
-                element.set(name, REFERENCE.sub(lambda found: f"url(#{names[found[1]]})", value))
+                element.set(name, REFERENCE.sub(lambda match: f"url(#{names[match[1]]})", value))
 
 
 def _simplify(element: ElementTree.Element) -> None:

@@ -98,11 +98,11 @@ def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
     from matplotlib.figure import Figure
 
     flat = Figure().add_subplot()  # only to find them
-    every = [
+    outlines = [
         flat.contour(x, y, inside.astype(float), [0.5]).allsegs[0] if inside.any() else [] for inside in valid
     ]
-    least = SHARD * max((_enclosed(line) for closed in every for line in closed), default=0.0)
-    return [[line for line in closed if _enclosed(line) >= least] for closed in every]
+    least = SHARD * max((_enclosed(line) for closed in outlines for line in closed), default=0.0)
+    return [[line for line in closed if _enclosed(line) >= least] for closed in outlines]
 
 
 def _enclosed(line: Any) -> float:

@@ -47,14 +47,16 @@ def _member(
     member, rows = group.finding.member(name), []
     for value in group.finding.alternatives[name]:
         quantity = group.quantity(name, value)
-        own = at + pointer("parameters", quantity)
+        at_parameter = at + pointer("parameters", quantity)
         words = setting.words(value.name) or clean(quantity)
         rows.append(
             [
                 Cell(str(k + 1), k + 1),
                 Cell.named(clean(member.words), clean(name)),
                 Cell(words),
-                uncertain(value.value, value.sigma, own + pointer("value"), own + pointer("sigma")),
+                uncertain(
+                    value.value, value.sigma, at_parameter + pointer("value"), at_parameter + pointer("sigma")
+                ),
                 Cell(unit(value.unit)),
                 Cell(prose(f"no: {member.implausible}") if member.implausible else "yes"),
                 p_value(group.finding.p_value, of_class + pointer("p_value")),

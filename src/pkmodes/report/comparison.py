@@ -108,5 +108,5 @@ def by_mode(result: Comparison) -> list[Table]:
 
 def _median(ratios: Iterable[float | None]) -> Cell:
     """Return the median of the damping ratios that are known, in per cent."""
-    known = [ratio for ratio in ratios if ratio is not None]
-    return number(float(np.median(known)) if known else None, ".3g", scale=100.0)
+    available = [ratio for ratio in ratios if ratio is not None]
+    return number(float(np.median(available)) if available else None, ".3g", scale=100.0)

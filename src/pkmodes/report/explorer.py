@@ -126,13 +126,13 @@ def _colours() -> list[str]:
 
 def _note(values: MapValues, dataset: xarray.Dataset) -> str:
     """Return which poses of the map the page holds."""
-    held, every = (_count(one["valid"].size) for one in (values.dataset, dataset))
+    held, total = (_count(part["valid"].size) for part in (values.dataset, dataset))
     if not values.thinned:
-        return f"This page holds all {every} poses of the map."
+        return f"This page holds all {total} poses of the map."
     kept = ", ".join(
         f"every {_ordinal(step)} of {clean(dim)}" for dim, step in values.steps.items() if step > 1
     )
-    return f"This page holds {held} of the {every} poses of the map: {kept}."
+    return f"This page holds {held} of the {total} poses of the map: {kept}."
 
 
 def _count(number: int) -> str:

@@ -15,12 +15,12 @@ from pkmodes.support.numbers import plain
 
 def sections(evidence: Evidence) -> list[Section]:
     """Return the sections of the figures: mode by mode, pose by pose, and the shapes."""
-    first, *others = mode_figures(evidence)
-    others += pose_figures(evidence)
+    first, *further = mode_figures(evidence)
+    further += pose_figures(evidence)
     place = evidence.place
     return [
         Section("modes", "Measurement and model", [first]),
-        *([Section("poses", f"{place.capitalize()} by {place}", others)] if others else []),
+        *([Section("poses", f"{place.capitalize()} by {place}", further)] if further else []),
         Section("shapes", "Mode shapes", shape_figures(evidence)),
     ]
 
@@ -148,9 +148,9 @@ def _unmatched(evidence: Evidence) -> str:
 def _rms(evidence: Evidence) -> str:
     parts = []
     for stage in evidence.stages:
-        some = evidence.difference(stage)[stage.paired & ~evidence.outlier]
-        if len(some):
-            parts.append(f"{stage.title}: rms {plain(100 * np.sqrt(np.mean(some**2)), 2)} %")
+        fitted = evidence.difference(stage)[stage.paired & ~evidence.outlier]
+        if len(fitted):
+            parts.append(f"{stage.title}: rms {plain(100 * np.sqrt(np.mean(fitted**2)), 2)} %")
     return "; ".join(parts)
 
 

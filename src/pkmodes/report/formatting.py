@@ -34,7 +34,7 @@ def shortened(label: object, longest: int = LONGEST) -> str:
 
 def prose(text: object) -> str:
     """Return sentences on one line, with their powers of ten set as in print."""
-    return POWER.sub(lambda found: typeset(found[0]), clean(text))
+    return POWER.sub(lambda match: typeset(match[0]), clean(text))
 
 
 def sentence(text: str) -> str:
@@ -46,7 +46,7 @@ def sentence(text: str) -> str:
 
 def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
     """Return a number with at most some significant digits as a cell; without one, `NOTHING`."""
-    return _cell(value, lambda known: plain(known, digits), at)
+    return _cell(value, lambda finite: plain(finite, digits), at)
 
 
 def number(
@@ -67,7 +67,7 @@ def number(
     strong : bool
         Whether it is emphasised.
     """
-    return _cell(value, lambda known: format(scale * known, form), at, strong)
+    return _cell(value, lambda finite: format(scale * finite, form), at, strong)
 
 
 def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, strong: bool = False) -> Cell:
@@ -113,11 +113,11 @@ def uncertain(
     fit : float, optional
         A smaller standard deviation by the fit alone: the value keeps its digits.
     """
-    found = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
-    power = f"{TIMES}10{str(found.exponent).translate(RAISED)}" if found.exponent else ""
-    digits, of_sigma = typeset(found.value), typeset(found.sigma)
+    rounding = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
+    power = f"{TIMES}10{str(rounding.exponent).translate(RAISED)}" if rounding.exponent else ""
+    digits, of_sigma = typeset(rounding.value), typeset(rounding.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
-    return Cell(typeset(str(found)), float(value), at, spread=spread, plain=str(found))
+    return Cell(typeset(str(rounding)), float(value), at, spread=spread, plain=str(rounding))
 
 
 def label(text: str) -> Cell:

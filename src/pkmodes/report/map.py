@@ -172,12 +172,12 @@ def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
     """Return what line and band of `pkmodes.plots.sweeps.against` are, to end a caption; nothing without a band."""
     if spread is not None:
         return f": {BAND}"
-    others = [str(other) for other in dataset["frequency"].dims if other not in (dim, "mode")]
-    count = math.prod(dataset.sizes[other] for other in others)
+    pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]
+    count = math.prod(dataset.sizes[axis] for axis in pooled)
     if count == 1:
         return ""
-    several = [other for other in others if dataset.sizes[other] > 1]
-    robots = any("." in other or other == "sample" for other in several)
+    several = [axis for axis in pooled if dataset.sizes[axis] > 1]
+    robots = any("." in axis or axis == "sample" for axis in several)
     over = "everything else" if robots else "all poses"
     if count < sweeps.FEW:
         return f": the line is the median, the band the range over {over}"

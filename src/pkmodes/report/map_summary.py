@@ -31,7 +31,7 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
-    notes += [one.replace("= -", f"= {MINUS}") for one in sentences(content, axis_units(model))]
+    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in sentences(content, axis_units(model))]
     facts = [
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (

@@ -132,7 +132,7 @@ def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> 
         alike = f"{which} in {named}" if named else f"dimensionless {which}"
         reason += f" Of the {alike} this one has the largest response."
     if meanings := [
-        f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one, model.mechanism))
+        f"{clean(port)} is {words}" for port in (output, into) if (words := _meaning(port, model.mechanism))
     ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(

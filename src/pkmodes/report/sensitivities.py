@@ -67,8 +67,8 @@ def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[B
         " Coordinates are left out, since a per cent of a coordinate depends on where the origin lies; --all and the "
         "JSON have everything."
     )
-    found = per_cent(model, changes, content)
-    return [*_pictures(changes), *_parts(replace(found, note=(found.note + note).strip()))]
+    percent_table = per_cent(model, changes, content)
+    return [*_pictures(changes), *_parts(replace(percent_table, note=(percent_table.note + note).strip()))]
 
 
 def _per_sigma(model: Model, changes: Changes | None) -> list[Block]:

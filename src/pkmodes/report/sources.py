@@ -53,8 +53,8 @@ class Source:
             with path.open("rb") as file:  # in blocks: signals may be gigabytes
                 digest = hashlib.file_digest(file, "sha256").hexdigest()
         except OSError as error:
-            what = f"cannot read the {role}: {(error.strerror or str(error)).lower()}"
-            raise PkmodesError(what, str(path), "check the place") from None
+            problem = f"cannot read the {role}: {(error.strerror or str(error)).lower()}"
+            raise PkmodesError(problem, str(path), "check the place") from None
         return cls(role, path.name, digest)
 
 

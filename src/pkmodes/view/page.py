@@ -182,12 +182,14 @@ def _title(scene: Scene) -> str:
     name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
     held = "no spring is strained"
     if np.isfinite(shares).any():
-        most = float(np.nanmax(shares))
-        *others, last = (
-            escape(one.name) for one, share in zip(scene.springs, shares, strict=True) if share > most - TIED
+        largest = float(np.nanmax(shares))
+        *preceding, last = (
+            escape(spring.name)
+            for spring, share in zip(scene.springs, shares, strict=True)
+            if share > largest - TIED
         )
-        where = f"each of {', '.join(others)} and {last}" if others else last
-        held = f"{100 * most:.0f} % of the strain energy in {where}"
+        where = f"each of {', '.join(preceding)} and {last}" if preceding else last
+        held = f"{100 * largest:.0f} % of the strain energy in {where}"
     moves = zip(scene.moves, platform_directions(scene)[pose, mode], strict=True)
     along = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
@@ -201,12 +203,12 @@ def _title(scene: Scene) -> str:
 
 def _about(scene: Scene) -> str:
     """Return which model moves, and what was measured."""
-    what = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
+    about = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.varied:
-        what += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
+        about += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
     if scene.measured is None:
-        return what
-    return f'{what}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
+        return about
+    return f'{about}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
 
 
 def _modes(scene: Scene, key: str) -> str:
@@ -311,10 +313,10 @@ def _option(scene: Scene, index: int) -> str:
     """Return a pose in few characters: its label, and its components with one unit where all have the same."""
     told = [_shown(c, value).rpartition(" ") for c, value in zip(scene.pose, scene.poses[index], strict=True)]
     units = [unit for *_, unit in told]
-    one = len(set(units)) == 1
-    values = ", ".join(value if one else f"{value} {unit}" for value, _, unit in told)
+    single_unit = len(set(units)) == 1
+    values = ", ".join(value if single_unit else f"{value} {unit}" for value, _, unit in told)
     label = f"{scene.labels[index]}: " if scene.labels else ""
-    return escape(f"{label}{values} {units[0]}" if one else label + values)
+    return escape(f"{label}{values} {units[0]}" if single_unit else label + values)
 
 
 def _place(scene: Scene, index: int) -> str:

@@ -94,7 +94,7 @@ def _largest_deviations(scene: Scene) -> list[float | None] | None:
     if scene.deviations is None:
         return None
     sizes = largest_around(scene.deviations).ravel().tolist()
-    return [_rounded(one, OFF) if np.isfinite(one) else None for one in sizes]
+    return [_rounded(size, OFF) if np.isfinite(size) else None for size in sizes]
 
 
 def _levels(scene: Scene, values: Array) -> Any:

@@ -162,7 +162,10 @@ class Scene:
     @property
     def moves(self) -> tuple[str, ...]:
         """What the platform does along each component of its motion, after "along": "x", or "about x"."""
-        return tuple(f"about {one.name[-1]}" if one.unit == "rad" else one.name[-1] for one in self.platform)
+        return tuple(
+            f"about {component.name[-1]}" if component.unit == "rad" else component.name[-1]
+            for component in self.platform
+        )
 
     def displacements(self, pose: int, mode: int) -> Array:
         """Return the displacements of the points in a mode.
