@@ -72,17 +72,19 @@ def dataset_of(
         for field in of_maps(layout.conditions):
             if INDEPENDENT in field.dims:
                 fields[field.variable] = fields[field.variable][..., columns]
-    known = variables(mechanism, normal, layout.conditions, tracked is not None)
+    described = variables(mechanism, normal, layout.conditions, tracked is not None)
     data = {
         v.name: (
             (*leading, *v.dims),
             fields[v.name],
             {**v.attributes, **meanings_of(robot, v.name)},
         )
-        for v in known
+        for v in described
     }
-    each = [solved_system(evaluation(one), layout.drives).rigid_modes for one in variants.robots]
-    rigid = np.array(each).reshape(variants.shape)
+    rigid_counts = [
+        solved_system(evaluation(variant), layout.drives).rigid_modes for variant in variants.robots
+    ]
+    rigid = np.array(rigid_counts).reshape(variants.shape)
     if (rigid != rigid.flat[0]).any():
         about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
         data["rigid_modes"] = (variants.dims, rigid, about)
@@ -145,10 +147,10 @@ def _fields_of(
 
 def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
     """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
-    chunks, left = list(shape), CHUNK
+    chunks, remaining = list(shape), CHUNK
     for axis in reversed(range(leading)):
-        chunks[axis] = min(shape[axis], max(left, 1))
-        left //= shape[axis]
+        chunks[axis] = min(shape[axis], max(remaining, 1))
+        remaining //= shape[axis]
     return tuple(chunks)
 
 

@@ -62,13 +62,13 @@ class MapFile:
         check_argument(out, FILE_NAME, "out", "for example: map.nc", OutputError)
         path, where = Path(out), shown(str(out))
         if "\0" in str(out) or path.suffix.lower() not in FORMATS:
-            what = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
-            raise OutputError(what, "out", "for example: map.nc")
+            problem = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
+            raise OutputError(problem, "out", "for example: map.nc")
         if path.is_symlink():
             path = resolved(path, "out")
             if path.suffix.lower() not in FORMATS:
-                what = f"expected a link to a name that ends in {alternatives(FORMATS)}, found {shown(str(path))}"
-                raise OutputError(what, where, "name that file as a map, or choose another name")
+                problem = f"expected a link to a name that ends in {alternatives(FORMATS)}, found {shown(str(path))}"
+                raise OutputError(problem, where, "name that file as a map, or choose another name")
         if not path.parent.is_dir():
             raise OutputError(
                 f"the folder {path.parent} does not exist", where, "create it, or choose another place"
@@ -87,9 +87,10 @@ class MapFile:
             raise OutputError(
                 "the folder to replace does not hold a Zarr store", where, "choose another name"
             )
-        if folder and path.exists() and (other := next(_foreign(path), None)) is not None:
-            what = f"the folder to replace holds {shown(str(other.relative_to(path)))}, which is no part of the map"
-            raise OutputError(what, where, "move that away, or choose another name")
+        if folder and path.exists() and (foreign := next(_foreign(path), None)) is not None:
+            part = shown(str(foreign.relative_to(path)))
+            problem = f"the folder to replace holds {part}, which is no part of the map"
+            raise OutputError(problem, where, "move that away, or choose another name")
         if not os.access(path.parent, os.W_OK):
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
@@ -116,8 +117,8 @@ class MapFile:
 
         try:
             put_back()  # the run before was killed between the two
-            for left in (new, replaced):  # by an interrupted run
-                _remove(left)
+            for leftover in (new, replaced):  # by an interrupted run
+                _remove(leftover)
             if suffix == NETCDF:
                 import dask
 
@@ -178,10 +179,10 @@ def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
 
     tasks = dict(graph.__dask_graph__() if hasattr(graph, "__dask_graph__") else graph)
 
-    def evaluated(wanted: Any) -> Any:
-        if isinstance(wanted, list):
-            return [evaluated(one) for one in wanted]
-        return get_sync(cull(tasks, [wanted])[0], wanted)
+    def evaluated(request: Any) -> Any:
+        if isinstance(request, list):
+            return [evaluated(part) for part in request]
+        return get_sync(cull(tasks, [request])[0], request)
 
     return evaluated(keys)
 

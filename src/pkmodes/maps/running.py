@@ -118,9 +118,9 @@ def _failures(scheduler: str) -> Iterator[None]:
         raise
     except (Exception, CancelledError) as error:
         reason = " ".join(str(error).split()) or "the connection was lost"
-        what = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
+        problem = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
         remedy = "check the scheduler and its workers; with an output file, the same command continues"
-        raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from error
+        raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from error
 
 
 @contextmanager
@@ -152,8 +152,8 @@ def connected(scheduler: str) -> Iterator[Any]:
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except Exception as error:  # also what the protocol of the address raises
-        what = f"cannot reach the scheduler: {type(error).__name__}"
-        raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from None
+        problem = f"cannot reach the scheduler: {type(error).__name__}"
+        raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from None
     try:
         try:
             client.wait_for_workers(1, timeout=PATIENCE)
@@ -166,9 +166,9 @@ def connected(scheduler: str) -> Iterator[Any]:
         versions = {**client.run(_probe()), scheduler: client.run_on_scheduler(_probe())}
         wrong = {where: version for where, version in versions.items() if version != VERSION}
         for where, version in wrong.items():
-            found = f"{version or 'none'} on {where}"
-            what = f"expected pkmodes {VERSION} on the scheduler and every worker, found {found}"
-            raise PkmodesError(what, f"scheduler {shown(scheduler)}", "install the same version there")
+            mismatch = f"{version or 'none'} on {where}"
+            problem = f"expected pkmodes {VERSION} on the scheduler and every worker, found {mismatch}"
+            raise PkmodesError(problem, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:
         client.close(timeout=PATIENCE)
@@ -178,14 +178,14 @@ def _check_certificates(scheduler: str) -> None:
     """Refuse an encrypted address without certificates, of which the client itself says nothing that helps."""
     import distributed
 
-    found = "none"
+    configured = "none"
     try:
         if distributed.Security().get_connection_args("client").get("ssl_context"):
             return
     except OSError as error:
-        found = f"files that cannot be read ({error.strerror or type(error).__name__})"
+        configured = f"files that cannot be read ({error.strerror or type(error).__name__})"
     raise PkmodesError(
-        f"expected certificates for TLS in the configuration of Dask, found {found}",
+        f"expected certificates for TLS in the configuration of Dask, found {configured}",
         f"scheduler {shown(scheduler)}",
         "set distributed.comm.tls.ca-file, and cert and key of distributed.comm.tls.client",
     )

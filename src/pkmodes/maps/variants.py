@@ -100,12 +100,12 @@ def _drawn(
         return {}, 1
     check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
     check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
-    known = taken(robot, swept)
-    spread = [path for path in uncertain(robot) if path not in known]
+    swept_paths = taken(robot, swept)
+    spread = [path for path in uncertain(robot) if path not in swept_paths]
     if not spread:
-        what = "no value of the robot has a standard deviation from which it could be drawn"
+        problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
-        raise PkmodesError(what, f"{robot.source}: samples", remedy)
+        raise PkmodesError(problem, f"{robot.source}: samples", remedy)
     rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, spread))
     centre = {path: robot.quantities[path].value for path in spread}
     draws: dict[str, list[float]] = {path: [] for path in spread}
@@ -127,9 +127,9 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):
             paths |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
-    for path, own in lent(robot.mechanism).items():
-        if {path, own} & paths:
-            paths |= {path, own}
+    for path, alias in lent(robot.mechanism).items():
+        if {path, alias} & paths:
+            paths |= {path, alias}
     return paths
 
 
@@ -145,5 +145,5 @@ def _one(
             problem = error
         else:
             return values
-    what = f"none of {DRAWS} draws gave a robot that can exist: {problem.what}"
-    raise PkmodesError(what, problem.where, "check the standard deviation of this value")
+    message = f"none of {DRAWS} draws gave a robot that can exist: {problem.what}"
+    raise PkmodesError(message, problem.where, "check the standard deviation of this value")

@@ -23,8 +23,8 @@ NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 def separator_of(header: str) -> str:
     """Return what separates the cells of a header, outside of quotes; a comma if there is a single one."""
     text = QUOTED.sub("", header)
-    most = max(SEPARATORS, key=text.count)
-    return most if most in text else ","
+    commonest = max(SEPARATORS, key=text.count)
+    return commonest if commonest in text else ","
 
 
 class Notation(NamedTuple):

@@ -83,28 +83,28 @@ class Aligned:
     covariance: Array
 
 
-def aligned(first: Measurements, second: Measurements, row: int, other: int) -> Aligned | None:
+def aligned(first: Measurements, second: Measurements, row: int, second_row: int) -> Aligned | None:
     """Return the shapes of a pair at the channels of both; None where they have no shape at three or more.
 
     Parameters
     ----------
-    row, other : int
+    row, second_row : int
         Of the mode in each.
     """
     names = [name for name in first.channels if name in second.channels]
     a = first.shapes[row, [first.channels.index(name) for name in names]]
-    b = second.shapes[other, [second.channels.index(name) for name in names]]
-    known = np.isfinite(a) & np.isfinite(b)
-    a, b = a[known], b[known]
-    if known.sum() < FEWEST_CHANNELS or not (a.any() and b.any()):
+    b = second.shapes[second_row, [second.channels.index(name) for name in names]]
+    measured = np.isfinite(a) & np.isfinite(b)
+    a, b = a[measured], b[measured]
+    if measured.sum() < FEWEST_CHANNELS or not (a.any() and b.any()):
         return None
     scale = np.abs(a).max()
     a = a / scale
     factor = a @ b / (b @ b)
     of_first = first.shape_sigma[row] * np.nanmax(np.abs(first.shapes[row])) / scale
-    of_second = second.shape_sigma[other] * np.nanmax(np.abs(second.shapes[other]))
+    of_second = second.shape_sigma[second_row] * np.nanmax(np.abs(second.shapes[second_row]))
     return Aligned(
-        channels=tuple(name for name, used in zip(names, known, strict=True) if used),
+        channels=tuple(name for name, used in zip(names, measured, strict=True) if used),
         first=a,
         second=factor * b,
         errors=(float(of_first), float(abs(factor) * of_second)),

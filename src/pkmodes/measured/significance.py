@@ -110,11 +110,11 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
     unknown = np.full(count, np.nan)
     if count < 2:
         return None, OwnChanges(unknown, unknown, np.zeros(count, dtype=bool))
-    _, _, left = _mean(factors, errors)
-    p = float(chdtrc(count - 1, left))
+    _, _, residual_chi2 = _mean(factors, errors)
+    p = float(chdtrc(count - 1, residual_chi2))
     sharing = np.ones(count, dtype=bool) if p > LEVEL else _sharing(factors, errors)
     if not sharing.any():
-        nothing = CommonChange(None, None, None, False, 0, left, p)
+        nothing = CommonChange(None, None, None, False, 0, residual_chi2, p)
         return nothing, OwnChanges(unknown, unknown, np.zeros(count, dtype=bool))
     mean, sigma, _ = _mean(factors[sharing], errors[sharing])
     beyond = _beyond(factors, errors, sharing)
@@ -124,7 +124,7 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
         sigmas=float(mean / sigma),
         differs=bool(two_sided(np.array(mean / sigma)) <= BESIDE),
         pairs=int(sharing.sum()),
-        residual_chi2=left,
+        residual_chi2=residual_chi2,
         residual_p_value=p,
     )
     clear = holm(two_sided(beyond)) & (p <= LEVEL)

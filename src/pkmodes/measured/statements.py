@@ -59,8 +59,8 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
         if value is not None:
             limits.append(value)
     if len(limits) != 2:
-        what = f"expected a lower and a higher frequency, found {shown(text.strip())}"
-        raise MeasurementError(what, where, remedy)
+        problem = f"expected a lower and a higher frequency, found {shown(text.strip())}"
+        raise MeasurementError(problem, where, remedy)
     return checked_band(limits, where)
 
 
@@ -111,8 +111,8 @@ def parse_usable(text: str, where: str, remedy: str = USABLE_HELP) -> tuple[str,
     MeasurementError
         If the text is not a name and values.
     """
-    name, given = _named(text, where, remedy)
-    values = [_value(part) for part in _parts(given.translate(str.maketrans("", "", '[]"')))]
+    name, stated = _named(text, where, remedy)
+    values = [_value(part) for part in _parts(stated.translate(str.maketrans("", "", '[]"')))]
     return name, values if len(values) > 1 else values[0]
 
 

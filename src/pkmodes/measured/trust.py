@@ -34,8 +34,8 @@ NAMED = 8
 
 def close_to_another(data: Measurements, row: int) -> bool:
     """Return whether another mode at the pose of a row is closer than `CLOSE`."""
-    others = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
-    return bool((np.abs(np.log(data.frequency[others] / data.frequency[row])) < CLOSE).any())
+    neighbours = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
+    return bool((np.abs(np.log(data.frequency[neighbours] / data.frequency[row])) < CLOSE).any())
 
 
 def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChange | None) -> list[Caution]:
@@ -125,10 +125,10 @@ def _others(labels: Sequence[str]) -> str:
     return f" and {len(labels) - 1} more" if len(labels) > 1 else ""
 
 
-def _elsewhere(first: Measurements, second: Measurements, pose: int, other: int) -> bool:
+def _elsewhere(first: Measurements, second: Measurements, pose: int, second_pose: int) -> bool:
     """Return whether both give a position and these differ by more than their errors."""
-    a, b = first.points[pose], second.points[other]
+    a, b = first.points[pose], second.points[second_pose]
     if not (first.points.any() and second.points.any()):
         return False
-    errors = np.hypot(first.point_sigma[pose], second.point_sigma[other])
+    errors = np.hypot(first.point_sigma[pose], second.point_sigma[second_pose])
     return bool((np.abs(b - a) > 3.0 * errors + 1e-6).any())

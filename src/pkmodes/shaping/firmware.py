@@ -85,7 +85,7 @@ def name_of(version: str, oldest: str | None = None) -> str:
         Another one of the same firmware: the name is that of all from it up to `version`.
     """
     name = VERSIONS[version].firmware
-    keys = [key for key, one in VERSIONS.items() if one.firmware == name]
+    keys = [key for key, release in VERSIONS.items() if release.firmware == name]
     newer = keys[: keys.index(version)]
     since = VERSIONS[oldest or version].since if newer or oldest else ""
     begins = f" from {since}" if since else ""

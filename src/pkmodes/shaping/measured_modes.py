@@ -84,16 +84,18 @@ class MeasuredRinging(Ringing):
         """Where the most that a shaper leaves is looked for."""
         return f"of the worst measured mode within {WITHIN:g} standard deviations"
 
-    def left_of(self, one: Candidate) -> tuple[Array, Array]:
+    def left_of(self, candidate: Candidate) -> tuple[Array, Array]:
         """Return what a shaper leaves of each mode as measured, and at most within its errors, (R,) each."""
-        every = one.left_at.reshape(len(self.rows), -1)
-        return every[:, -1], every.max(axis=1)
+        by_mode = candidate.left_at.reshape(len(self.rows), -1)
+        return by_mode[:, -1], by_mode.max(axis=1)
 
-    def shares(self, one: Candidate) -> LeftOfModes:
+    def shares(self, candidate: Candidate) -> LeftOfModes:
         """Return what a shaper leaves of all modes."""
-        left, most = self.left_of(one)
+        nominal, largest = self.left_of(candidate)
         return LeftOfModes(
-            rms=float(np.sqrt(np.mean(left**2))), worst=float(left.max()), worst_uncertain=float(most.max())
+            rms=float(np.sqrt(np.mean(nominal**2))),
+            worst=float(nominal.max()),
+            worst_uncertain=float(largest.max()),
         )
 
     def notes(self) -> list[str]:
@@ -160,11 +162,11 @@ def measured_ringing(
     counts = used[data.pose[order]] & (rank < (len(rank) if modes is None else modes))
     rows = np.sort(order[counts])
     f, sigma, zeta = data.frequency[rows], data.sigma[rows], data.damping[rows]
-    least, most = UNKNOWN if damping is None else (damping, damping)
-    middle, half = 0.5 * (least + most), 0.5 * (most - least) / WITHIN
-    known = np.isfinite(zeta)
-    ratios = np.where(known, zeta, middle)
-    spread = np.where(known, data.damping_sigma[rows], half)
+    smallest, largest = UNKNOWN if damping is None else (damping, damping)
+    middle, half = 0.5 * (smallest + largest), 0.5 * (largest - smallest) / WITHIN
+    measured = np.isfinite(zeta)
+    ratios = np.where(measured, zeta, middle)
+    spread = np.where(measured, data.damping_sigma[rows], half)
     steps, turns = PLACES
     within = f[:, None] * np.exp(steps * (sigma / f)[:, None])
     damped = np.clip(ratios[:, None] + turns * spread[:, None], 0.0, LARGEST)

@@ -24,10 +24,12 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
     for name in (name for name, line in lines_of(best).items() if line is None):
         index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
         if index is not None:
-            one = choice.candidates[index]
-            worst = f"{plain(100 * one.left.worst, 2)} % {choice.ringing.where_most}"
+            substitute = choice.candidates[index]
+            worst = f"{plain(100 * substitute.left.worst, 2)} % {choice.ringing.where_most}"
             limit = f"{plain(100 * choice.left, 3)} %"
             which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
-            instead = f"of those compared that it has, {one.kind} {which}: {worst}"
-            lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
+            instead = f"of those compared that it has, {substitute.kind} {which}: {worst}"
+            lacking.setdefault(f"{instead} (--shapers {substitute.kind} prints its lines)", []).append(
+                NAMES[name]
+            )
     return [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]

@@ -202,10 +202,10 @@ class Schedule:
         version : str
             Such as ``"klipper"`` or ``"klipper-2025-08"``.
         """
-        pairs = [(one, change(version, *one.best.design)) for one in self.steps]
+        pairs = [(step, change(version, *step.best.design)) for step in self.steps]
         if any(text is None for _, text in pairs):
             return None
-        return "\n".join(f"; {self._place(one)}\n{text}" for one, text in pairs)
+        return "\n".join(f"; {self._place(step)}\n{text}" for step, text in pairs)
 
     def _place(self, step: Step) -> str:
         """Return where a command belongs: from which layer on, or for which values."""
@@ -218,6 +218,6 @@ class Schedule:
         )
 
 
-def command_of(one: Candidate) -> dict[str, str | None]:
+def command_of(candidate: Candidate) -> dict[str, str | None]:
     """Return the commands that set a fixed shaper between two moves, by firmware."""
-    return command(*one.design)
+    return command(*candidate.design)
