@@ -118,7 +118,9 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
         candidates.append(
             Candidate(term.name, names, term.sentence, remote=True, form=term.form, starts=starts)
         )
-    return TermCandidates(kept, candidates, [_of_robot(structure, one) for one in structure.candidates])
+    return TermCandidates(
+        kept, candidates, [_of_robot(structure, candidate) for candidate in structure.candidates]
+    )
 
 
 def _machine(structure: RobotStructure) -> _Machine:
@@ -127,10 +129,10 @@ def _machine(structure: RobotStructure) -> _Machine:
     case = int(np.argmax(np.bincount(structure.loads.of)))
     row = int(np.flatnonzero(structure.loads.of == case)[0])
     system, point = machines.systems[case], machines.where[row : row + 1]
-    every = system.all_coordinates(point)
-    M, K = (system.free_part(a) for a in every)
+    matrices = system.all_coordinates(point)
+    M, K = (system.free_part(a) for a in matrices)
     eigenvalues, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
-    return _Machine(system, Surroundings(system, point), every[0][0], eigenvalues[0], shapes[0])
+    return _Machine(system, Surroundings(system, point), matrices[0][0], eigenvalues[0], shapes[0])
 
 
 def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
@@ -155,7 +157,7 @@ def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
         if term.form == "spring" and len(rows) == 1:
             direction = rows[0] / np.linalg.norm(rows[0])
             between = len(term.strains[0]) == 2
-            if between and any(abs(abs(one @ direction) - 1.0) <= ZERO for one in grounded):
+            if between and any(abs(abs(earlier @ direction) - 1.0) <= ZERO for earlier in grounded):
                 continue
             if not between:
                 grounded.append(direction)
@@ -173,14 +175,14 @@ def _parameter(term: Term, named: Named, machine: _Machine) -> Parameter:
         low, *_, high = _band(machine)
         middle = float(np.sqrt(low * high))
         return Parameter(name, middle, unit, lower=0.3 * low, upper=3.0 * high)
-    most = None
+    upper = None
     if named.name in ("mass", "inertia") and len(rows):
         felt = max(machine.mobility(row) for row in rows)
-        most = HEAVIEST / felt if felt > 0.0 else None
+        upper = HEAVIEST / felt if felt > 0.0 else None
     if named.name == "stiffness":
         yields = max(machine.flexibility(row) for row in rows)
-        most = STIFFEST / yields if yields > 0.0 else None
-    return Parameter(name, 0.0, unit, lower=0.0, usual=None if most is None else (0.0, most))
+        upper = STIFFEST / yields if yields > 0.0 else None
+    return Parameter(name, 0.0, unit, lower=0.0, usual=None if upper is None else (0.0, upper))
 
 
 def _band(machine: _Machine) -> Array:
@@ -199,16 +201,16 @@ def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...
         change = change_of(term, [1.0, mass][: len(term.parameters)], machine.around)
         M = change.M[0].copy()
         M[:e, :e] += machine.M
-        own = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
-        others = (mass,) if len(term.parameters) > 1 else ()
-        if e in own:
-            inertia = 1.0 / np.linalg.inv(M[np.ix_(own, own)])[-1, -1]
+        inertial = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
+        further = (mass,) if len(term.parameters) > 1 else ()
+        if e in inertial:
+            inertia = 1.0 / np.linalg.inv(M[np.ix_(inertial, inertial)])[-1, -1]
             for frequency in (*_band(machine), *(np.array(ABOVE) * machine.frequencies.max())):
-                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *others
+                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *further
         else:  # no mode of its own: what it gives way beside the springs there
             stiffness = float(change.K[0, e, e]) - 1.0
             for part in YIELDS if stiffness > 0.0 else ():
-                yield part / stiffness, *others
+                yield part / stiffness, *further
 
 
 def _starts_of_resonator(term: Term, machine: _Machine) -> Iterator[tuple[float, float]]:

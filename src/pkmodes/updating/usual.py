@@ -79,13 +79,13 @@ def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parame
     arm = float(np.linalg.norm(data.points[:, linear[:2]], axis=1).max(initial=0.0))
     plane = float(sigma[linear[:2]].max(initial=0.0))
 
-    def known(p: Parameter) -> Parameter:
+    def with_range(p: Parameter) -> Parameter:
         if p.name == frame.YAW:
-            most = (SIGMAS * plane or LENGTH[0]) / arm if arm > 0.0 else np.inf
+            bound = (SIGMAS * plane or LENGTH[0]) / arm if arm > 0.0 else np.inf
         elif p.name.startswith(frame.OF_MEASUREMENT):
-            most = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0) or LENGTH[0]
+            bound = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0) or LENGTH[0]
         else:
             return p
-        return replace(p, usual=(-most, most))
+        return replace(p, usual=(-bound, bound))
 
-    return [known(p) for p in parameters]
+    return [with_range(p) for p in parameters]
