@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 FORMATS = ("svg", "png", "pdf")
-#: Between a figure and the line below it [inch].
+#: Distance between a figure and the line below it [inch].
 GAP = 0.08
 
 

@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Length of the name of a robot below its figures at most.
+#: Length of the longest robot name below a figure.
 LONGEST = 60
 
 
@@ -156,7 +156,7 @@ def with_rotations(lengths: NDArray[Any] | None) -> str:
     return "" if lengths is None else f" Rotations count times {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
 
 
-#: The figures in their order.  Another is an entry here, the function that draws it, and a row of docs/figures.md.
+#: The figures in order.  A new one needs an entry here, the function that draws it, and a row in docs/figures.md.
 PICTURES = (
     PictureKind(
         "workspace",

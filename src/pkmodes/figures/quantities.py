@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 Array = NDArray[Any]
-#: Poses of a map of sensitivities, about.
+#: Approximate number of poses in a map of sensitivities.
 SENSITIVITIES = 2_000
 #: Heights at which the volume around a plane is outlined, and poses along each side of an outline.
 HEIGHTS, FINE = 16, 160

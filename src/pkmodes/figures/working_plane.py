@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Poses of the plane and of the volume in which it is chosen, about.
+#: Approximate number of poses in the plane, and in the volume in which it is chosen.
 POSES, VOLUME = 8_000, 40_000
-#: Part of the largest cross section that the plane has at least.
+#: Smallest area of the plane relative to the largest cross-section.
 WIDE = 0.5
 
 

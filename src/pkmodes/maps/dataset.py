@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Poses of a stored map that are read and written together.
+#: Poses of a stored map that are read and written at once.
 CHUNK = 16_384
 
 

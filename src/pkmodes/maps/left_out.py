@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 #: A pose is near-singular where the condition number of the platform Jacobian is above `CONDITION` and `FACTOR` times
 #: its median over the poses of the robot, or where a frequency is above `FACTOR` times its median.
 CONDITION, FACTOR = 100.0, 10.0
-#: A negative frequency of at least this fraction of the highest one at its pose is not rounding: its eigenvalue is
-#: 1e-12 of the highest.
+#: A negative frequency is more than rounding if it is at least this fraction of the highest one at its pose: its
+#: eigenvalue is then 1e-12 of the highest.
 ROUNDING = 1e-6
 MEDIANS = "median_frequency", "median_condition"
 RULE = (

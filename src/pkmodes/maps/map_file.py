@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
-#: Libraries that write each format, besides those of every map in progress, and their extra.
+#: Libraries that write each format, besides those that every map in progress needs, and their extra.
 LIBRARIES = {
     NETCDF: ("map", "netCDF4"),
     ZARR: ("map",),
@@ -33,12 +33,12 @@ LIBRARIES = {
 }
 IN_PROGRESS = ("map", "zarr", "dask")
 FORMATS = tuple(LIBRARIES)
-#: Files of a Zarr store that describe it: one of the first of each group, and one of the second of each array.
+#: Metadata files of a Zarr store: each group has one of the first, and each array one of the second.
 GROUP, ARRAY = (".zgroup", "zarr.json"), (".zarray", "zarr.json")
 DESCRIBING = {*GROUP, *ARRAY, ".zattrs", ".zmetadata"}
-#: Its values: pieces of an array, or folders of them.
+#: Names of its data: chunks of an array, or folders of chunks.
 PIECE = re.compile(r"c|(c\.)?\d+(\.\d+)*")
-#: Names of the map that is being written, and of the one that it replaces, in the folder of the map in progress.
+#: Names, in the folder of the map in progress, of the map being written and of the one that it replaces.
 UNDER_WAY = ("new", "replaced")
 
 

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 Array = NDArray[Any]
-#: Rows of a task: large enough that starting it costs nothing, small enough for progress and memory.
+#: Rows of a task: enough to make its start-up cost negligible, few enough for progress reports and memory.
 ROWS = 16_384
 Progress = Callable[[int, int], None]
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
-#: Bits that are dropped to find the bin of a number: bins are 2^-10 of a number wide.
+#: Bits dropped to find the bin of a number: the width of a bin is 2^-10 of the number.
 DROPPED = 42
 MAGNITUDE = np.int64(2**63 - 1)
 

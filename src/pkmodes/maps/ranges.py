@@ -14,9 +14,9 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.units import NUMBER, QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]
-#: More values along one axis are a mistake.
+#: Most values along one axis: more are a mistake.
 LARGEST = 1_000_000
-#: A comma between two integers, of which the second alone has a unit: two values or a decimal comma.
+#: A comma between two integers of which only the second has a unit: two values, or a decimal comma.
 AMBIGUOUS = re.compile(r"(?<![^\s,:])(-?\d+),(\d+)\s*(?![eE][+-]?\d)([A-Za-zµ%°][^,:]*)")
 
 

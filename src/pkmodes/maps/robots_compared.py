@@ -26,12 +26,12 @@ from pkmodes.support.mac import mass_weighted_mac
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
-#: Poses evaluated together.
+#: Poses evaluated at once.
 CHUNK = 4096
-#: Shares of the poses below the ends of the range that is given for each mode.
+#: Quantiles over the poses that end the range given for each mode.
 ENDS = (0.02, 0.98)
-#: A mode can be compared where its partner is another one at no more than this share of the poses, and the median MAC
-#: of the pairs is at least this.
+#: A mode is comparable if its partner differs at no more than this share of the poses, and the median MAC of the
+#: pairs is at least this.
 EXCHANGED, LIKE = 0.1, 0.8
 #: Smaller relative differences of a frequency count as none.
 NOTHING = 5e-5

@@ -21,11 +21,11 @@ from pkmodes.support.extras import require
 
 #: Tasks in progress for each thread: one is computed while the result of another is stored.
 AHEAD = 2
-#: How long to wait for the scheduler and a worker [s].
+#: Timeout for the scheduler and for a worker [s].
 PATIENCE = 10
 #: Protocols for which a client needs certificates.
 ENCRYPTED = ("tls://", "wss://")
-#: As text; that it is one shows when a client connects.
+#: Only the type is checked; whether it is an address shows when a client connects.
 ADDRESS = Constraint("the address of a scheduler", lambda value: isinstance(value, str))
 
 Values = Mapping[str, NDArray[Any]]

@@ -30,7 +30,7 @@ from pkmodes.core.solve.fields import missing
 from pkmodes.support.writing import refusal
 
 Array = NDArray[Any]
-#: Shape at one pose, and type, of each field.
+#: Shape at one pose and type of each field.
 Tails = Mapping[str, tuple[tuple[int, ...], str]]
 SUFFIX = ".partial"
 #: Name of the group in the folder.

@@ -19,8 +19,8 @@ from pkmodes.support.documents import Document
 if TYPE_CHECKING:
     import xarray
 
-#: Shares of the poses below the frequencies that stand for a mode: at the edge of a workspace a spring may become so
-#: short that the extremes say nothing about the rest.
+#: Quantiles over the poses that characterise the frequency of a mode: at the edge of a workspace a spring may become
+#: so short that the extremes are not representative.
 SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
 #: Number of poses below which 2 % of them are less than one.
 FEW = 50

@@ -31,9 +31,10 @@ from pkmodes.support.mac import mass_weighted_mac
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]
-#: A pair below this MAC is uncertain; a mode that keeps less than this of its shape, but not alone, veers.
+#: A pair with a MAC below the first is uncertain; a mode whose own MAC is below the second, but reaches it together
+#: with another mode, veers.
 CLEAR, SAME = 0.5, 0.9
-#: Steps compared together.
+#: Steps compared at once.
 CHUNK = 8192
 
 Masses = Callable[[Index], Array]

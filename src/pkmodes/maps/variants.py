@@ -20,7 +20,7 @@ from pkmodes.support.covariance import covariance_of, root_of, uncertain
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
-#: Draws of one sample until the robot is refused: a standard deviation that large is a mistake.
+#: Draws of one sample before the robot is refused: a standard deviation that large is a mistake.
 DRAWS = 100
 
 

@@ -36,16 +36,16 @@ from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 Inside = Callable[[Array], NDArray[np.bool_]]
-#: Poses drawn in each round; a round is the last if it moves no end of the box by more than this part of its length.
+#: Poses drawn in each round, the relative change of the box below which rounds end, and most rounds.
 DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
-#: Part of the length of the box by which it is extended on each side before the next round.
+#: Fraction of its length by which the box is extended on each side before the next round.
 BEYOND = 0.1
 SEED = 20260105
-#: Part of its characteristic length by which the origin of a platform is to one side of its joints.
+#: Smallest offset of a platform's origin to one side of its joints, relative to the characteristic length.
 BESIDE = 0.01
-#: Usable poses after which the ends of the box around them are known well enough.
+#: Number of usable poses from which the ends of the box around them are known well enough.
 ENOUGH = 5_000
-#: Poses of the grid, about, and along one component at most, about.
+#: Approximate number of poses of the grid, and the most along one component.
 POSES, LONGEST = 50_000, 1_000
 
 

@@ -24,16 +24,16 @@ from pkmodes.measured.measurements import Measurements
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
-#: Levels differ if the higher is this many times the lower.
+#: Levels differ if the higher is at least this multiple of the lower.
 DIFFER = 1.25
 #: Largest p-value of a dependence that is reported.
 SURE = 1e-3
-#: What the stated errors are worth beside the scatter of setups at one level, in degrees of freedom.
+#: Degrees of freedom that the stated errors are worth, beside the scatter of setups at one level.
 WORTH = 4.0
-#: How much larger than stated errors may be where no level was repeated.
+#: Factor by which the true errors may exceed the stated ones where no level was repeated.
 UNKNOWN = 2.0
-#: A change is clear from this many standard deviations on; one that is known worse than to this part of the largest
-#: clear one is not reported.
+#: Standard deviations from which a change is clear; a change whose standard deviation is more than this fraction of
+#: the clearest change is not reported.
 CLEAR, KNOWN = 3.0, 0.5
 
 

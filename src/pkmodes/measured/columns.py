@@ -14,7 +14,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
-#: How what a file may state under a name is written in Python.
+#: Python syntax of what a file may state under a name.
 EXAMPLES = {"priors": '{"parameter:link.length": "1 mm"}', "usable": '{"z": ["0 mm", "200 mm"]}'}
 #: Default components of a pose and their units: a point in space.
 POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})

@@ -20,10 +20,10 @@ from pkmodes.measured.trust import LEAST_MAC, cautions_of, close_to_another, not
 from pkmodes.support.mac import mac, normalised
 
 Array = NDArray[np.float64]
-#: Rows of a mode in both, and the MAC of its shapes.
+#: Rows of a mode in both files, and the MAC of its shapes.
 Rows = tuple[int, int, float | None]
-#: Largest relative difference of the frequencies of one mode, and how much of it counts as much as shapes without
-#: anything in common.
+#: Largest relative difference between the frequencies of one mode, and the difference that costs as much as shapes
+#: with a MAC of 0.
 FARTHEST, ALIKE = 0.25, 0.1
 
 

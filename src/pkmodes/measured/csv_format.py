@@ -15,7 +15,7 @@ from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
 
 LARGEST_FILE = 50_000_000
-#: First bytes of text in UTF-16, in either order of bytes.
+#: First bytes of UTF-16 text, in either byte order.
 UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 #: First bytes of spreadsheet files: a zip archive, and the older Excel format.
 WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")

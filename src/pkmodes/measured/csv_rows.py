@@ -28,11 +28,11 @@ from pkmodes.measured.rules import (
 )
 from pkmodes.measured.statements import ALSO, STATEMENT, STATEMENTS
 
-#: The column of the state of the machine.
+#: Name of the column with the state of the machine.
 STATE = "state"
-#: A line that tells spreadsheet programs the separator of the cells.
+#: A line that tells spreadsheet programs which separator the cells have.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
-#: A comment with a comma in it, as spreadsheet programs write it.
+#: A comment that contains a comma, as spreadsheet programs write it.
 QUOTED_COMMENT = re.compile(r"\"(#[^\"]*)\"[,;\t ]*")
 
 

@@ -44,7 +44,7 @@ class Machine:
     others: Callable[[], Mapping[str, Collection[str]]] = dict
 
 
-#: How a format of measurements is read: from the path of a file, and the machine.
+#: Function that reads a format of measurements, from the path of a file and the machine.
 Reader = Callable[[str | PathLike[str], Machine], Measurements]
 Read_co = TypeVar("Read_co", bound=Callable[..., object], covariant=True)
 

@@ -30,11 +30,11 @@ from pkmodes.support.ordering import joined
 TEXT = ("pose", "mode", "drives", "state")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
-#: Separates the columns of tables that are no CSV.
+#: Column separator of tables that are not CSV.
 BAR = "|"
 #: Units of a shape component of unknown kind: a displacement or a rotation.
 MOTIONS = ("m", "rad")
-#: What to do about measurements of another machine.
+#: Remedy for measurements of another machine.
 OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
 
 

@@ -13,7 +13,7 @@ from pkmodes.measured.rules import SET, SHAPE
 
 #: A name with its unit, in words or in brackets.
 WITH_UNIT = re.compile(r"(.*?)(?:\s+in\s+(\S+)|\s*[\[(]([^\[\]()]*)[\])])")
-#: What others call columns of a measurement file, in lower case and without signs between the words.
+#: Names that other programs give to the columns of a measurement file, in lower case and without punctuation.
 SYNONYMS = {
     "frequency": (
         "freq",
@@ -43,7 +43,7 @@ SYNONYMS = {
 }
 OF_SHAPE = re.compile(r"(?:mode ?)?shape (.+)")
 OF_POSE = re.compile(r"(?:pos|position|pose) (.+)|(.+) (?:pos|position)")
-#: How alike a name must be to a known one that it may be meant.
+#: Smallest similarity of a name to a known one for it to be suggested.
 ALIKE = 0.51
 
 

@@ -194,7 +194,7 @@ SHAPE_SIGMA = Number(
         "write 0.05 for 5 %, or leave it blank",
     ),
 )
-#: Level of excitation of a pose: of any kind, so that only its ratios count.
+#: Level of excitation of a pose, of any kind: only ratios matter.
 LEVEL = Number(
     "level",
     "level",

@@ -12,7 +12,7 @@ from pkmodes.measured.csv_format import CSV
 from pkmodes.measured.formats import Format, Machine, Reader
 from pkmodes.measured.measurements import Measurements
 
-#: Formats by name.  The first one is tried on files of no known format: its errors say what is expected.
+#: Formats by name.  The first one also reads files of unknown format, since its errors say what is expected.
 FORMATS: dict[str, Format[Reader]] = {file_format.name: file_format for file_format in (CSV,)}
 #: Number of bytes from which a format is recognised.
 HEAD = 4096

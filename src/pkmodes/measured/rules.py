@@ -26,7 +26,7 @@ from pkmodes.measured.quantities import (
 SHAPE = "shape:"
 #: Prefix of the columns that hold values of settings.
 SET = "set:"
-#: What to do about a label that is none.
+#: Remedy for an invalid label.
 PRINTABLE = "write a name in printable characters"
 
 

@@ -23,9 +23,9 @@ from pkmodes.measured.series import series_of
 from pkmodes.support.documents import Document, Probability, Size
 
 Array = NDArray[np.float64]
-#: Fewest channels at which a change of shape is looked for: with two, one number says all, and that is the MAC.
+#: Fewest channels at which a change of shape is looked for: with two, a single number, the MAC, describes it.
 FEWEST_CHANNELS = 3
-#: Second difference of three neighbours.
+#: Second difference over three neighbours.
 SECOND_DIFFERENCE = np.array([1.0, -2.0, 1.0])
 
 

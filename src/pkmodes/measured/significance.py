@@ -13,13 +13,13 @@ from scipy.special import chdtrc, ndtr, ndtri
 from pkmodes.support.documents import Count, Document, Probability, Size
 
 Array = NDArray[np.float64]
-#: Level at which a mode differs, all pairs together, and at which a place does, all places of all shapes together.
+#: Significance level of a change, over all pairs together, and over all places of all shapes together.
 LEVEL = 0.01
-#: Level of the change that modes have in common, and of all changes taken together, which are asked beside it.
+#: Significance level of the common change, and of all changes taken together, which are tested in addition.
 BESIDE = LEVEL / 2.0
-#: Standard deviations of a common change from which on it is one.
+#: Number of standard deviations from which a common change counts as one.
 LEAST_COMMON = float(-ndtri(BESIDE / 2.0))
-#: Fewest pairs, and least share of all, that have a change in common although others do not.
+#: Fewest pairs, and smallest share of all pairs, that can share a change which the others do not.
 FEWEST, MOST_OF_ALL = 3, 0.75
 
 

@@ -22,7 +22,7 @@ DRIVES_HELP = 'write "# drives: free" or "# drives: held", or start the comment 
 PRIOR_HELP = 'write "# prior: measurement:offset.z = 2 mm", or start the comment with another word'
 STATE_HELP = 'write "# state: before", or start the comment with another word'
 USABLE_HELP = 'write "# usable: z = 40 mm, 300 mm", or start the comment with another word'
-#: What a statement gives under a name: text with a unit, or a number in SI units; or several of them.
+#: Value of a statement: text with a unit, a number in SI units, or several of these.
 Value = str | float
 
 
@@ -157,7 +157,7 @@ class Statement(NamedTuple):
     several: bool = False
 
 
-#: What a comment may say of the whole test, by its first word, and other words for that.
+#: Statements about the whole test by their first word; then synonyms of these words.
 STATEMENTS = {
     "band": Statement(parse_band, BAND_HELP, "[0-9.]"),
     "drives": Statement(parse_drives, DRIVES_HELP, r"(?:free|held)\b"),
@@ -166,7 +166,7 @@ STATEMENTS = {
     "usable": Statement(parse_usable, USABLE_HELP, r"\w+\s*[:=]", several=True),
 }
 ALSO = {"motors": "drives"}
-#: Such a comment.  Also matches without the colon, a mistake that would otherwise go unnoticed.
+#: A comment with a statement.  Also matches without the colon, a mistake that would otherwise go unnoticed.
 STATEMENT = re.compile(
     r"#\s*({})\s*([:=]|(?=\s))(.*)".format(
         "|".join(

@@ -24,7 +24,7 @@ from pkmodes.measured.shape_changes import Aligned
 from pkmodes.support.documents import Document, Number, Size
 
 Array = NDArray[np.float64]
-#: Where the relative motions of a mode are not this many times their errors (root mean square), it has no index.
+#: Smallest ratio of the relative motions of a mode to their errors (root mean square) for which it has an index.
 FEWEST_TIMES = 3.0
 
 

@@ -12,13 +12,13 @@ from pkmodes.measured.shape_changes import FEWEST_CHANNELS, ShapeChange
 from pkmodes.measured.significance import LEVEL
 from pkmodes.measured.strain_energy import StrainEnergyChange
 
-#: Modes whose frequencies are closer than this turn into each other under any change.
+#: Relative distance of frequencies below which any change may mix two modes.
 CLOSE = 0.03
-#: Shapes that have less in common may be of different modes.
+#: Shapes with a smaller MAC may belong to different modes.
 LEAST_MAC = 0.9
-#: What makes a change of shape no sign of a place; others only say that there is none to see.
+#: Cautions that rule out a change of shape as a sign of a place; the others only say that none can be seen.
 NO_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
-#: What the cautions mean.
+#: Meanings of the cautions.
 SENTENCES: dict[Caution, str] = {
     "no_sigma_shape": "not both files give sigma_shape, so nobody knows whether the shape changed by more than its "
     "errors.",
@@ -28,7 +28,7 @@ SENTENCES: dict[Caution, str] = {
     "same_shape": "the frequency changed, but not the shape by more than its errors: stiffness or mass changed in "
     "proportion everywhere, or by too little for these errors to show where.",
 }
-#: Lines that a note names.
+#: Most lines named in a note.
 NAMED = 8
 
 

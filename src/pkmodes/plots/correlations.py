@@ -15,15 +15,15 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, VERMILLION, ink_on
 
 Array = NDArray[np.float64]
-#: Most values in the matrix, and their longest name, also on a narrow sheet.
+#: Most values in the matrix, and the length of the longest name, on a wide and on a narrow sheet.
 MOST, LONGEST, NARROW = 16, 40, 16
-#: Correlation from which on one value says half of what the other does: its square is 0.5.
+#: Correlation at which one value explains half of the variance of the other: its square is 0.5.
 NOTABLE = 0.5**0.5
-#: Most pairs with ellipses, and points of one.
+#: Most pairs with ellipses, and number of points of an ellipse.
 PAIRS, POINTS = 4, 121
-#: Probabilities that an ellipse has the true pair of values, each with the style of its line.
+#: Probabilities that an ellipse contains the true pair of values, each with its line style.
 INSIDE = ((0.68, "-"), (0.95, "--"))
-#: Declared values are shown up to this number of standard deviations of the fit from it.
+#: Declared values are shown up to this many standard deviations of the fit away.
 NEAR = 6.0
 
 

@@ -11,11 +11,11 @@ from pkmodes.plots.labels import short
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import INK
 
-#: Width in which the setups of a mode are spread, in modes, and half the length of the line of their median.
+#: Width over which the setups of a mode are spread, and half the length of the median line, both in modes.
 SPREAD, HALF = 0.6, 0.34
-#: Space beyond the largest differences, relative to their range.
+#: Margin beyond the largest differences, relative to their range.
 MARGIN = 0.07
-#: Most modes whose typical frequency is written below their number.
+#: Most modes whose typical frequencies are written below their numbers.
 MOST_NAMED = 12
 SIGMAS = "difference [\u03c3]"
 

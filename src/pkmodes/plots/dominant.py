@@ -16,12 +16,12 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import ink_on
 
 Array = NDArray[Any]
-#: Colours of the parameters, those of the largest areas first, and that of all others.  No two of them have the same
-#: grey, and none is one that a page redefines: an image keeps its colours on a dark page.
+#: Colours of the parameters, those with the largest areas first, and the colour of all others.  No two have the same
+#: grey, and a page redefines none of them: an image keeps its colours on a dark page.
 COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
 FRAME = "#80868c"
 ANOTHER = "another"
-#: Poses around a number in its region: where there are fewer, the region has none.
+#: Poses that a number needs around it within its region; smaller regions have no number.
 ROOM = 2
 
 

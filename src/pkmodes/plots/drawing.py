@@ -21,15 +21,17 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 #: Columns that every table begins with; a part is a piece of a broken curve.
 PANEL, SERIES, PART = "panel", "series", "part"
-#: Significant digits of the places of cells and bars: without the rounding of their unit.
+#: Significant digits of the positions of cells and bars: free of the rounding errors of unit conversion.
 PLACES = 12
-#: Significant digits of a value that is shown as a colour, which shows three, and where there are more than so many.
+#: Significant digits of values shown as colours, which resolve three; number of values above which fewer are written,
+#: and how many.
 DIGITS, MANY, FEWER = 7, 60_000, 5
-#: Significant digits of the points of curves and marks, if there are more of them than so many; otherwise all.
+#: Significant digits of the points of curves and marks, by the number of points above which they apply; below, all
+#: digits.
 LONG = ((20_000, 6), (2_000, 9))
-#: First characters that make a spreadsheet take a text for a formula, in the widths of East Asian text, too.
+#: First characters that make a spreadsheet read a text as a formula, including their East Asian full-width forms.
 FORMULA = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
-#: Characters for which a text is quoted, and whole numbers below which are written without a point.
+#: Characters for which a text is quoted; whole numbers below the limit are written without a decimal point.
 QUOTED, LARGEST = ',;"', 1e15
 
 

@@ -20,13 +20,13 @@ from pkmodes.plots.style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: A pole is stable if the order before has one within these of its frequency and damping, relative.
+#: A pole is stable if the previous order has one within these relative distances of its frequency and damping.
 SAME_FREQUENCY, SAME_DAMPING = 0.005, 0.1
-#: Half the height of a pole's mark, relative to the least distance of orders.
+#: Half the height of a pole's mark, relative to the smallest distance between orders.
 HALF = 0.3
-#: Width of a digit relative to that of the axes on a narrow screen, and rows of labels at most.
+#: Width of a digit relative to that of the axes on a narrow screen, and most rows of labels.
 DIGIT, ROWS = 0.032, 3
-#: Decades of a magnitude below its highest value that are drawn.
+#: Decades of a magnitude drawn below its maximum.
 DECADES = 5.0
 POLE: dict[str, Any] = {
     "color": GREY,

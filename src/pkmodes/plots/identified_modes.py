@@ -18,7 +18,7 @@ from pkmodes.plots.style import BLUE, GREY, PALETTE, PURPLE, VERMILLION
 Array = NDArray[np.float64]
 #: Panels of complex shapes side by side.
 ACROSS = 6
-#: Poses that are named on an axis at most.
+#: Most poses named on an axis.
 NAMED = 30
 
 

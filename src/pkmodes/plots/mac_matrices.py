@@ -16,7 +16,7 @@ from pkmodes.plots.sheet import Sheet
 Array = NDArray[np.float64]
 #: Most modes for which the numbers are written into the cells.
 MOST_WRITTEN = 8
-#: Above this MAC a cell is so light that its number is dark.
+#: MAC above which a cell is so light that its number is dark.
 LIGHT = 0.55
 
 

@@ -31,20 +31,20 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[Any]
-#: Lines along the shorter side of a map.
+#: Number of lines along the shorter side of a map.
 STROKES = 9
-#: Relative difference of frequencies up to which two poses have the same one, such as mirrored ones.
+#: Relative difference below which the frequencies of two poses are equal, as for mirrored poses.
 ROUNDING = 1e-9
-#: Poses that can share an extreme; where more do, it has no place.
+#: Most poses that can share an extreme; where more do, its location is not marked.
 SHARED = 8
-#: Numbers on contours are at least this far from one another, and from the edges of a panel; shorter lines have none
-#: [inch].
+#: Smallest distance of numbers on contours from one another and from the edges of a panel, and length of the shortest
+#: contour with a number [inch].
 APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
-#: Numbers on contours that are steeper stand upright: turned, 60 reads as 09 [degree].
+#: Numbers on contours steeper than this are upright: turned, 60 reads as 09 [degree].
 STEEP = 60.0
-#: What is said of a plane in which the platform turns.
+#: Shown in place of a figure for a plane in which the platform turns.
 NO_DIRECTIONS = "The axes of this plane are not two directions of the platform's motion."
-#: Blues up to this part are so light that black lines on them can be seen, also in grey.
+#: Blues up to this fraction of the scale are light enough for black lines, also in grey.
 LIGHT = 0.55
 
 

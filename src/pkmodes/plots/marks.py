@@ -14,13 +14,13 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
-#: From this number of marks on, they become an image inside the figure, which stays small.
+#: Above this number, marks are rasterised to keep the figure small.
 MANY = 1500
 #: Area of the smallest mark [square points].
 SMALLEST = 2.0
-#: Standard deviations within which a difference may be noise.
+#: Differences within this many standard deviations may be noise.
 NOISE = 2.0
-#: Setups that are named on an axis at most.
+#: Most setups named on an axis.
 NAMED = 30
 #: Kinds of rows: fitted, held out, set aside, without a partner.
 FITTED: dict[str, Any] = {"marker": "o", "facecolor": BLUE, "edgecolor": BLUE, "label": "fitted"}

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 Side = Literal["x", "y"]
 Part = Literal["title", "x", "y"]
-#: Characters of a title or label in one line on a narrow sheet.
+#: Characters per line of a title or label on a narrow sheet.
 LINE = 44
-#: Characters by which equal parts of a text are exceeded, since lines end between words.
+#: Extra characters allowed per line, since lines break between words.
 WORD = 5
 
 

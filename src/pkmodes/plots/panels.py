@@ -15,17 +15,18 @@ if TYPE_CHECKING:
 
 #: Space for labels and colour bars beside and below each panel, and for a line below its title [inch].
 BESIDE, BELOW, LINE = 0.62, 1.0, 0.15
-#: Height of a colour bar below a panel, its distance from the labels above it, and of two numbers at it [inch].
+#: Height of a colour bar below a panel, its distance from the labels above it, and between two of its numbers [inch].
 THICK, CLEAR, GAP = 0.08, 0.07, 0.05
-#: Width of a colour bar below a panel at least [inch].
+#: Smallest width of a colour bar below a panel [inch].
 NARROWEST = 0.7
-#: Numbers at colour bars: their size [points], and the width of a digit over it.
+#: Font size of the numbers on colour bars [points], and width of a digit relative to it.
 SMALL, DIGIT = 6.5, 0.64
-#: Height of a panel over its width at most, and in inches.
+#: Largest ratio of height to width of a panel, and its largest height [inch].
 TALLEST, HIGHEST = 3.5, 4.5
-#: Tall panels in a row at most; others: as long as there are few, and at most.
+#: Most tall panels in a row; for other panels, the number up to which there are few, and most in a row for few and
+#: for many.
 TALL_ROW, FEW, ROW, LONG_ROW = 6, 6, 3, 4
-#: Span of a colour scale of frequencies at least, relative to the frequency: a smaller range looks as small as it is.
+#: Smallest span of a colour scale of frequencies, relative to the frequency, so that a small range also looks small.
 LEAST_SPAN = 0.05
 
 

@@ -15,15 +15,15 @@ from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER
 
-#: Most candidates or values in a figure, and their longest name.
+#: Most candidates or values in a figure, and length of the longest name.
 MOST, LONGEST = 16, 64
-#: Longest label of a row: words and a name.
+#: Length of the longest row label: words and a name.
 WHOLE = 96
-#: Height of a row with its label [inch]; its label is this part of a row above the line.
+#: Height of a row with its label [inch]; the label is this fraction of a row above the line.
 ROW, ABOVE = 0.3, 0.12
-#: Part of the axis left of 0, so that a mark at 0 is whole.
+#: Fraction of the axis left of 0, so that a mark at 0 is not cut off.
 LEFT = 0.012
-#: Smallest p-value that is distinguished from 0.
+#: Smaller p-values are drawn as this one.
 LEAST = 1e-300
 
 

@@ -15,15 +15,15 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PALETTE, PURPLE, SKY, VERMILLION, WIDTH
 
 Array = NDArray[Any]
-#: Colours of shapers that are not recommended.
+#: Colours of the shapers that are not recommended.
 OTHERS = (GREEN, ORANGE, PURPLE, SKY)
-#: End of an axis of per cent that is full.
+#: Upper end of an axis that shows up to 100 %.
 TOP = 104.0
-#: Share of a grid that poses fill, from which on it is drawn as one.
+#: Fraction of a grid's points above which poses are drawn as that grid.
 FILLED = 0.25
-#: Height of a map over its width, at least and at most; space for titles and labels [inch].
+#: Smallest and largest ratio of height to width of a map; space for titles and labels [inch].
 SHAPES, AROUND = (0.3, 1.3), 0.75
-#: Part of the width that a single map has, as one over this.
+#: A single map is as wide as if this many stood side by side.
 ALONE = 1.6
 
 

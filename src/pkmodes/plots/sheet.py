@@ -15,23 +15,23 @@ if TYPE_CHECKING:
 
 Shared = bool | Literal["row", "col"]
 Scales = Literal["", "own", "common"]
-#: Width of a narrow figure, some 340 px of a page [inch].
+#: Width of a narrow figure, about 340 px of a page [inch].
 NARROW = 3.5
-#: Space for labels beside a panel, for a scale there, and for title and labels above and below it [inch].
+#: Space for labels beside a panel, for a colour scale there, and for title and labels above and below a panel [inch].
 LABELS, SCALE, AROUND = 0.75, 0.65, 0.75
-#: Space around a panel without axes, and for a scale below a panel [inch].
+#: Space around a panel without axes, and for a colour scale below a panel [inch].
 TITLE, BELOW = 0.25, 0.6
-#: Height of titles and labels around a panel on a wide sheet, about [inch].
+#: Approximate height of titles and labels around a panel on a wide sheet [inch].
 LABELLED = 0.55
-#: Height of a panel over its width from which on two and three stand side by side.
+#: Ratios of height to width above which two and three panels stand side by side.
 TALL = (1.3, 2.2)
-#: Width of a drawn figure over that of the sheet up to which it fits.
+#: A drawn figure fits if its width is at most this multiple of the sheet's.
 SLACK = 1.03
-#: Width of a panel at least [inch].
+#: Smallest width of a panel [inch].
 LEAST = 0.5
-#: Distance of the labels of ticks that are not turned [inch].
+#: Smallest distance between tick labels that are not rotated [inch].
 APART = 0.04
-#: Space around narrow figures [inch].
+#: Margin around narrow figures [inch].
 MARGIN = 0.08
 
 

@@ -16,13 +16,13 @@ from pkmodes.plots.style import GREEN, GREY
 
 #: Modes of the model are shown up to this multiple of the highest measured frequency.
 ABOVE = 1.12
-#: Half the length of a model's line, in setups, and the styles of the first and the last stage.
+#: Half the length of a line of the model, in setups; then the styles of the first and the last stage.
 HALF = 0.36
 STYLES = (
     {"color": GREY, "linewidth": 2.6, "alpha": 0.55},
     {"color": GREEN, "linewidth": 1.2},
 )
-#: Of the bands around the lines of the declared model.
+#: Opacity and label of the bands around the lines of the declared model.
 SHADE, BAND = 0.25, "\u00b1 \u03c3 as declared"
 
 

@@ -33,20 +33,20 @@ COLOURS = {
     **{colour: f"var(--{name}, {colour})" for colour, name in NAMES.items()},
 }
 COLOUR = re.compile("|".join(COLOURS), re.IGNORECASE)
-#: The fonts of the page instead of the one that the layout was made with.
+#: The page's fonts in place of the one used for the layout.
 FONTS = (
     (re.compile(r"\bfont: (\S*px) [^;]*"), r"font-size: \1"),
     (re.compile(r"font-family: [^;]*"), "font-family: inherit"),
 )
-#: Coordinates have two decimals: a figure is some hundred units wide.
+#: Coordinates are rounded to two decimals: a figure is a few hundred units wide.
 DECIMALS = re.compile(r"\d+\.\d{3,}")
 SPACE = re.compile(r"\s+")
 REFERENCE = re.compile(r"url\(#([^)]+)\)")
-#: Characters that XML cannot hold.
+#: Characters that XML does not allow.
 FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-#: Resolution of the images in narrow figures, whose panels are large [1/inch].
+#: Resolution of images in narrow figures, which have large panels [1/inch].
 SPARING = 130
-#: Length of the prefix that makes ids differ between figures.
+#: Length of the prefix that makes ids unique to a figure.
 DIGITS = 8
 
 

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Names of poses written at most under an axis.
+#: Most pose names written under an axis.
 LABELS = 24
-#: Values below which 2 % of them are less than one: the band then shows all of them.
+#: Below this number of values, 2 % of them are less than one: the band then covers all of them.
 FEW = 50
-#: Quantiles at the edges of a band of many values, and of few.
+#: Quantiles at the edges of a band for many values, and for few.
 INNER, ALL = (0.02, 0.5, 0.98), (0.0, 0.5, 1.0)
 
 

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Poses along each axis at most: cells that the eye still tells apart.
+#: Most poses along each axis: cells that the eye can still tell apart.
 FINEST = 30
-#: Part of an axis at its ends without numbers: those of two axes would meet there.
+#: Fraction of an axis at each end that has no numbers: those of two axes would collide there.
 CORNER = 0.1
-#: How bright cells are from the sides of the three axes, so that their edges are seen.
+#: Brightness of the cell faces normal to the three axes, which makes edges visible.
 LIGHT = (0.82, 0.92, 1.0)
 
 

@@ -16,12 +16,13 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import GREEN, INK, WIDTH
 
 Array = NDArray[Any]
-#: Direction from which the volume is seen [deg].
+#: Viewing direction of the volume [deg].
 ELEVATION, AZIMUTH = 20.0, -60.0
-#: Share of the poses at each end of the colour scale: condition numbers grow without bound towards a singularity.
+#: Fraction of the poses at each end that the colour scale ignores: condition numbers grow without bound towards a
+#: singularity.
 NEAR_SINGULAR = 0.1
-#: Outlines that enclose less than this part of the largest one are left out: at the rim of a workspace a step between
-#: two heights leaves shards of it.
+#: Outlines that enclose less than this fraction of the largest are left out: at the rim of a workspace, a step
+#: between two heights leaves fragments.
 SHARD = 0.03
 
 

@@ -44,17 +44,17 @@ WHERE = {
     "payload": "the platform: weigh what moves with it, such as a tool, cables and hoses",
     "servo_stiffness": "the motors: whether they were switched on during the measurement",
 }
-#: Where to look for other causes, by the beginning of their names.
+#: Where to look for other causes, by the prefix of their names.
 WHERE_ELSE = {
     "measurement:": "the measurement: whether its poses have the origin and the axes of the robot file",
     "parameter:": "the {words}: measure or look it up again",
 }
-#: What to say of a probability from the first number on: 96, 80 and 52 % of the most probable explanations were right
+#: Wording of a probability, by its lower bound: 96, 80 and 52 % of the most probable explanations were right
 #: (docs/probabilities-measured.md).
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
-#: Probabilities above this are not told apart.
+#: Probabilities above this are not distinguished.
 SUREST = 0.99
-#: Largest number of explanations of which it is said where to look.
+#: Most explanations for which the report states where to look.
 MOST = 5
 
 

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
     from pkmodes.plots.drawing import Drawing
 
-#: Cells with at most this number of characters are not broken into lines.
+#: Cells of up to this many characters are not wrapped.
 SHORT = 26
-#: Height over width from which on a figure is tall.
+#: Ratio of height to width above which a figure counts as tall.
 TALL = 0.85
 VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 

@@ -37,9 +37,9 @@ from pkmodes.support.numbers import rounded
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
 
-#: Sections that a reader sees without unfolding them.
+#: Sections that are unfolded when the page opens.
 OPEN = ("changes", "causes", "beyond", "place", "errors")
-#: Prefix of values that differ from one day to another, and from how many standard deviations on that is said.
+#: Prefix of values that differ from day to day, and the number of standard deviations from which that is reported.
 DAY, CLEARLY = "day.", 3.0
 #: Most rows in the table of changes on a page.
 MOST = 300

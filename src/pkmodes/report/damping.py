@@ -32,7 +32,7 @@ from pkmodes.report.tables import table
 TOP = "damping"
 #: Most rows on the page.
 MOST = 300
-#: Columns of the ratios of the model: key in the JSON and title.
+#: Columns of the damping ratios of the model: JSON key and title.
 RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%]"}
 
 

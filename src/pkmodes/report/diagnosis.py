@@ -37,11 +37,11 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
-#: Sections that a reader sees without unfolding them.
+#: Sections that are unfolded when the page opens.
 OPEN = ("errors", "causes", "beyond", "place", "modes")
-#: Most values of the members of a class in the head; of a cause, all are there.
+#: Most values listed in the header for the members of a class; those of a single cause are all listed.
 MOST = 5
-#: As in `diff`.
+#: Written as `diff` writes it.
 NO_END = "\\ No newline at end of file"
 
 

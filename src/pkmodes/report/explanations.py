@@ -26,9 +26,9 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed
 
-#: Most candidates in the table; more than any robot has.
+#: Most candidates in the table: more than any robot has.
 MOST = 200
-#: Members of a class in the table of probabilities.
+#: Members of a class named in the table of probabilities.
 SHOWN = 3
 
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Colours of the scale in the page.
+#: Number of colours in the scale on the page.
 COLOURS = 128
 LIST = "pose"
 

@@ -9,7 +9,7 @@ from pkmodes.report.formatting import clean
 from pkmodes.shaping.firmware import ASK
 from pkmodes.support.numbers import plain
 
-#: Of what is left: the first key that a document has.
+#: Keys of the remaining vibration, in order of preference.
 WORST = ("worst_uncertain", "worst")
 
 

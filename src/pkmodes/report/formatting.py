@@ -11,9 +11,9 @@ from pkmodes.report.blocks import Cell, Spread
 from pkmodes.support import numbers
 from pkmodes.support.numbers import p_text, plain, rounded, unsigned
 
-#: Labels and names of files longer than this are shortened; the JSON has them whole.
+#: Longer labels and file names are shortened; the JSON has them in full.
 LONGEST = 100
-#: Shown where there is no number.
+#: Shown in place of a missing number.
 NOTHING = "\u2013"
 #: A number with a power of ten within a sentence.
 POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")

@@ -22,11 +22,11 @@ from pkmodes.report.tables import table
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Places that a note of the head names at most.
+#: Most places named in a header note.
 PLACES = 8
-#: MAC of two modes above which the sensors hardly tell them apart.
+#: MAC between two modes above which the sensors hardly tell them apart.
 ALIKE = 0.8
-#: Relative standard deviation of a damping ratio from which the page mentions it.
+#: Relative standard deviation of a damping ratio above which the page mentions it.
 UNCERTAIN = 0.5
 
 

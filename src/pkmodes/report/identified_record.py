@@ -19,15 +19,15 @@ from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Complex shapes drawn of a record at most: the least collinear.
+#: Most complex shapes drawn for one record: the least collinear ones.
 MOST_SHAPES = 18
-#: Modes of a record at most for a matrix whose cells can be seen.
+#: Most modes of a record for a matrix with legible cells.
 MOST_MAC = 60
-#: Messages of a record that are listed at most.
+#: Most messages listed for one record.
 MOST_MESSAGES = 40
-#: Kinds of record whose name is an abbreviation.
+#: Kinds of record whose names are abbreviations.
 SHOWN = {"frf": "FRF"}
-#: What the functions of each kind of record are.
+#: The functions measured in each kind of record.
 FUNCTIONS = {
     "frf": "frequency response function, as acceleration per force in SI units",
     "impact": "frequency response function of the blows, as acceleration per force in SI units",

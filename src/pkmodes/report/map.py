@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: What the bands are where the robot file states standard deviations.
+#: Explanation of the bands where the robot file states standard deviations.
 BAND = (
     "the band is one standard deviation on either side, to first order from those that the robot file states"
 )

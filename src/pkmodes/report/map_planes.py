@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Values along each side of the plane that is drawn at most.
+#: Most values along each side of the plane that is drawn.
 FINEST = 150
-#: Titles, and how a plane was chosen.
+#: Titles; below, how a plane was chosen.
 WORKING, OF_MAP = "Over the working plane", "Over the plane of the map"
 CHOSEN = (
     "with the lowest mean condition number, among those of at least half the largest area, on a coarse grid"

@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Decimals of the frequencies [Hz]: as many as the tables of a report show.
+#: Decimals of the frequencies [Hz], as in the tables of a report.
 DECIMALS = 3
-#: Frequencies beyond this are held as this [Hz]: near a singular pose they have no bound.
+#: Cap on the stored frequencies [Hz]: near a singular pose they grow without bound.
 LARGEST = 1e6
-#: Frequencies and packed characters of one page at most.
+#: Most frequencies, and most packed characters, on one page.
 MOST, LONGEST = 1_000_000, 1_600_000
 
 

@@ -12,7 +12,7 @@ from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import NOTHING, number, plural, pointer, shortened, three_digits
 from pkmodes.report.tables import table
 
-#: Modes that sentences name, and channels of each.
+#: Most modes named in sentences, and channels of each.
 MODES, CHANNELS = 3, 2
 
 

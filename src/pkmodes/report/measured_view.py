@@ -30,7 +30,7 @@ from pkmodes.view.evaluating import scene_of
 from pkmodes.view.measured_modes import Channel, MeasuredMode
 
 Array = NDArray[np.float64]
-#: Poses of a measurement that are shown at most.
+#: Most poses of a measurement that are shown.
 MOST = 60
 
 

@@ -16,7 +16,7 @@ from pkmodes.support.numbers import p_text, plain
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
 
-#: Modes that a headline names.
+#: Most modes named in a headline.
 NAMED = 3
 FACTOR = (
     "Modes change so where stiffness or mass changes everywhere in proportion, as with the temperature or the "

@@ -14,9 +14,9 @@ from pkmodes.report.formatting import hertz, label, number, plural, pointer
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 
-#: Most rows on the page: beyond that, those that differ most.
+#: Most rows on the page; beyond that, only those that differ most.
 MOST = 300
-#: Names of the measured columns in the JSON of a diagnosis and of a comparison.
+#: Keys of the measured columns in the JSON of a diagnosis and of a comparison.
 MEASURED = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "sigma")}
 
 

@@ -29,7 +29,7 @@ from pkmodes.support.motors import motors_in_words
 from pkmodes.support.words import in_words
 
 Array = NDArray[np.float64]
-#: Rows of a table at most.
+#: Most rows of a table.
 ROWS = 20
 
 

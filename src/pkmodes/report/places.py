@@ -19,11 +19,11 @@ from pkmodes.report.setting import Setting
 from pkmodes.view import scene
 from pkmodes_description import Element
 
-#: Terms that are marked at most.
+#: Most terms that are marked.
 MOST = 5
-#: How a declared value begins as a candidate.
+#: Prefix of a declared value as a candidate.
 VALUE = "parameter:"
-#: Directions that an arrow shows.
+#: Directions that an arrow can show.
 AXES = ("x", "y", "z")
 
 

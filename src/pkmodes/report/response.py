@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.response.frequency_response import FrequencyResponse
 
-#: Channels in one figure: two by two.
+#: Channels in one figure, two by two.
 TOGETHER = 4
 UNDAMPED = (
     "The robot file has no damping: a resonance has no height of its own, and its peak is as high as the nearest "

@@ -16,13 +16,13 @@ from pkmodes.support.words import in_words
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: Titles of numbers of poses by their keys.
+#: Titles of the pose counts by their keys.
 REACHED = {
     "both": "poses that both reach",
     "first_only": "poses that only the first reaches",
     "second_only": "poses that only the second reaches",
 }
-#: Titles of standard deviations by their keys.
+#: Titles of the standard deviations by their keys.
 SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
 Shared = Paragraph | Listing | Table
 

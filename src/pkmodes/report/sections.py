@@ -10,7 +10,7 @@ from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Sectio
 from pkmodes.report.formatting import clean, shortened
 from pkmodes.report.sources import Source
 
-#: The words that a reader of a comparison and of a diagnosis needs, as in docs/diagnosis.md.
+#: Terms that the reader of a comparison or a diagnosis needs, as in docs/diagnosis.md.
 COMPARED = {
     "difference": "Model minus measurement: in per cent of the measured frequency, or in \u03c3.",
     "\u03c3": "Standard deviation of the measured frequency, with the uncertainty of the pose where one is stated. "

@@ -19,7 +19,7 @@ from pkmodes.sensitivity.spread import stated_sigmas
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: Modes beside each other in a table.
+#: Modes side by side in one table.
 MODES = 6
 
 

@@ -32,12 +32,12 @@ from pkmodes.support.words import in_words
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: Of parameters that act as one.
+#: Note on parameters that act as one.
 ONE = "Quantities in one row act as one: only their product or quotient enters the equations."
-#: Columns of a table before those of the modes.
+#: Columns of a table to the left of the modes.
 NAMED = 2
-#: Derivatives below these bounds are rounding: relative change of the frequency per relative change of the value, or
-#: per SI unit if the value is 0.
+#: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
+#: value, or per SI unit if the value is 0.
 ROUNDING, ROUNDING_BY_UNIT = 1e-9, 1e-15
 
 

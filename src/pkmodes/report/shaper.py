@@ -32,13 +32,13 @@ if TYPE_CHECKING:
 
 #: Relative errors of the frequencies in the second figure.
 ERRORS = np.linspace(-0.2, 0.2, 81)
-#: Poses at which shapers are evaluated over the frequency error at most.
+#: Most poses at which shapers are evaluated over the frequency error.
 POSES = 400
-#: Poses whose components differ by less are in one layer [SI].
+#: Poses whose components differ by less than this lie in one layer [SI].
 SAME = 1e-9
-#: Per cent left everywhere below which a map would be of one colour.
+#: Where less than this is left everywhere [%], a map would have a single colour.
 FLAT = 0.05
-#: Poses in a layer, of those that a layer of a regular grid would have, at least.
+#: Smallest number of poses in a layer, relative to that in a layer of a regular grid.
 LAYER = 0.3
 
 

@@ -20,7 +20,7 @@ from pkmodes.support.ordering import joined
 if TYPE_CHECKING:
     from pkmodes.shaping.results import Candidate, Choice
 
-#: Shapers that are drawn at most, and frequencies of a curve.
+#: Most shapers drawn, and number of frequencies in a curve.
 CURVES, DRAWN = 5, 400
 
 

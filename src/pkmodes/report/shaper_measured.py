@@ -20,7 +20,7 @@ from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.shaping.results import Choice
 from pkmodes.support.numbers import plain
 
-#: What everything is said within.
+#: The range of errors for which everything is stated.
 ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
 
 

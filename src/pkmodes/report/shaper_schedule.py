@@ -11,7 +11,7 @@ from pkmodes.support.numbers import plain
 if TYPE_CHECKING:
     from pkmodes.shaping.results import Choice, Step
 
-#: Of paths in titles, where it says nothing.
+#: Prefix of paths that titles leave out, since it carries no information.
 OF_EFFECTS = "effects."
 
 

@@ -10,7 +10,7 @@ from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, 
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 from pkmodes.support.ordering import joined
 
-#: The changes as people say them.
+#: The changes of the stability test, in words.
 CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
 NOTHING = "nothing explains the residual"
 

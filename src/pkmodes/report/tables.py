@@ -8,7 +8,7 @@ from itertools import groupby
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import NOTHING
 
-#: Texts that say nothing.
+#: Texts that carry no information.
 BLANK = ("", NOTHING)
 
 

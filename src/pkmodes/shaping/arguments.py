@@ -11,10 +11,10 @@ from pkmodes.core.base.arguments import real_numbers
 from pkmodes.core.base.errors import PkmodesError, shown
 
 Array = NDArray[np.float64]
-#: What to do about arguments that are not numbers.
+#: Remedy for arguments that are not numbers.
 GIVE = "give a number, or an array of numbers"
 DESIGN = "design it with pkmodes.shaping.shaper or Model.shaper"
-#: Error of the sum of a shaper's amplitudes, which rounding and few decimal digits make.
+#: Tolerance of the sum of a shaper's amplitudes, for rounding and values with few decimals.
 SUM = 1e-3
 
 

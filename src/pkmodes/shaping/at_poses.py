@@ -14,11 +14,11 @@ from pkmodes.shaping.ringing import Ringing, ringing
 from pkmodes.shaping.shapers import Shaper, shaper
 
 Array = NDArray[np.float64]
-#: Steps of the logarithm of the frequencies that are tried at each pose: zv leaves 3 % of a mode half a step away.
+#: Step in log frequency of the frequencies tried at each pose: zv leaves 3 % of a mode half a step away.
 APART = 0.04
-#: Poses evaluated together.
+#: Poses evaluated at once.
 TOGETHER = 2000
-#: Part of an interval that a golden section keeps.
+#: Fraction of an interval that a golden-section step keeps.
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 

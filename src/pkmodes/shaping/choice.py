@@ -26,7 +26,7 @@ from pkmodes.support.progress import say
 Array = NDArray[np.float64]
 #: Time between two commands of the controller [s].
 TICK = 1e-3
-#: A shaper needs as many ticks at least: its impulses would fall together.
+#: Shortest shaper, in ticks: the impulses of a shorter one would coincide.
 TICKS = 2
 SHARE = Constraint("a share above 0 and at most 1", lambda value: is_number(value) and 0.0 < value <= 1.0)
 TIME = Constraint("a positive time in s", lambda value: is_number(value) and 0.0 < value < np.inf)

@@ -18,18 +18,18 @@ from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.shapers import Shaper, shaper
 
 Array = NDArray[np.float64]
-#: Frequencies tried for each factor at most, and combinations of them.
+#: Most frequencies tried for each factor, and most combinations of them.
 TRIED, COMBINATIONS = 160, 20_000
-#: Modes at poses among which frequencies are looked for at most: those of poses that ring most, and of others evenly
-#: among the rest.
+#: Most modes at poses that the search considers: half from the poses that ring most, the rest spread evenly over the
+#: other poses.
 MOST = 3600
-#: Frequencies tried reach this far beyond those of the machine: robust shapers are best beside them.
+#: The frequencies tried reach beyond those of the machine by this factor: robust shapers work best slightly off them.
 BEYOND = 1.5
-#: Accuracy of the frequencies, relative: no shaper notices it.
+#: Relative accuracy of the frequencies: finer than any shaper needs.
 CLOSE = 1e-5
-#: Combinations evaluated together.
+#: Combinations evaluated at once.
 TOGETHER = 100
-#: From how many of the best the search goes on, and how many steps these are apart at least.
+#: Number of best combinations from which the search continues, and fewest steps between them.
 STARTS, APART = 5, 3
 
 

@@ -7,7 +7,7 @@ from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes_description.shapers import SHAPERS, Kind
 
 PRODUCT = "*"
-#: Names of the kinds of shapers for one mode.
+#: Names of the kinds of shapers for a single mode.
 KINDS = tuple(SHAPERS)
 
 

@@ -26,13 +26,14 @@ from pkmodes.support.documents import Document, Size
 from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
-#: Standard deviations within which frequency and damping ratio are looked at, and places there: frequencies with the
-#: least and the largest ratio, and the mode as measured, which is the last one.
+#: Standard deviations within which frequency and damping ratio are varied, and the points evaluated: frequencies with
+#: the smallest and the largest ratio, and last the mode as measured.
 WITHIN = 2.0
 FREQUENCIES = np.repeat(np.linspace(-WITHIN, WITHIN, 5), 2)
 RATIOS = np.tile([-WITHIN, WITHIN], 5)
 PLACES = np.array([[*FREQUENCIES, 0.0], [*RATIOS, 0.0]])
-#: Least and largest damping ratio of a mode of which none is known, and the largest of all: beyond, none oscillates.
+#: Smallest and largest damping ratio assumed for a mode without one, and the largest for any mode: above it, none
+#: oscillates.
 UNKNOWN, LARGEST = (0.0, 0.1), 0.99
 RATIO = Constraint("a damping ratio from 0 to below 1", lambda value: is_number(value) and 0.0 <= value < 1.0)
 

@@ -13,11 +13,12 @@ from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
-#: Frequencies that count, over the lowest and the highest mode.
+#: Range of frequencies considered, relative to the lowest and the highest mode.
 BELOW, ABOVE = 0.5, 1.4
-#: Relative distance of a peak from its mode at most, or else a line: damping and what drives the machine shift peaks.
+#: Largest relative distance of a peak from its mode, unless the lines are farther apart: damping and the excitation
+#: shift peaks.
 NEAR = 0.02
-#: What else a file may hold, and what to do with it.
+#: Other things that a file may hold, and what to do with them.
 OTHERS = {
     Kind.TIME: "signals in time: give their spectrum (Klipper writes one with OUTPUT=resonances)",
     Kind.FRF: "frequency responses: a spectrum has one column for each direction, such as psd_x",

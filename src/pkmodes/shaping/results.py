@@ -14,7 +14,7 @@ from pkmodes.shaping.settings import Setting, with_unit
 from pkmodes.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
-#: A fixed shaper is good enough if it leaves this share of the vibration at the worst pose.
+#: A fixed shaper is good enough if it leaves at most this share of the vibration at the worst pose.
 LEFT = 0.1
 
 

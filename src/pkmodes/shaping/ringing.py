@@ -26,14 +26,14 @@ from pkmodes.support.motors import drives_in_use, motors_give_way, motors_in_wor
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
-#: Modes that count by default: the lowest ones.
+#: Default number of modes considered, the lowest ones.
 MODES = 3
-#: Largest amplitude over the median from which on a few poses decide everything.
+#: Ratio of the largest to the median amplitude above which a few poses decide everything.
 DOMINATING = 20.0
-#: Relative difference below which frequencies are the same.
+#: Relative difference below which frequencies count as equal.
 SAME = 1e-9
-#: Points and weights of the average over a normal distribution (Gauss and Hermite): exact for polynomials up to
-#: degree 17, and good to 1e-3 for what shapers leave of vibrations.
+#: Points and weights of the average over a normal distribution (Gauss-Hermite quadrature): exact for polynomials up
+#: to degree 17, and accurate to 1e-3 for the vibration that shapers leave.
 SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
 
 

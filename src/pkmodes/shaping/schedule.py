@@ -27,7 +27,7 @@ from pkmodes.support.ordering import joined, listed
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
-#: Settings that a note names at most.
+#: Most settings named in a note.
 NAMED = 4
 
 

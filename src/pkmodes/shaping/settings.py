@@ -15,7 +15,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.support.axes import swept_values
 
-#: Settings at most: shapers are designed anew for each.
+#: Most settings: shapers are designed anew for each.
 MOST = 200
 
 

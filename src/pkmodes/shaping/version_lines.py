@@ -16,7 +16,7 @@ from pkmodes.shaping.schedule import each_setting
 from pkmodes.shaping.shapers import Shaper
 from pkmodes.support.documents import Document, Size
 
-#: Decimal digits of amplitudes and delays [s] that tell impulses apart.
+#: Decimals of amplitudes and delays [s] to which impulses are compared.
 DIGITS = 9
 
 

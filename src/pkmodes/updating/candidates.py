@@ -34,7 +34,7 @@ from pkmodes_description import Effect, EffectParameter, ParameterGroup
 
 #: Prefix of suspected values as candidates.
 PREFIX = "parameter:"
-#: Prefix of the paths of effects; as candidates, effects have their names only.
+#: Prefix of the paths of effects; effects as candidates have their bare names.
 EFFECTS = "effects."
 #: A suspected value is searched for between a third and three times the declared one: beyond that, the robot file
 #: describes another machine.

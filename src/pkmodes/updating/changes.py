@@ -28,10 +28,10 @@ from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes.updating.shared_values import deviations, in_use, of_one_machine
 
-#: Names of the states that have none: two, or more.
+#: Default names of the states; several later ones are numbered.
 BEFORE, AFTER = "before", "after"
-#: What all transmissions of a kind may differ by from one day to another, as with temperature: the standard deviation
-#: of the relative change of their stiffness.
+#: Standard deviation of the relative stiffness change that all transmissions of a kind may share from one day to
+#: another, as with temperature.
 DAY = 0.015
 #: Odds of an exchanged or moved part relative to a change in use.
 EXCHANGED = 0.1

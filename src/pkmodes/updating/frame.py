@@ -18,7 +18,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.diagnosis.problem import Candidate, Parameter
 
 Array = NDArray[np.float64]
-#: Prefixes of the parameters of the measurement, and of its candidates.
+#: Prefixes of the parameters of the measurement frame and of its candidates.
 OF_MEASUREMENT, PREFIX = "measurement.", "measurement:"
 YAW = f"{OF_MEASUREMENT}yaw"
 #: The axis of the yaw.

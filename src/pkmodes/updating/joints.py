@@ -15,7 +15,7 @@ from pkmodes.diagnosis.problem import Joint
 from pkmodes.support.words import ENTRY
 from pkmodes_description import EffectParameter
 
-#: The description of the parameter of an effect that changes one of several equal parts.
+#: Description of an effect's parameter that changes one of several equal parts.
 CHANGE = re.compile(r"relative change of the (\w[\w ]*) of (\w[\w ]*) (\d+)")
 
 

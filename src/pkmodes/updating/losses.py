@@ -25,9 +25,9 @@ from pkmodes.updating.candidates import PREFIX, refuse_declared
 from pkmodes.updating.predictions import Solved
 
 Array = NDArray[np.float64]
-#: The candidate of the common ratio.
+#: Name of the common damping ratio as a candidate.
 RATIO = f"{PREFIX}{DAMPING_RATIO}"
-#: Value at which an effect is evaluated: a power of two below all bounds, so that scaling is exact.
+#: Value at which an effect is evaluated: a power of two below all bounds, which makes scaling exact.
 PART = 0.5
 
 

@@ -28,9 +28,9 @@ from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reac
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Padding for robots with fewer parameters than others that are evaluated together.
+#: Padding for robots with fewer parameters than others that are evaluated with them.
 NOTHING = ParameterPath("", 0.0, "1", {})
-#: Eigenvalue of the first missing mode of a setup, far above all others, and ratio to that of the next one.
+#: Eigenvalue of the first missing mode of a setup, far above all others, and the ratio between successive ones.
 LACKING, FARTHER = 1e40, 100.0
 
 

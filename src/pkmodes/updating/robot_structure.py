@@ -33,9 +33,9 @@ from pkmodes.updating.predictions import Moves, Solved, derived, joined, solved
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Number of poses drawn around the measured ones for the next measurement, and their seed.
+#: Number of poses drawn around the measured ones for the next measurement, and the random seed.
 DRAWS, SEED = 400, 7
-#: Least angle of a rod to its singular direction there [rad].
+#: Smallest angle of a rod to its singular direction there [rad].
 LEAST_ANGLE = float(np.radians(10.0))
 #: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
 WHERE = ("direction", "choice", "signs", "pair")

@@ -36,7 +36,7 @@ from pkmodes.updating.term_rates import TermRates
 from pkmodes_description import Term
 
 Array = NDArray[np.float64]
-#: Robots whose matrices are kept: a fit evaluates many terms beside the same one.
+#: Robots whose matrices are cached: a fit evaluates many terms on the same robot.
 KEPT = 4
 
 

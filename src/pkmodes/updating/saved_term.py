@@ -16,7 +16,7 @@ from pkmodes.support.writing import write_file
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 
-#: Significant digits of the value of an effect.
+#: Significant digits of an effect's value.
 DIGITS = 10
 
 

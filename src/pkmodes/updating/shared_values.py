@@ -20,16 +20,17 @@ from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
 from pkmodes.updating.candidates import PREFIX
 from pkmodes.updating.frame import PREFIX as OF_MEASUREMENT
 
-#: Standard deviation of the relative error of a declared mass, inertia or stiffness of an axis.
+#: Relative standard deviation of a declared mass, inertia or stiffness of an axis.
 WRONG = 0.03
-#: Dimensions of values that are those of a part: they do not change in use.
+#: Dimensions of values that belong to a part, which do not change in use.
 OF_PARTS = ("length", "angle", "acceleration", "number", "moment of inertia")
-#: Dimensions of values that a robot file may have wrong by some per cent.
+#: Dimensions of values that a robot file may have wrong by a few per cent.
 UNCERTAIN = ("mass", "moment of inertia")
 STIFFNESS = "stiffness"
 #: Prefix of the deviations.
 SHARED = "shared."
-#: How much nearer the frames of two campaigns on one machine are than that of one campaign and the robot file.
+#: Prior deviation between the frames of two campaigns on one machine, relative to that between a campaign and the
+#: robot file.
 NEARER = 0.025
 
 

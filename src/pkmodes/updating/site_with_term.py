@@ -19,9 +19,9 @@ from pkmodes_description import Term
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: A spring strains a rigid motion if by more than this part of what it strains other motions.
+#: A spring strains a rigid motion if by more than this fraction of its strain in other motions.
 STRAINED = 1e-7
-#: Ratio of the largest eigenvalue to the lowest one up to which this has the digits that a fit needs.
+#: Ratio of the largest to the lowest eigenvalue up to which the lowest has the accuracy that a fit needs.
 LOSSY = 1e9
 
 

@@ -21,22 +21,23 @@ from pkmodes.updating.term_changes import Surroundings, change_of, strains
 from pkmodes_description import Named, Term
 
 Array = NDArray[np.float64]
-#: A mass that a machine has without its file saying so is at most this many times what its place feels like.
+#: Largest undeclared mass, relative to the effective mass at its place.
 HEAVIEST = 2.0
-#: A spring that nobody declared, in stiffnesses of the machine at that place.
+#: Largest undeclared spring stiffness, relative to the stiffness of the machine at its place.
 STIFFEST = 10.0
-#: Masses of a resonator from which it is fitted, as parts of what its place feels like.
+#: Masses from which the fit of a resonator starts, relative to the effective mass at its place.
 PARTS = (0.03, 0.15, 0.6)
-#: Frequencies from which it is fitted, and the range of these, from the lowest and highest frequency of the machine.
+#: Number of frequencies from which its fit starts, and their range relative to the lowest and highest frequency of
+#: the machine.
 FREQUENCIES, LOWEST, HIGHEST = 20, 0.6, 1.15
-#: Frequencies above that range from which the mode of a support is fitted, as multiples of the machine's highest: the
-#: support is then hardly more than a spring in series.
+#: Frequencies above that range from which the fit of a support's mode starts, relative to the highest of the machine:
+#: the support is then hardly more than a spring in series.
 ABOVE = (1.4, 2.0, 3.0, 5.0, 8.0)
-#: Compliances of a bearing without a mass of its own, in those of the belt there.
+#: Compliances of a bearing without mass of its own, relative to that of the belt there.
 YIELDS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
-#: A row of displacements below this part of the largest is none; rows that differ by less are the same.
+#: A row of displacements below this fraction of the largest counts as zero; rows that differ by less are the same.
 ZERO = 1e-9
-#: An inertia matrix, scaled to a unit diagonal, with a smaller eigenvalue is singular.
+#: An inertia matrix, scaled to a unit diagonal, is singular if it has an eigenvalue below this.
 SINGULAR = 1e-6
 
 

@@ -33,7 +33,7 @@ Values = Sequence[Any] | Array
 ADDING = ("mount", "resonator")
 #: The generated parameter on which weights depend.
 GRAVITY = "gravity"
-#: A resonance nearer to a mode than this part of its eigenvalue counts as this far away.
+#: A resonance nearer to a mode than this fraction of its eigenvalue counts as this far away.
 NEAR = 1e-3
 
 

@@ -17,18 +17,18 @@ from pkmodes.diagnosis.problem import Parameter
 from pkmodes.measured.measurements import Measurements
 from pkmodes.updating import frame
 
-#: A wrong length is that of another part, some millimetres away [m], or goes to another point: some per cent of it.
-#: One of less than some millimetres, such as the travel of a screw, is wrong by some per cent.
+#: A wrong length belongs to another part, some millimetres off [m], or is measured to another point, some per cent
+#: off.  One below some millimetres, such as the lead of a screw, is some per cent off.
 LENGTH = (0.005, 0.05)
 #: Teeth and threads can be counted.
 RATIO = 0.05
-#: A mass is without its screws and cables, an inertia is that of another rotor, a stiffness is a catalogue's: each
-#: may be wrong by this factor.
+#: A mass may lack its screws and cables, an inertia may be that of another rotor, a stiffness may come from a
+#: catalogue: each may be wrong by this factor.
 FACTOR = 2.0
 BY_FACTOR = ("mass", "moment of inertia", "specific stiffness", "stiffness", "torsional stiffness")
-#: A machine may stand in any direction; gravity itself varies by less than a per cent on the ground.
+#: A machine may stand in any orientation; gravity itself varies by less than one per cent on the ground.
 ON_THE_GROUND = 1.01
-#: Standard deviations of the stated errors of the poses by which all of them may be shifted.
+#: Number of standard deviations of the stated pose errors by which all poses may be shifted together.
 SIGMAS = 3.0
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Steps of a slider from one evaluated state to the next, as in states.js.
+#: Slider steps between two evaluated states, as in states.js.
 FINE = 10
 
 

@@ -18,10 +18,10 @@ from pkmodes.view.measured_modes import MeasuredMode, scale_factor, weights_of
 from pkmodes.view.scene import Scene
 
 Array = NDArray[np.float64]
-#: Kinds of elements at which a coordinate is shown as a displacement.
+#: Kinds of elements on which a coordinate is shown as a displacement.
 MOVING = ("carriage", "arm", "gantry", "toolhead", "platform", "body")
 DIGITS = 4
-#: Units of components, for a largest displacement of 1 mm.
+#: Units of components for a largest displacement of 1 mm.
 SMALL = {"m": "mm", "rad": "mrad"}
 
 

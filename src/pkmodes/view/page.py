@@ -20,11 +20,11 @@ from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.still import still
 from pkmodes_description import Named
 
-#: Parts of the program in the browser, in order.
+#: Parts of the program in the browser, in loading order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
-#: Shares of the strain energy that differ by less are equal, as in panel.js.
+#: Shares of the strain energy that differ by less count as equal, as in panel.js.
 TIED = 0.0005
-#: How the title of every page ends; `pkmodes show` knows by it what it wrote.
+#: End of every page title, by which `pkmodes show` recognises its own pages.
 PAGE_MARK = b": vibration modes</title>"
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 

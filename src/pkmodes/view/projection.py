@@ -11,7 +11,7 @@ from pkmodes_description import Element
 Array = NDArray[np.float64]
 #: Shapes of elements whose outlines enclose an area.
 AREAS = ("wheel", "plate")
-#: Direction from which a robot in space and a planar one are seen [deg].
+#: Viewing directions of a spatial and of a planar robot [deg].
 AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
 
 

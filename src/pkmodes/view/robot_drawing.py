@@ -14,7 +14,7 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: Below this sine of the angle to the vertical, a direction is vertical, and upright means outwards.
+#: A direction counts as vertical below this sine of its angle to the vertical; upright then means outwards.
 VERTICAL = 0.3
 Z = (0.0, 0.0, 1.0)
 

@@ -17,7 +17,7 @@ from pkmodes.view.workspace import Surface
 from pkmodes_description import Element, Named
 
 Array = NDArray[np.float64]
-#: Amplitude of a displayed mode as a share of the robot's size.
+#: Amplitude of a displayed mode relative to the size of the robot.
 AMPLITUDE = 0.06
 
 

@@ -18,12 +18,12 @@ from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes_description import Element
 
 Array = NDArray[np.float64]
-#: Width of the picture in its own units; its height follows, within the limits given as shares of the width.
+#: Width of the picture in its own units; limits of the height and the margin, as fractions of the width.
 WIDTH, FLAT, TALL, ROOM = 800.0, 0.4, 0.9, 0.05
-#: Widths of lines by kind of element as shares of the picture, and of all others.
+#: Line widths by kind of element, as fractions of the picture, then those of all others.
 WIDTHS = {"rail": 0.006, "frame": 0.006, "belt": 0.0055, "arm": 0.012, "gantry": 0.012, "link": 0.006}
 THIN, BLOCK, BALL, CORNERS = 0.005, 0.02, 0.009, 24
-#: Colours of shares of the strain energy from 0 to 100 %, those of palette.js.
+#: Colours of strain energy shares from 0 to 100 %, as in palette.js.
 LIGHT = ("#c5cdd6", "#f0b340", "#d9570d", "#7d0d0d")
 DARK = ("#4a5663", "#a34d12", "#f2902c", "#ffe89a")
 

@@ -21,9 +21,9 @@ from pkmodes.view.scene import Scene
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: Most parameters that vary at once, and machines of a page.
+#: Most parameters varied at once, and most machines on a page.
 PARAMETERS, MACHINES = 3, 600
-#: Values of each parameter where no count is given, by their number.
+#: Values of each parameter if no count is given, by the number of parameters.
 COUNTS = {1: 21, 2: 9, 3: 5}
 
 

@@ -17,10 +17,10 @@ from pkmodes.core.model import Model
 from pkmodes.maps.workspace import Inside, on_branch, resting
 
 Array = NDArray[np.float64]
-#: Cells of the grid along each component, and part of the box by which the grid extends beyond it on each side.
+#: Grid cells along each component, and fraction by which the grid extends beyond the box on each side.
 CELLS, AROUND = {2: 48, 3: 30}, 0.05
 BISECTIONS = 7
-#: Steps of smoothing, each halfway to the mean of the neighbours: creases would be ragged otherwise.
+#: Smoothing steps, each half-way to the mean of the neighbours: creases would be ragged otherwise.
 SMOOTHING = 5
 
 
