@@ -141,7 +141,7 @@ class PictureKind:
 
 
 def known_to(spread: NDArray[Any] | None) -> str:
-    """Return how surely the frequencies are known, as a sentence; nothing without standard deviations."""
+    """Return the uncertainty of the frequencies as a sentence; empty without standard deviations."""
     if spread is None:
         return ""
     sizes = joined([f"\u00b1{typeset(f'{size:.2g}')}" for size in spread.tolist()])
@@ -152,7 +152,7 @@ def known_to(spread: NDArray[Any] | None) -> str:
 
 
 def with_rotations(lengths: NDArray[Any] | None) -> str:
-    """Say how rotations of the platform count; nothing where it does not turn."""
+    """State how rotations of the platform count; empty if it does not turn."""
     return "" if lengths is None else f" Rotations count times {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
 
 

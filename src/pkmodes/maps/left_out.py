@@ -1,4 +1,4 @@
-"""Poses of a map that say nothing about the others: near-singular ones, and those at which the machine is unstable.
+"""Poses of a map that are not representative: near-singular ones, and those at which the machine is unstable.
 
 Near a singular pose the equations still have a solution, but it tells of the singularity: a belt span of almost no
 length is a spring of almost any stiffness, and a link near its singular direction gives way to any force.  At an
@@ -66,7 +66,7 @@ def with_medians(dataset: xarray.Dataset) -> xarray.Dataset:
 
 
 def near_singular(part: xarray.Dataset) -> xarray.DataArray:
-    """Return what the poses of a map from `with_medians`, or of a part, have of the bound: above 1 near-singular."""
+    """Return how near poses of a map from `with_medians`, or of a part, are to the bound: near-singular above 1."""
     frequency = (part["frequency"] / (FACTOR * abs(part[MEDIANS[0]]))).max("mode")
     bound = (FACTOR * part[MEDIANS[1]]).clip(min=CONDITION)
     condition = part["condition"] / bound
@@ -85,7 +85,7 @@ def ordinary(part: xarray.Dataset) -> xarray.DataArray:
 
 
 def shown(dataset: xarray.Dataset) -> xarray.Dataset:
-    """Return a map with NaN for the frequencies of the poses that say nothing about the others, to be drawn."""
+    """Return a map for drawing, with NaN for the frequencies of the poses that are not representative."""
     return dataset.assign(frequency=dataset["frequency"].where(ordinary(with_medians(dataset))))
 
 

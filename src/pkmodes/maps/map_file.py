@@ -116,7 +116,7 @@ class MapFile:
                 replaced.rename(self.path)
 
         try:
-            put_back()  # the run before was killed between the two
+            put_back()  # the previous run was killed between the two
             for leftover in (new, replaced):  # by an interrupted run
                 _remove(leftover)
             if suffix == NETCDF:
@@ -188,12 +188,12 @@ def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
 
 
 def _foreign(folder: Path, *, pieces: bool = False) -> Iterator[Path]:
-    """Yield what a folder of a Zarr store holds besides it.
+    """Yield what a folder of a Zarr store holds that is not part of it.
 
     Parameters
     ----------
     pieces : bool
-        Whether the folder is one of an array, in which its values are.
+        Whether the folder is that of an array, which holds its values.
     """
     pieces = pieces or any((folder / name).is_file() for name in ARRAY)
     for entry in sorted(folder.iterdir()):

@@ -28,7 +28,7 @@ class Grid:
     axes : mapping of str to ndarray
         Values of each component of the pose in the mechanism's order, ascending [SI].
     used : bool
-        Whether poses beyond the usable limits of a robot are left out, as in a grid that nobody asked for.
+        Whether poses beyond the usable limits of a robot are left out, as in a grid chosen by default.
     """
 
     axes: Mapping[str, Array]

@@ -70,7 +70,7 @@ def parse_range(text: str, unit: str, where: str) -> Array:
 
 
 def _with_one_unit(parts: Sequence[str], unit: str) -> str:
-    """Return what to do about a range of which one end alone has a unit; nothing for others."""
+    """Return the remedy for a range of which only one end has a unit; empty for other ranges."""
     low, high, count = (part.strip() for part in parts)
     ends = [NUMBER.fullmatch(end) for end in (low, high)]
     units = [end[2] for end in ends if end is not None]

@@ -175,7 +175,7 @@ def connected(scheduler: str) -> Iterator[Any]:
 
 
 def _check_certificates(scheduler: str) -> None:
-    """Refuse an encrypted address without certificates, of which the client itself says nothing that helps."""
+    """Refuse an encrypted address without certificates, for which the client's own error is of no help."""
     import distributed
 
     configured = "none"
@@ -192,7 +192,7 @@ def _check_certificates(scheduler: str) -> None:
 
 
 def _probe() -> Callable[[], str]:
-    """Return a function that tells the version of pkmodes where it runs, which need not have pkmodes."""
+    """Return a function that reports the version of pkmodes where it runs, even where there is none."""
 
     def version() -> str:
         try:

@@ -1,4 +1,4 @@
-"""How surely the declared values say the frequencies of a map along one of its axes."""
+"""Uncertainty of the declared robot's frequencies along one axis of a map."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ class Store:
 
 @contextmanager
 def damage_refused(folder: Path) -> Iterator[None]:
-    """Say what to do where rows that are read were damaged after they had been stored.
+    """Explain what to do if rows were damaged after they had been stored.
 
     Raises
     ------
@@ -110,7 +110,7 @@ def damage_refused(folder: Path) -> Iterator[None]:
 
 
 def in_memory(rows: int, tasks: int, tails: Tails) -> Store:
-    """Return fields in memory, of which nothing is done."""
+    """Return empty fields in memory, with no task done."""
     arrays = {name: np.empty((rows, *tail), dtype) for name, (tail, dtype) in tails.items()}
     return Store(arrays, np.zeros(tasks, dtype=bool))
 

@@ -188,7 +188,7 @@ def _as_read(leading: list[str]) -> list[str]:
 
 
 def _better(extreme: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:
-    """Return the better one of an extreme with its place, if any, and that of a part; NaN stands for no value."""
+    """Return the more extreme of an extreme with its place, if any, and that of a part; NaN stands for no value."""
     if np.isnan(values).all():
         return extreme
     at = np.unravel_index(np.nanargmax(values) if highest else np.nanargmin(values), values.shape)

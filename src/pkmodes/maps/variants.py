@@ -116,7 +116,7 @@ def _drawn(
 
 
 def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
-    """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value.
+    """Return the paths of all values that a sweep sets, including the elements of a whole and the aliases of a value.
 
     Parameters
     ----------

@@ -161,7 +161,7 @@ def _workspace_in_words(model: Model) -> str:
 
 
 def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[int, float]) -> Array:
-    """Draw poses, some components of which are given, and return those that can be evaluated, (N, d)."""
+    """Draw poses with some components fixed, and return those that can be evaluated, (N, d)."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
         drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)

@@ -96,7 +96,7 @@ class AmplitudeDependence:
 
     @property
     def range(self) -> tuple[float, float]:
-        """Smallest and largest relative change, of the modes of which it is known well enough."""
+        """Smallest and largest relative change, of the modes for which it is known well enough."""
         limit = KNOWN * abs(self.clearest.relative)
         reliable = [change.relative for change in self.changes if change.sigma <= limit] or [
             self.clearest.relative
@@ -121,7 +121,7 @@ class Stratum(NamedTuple):
     of_scatter: int
 
     def p_value(self, usual: float) -> float:
-        """Return the p-value of the trend; `usual` is the variance that is expected, beside the stated one."""
+        """Return the p-value of the trend; `usual` is the expected variance relative to the stated one."""
         if not self.of_scatter:
             return float(stats.chi2.sf(self.trend / (UNKNOWN**2 * usual), self.of_trend))
         worth = WORTH + self.of_scatter

@@ -37,7 +37,7 @@ def numbers_of(arrays: Mapping[str, ArrayLike | None], rows: int, source: str) -
     columns: dict[str, Array] = {}
     for quantity in reversed(
         QUANTITIES.values()
-    ):  # of several mistakes, those in optional columns are told first
+    ):  # of several mistakes, those in optional columns are reported first
         value, sigma = quantity.value, quantity.sigma
         values, stated = column(value, arrays.get(value.argument)), arrays.get(sigma.argument)
         sigmas = column(sigma, stated if sigma.required else for_all(stated, rows))

@@ -85,7 +85,7 @@ def _check_different(first: Measurements, second: Measurements) -> None:
 
 
 def _content(data: Measurements) -> list[str]:
-    """Return what each row says, in an order that is not that of the file."""
+    """Return the content of each row, in an order that does not depend on the file."""
     columns = {f"shape:{name}": data.shapes[:, k] for k, name in enumerate(data.channels)}
     columns |= {**data.numbers, "sigma_shape": data.shape_sigma}
     stated = {name: column for name, column in sorted(columns.items()) if not np.isnan(column).all()}
@@ -143,7 +143,7 @@ def _known(number: float) -> float | None:
 
 
 def _changed(pairs: Sequence[ModePair], common: CommonChange | None, p_value: float | None) -> Changed:
-    """Return what the frequencies say."""
+    """Return what the frequencies show."""
     if p_value is None:
         return "no_pairs"
     single = any(pair.own_change for pair in pairs)
@@ -202,7 +202,7 @@ def _clear(
 
 
 def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
-    """Yield the poses that both have: of one label, or the only one of each."""
+    """Yield the poses that both have: those with the same label, or the only pose of each."""
     if len(first.labels) == len(second.labels) == 1:
         places = [(0, 0)]
     else:
@@ -252,7 +252,7 @@ def paired_rows(
 def _alike(
     first: Measurements, second: Measurements, rows: NDArray[np.intp], second_rows: NDArray[np.intp]
 ) -> Array:
-    """Return the MAC of each row with each other, NaN where fewer than two components are in both."""
+    """Return the MAC between all rows of both, NaN where they share fewer than two components."""
     common = [name for name in first.channels if name in second.channels]
     macs = np.full((len(rows), len(second_rows)), np.nan)
     if len(common) < 2:

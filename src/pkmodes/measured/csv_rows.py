@@ -282,7 +282,7 @@ def read_table(
 def _rotations_in_degrees(
     columns: Sequence[Column], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
 ) -> Iterator[Problem]:
-    """Yield the first value of each rotation of a pose that is no angle in rad, where no unit says that it is one."""
+    """Yield the first value of each pose rotation that cannot be in rad, if its column gives no unit."""
     for column in columns:
         if components.get(column.name) != "rad" or column.factor is not None:
             continue
@@ -297,7 +297,7 @@ def _rotations_in_degrees(
 
 
 def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:
-    """Format a number as in its cell, with the header's unit; also in SI units if that is another unit."""
+    """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
     place = [column.name for column in columns].index(quoted.column)
     column = columns[place]

@@ -62,7 +62,7 @@ class Format(Generic[Read_co]):
     recognises : callable
         Whether a file that begins with some bytes is of this format.
     read : callable
-        What a file holds, from its path and what is asked of it.  Raises `MeasurementError`.
+        Reads a file, from its path and what is expected of it.  Raises `MeasurementError`.
     """
 
     name: str

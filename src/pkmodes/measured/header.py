@@ -158,7 +158,7 @@ def owners(names: Sequence[str], by_machine: Mapping[str, Collection[str]]) -> s
 def _refuse_all_unknown(
     cells: Mapping[int, str], where: str, known_columns: Sequence[str], taken: Collection[str]
 ) -> NoReturn:
-    """Refuse several unknown columns, those first that are likely to mean another."""
+    """Refuse several unknown columns, first those that probably mean a known one."""
     meant: dict[int, str] = {}
     for i, cell in cells.items():
         before = {worded(meaning)[0] for meaning in meant.values()}

@@ -96,7 +96,7 @@ def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
 
 
 def checked_level_unit(unit: object, where: str) -> str:
-    """Check the unit of the levels of excitation: any one in which a ratio is a ratio.
+    """Check the unit of the levels of excitation: any unit that is not logarithmic.
 
     Raises
     ------
@@ -166,7 +166,7 @@ def _outside(column: str, values: Array, allowed: Range, at: Integers) -> Iterat
 def _broken(
     column: str, values: Array, good: NDArray[np.bool_], allowed: Range, at: Integers
 ) -> Iterator[Problem]:
-    """Yield numbers that are not good, with the messages of a range."""
+    """Yield numbers that violate a range, with its messages."""
     of_quantity = column in {number.column for number in quantity_numbers()}
     for i in np.flatnonzero(~good):
         large = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
@@ -237,7 +237,7 @@ def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
 
 
 def level_problems(data: Columns, rows: Array) -> Iterator[Problem]:
-    """Yield rows, of all rows (R,), with another level than the first row of their pose."""
+    """Yield rows, of all rows (R,), whose level differs from that of the first row of their pose."""
     remedy = 'give each level a label of its own, such as "P1 low" and "P1 high"'
     yield from _two_values(data, LEVEL.column, data.level, rows, remedy)
 
@@ -258,7 +258,7 @@ def _two_values(data: Columns, name: str, poses: Array, rows: Array, remedy: str
 
 
 def drives_problems(data: Columns, rows: Sequence[str]) -> Iterator[Problem]:
-    """Yield rows, of all rows (R,), in which the motors did something else than in the first row of their pose."""
+    """Yield rows, of all rows (R,), in which the motors were in another state than in the first row of their pose."""
     first = np.unique(data.pose, return_index=True)[1]
     for i, (word, pose) in enumerate(zip(rows, data.pose.tolist(), strict=True)):
         if word != data.drives[pose]:

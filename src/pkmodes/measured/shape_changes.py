@@ -1,4 +1,4 @@
-"""What changed of a mode's shape between two measurements, channel by channel, with its standard deviation.
+"""How the shape of a mode changed between two measurements, channel by channel, with its standard deviation.
 
 A shape has any scale and sign, so the second is first scaled to the first by least squares; what is then left is the
 change.  A change at one place thus moves, by a little, what all other channels show.  Where channels are a series of

@@ -44,7 +44,7 @@ class CommonChange(Document, frozen=True):
 
 @dataclass(frozen=True)
 class OwnChanges:
-    """What modes did beyond the common change, n pairs.
+    """Changes of modes beyond the common one, for n pairs.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ def holm(p: Array, level: float = LEVEL) -> NDArray[np.bool_]:
 
 
 def first_refused(count: int) -> float:
-    """Return how many standard deviations `holm` asks of the largest of several deviations."""
+    """Return the number of standard deviations that `holm` requires of the largest of several deviations."""
     return float(-ndtri(LEVEL / (2.0 * max(count, 1))))
 
 

@@ -1,7 +1,7 @@
 """What comments of a measurement file say of the whole test: ``# band: 10 Hz, 400 Hz`` or ``# motors: held``.
 
-Another statement is an entry of `STATEMENTS`.  Those of which there may be several have a name each, as in
-``# prior: measurement:offset.z = 2 mm``; what the names mean, the diagnosis of a robot knows.
+Another statement is an entry of `STATEMENTS`.  Those that may occur several times have a name each, as in
+``# prior: measurement:offset.z = 2 mm``; the diagnosis of a robot defines what the names mean.
 """
 
 from __future__ import annotations

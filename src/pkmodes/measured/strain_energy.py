@@ -83,8 +83,8 @@ def strain_energy_changes(
 def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | None:
     """Return the place whose index is clearly not 1, and farthest from it; None without any.
 
-    The shares of a series add up, so that a change at one place changes those of all others: the largest is meant,
-    not the one that is known best.
+    The shares of a series add up, so that a change at one place changes those of all others: the largest change is
+    returned, not the most certain one.
     """
     clear = [change for change in changes if change.differs]
     return max(clear, key=lambda change: abs(np.log(change.index)), default=None)

@@ -1,4 +1,4 @@
-"""When what the shapes of two measurements show may not be taken for a place that changed."""
+"""When changed shapes of two measurements may not be taken as the place of a change."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def close_to_another(data: Measurements, row: int) -> bool:
 
 
 def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChange | None) -> list[Caution]:
-    """Return why the shape of a pair does not say where something changed.
+    """Return why the shape of a pair does not show where something changed.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def _lines(pairs: Sequence[ModePair], caution: str) -> str:
 
 
 def notes_on_poses(first: Measurements, second: Measurements, places: Sequence[tuple[int, int]]) -> list[str]:
-    """Return at which poses of both something else was done, in sentences."""
+    """Return the poses at which the two measurements were made in different conditions, in sentences."""
     notes = []
     loaded = [first.labels[i] for i, j in places if first.load(i) != second.load(j)]
     if loaded:

@@ -1,4 +1,4 @@
-"""How the fitted values depend on each other: their correlations, and ellipses of the pairs that hardly part."""
+"""Correlations of the fitted values, and error ellipses of the strongly correlated pairs."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ NEAR = 6.0
 
 
 def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
-    """Draw the correlation of each pair of values, those of the table in its order; None of fewer than two.
+    """Draw the correlation of each pair of values, in the order of the table; None for fewer than two.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def notable(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, 
 
 
 def ellipse(sigma: tuple[float, float], correlation: float, probability: float) -> Array:
-    """Return points (2, P) of the ellipse about 0 that has a normal pair of values with a probability."""
+    """Return points (2, P) on the ellipse about 0 that contains a normal pair of values with a probability."""
     from scipy.stats import chi2
 
     angle = np.linspace(0.0, 2.0 * np.pi, POINTS)

@@ -134,7 +134,7 @@ def _label(panel: Panel, side: Side) -> str:
 
 
 def _named(names: Mapping[float, str]) -> bool:
-    """Return whether names say more than the numbers at which they stand."""
+    """Return whether names say more than the numbers that they label."""
     return any(name != f"{at:g}" for at, name in names.items())
 
 

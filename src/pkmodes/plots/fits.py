@@ -97,7 +97,7 @@ def _dashes(of: Stabilisation, stable: bool) -> tuple[Array, Array]:
 
 
 def _stable(poles: Complex, before: Complex) -> NDArray[np.bool_]:
-    """Return which poles the order before has, too."""
+    """Return which poles the previous order also has."""
     if not len(before) or not len(poles):
         return np.zeros(len(poles), bool)
     f, f0 = np.abs(poles)[:, None], np.abs(before)

@@ -20,7 +20,7 @@ RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u207
 
 
 def visible(text: object, longest: int | None = None) -> str:
-    """Return text on one line, without characters that are not visible, such as those that turn the direction.
+    """Return text on one line, without invisible characters, such as those that reverse the direction.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def broken(name: str) -> str:
 
 
 def decades(axis: Axis, write: Callable[[float], str] = lambda value: typeset(f"{value:.0e}")) -> None:
-    """Label a logarithmic axis: at its decades, and where it has few of them at others too.
+    """Label a logarithmic axis at its decades, and also between them if they are few.
 
     Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
 

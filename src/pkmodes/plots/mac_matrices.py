@@ -1,4 +1,4 @@
-"""MAC matrices: how far each measured shape is like each mode of the model."""
+"""MAC matrices: how similar each measured shape is to each mode of the model."""
 
 from __future__ import annotations
 

@@ -245,7 +245,7 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
     Parameters
     ----------
     inch : float
-        Of the panel in the units of its axes, about: numbers that would stand on one another are left out.
+        Approximate size of an inch of the panel in the units of its axes: numbers that would overlap are left out.
     """
     from matplotlib.ticker import MaxNLocator
 
@@ -276,7 +276,7 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
 def _number_places(
     lines: list[Array], marks: list[Any], axes: Axes, inch: float
 ) -> list[tuple[float, float]]:
-    """Return a place on each line that is long enough for a number, apart from others, from marks and from edges."""
+    """Return a place for a number on each line that is long enough, away from other numbers, marks and edges."""
     kept: list[tuple[float, float]] = []
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     for line in lines:

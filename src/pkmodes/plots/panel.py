@@ -40,7 +40,7 @@ class Series:
     part : ndarray of int, shape (N,), or None
         The piece of a broken curve, from 1.
     values : ndarray, shape (N,), or None
-        What the colour says.
+        Values shown by colour.
     meanings : tuple of str
         Names of the values 0, 1, 2... if they are kinds.
     """
@@ -96,7 +96,7 @@ class Panel:
         row: str = "",
         **settings: Any,
     ) -> None:
-        """Name the panel and its axes, as far as it does not leave that to others: see `inner`.
+        """Name the panel and its axes, except for what it leaves to other panels: see `inner`.
 
         Parameters
         ----------

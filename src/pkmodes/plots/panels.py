@@ -31,7 +31,7 @@ LEAST_SPAN = 0.05
 
 
 def arranged(modes: int, *, tall: bool) -> tuple[int, int]:
-    """Return the rows and columns of panels: as many in a row as fit, and rows as equally long as possible."""
+    """Return the rows and columns of panels: as many in a row as fit, with rows of nearly equal length."""
     longest_row = TALL_ROW if tall else ROW if modes <= FEW else LONG_ROW
     rows = -(-modes // longest_row)
     return rows, -(-modes // rows)

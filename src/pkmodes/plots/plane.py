@@ -198,7 +198,7 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
 def where(plane: Plane) -> str:
     """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components.
 
-    Rotations that are 0 are not among what it says.
+    Rotations that are 0 are left out.
     """
     constant = {} if plane.normal is None else {plane.normal: plane.at}
     lengths = {name: value for name, value in plane.rest.items() if value or plane.unit(name)[0] != "deg"}

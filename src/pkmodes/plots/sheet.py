@@ -260,7 +260,7 @@ def _inner(row: int, place: tuple[int, int], taken: Container[tuple[int, int]]) 
 
 
 def _turn(axes: Axes, gap: float) -> None:
-    """Turn the labels of ticks that would lie on each other; before the layout, when panels are about as wide."""
+    """Rotate tick labels that would overlap; before the layout, when panels have about their final width."""
     shown = [label for label in axes.get_xticklabels() if label.get_text() and label.get_visible()]
     boxes = sorted((label.get_window_extent() for label in shown), key=lambda box: box.x0)
     if any(a.x1 + gap > b.x0 for a, b in itertools.pairwise(boxes)) and shown[0].get_rotation() == 0:
@@ -268,6 +268,6 @@ def _turn(axes: Axes, gap: float) -> None:
 
 
 def _crowded(axes: Axes) -> bool:
-    """Return whether texts in a panel lie on each other."""
+    """Return whether texts in a panel overlap."""
     boxes = [text.get_window_extent() for text in axes.texts if text.get_text() and text.get_visible()]
     return any(a.overlaps(b) for a, b in itertools.pairwise(boxes))

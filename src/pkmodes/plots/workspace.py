@@ -146,7 +146,7 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
 
 
 def bare(axes: Any) -> None:
-    """Leave nothing of axes in three dimensions but thin lines and a few numbers."""
+    """Strip axes in three dimensions down to thin lines and a few numbers."""
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)
     axes.tick_params(axis="z", pad=0)

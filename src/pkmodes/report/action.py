@@ -1,6 +1,6 @@
-"""What to do about a diagnosis, in the words of an owner: what to inspect, what it does, how sure, what to measure.
+"""What to do about a diagnosis, in the owner's words: what to inspect, its effect, how certain, what to measure.
 
-Each sentence is true by itself, and none is surer than the verdict.
+Each sentence holds by itself, and none claims more than the verdict.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ MOST = 5
 
 
 def action(result: Diagnosis, setting: Setting) -> Facts:
-    """Return what to inspect, its effect in hertz, how sure that is, and what to measure next."""
+    """Return what to inspect, its effect in hertz, how certain that is, and what to measure next."""
     effect = _effect(result, setting)
     return Facts(
         [
@@ -72,7 +72,7 @@ def action(result: Diagnosis, setting: Setting) -> Facts:
 
 
 def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
-    """Yield where to look for each cause, or for each explanation that remains."""
+    """Yield where to look for each cause, or for each remaining explanation."""
     causes = [effect.members for effect in result.effects]
     if term_class := _beyond(result):
         causes = [term_class.finding.members]
@@ -94,7 +94,7 @@ def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
 
 
 def _where(name: str, result: Diagnosis, setting: Setting) -> str:
-    """Return where to look for a cause; its sentence where nobody said."""
+    """Return where to look for a cause; its sentence if no advice is listed."""
     if name in result.alone:
         joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
         return f"{joint_change.joint.words}, which is {joint_change.compared}{colon}{advice}"
@@ -110,15 +110,14 @@ def _where(name: str, result: Diagnosis, setting: Setting) -> str:
 
 
 def _beyond(result: Diagnosis) -> TermClass | None:
-    """Return what was found beyond the catalogue; None where that claims a cause itself."""
+    """Return the class found beyond the catalogue; None if the catalogue itself names a cause."""
     return result.beyond.found if result.beyond is not None and not result.effects else None
 
 
 def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
-    """Return what the causes do to the frequencies at the measured poses; nothing where there are none.
+    """Return the effect of the causes on the frequencies at the measured poses; empty without causes.
 
-    Modes go with each other by their order; of a cause that brings modes of its own, such as a frame that moves, by
-    their frequencies.
+    Modes are matched by rank; where a cause adds modes, such as those of a moving frame, by frequency.
     """
     stages = result.stages
     if stages is None or stages.after is None or stages.without is None:
@@ -158,7 +157,7 @@ def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
 
 
 def _alike(after: Array, without: Array) -> list[tuple[int, int]]:
-    """Return which frequencies of two models go with each other: as places in both."""
+    """Return the matching frequencies of two models, as pairs of indices."""
     f, g = (spectrum[np.isfinite(spectrum)] for spectrum in (after, without))
     if len(f) == len(g):
         return [(k, k) for k in range(len(f))]
@@ -194,7 +193,7 @@ def _difference(result: Diagnosis) -> list[Cell]:
 
 
 def _sure(result: Diagnosis) -> list[Cell]:
-    """Return how sure the verdict is, what limits it, and how well the size of a cause is known."""
+    """Return how certain the verdict is, what limits it, and how well the size of a cause is known."""
     if result.beyond is not None and (term_class := _beyond(result)):
         return [Cell(" ".join(map(sentence, _sure_of_terms(result.beyond, term_class))))]
     p, alike = _probability(result)
@@ -218,7 +217,7 @@ def _sure(result: Diagnosis) -> list[Cell]:
 
 
 def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
-    """Yield how sure a claim beyond the catalogue is."""
+    """Yield how certain a claim beyond the catalogue is."""
     several = len(term_class.finding.members) > 1
     yield (
         f"of {beyond.tried} changes at one place each that were tried where the catalogue does not explain the "
@@ -246,9 +245,9 @@ def _claim(result: Diagnosis, alike: bool) -> str:
 
 
 def _probability(result: Diagnosis) -> tuple[float | None, bool]:
-    """Return how probable the claim is, and whether that includes causes which the tests of the verdict left out.
+    """Return the probability of the claim, and whether it includes causes that the tests of the verdict excluded.
 
-    None where nothing is claimed, or nothing is known about it.
+    None if nothing is claimed, or its probability is unknown.
     """
     probabilities = result.probabilities
     if probabilities is None or not result.settled:
@@ -277,7 +276,7 @@ def _percent(p: float) -> str:
 
 
 def _most_probable(result: Diagnosis, probabilities: Probabilities) -> str:
-    """Return the most probable explanation where none is sure enough for the verdict."""
+    """Return the most probable explanation where none is certain enough for the verdict."""
     explanation, p = probabilities.top
     if explanation == OUTSIDE:
         return f"most probable is something that is no candidate ({_percent(p)})"
@@ -313,7 +312,7 @@ def _size(result: Diagnosis) -> str:
 
 
 def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
-    """Return where a measurement is expected to tell most about which explanation is true, or why nowhere."""
+    """Return the measurement that is expected to separate the explanations best, or why none is proposed."""
     proposed = result.next_measurement
     if proposed is None:
         return [Cell(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
@@ -333,7 +332,7 @@ def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
 
 
 def _motors(result: Diagnosis, setting: Setting, proposed: NextMeasurement) -> str:
-    """Return what is to be done to the motors; free ones that give way, as declared or claimed, are not called so."""
+    """Return what to do with the motors; free ones that yield, as declared or claimed, are not called free."""
     if setting.robot is None or proposed.drives != FREE:
         return proposed.motors
     claimed = [effect.members[0] for effect in result.effects if len(effect.members) == 1]

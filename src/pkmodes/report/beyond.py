@@ -1,4 +1,4 @@
-"""What a report says of one thing at one place, beyond the catalogue: its classes, and the error before and after."""
+"""Report of a single change at one place, beyond the catalogue: its classes, and the errors before and after."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pkmodes.report.tables import table
 
 
 def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
-    """Return what terms explain; nothing where none was tried."""
+    """Return what terms explain; empty if none was tried."""
     terms = result.beyond
     if terms is None:
         return []

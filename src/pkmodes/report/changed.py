@@ -1,4 +1,4 @@
-"""What changed between states: the words of its head, its table mode by mode, and its page."""
+"""What changed between states: the header, the table mode by mode, and the page."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def _size(value: Value, values: Sequence[Corrected], setting: Setting) -> str:
 
 
 def _of_day(result: Change) -> list[str]:
-    """Return what differs clearly as from one day to another: "all belts are 1.2 % stiffer"."""
+    """Return the clear day-to-day differences: "all belts are 1.2 % stiffer"."""
     return [
         between(f"{parameter.name} from {parameter.before:g} to {parameter.after:g}", *result.states[:2])
         for parameter in result.refitted
@@ -111,7 +111,7 @@ def _of_day(result: Change) -> list[str]:
 
 
 def summary(result: Change, setting: Setting) -> Summary:
-    """Return the head of what changed."""
+    """Return the header of the page."""
     facts = [
         ("states", Cell(clean(" \u2192 ".join(result.states)), len(result.states))),
         ("modes compared", _count(sum(counterpart is not None for counterpart in result.counterparts))),
@@ -175,7 +175,7 @@ def _changes(result: Change) -> list[tuple[float | None, float | None]]:
 
 
 def changes(result: Change, max_rows: int | None = MOST) -> Table:
-    """Return the modes of both states side by side, those first that changed most in standard deviations.
+    """Return the modes of both states side by side, the largest changes in standard deviations first.
 
     Parameters
     ----------
@@ -225,7 +225,7 @@ def _of_trusted(result: Change, i: int) -> list[Cell]:
 
 
 def _explained(row: Row) -> float | None:
-    """Return the relative change of a frequency by what was found; None without that."""
+    """Return the relative change of a frequency that the explanation accounts for; None without one."""
     return None if row.after is None or not row.before else row.after / row.before - 1.0
 
 

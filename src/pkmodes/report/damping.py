@@ -1,4 +1,4 @@
-"""What the damping says beside the verdict, and measured damping beside that of the model."""
+"""What the damping adds to the verdict, and measured damping beside that of the model."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%
 
 
 def damping(result: Diagnosis, setting: Setting) -> list[Block]:
-    """Return what the damping says, and the ratios of all modes; nothing where damping was not measured."""
+    """Return what the damping shows, and the ratios of all modes; empty if damping was not measured."""
     damping_result = result.damping
     if not damping_result.measured:
         return []
@@ -83,7 +83,7 @@ def _named(path: str, setting: Setting) -> str:
 
 
 def _stability(damping_result: Damping) -> list[Block]:
-    """Return what the verdict on the damping becomes with other errors or priors, where it changes."""
+    """Return how the verdict on the damping changes with other errors or priors."""
     claimed = {name for effect in damping_result.effects for name in effect.members}
     parts = [
         f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict, *s.effects])}"
@@ -158,7 +158,7 @@ def _row(i: int, row: Row) -> list[Cell]:
 def _candidates(damping_result: Damping) -> Table:
     """Return the losses that were tested, and how large each may still be.
 
-    There is no p-value: that of a loss alone is another than that of a loss found beside others.
+    There is no p-value: for a loss alone it differs from that of a loss found along with others.
     """
     rows = [_candidate(damping_result, k, candidate) for k, candidate in enumerate(damping_result.candidates)]
     columns = [Column("loss", False), Column("standing", False), Column("visible from")]

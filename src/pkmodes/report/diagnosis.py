@@ -78,7 +78,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
 
 
 def _stability(result: Diagnosis) -> list[Section]:
-    """Return what other errors and priors make of the verdict."""
+    """Return how other errors and priors affect the verdict."""
     tried = stability_sentence(result)
     return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
 
@@ -160,7 +160,7 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
 
 
 def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]]:
-    """Return the values of a cause, with the standard deviations that may be relied on."""
+    """Return the values of a cause, with reliable standard deviations."""
     effect = result.effects[i]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
@@ -184,7 +184,7 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
 
 
 def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
-    """Return the value of each member of a class; how many members there are, where that is too much."""
+    """Return the value of each member of a class; only the number of members if there are too many."""
     facts: list[tuple[str, Cell]] = []
     for name in effect.members:
         start = "either" if not facts else "or"
@@ -244,7 +244,7 @@ def _difference(before: str, after: str, name: str) -> list[str]:
 
 
 def _lines(text: str) -> list[str]:
-    """Return the lines of a text without their ends; the last one says if it has none, as in `diff`."""
+    """Return the lines of a text without line ends; as in `diff`, the last one states if it had none."""
     *lines, rest = text.replace("\r\n", "\n").split("\n")
     visible = [
         "\t".join(clean(part) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]

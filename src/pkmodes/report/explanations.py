@@ -86,9 +86,9 @@ def _members(
     setting: Setting,
     sentences: Mapping[str, str],
 ) -> Table:
-    """Return the values of the cause, and of each other member of its class if it were the cause.
+    """Return the values of the cause, and those of each other member of its class, as if it were the cause.
 
-    The standard deviation of a single cause is the one that may be relied on, beside that of the fit.
+    For a single cause, the reliable standard deviation is shown beside that of the fit.
     """
     single = len(effect.members) == 1
     rows = []
@@ -311,7 +311,7 @@ def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
 
 
 def standing(result: Diagnosis | Damping, name: str) -> str:
-    """Return what became of a candidate."""
+    """Return the outcome for a candidate."""
     for effect in result.effects:
         if name in effect.members:
             several = len(effect.members) > 1

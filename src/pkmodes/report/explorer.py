@@ -1,4 +1,4 @@
-"""The interactive map of a report: what the program of the page needs to know about a map."""
+"""The interactive map of a report: the data that the program of the page needs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LIST = "pose"
 
 
 def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: bool) -> Explorer | None:
-    """Return the interactive map; None where there is nothing to choose a pose from.
+    """Return the interactive map; None unless there are several poses to choose from.
 
     Parameters
     ----------

@@ -68,7 +68,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
 
 
 def pose_figures(evidence: Evidence) -> list[Block]:
-    """Return the residual against the components of the pose; nothing where the poses are unknown."""
+    """Return the residual against the components of the pose; empty if the poses are unknown."""
     figure = differences.against_pose(evidence) if _paired(evidence) else None
     if figure is None:
         return []
@@ -108,7 +108,7 @@ def shape_figures(evidence: Evidence) -> list[Block]:
 
 
 def _spread(evidence: Evidence) -> str:
-    """Return what the bands are; nothing without any."""
+    """Return the explanation of the bands; empty without any."""
     if evidence.spread is None or not (evidence.spread > 0.0).any():
         return ""
     later = (

@@ -28,7 +28,7 @@ def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
 
 
 def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
-    """Return the lines of the schedule, likewise; nothing without a schedule.
+    """Return the lines of the schedule in the same way; empty without a schedule.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
 def _blocks(
     intro: str, versions: list[dict[str, Any]], reported: float, suffix: str, lacks: str
 ) -> list[Paragraph | Lines]:
-    """Return the lines, with what a version leaves of the vibration where this is not what is said elsewhere."""
+    """Return the lines, with the vibration that a version leaves if it differs from what is reported elsewhere."""
     leaves = {
         version["version"]: _per_cent(version["worst"])
         for version in versions
@@ -84,5 +84,5 @@ def _blocks(
 
 
 def _per_cent(share: float) -> str:
-    """Return a share as it is said."""
+    """Return a share in per cent, as sentences give it."""
     return f"{plain(100.0 * share, 2)} %"

@@ -20,15 +20,15 @@ POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
 
 def clean(text: object) -> str:
-    """Return text on one line, without characters that are not visible, such as those that turn the direction.
+    """Return text on one line, without invisible characters, such as those that reverse the direction.
 
-    It is whole, however long: what a user reads as a sentence, or may type, is never cut.
+    However long, it is never shortened: users read it as a sentence, or may type it.
     """
     return visible(text)
 
 
 def shortened(label: object, longest: int = LONGEST) -> str:
-    """Return a label or name that a file gives, on one line as by `clean`, and cut where it is longer than that."""
+    """Return a label or name from a file on one line, as `clean` does, shortened to at most `longest` characters."""
     return visible(label, longest)
 
 
@@ -38,14 +38,14 @@ def prose(text: object) -> str:
 
 
 def sentence(text: str) -> str:
-    """Begin with a capital, unless with a name that has dots or underscores, and end with a full stop."""
+    """Capitalise the first letter, unless of a name with dots or underscores, and end with a full stop."""
     first = text.partition(" ")[0].rstrip(".,;:")
     begun = text if "." in first or "_" in first else f"{text[:1].upper()}{text[1:]}"
     return begun + ("" if text.endswith((".", "?", "!")) else ".")
 
 
 def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
-    """Return a number with at most some significant digits as a cell; without one, `NOTHING`."""
+    """Return a number as a cell with at most `digits` significant digits; `NOTHING` if there is none."""
     return _cell(value, lambda finite: plain(finite, digits), at)
 
 
@@ -102,7 +102,7 @@ def uncertain(
     scale: float = 1.0,
     fit: float | None = None,
 ) -> Cell:
-    """Return a value with its standard deviation, both rounded by it.
+    """Return a value with its standard deviation, both rounded according to the latter.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ def minus(text: str) -> Cell:
 
 
 def named(explanation: str, sentences: Mapping[str, str]) -> str:
-    """Return an explanation of one cause or two in words, with their names."""
+    """Return an explanation of one or two causes in words, with their names."""
     names = explanation.split(" + ")
     return " + ".join(
         f"{clean(sentences[name])} ({clean(name)})" if sentences.get(name) else clean(name) for name in names

@@ -74,7 +74,7 @@ def _summary(identified: Identification, campaign: Campaign) -> Summary:
     attention = _attention(identified)
     sentences = [f"{beginning} {listed(places, PLACES)}." for beginning, places in attention]
     notes = [clean(note) for note in (*sentences, *identified.messages)]
-    # A sentence that lists several modes or poses is as many points.
+    # A sentence that lists several modes or poses counts as that many points.
     points = sum(len(places) for _, places in attention) + len(identified.messages)
     relative = np.array([mode.sigma / mode.frequency for mode in modes])
     damped = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
@@ -111,7 +111,7 @@ def _per_cent(share: float) -> str:
 
 
 def _reason(identified: Identification, modes: Sequence[IdentifiedMode], message_count: int) -> str:
-    """Return where the modes come from, and what limits them."""
+    """Return where the modes come from, and what limits their accuracy."""
     files = sum(len(repeat.files) for result in identified.records for repeat in result.repeats)
     largest = [
         max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
@@ -135,7 +135,7 @@ def _reason(identified: Identification, modes: Sequence[IdentifiedMode], message
 
 
 def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
-    """Return what a reader should look at: the beginning of each sentence, and the modes or poses that it lists."""
+    """Return the points to check: the beginning of each sentence, and the modes or poses that it lists."""
     omitted = [result.record.pose for result in identified.records for _ in result.left_out]
     points = [
         (f"{plural(len(omitted), 'faulty file')} left out:", omitted),

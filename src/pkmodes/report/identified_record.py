@@ -231,7 +231,7 @@ def _panels(phase: bool, inspection: Inspection) -> str:
 
 
 def _shapes(result: RecordResult) -> list[Block]:
-    """Return how alike and how complex the shapes are."""
+    """Return the figures of how similar and how complex the shapes are."""
     shaped = [(k, mode) for k, mode in enumerate(result.modes, start=1) if len(mode.complex_shape) > 1]
     if not shaped:
         return []
@@ -271,7 +271,7 @@ def _shapes(result: RecordResult) -> list[Block]:
 
 
 def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Return the MAC of each mode with each, (M, M), NaN where they have fewer than two components in common."""
+    """Return the MAC between all modes, (M, M), NaN where two have fewer than two components in common."""
     macs = np.full((len(modes), len(modes)), np.nan)
     for i, first in enumerate(modes):
         for k, second in enumerate(modes):

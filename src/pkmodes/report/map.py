@@ -104,7 +104,7 @@ def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[S
 
 
 def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
-    """Yield the picture of a map over a volume, and over nothing else."""
+    """Yield the picture of a map over a volume, if it has no other axes."""
     components = list(model.mechanism.directions)
     dims = dataset["frequency"].dims[:-1]
     if len(components) != 3 or {dim for dim in dims if dataset.sizes[dim] > 1} != {*components}:
@@ -123,7 +123,7 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
     Parameters
     ----------
     drawn_of : Dataset
-        The same without the poses that say nothing about the others.
+        The same without the poses that are not representative.
     """
     components = [component.name for component in model.mechanism.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
@@ -169,7 +169,7 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
 
 
 def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
-    """Return what line and band of `pkmodes.plots.sweeps.against` are, to end a caption; nothing without a band."""
+    """Return what line and band of `pkmodes.plots.sweeps.against` are, to end a caption; empty without a band."""
     if spread is not None:
         return f": {BAND}"
     pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]

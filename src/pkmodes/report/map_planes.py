@@ -36,7 +36,7 @@ def swept_paths(dataset: xarray.Dataset) -> list[str]:
 
 
 def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, str]:
-    """Choose the plane in which the report of a map draws the robot, and say which it is.
+    """Choose the plane in which the report of a map draws the robot, and describe it.
 
     Returns
     -------

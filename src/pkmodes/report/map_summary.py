@@ -56,7 +56,7 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
 
 
 def _headline(content: dict[str, Any]) -> str:
-    """Return where the lowest frequency lies, without what a few poses at the edge of the workspace add."""
+    """Return where the lowest frequency lies, ignoring a few poses at the edge of the workspace."""
     first, count = content["modes"][0], content["counted"]
     if first["minimum_hz"] is None:
         return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"

@@ -32,7 +32,7 @@ class MapValues:
     dataset : xarray.Dataset
         The map, thinned.
     steps : mapping of str to int
-        By axis, the n of which every n-th value was kept.
+        For each axis, the step between the values that were kept.
     packed : str
         Base64 of a zlib stream, from `pack`.
     """
@@ -55,7 +55,7 @@ def values_of(dataset: xarray.Dataset, max_values: int = MOST, longest: int = LO
     dataset : xarray.Dataset
         From `pkmodes.Model.map`.
     max_values, longest : int
-        Frequencies and packed characters at most; a larger map is thinned along its longest axes.
+        Most frequencies and packed characters; a larger map is thinned along its longest axes.
     """
     dims = [str(dim) for dim in dataset["frequency"].dims[:-1]]
     sizes = {dim: dataset.sizes[dim] for dim in dims}
@@ -72,7 +72,7 @@ def values_of(dataset: xarray.Dataset, max_values: int = MOST, longest: int = LO
 
 
 def _steps(sizes: Mapping[str, int], max_poses: int) -> dict[str, int]:
-    """Return by axis the n for which every n-th value is kept, so that at most this many poses are left."""
+    """Return for each axis the step between the values to keep, so that at most `max_poses` poses remain."""
     steps = dict.fromkeys(sizes, 1)
 
     def kept_sizes() -> dict[str, int]:

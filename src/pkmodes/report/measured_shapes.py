@@ -29,7 +29,7 @@ def deviations(sigmas: float | None) -> str:
 
 
 def where(result: MeasurementsCompared) -> list[str]:
-    """Return what the shapes say of the place of a change, in sentences."""
+    """Return what the shapes show about the place of a change, in sentences."""
     sentences = []
     if place := most_changed(result.strain_energy):
         low, high = map(shortened, place.channels)
@@ -57,7 +57,7 @@ def where(result: MeasurementsCompared) -> list[str]:
 
 
 def _shows_places(pair: ModePair) -> bool:
-    """Return whether the shape of a pair may be a sign of a place."""
+    """Return whether the shape of a pair can locate a change."""
     return not NO_PLACE.intersection(pair.cautions)
 
 
@@ -80,7 +80,7 @@ def _places(result: MeasurementsCompared) -> Iterator[tuple[int, str, int, Place
 
 
 def shape_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
-    """Return the places at which shapes differ, so many of a table, the clearest first, or all in their order."""
+    """Return the places at which shapes differ: the clearest first, up to `max_rows`, or all in order."""
     places = list(_places(result))
     if max_rows is not None:
         clear = [entry for entry in places if entry[3].differs and _shows_places(result.pairs[entry[0]])]
@@ -117,7 +117,7 @@ def shape_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Tab
 
 
 def _strain_energy(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
-    """Return the table of strain energies, where one is clear or all are asked for."""
+    """Return the table of strain energies, if one is clear or all are requested."""
     changes = list(enumerate(result.strain_energy))
     if max_rows is not None:
         poses = {change.pose for _, change in changes if change.differs}

@@ -108,7 +108,7 @@ def _sharing(common: CommonChange | None, count: int) -> str:
 
 
 def _nothing_common(common: CommonChange | None) -> str:
-    """Return that no change is shared, and what is known of it."""
+    """Return that no change is shared, and what limits this statement."""
     if common is None:
         return ""
     if common.relative is None:
@@ -140,7 +140,7 @@ def _noticeable(result: MeasurementsCompared) -> str:
 
 
 def changes(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
-    """Return the pairs, those that changed most in standard deviations first, at most so many; all in their order."""
+    """Return the pairs: the largest changes in standard deviations first, up to `max_rows`, or all in order."""
     order = sorted(range(len(result.pairs)), key=lambda i: -abs(result.pairs[i].sigmas))
     shown = list(range(len(result.pairs))) if max_rows is None else order[:max_rows]
     shared = result.common is not None and result.common.differs

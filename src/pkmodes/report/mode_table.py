@@ -28,12 +28,12 @@ def mode_table(
     *,
     paired: bool = False,
 ) -> Table:
-    """Return all measured modes in the order of their poses, or the worst first if there are more than asked for.
+    """Return all measured modes in the order of their poses, or the worst first if there are more than `max_rows`.
 
     Parameters
     ----------
     paired : bool
-        Whether those with a partner are the worst: what is said of the others stands elsewhere.
+        Whether only modes with a partner count as the worst: the others are reported elsewhere.
     """
     rows: list[Row | ComparedRow] = [*result.rows]
     chosen, note = _order(evidence), ""

@@ -95,7 +95,7 @@ def of_robot(robot: Robot) -> str:
 
 
 def of_move(move: Move) -> str:
-    """Return how far the platform is from what the motors are told, along each component."""
+    """Return the deviation of the platform from the commands to the motors, along each component."""
     rows = []
     for i, component in enumerate(move.robot.mechanism.pose):
         at = int(np.argmax(np.abs(move.deviation[:, i])))
@@ -140,7 +140,7 @@ def _more(count: int, noun: str) -> str:
 
 
 def _html(table: Table) -> str:
-    """Return a table as HTML; of the columns, those that a terminal has."""
+    """Return a table as HTML, with the columns that a terminal shows."""
     kept = [k for k, column in enumerate(table.columns) if not column.page_only]
 
     def row(cells: Sequence[str], tag: str) -> str:

@@ -88,7 +88,7 @@ def _corrected(result: Diagnosis) -> list[Corrected]:
 
 
 def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
-    """Return the figure of how far the fit moved each uncertain value; nothing where none has a prior."""
+    """Return the figure of how far the fit moved each uncertain value; empty if none has a prior."""
     corrected = _corrected(result)
     figure = scores.pulls(corrected, setting.words)
     if figure is None:
@@ -107,7 +107,7 @@ def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
 
 
 def correlations(result: Diagnosis) -> list[Picture]:
-    """Return the figures of how the fitted values depend on each other; nothing of fewer than two."""
+    """Return the figures of the correlations of the fitted values; empty for fewer than two values."""
     kept, correlation = _corrected(result), np.array(result.correlation)
     if len(correlation) != len(result.corrected):
         return []

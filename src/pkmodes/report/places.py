@@ -49,7 +49,7 @@ def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
 
 
 def picture(result: Diagnosis, evidence: Evidence, setting: Setting) -> list[Block]:
-    """Return a picture of the machine with these places in colour; nothing where it shows none."""
+    """Return a picture of the machine with these places in colour; empty if it shows none of them."""
     if setting.robot is None:
         return []
     elements, model = setting.robot.mechanism.drawing.elements, Model(setting.robot)
@@ -75,7 +75,7 @@ def picture(result: Diagnosis, evidence: Evidence, setting: Setting) -> list[Blo
 
 
 def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
-    """Return what shows a term.
+    """Return the marked elements that show a term.
 
     Parameters
     ----------

@@ -158,7 +158,7 @@ def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
 
 
 def _meaning(port: str, mechanism: Mechanism) -> str:
-    """Return what an input or output is; empty for one whose name says it, or that has none."""
+    """Return what an input or output is; empty if its name says so, or it has no description."""
     kind, _, which = port.partition("_")
     if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
         return ""  # a direction that the user named
@@ -182,7 +182,7 @@ def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
 
 
 def _pictures(drawn: DrawnChannels) -> list[Block]:
-    """Return magnitude and phase of every channel, in as many figures as fit pages."""
+    """Return magnitude and phase of every channel, divided into figures that fit on pages."""
     names, blocks = list(drawn.model), list[Block]()
     for start in range(0, len(names), TOGETHER):
         chosen = names[start : start + TOGETHER]

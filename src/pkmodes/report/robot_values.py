@@ -65,7 +65,7 @@ def values(first: Model, content: dict[str, Any], max_rows: int | None = None) -
         note = f"The {max_rows} that differ most of {len(content['values'])}; all: --all, --json or --report."
     if numbered:
         shown = [value for _, value in numbered]
-        # Columns that would say nothing are left out.
+        # Columns without information are left out.
         sigmas = [
             key for key in ("first_sigma", "second_sigma") if any(value[key] is not None for value in shown)
         ]

@@ -89,7 +89,7 @@ class Setting:
         return origin(self.sources, mechanism, [*facts, *further_facts])
 
     def components(self, count: int) -> Sequence[tuple[str, str]]:
-        """Return the names and units of the components of a pose with so many of them."""
+        """Return the names and units of the components of a pose with `count` components."""
         if self.robot is not None:
             named = [(component.name, component.unit) for component in self.robot.mechanism.pose]
         elif self.data is not None:

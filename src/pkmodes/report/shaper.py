@@ -1,4 +1,4 @@
-"""The report of ``pkmodes shaper``: what shapers leave of the vibration, where, and how surely."""
+"""The report of ``pkmodes shaper``: what shapers leave of the vibration, where, and how certain that is."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ def why_recommended(choice: Choice) -> str:
 
 
 def as_sentence(text: str) -> str:
-    """Return a note as a sentence; a name that stands first keeps its small letter."""
+    """Return a note as a sentence; a name at its beginning keeps its small letter."""
     whole = sentence(text)
     return whole if text.partition(" ")[0].isalpha() else text[:1] + whole[1:]
 

@@ -81,7 +81,7 @@ def _frequencies(choice: Choice) -> NDArray[np.float64]:
 
 
 def _undominated(choice: Choice) -> list[Candidate]:
-    """Return the recommended shaper and fixed ones that no other beats in both length and what it leaves, a few."""
+    """Return the recommended shaper and a few fixed ones that no other beats in length and remaining vibration."""
     best = choice.candidates[choice.recommended]
     fixed = sorted(
         (candidate for candidate in choice.candidates if not candidate.follows_pose),
@@ -116,7 +116,7 @@ def curves_csv(choice: Choice, spectrum: MeasuredSpectrum | None) -> str:
 
 
 def spectrum_facts(content: dict[str, Any]) -> list[tuple[str, Cell]]:
-    """Return what the recommended shaper does to the highest peak of a spectrum; nothing without one."""
+    """Return what the recommended shaper does to the highest peak of a spectrum; empty without one."""
     spectrum = content["spectrum"]
     if spectrum is None:
         return []

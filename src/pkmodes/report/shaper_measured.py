@@ -125,12 +125,12 @@ def shapers_table(choice: Choice) -> Table:
 
 
 def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
-    """Return the measured modes with what the recommended shaper leaves of each, those of which most is left first.
+    """Return the measured modes with what the recommended shaper leaves of each, the largest remainders first.
 
     Parameters
     ----------
     max_modes : int, optional
-        How many at most; all by default.
+        Most modes; all by default.
     """
     modes = content["measured_modes"]
     order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])

@@ -16,7 +16,7 @@ OF_EFFECTS = "effects."
 
 
 def schedule_blocks(choice: Choice) -> list[Table]:
-    """Return the table of the schedule; nothing without one."""
+    """Return the table of the schedule; empty without one."""
     schedule = choice.schedule
     if schedule is None:
         return []

@@ -59,7 +59,7 @@ class Source:
 
 
 def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:
-    """Return the sources among some places that are files; others are objects from a script.
+    """Return the sources for those places that are files; the others are objects from a script.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Tables without columns that say the same in every row: a sentence says it once."""
+"""Tables without the columns that are the same in every row: a sentence states them once."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def table(
 
 
 def _same(cells: Sequence[Cell]) -> bool:
-    """Return whether the cells of a column say the same, and no more than words, counts or nothing."""
+    """Return whether the cells of a column are all the same, and are words, counts or blank."""
     texts = {cell.text for cell in cells}
     if len(texts) > 1 or not texts:
         return False

@@ -118,7 +118,7 @@ def lines_of(candidate: Candidate) -> dict[str, str | None]:
 
 
 def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
-    """Say of which kinds a version makes impulses of its own, which are those compared."""
+    """Return a note on the kinds whose impulses a version computes by its own formulas, which are those compared."""
     with_own_impulses = [
         candidate.kind
         for candidate in candidates
@@ -174,7 +174,7 @@ def _recommended(
     firmware: str | None,
     at: Ringing,
 ) -> tuple[int, list[str]]:
-    """Return the index of the recommended shaper, and what is to be said of it."""
+    """Return the index of the recommended shaper, and notes on it."""
     best, good = recommended_of(candidates, share, length, firmware)
     notes: list[str] = []
     if best is None:

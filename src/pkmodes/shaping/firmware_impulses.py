@@ -100,7 +100,7 @@ def has_own(version: str, kind: str, zeta: float) -> bool:
 
 
 def settled(version: str, kind: str, frequency: float, zeta: float) -> float:
-    """Return the frequency in the middle of those of which a version makes the same impulses [Hz].
+    """Return the frequency in the middle of those for which a version makes the same impulses [Hz].
 
     Parameters
     ----------

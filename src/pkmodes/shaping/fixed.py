@@ -75,7 +75,7 @@ def _fixed(kind: str, frequencies: Array, zeta: float, version: str | None) -> S
 
 
 def _chosen(unshaped: Array, count: int) -> NDArray[np.intp]:
-    """Return which poses the search looks at, at most so many."""
+    """Return the poses that the search considers, at most `count`."""
     if len(unshaped) <= count:
         return np.arange(len(unshaped))
     order = np.argsort(-unshaped)

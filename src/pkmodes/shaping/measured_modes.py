@@ -54,7 +54,7 @@ class LeftOfModes(Document, frozen=True):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredRinging(Ringing):
-    """R measured modes, each of them at K places within its errors as if it were alone: N = R K poses of one mode.
+    """R measured modes, each at K points within its errors and treated by itself: N = R K poses of one mode.
 
     Attributes
     ----------
@@ -77,16 +77,16 @@ class MeasuredRinging(Ringing):
 
     @property
     def known_between(self) -> bool:
-        """No: a table has its poses only."""
+        """No: a table only has its own poses."""
         return False
 
     @property
     def where_most(self) -> str:
-        """Where the most that a shaper leaves is looked for."""
+        """Where the largest remaining vibration is sought, in words."""
         return f"of the worst measured mode within {WITHIN:g} standard deviations"
 
     def left_of(self, candidate: Candidate) -> tuple[Array, Array]:
-        """Return what a shaper leaves of each mode as measured, and at most within its errors, (R,) each."""
+        """Return what a shaper leaves of each mode as measured, and the most within its errors, (R,) each."""
         by_mode = candidate.left_at.reshape(len(self.rows), -1)
         return by_mode[:, -1], by_mode.max(axis=1)
 
@@ -100,7 +100,7 @@ class MeasuredRinging(Ringing):
         )
 
     def notes(self) -> list[str]:
-        """Return what the reader should know of these modes."""
+        """Return notes on these modes for the reader."""
         notes, data = [], self.data
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"

@@ -1,4 +1,4 @@
-"""What firmware makes of a recommended shaper, and which it has instead of one that it lacks."""
+"""What firmware makes of a recommended shaper, and what it offers instead of one that it lacks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pkmodes.support.ordering import joined
 
 
 def remarks(choice: Choice) -> list[str]:
-    """Return sentences on firmware that lacks the recommended shaper, or makes another one of its lines."""
+    """Return sentences on firmware that lacks the recommended shaper, or makes a different one from its lines."""
     best = choice.candidates[choice.recommended]
     notes = _substitutes(choice, best)
     if best.kind in MARLIN and best.damping_ratio < LEAST:

@@ -49,7 +49,7 @@ def residual(shaper: Shaper, frequencies: ArrayLike, damping_ratios: ArrayLike) 
     f, zeta = checked_modes(frequencies, damping_ratios)
     amplitudes, delays = checked_impulses(shaper)
     mode_axes, leading = f.shape, delays.shape[:-1]
-    # Of the two, one lacks axes at most: the other gets none, as (1,) times a negative number is ().
+    # At most one of the two lacks axes; the other gets none, since (1,) times a negative number is ().
     padding = (1,) * (len(mode_axes) - len(leading))
     amplitudes, delays = (part.reshape(leading + padding + part.shape[-1:]) for part in (amplitudes, delays))
     padding = (1,) * (len(leading) - len(mode_axes))

@@ -165,7 +165,7 @@ class Step:
 
     @property
     def good(self) -> bool:
-        """Whether it leaves as little as was asked for."""
+        """Whether it leaves no more than the allowed share."""
         return self.best.left.worst <= self.choice.left
 
 

@@ -96,7 +96,7 @@ class Ringing:
 
     @property
     def where_most(self) -> str:
-        """Where the most that a shaper leaves is looked for."""
+        """Where the largest remaining vibration is sought, in words."""
         return f"at the worst {self.point_is}"
 
     @property
@@ -106,7 +106,7 @@ class Ringing:
 
     @property
     def points_are(self) -> str:
-        """The same of all of them."""
+        """The same in the plural."""
         return "poses and settings" if len(self.settings) > 1 else "poses"
 
     def setting_of(self, point: int) -> Setting | None:
@@ -129,7 +129,7 @@ class Ringing:
         )
 
     def notes(self) -> list[str]:
-        """Return what the reader should know of these modes."""
+        """Return notes on these modes for the reader."""
         notes = []
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
@@ -167,7 +167,7 @@ class Ringing:
         return float(np.average(self.damping_ratios, weights=self.weights**2))
 
     def at_spread(self) -> list[tuple[float, Array]]:
-        """Return frequencies that differ from the declared ones as their standard deviations say, (N, m).
+        """Return frequencies offset from the declared ones according to their standard deviations, (N, m).
 
         Each comes with its share of the average over all of them; empty without standard deviations.
         """

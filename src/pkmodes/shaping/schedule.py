@@ -1,7 +1,7 @@
-"""A schedule: for each setting of a machine, such as each payload, the fixed shaper that its poses ask for.
+"""A schedule: for each setting of a machine, such as each payload, the fixed shaper that suits its poses.
 
 A firmware has one shaper at a time, and cannot see a payload; but a print grows with its layers, so that the lines of
-a schedule may stand at their layers.  Each shaper serves until halfway to the next setting.
+a schedule can be placed at their layers.  Each shaper serves until halfway to the next setting.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def varying(settings: Sequence[Setting]) -> str | None:
 
 
 def check_heights(height: Any, parameter: str | None) -> None:
-    """Refuse what are no heights of the first and last value of one parameter.
+    """Refuse anything but the heights of the first and the last value of a single parameter.
 
     Raises
     ------
@@ -133,7 +133,7 @@ def each_setting(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
 def _between(
     model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper]
 ) -> tuple[list[tuple[float, float]], list[float]]:
-    """Return between which values each shaper serves, and what it leaves at most halfway to its neighbours.
+    """Return the values between which each shaper serves, and the most that it leaves halfway to its neighbours.
 
     Both are empty where several parameters vary.
     """
@@ -160,7 +160,7 @@ def _between(
 def _heights(
     serves: Sequence[tuple[float, float]], height: Sequence[float] | None
 ) -> list[tuple[float, float]]:
-    """Return between which layer heights each shaper serves."""
+    """Return the layer heights between which each shaper serves."""
     if not serves or height is None:
         return []
     values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
@@ -171,7 +171,7 @@ def _heights(
 
 
 def notes_of(schedule: Schedule) -> list[str]:
-    """Return what the reader should know of the schedule."""
+    """Return notes on the schedule for the reader."""
     notes, limit = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
     poor = [str(step.setting) for step in schedule.steps if not step.good]
     if poor:

@@ -56,7 +56,7 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
 
 
 def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[VersionLines]:
-    """Return the commands of a schedule, likewise; what is left is that over all settings."""
+    """Return the commands of a schedule in the same way; the remaining vibration is that over all settings."""
     scheduled, at = [step.best for step in schedule.steps], choice.ringing
 
     def written(version: str, name: str) -> VersionLines:
@@ -83,7 +83,7 @@ def made_by(version: str, candidate: Candidate) -> Shaper:
 
 
 def _key(shaper: Shaper) -> Hashable:
-    """Return what tells impulses apart."""
+    """Return a key by which impulses are compared."""
     return tuple(map(float, np.round(np.concatenate(shaper), DIGITS)))
 
 

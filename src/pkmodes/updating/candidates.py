@@ -132,7 +132,7 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
 
 
 def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
-    """Return candidates, with the defaults that their effects take where neither file says another value."""
+    """Return candidates, with the defaults that their effects assume where no file states a value."""
     assumed: dict[str, list[Assumption]] = {}
     for borrowed, declared_path in lent(robot.mechanism).items():
         default, move = by_path(robot.mechanism)[declared_path].key.default, resolve(robot, borrowed)
@@ -288,7 +288,7 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
 
 
 def _sentence(effect: Effect, name: str, form: Sequence[EffectParameter]) -> str:
-    """Return what an effect means for the machine, or one of its parameters that may stand alone."""
+    """Return what an effect means for the machine, or a parameter of it that may be suspected alone."""
     return effect.sentence if name == effect.name else f"{effect.sentence}: {form[0].description}"
 
 

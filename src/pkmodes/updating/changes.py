@@ -213,7 +213,7 @@ def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
 
 
 def _with_day(structure: RobotStructure) -> RobotStructure:
-    """Return a structure in which all transmissions of a kind may differ by what one day differs from another."""
+    """Return a structure in which all transmissions of a kind may differ by the day-to-day variation."""
     mechanism, common = structure.robot.mechanism, dict[str, ParameterPath]()
     for effect in mechanism.conservative_effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.parameters]

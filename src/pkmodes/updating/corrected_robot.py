@@ -59,7 +59,7 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
 
 
 def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
-    """Return how the errors of the changed values of the robot file belong together; None where none has a sigma.
+    """Return the covariance of the changed values of the robot file; None if none has a sigma.
 
     The standard deviations are those of the fit.  What an unseen candidate could have done to a value, which is in
     its own standard deviation, these data show in no frequency: the candidate and the value make up for each other.

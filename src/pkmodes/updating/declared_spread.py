@@ -1,4 +1,4 @@
-"""How surely the declared values say the frequencies at the places of measurement."""
+"""Uncertainty of the declared robot's frequencies at the measured setups."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ CHANGE = re.compile(r"relative change of the (\w[\w ]*) of (\w[\w ]*) (\d+)")
 def joints_of(
     mechanism: Mechanism, paths: Sequence[str], parameters: Sequence[EffectParameter], prefix: str
 ) -> tuple[Joint, ...]:
-    """Return the equal parts that the parameters of an effect change, one for each; none if they are others.
+    """Return the equal parts that the parameters of an effect change, one for each; none if they do anything else.
 
     Parameters
     ----------

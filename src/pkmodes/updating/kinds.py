@@ -49,7 +49,7 @@ ENTRY = re.compile(r"^parameter:(\w+)\.(\d+)\.")
 
 
 def with_kinds(candidates: Iterable[Candidate]) -> list[Candidate]:
-    """Return candidates with the words that they share with others."""
+    """Return candidates with the words for what they share."""
     return [_with_kind(candidate) for candidate in candidates]
 
 

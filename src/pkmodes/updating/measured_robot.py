@@ -140,7 +140,7 @@ class MeasuredRobot:
 
 
 def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:
-    """Return the shape and pose columns that measurements of each other known mechanism may have, by its name."""
+    """Return the shape and pose columns that measurements of every other mechanism may have, by its name."""
     machines = [mechanism(name) for name in names() if name != excluded.name]
     return {
         machine.name: frozenset(

@@ -166,7 +166,7 @@ class RobotStructure:
         request = values.tobytes(), tuple(by), shape_rates
         if (
             self._latest is not None and self._latest[0] == request
-        ):  # a fit asks more than once at the same values
+        ):  # a fit evaluates the same values more than once
             return self._latest[1]
         prediction = self._joined(
             [

@@ -280,7 +280,7 @@ class RobotWithTerms:
 
 
 def _in_order(robot: Prediction, terms: Prediction, by: Sequence[int], robot_count: int) -> Prediction:
-    """Return a prediction whose derivatives are in the order asked for: of the robot's parameters and of terms."""
+    """Return a prediction with the derivatives by the robot's parameters and by terms in the requested order."""
     robot_first = np.argsort([i >= robot_count for i in by], kind="stable")
     place = np.argsort(robot_first)
     rates = np.concatenate([robot.rates, terms.rates], axis=-1)[..., place]

@@ -42,7 +42,7 @@ SINGULAR = 1e-6
 
 
 class _Machine(NamedTuple):
-    """The declared machine at one of its poses: what its places feel like."""
+    """The declared machine at one of its poses: effective masses and compliances of its places."""
 
     system: ExtendedSystem
     around: Surroundings
@@ -60,7 +60,7 @@ class _Machine(NamedTuple):
         return np.asarray(self.around.motion[0][which][:, self.system.free])
 
     def has_inertia(self, term: Term) -> bool:
-        """Return whether what a mount releases moves inertia of its own: else it is a joint that the catalogue has.
+        """Return whether the motion that a mount releases has its own inertia: else the catalogue has it as a joint.
 
         A rail that yields along itself moves the same as its carriage; without any inertia it is condensed.
         """
@@ -76,7 +76,7 @@ class _Machine(NamedTuple):
         return bool(np.linalg.eigvalsh(M / np.outer(size, size))[0] > SINGULAR)
 
     def mobility(self, row: Array) -> float:
-        """Return the inverse of the mass that a displacement feels like."""
+        """Return the inverse of the effective mass of a displacement."""
         return float(((self.shapes @ row) ** 2).sum())
 
     def flexibility(self, row: Array) -> float:
@@ -86,7 +86,7 @@ class _Machine(NamedTuple):
 
     @property
     def heft(self) -> float:
-        """The smallest mass that a body feels like which is displaced [kg]."""
+        """The smallest effective mass of a displaced body [kg]."""
         heavy = [term for term in self.system.mechanism.terms if term.form == "mass" and term.rows]
         rows = [row for term in heavy if term.parameters[0].unit == "kg" for row in self.rows(term)]
         return 1.0 / max(map(self.mobility, rows))

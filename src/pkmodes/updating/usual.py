@@ -1,4 +1,4 @@
-"""What a value of a robot can be: how far the declared one may be wrong, by the kind of quantity.
+"""Plausible values of a robot: how far a declared value may be wrong, by the kind of quantity.
 
 A diagnosis searches for a wrong value between a third and three times the declared one, which is more than a person
 would believe of a length.  A claimed value outside of the range here is marked as implausible, and does not lead a
@@ -33,7 +33,7 @@ SIGMAS = 3.0
 
 
 def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[float, float] | None:
-    """Return what a suspected value can be; None where nobody can say.
+    """Return the plausible range of a suspected value; None if it is unknown.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[f
 
 
 def usual_factor(value: float) -> tuple[float, float]:
-    """Return what a relative change of a stiffness can be, such as that of the belts of one axis.
+    """Return the plausible range of a relative change of a stiffness, such as that of the belts of one axis.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def usual_factor(value: float) -> tuple[float, float]:
 
 
 def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parameter]:
-    """Return parameters with what a displacement of all poses can be: by the errors of the poses that a file states.
+    """Return parameters with the plausible range of a common shift of all poses, by the pose errors stated in a file.
 
     Where it states none, it is some millimetres, as of a part.
     """

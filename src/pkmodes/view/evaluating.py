@@ -69,7 +69,7 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
 def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
     """Evaluate what a picture shows of machines that differ in values, each at a pose.
 
-    Where some of them have joints that others lock, the modes are as many as all of them have.
+    Where some of them have joints that others lock, only as many modes are kept as all of them have.
 
     Parameters
     ----------

@@ -81,7 +81,7 @@ give are drawn schematically.</p>
 
 
 def _head(scene: Scene) -> str:
-    """Return what the robot file says of the machine; nothing if it says nothing."""
+    """Return what the robot file says of the machine; empty if it says nothing."""
     lines = "".join(f"<dt>{title}</dt><dd><bdi>{escape(text)}</bdi></dd>\n" for title, text in scene.head)
     return f'<dl class="about">\n{lines}</dl>\n' if lines else ""
 
@@ -299,7 +299,7 @@ def _table(scene: Scene, key: str) -> str:
 
 
 def _turning(scene: Scene) -> str:
-    """Say how rotations of the platform count."""
+    """State how rotations of the platform count."""
     if not (scene.lengths != 1.0).any():
         return ""
     return f" (rotations times {1e3 * float(scene.lengths[-1]):.4g} mm)"

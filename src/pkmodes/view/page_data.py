@@ -90,7 +90,7 @@ def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
 
 
 def _largest_deviations(scene: Scene) -> list[float | None] | None:
-    """Return how far frequencies are off at most at the places of `interpolation.deviations`; None where unknown."""
+    """Return the largest errors of frequencies at the places of `interpolation.deviations`; None where unknown."""
     if scene.deviations is None:
         return None
     sizes = largest_around(scene.deviations).ravel().tolist()
