@@ -140,8 +140,8 @@ def _fields_of(
     """
     fields = {name: _spaced(arrays[name], shape) for name in arrays}
     code = fields.pop("code")
-    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), code)
-    fields["reason"] = _each(reasons.__getitem__, reasons.dtype, code)
+    fields["valid"] = _applied(lambda part: part == 0, np.dtype(bool), code)
+    fields["reason"] = _applied(reasons.__getitem__, reasons.dtype, code)
     return fields if tracked is None else fields | _tracked(fields, tracked, shape)
 
 
@@ -183,7 +183,7 @@ def _lazy(whole: Array, shape: tuple[int, ...]) -> Any:
     return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
 
 
-def _each(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
+def _applied(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
     """Apply a function to fields, part by part if they are stored."""
     if isinstance(fields[0], np.ndarray):
         return function(*fields)
@@ -211,8 +211,8 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
         further = (..., *[None] * (len(field.dims) - 1))
         factors = (signs[further],) if field.signed else ()
         along = partial(_reordered, axis=-len(field.dims))
-        reordered[field.variable] = _each(along, values.dtype, values, order[further], *factors)
-    reordered["rank"] = _each(
+        reordered[field.variable] = _applied(along, values.dtype, values, order[further], *factors)
+    reordered["rank"] = _applied(
         lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
     )
     reordered["tracking"] = events

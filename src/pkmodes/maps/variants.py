@@ -110,7 +110,7 @@ def _drawn(
     centre = {path: robot.quantities[path].value for path in spread}
     draws: dict[str, list[float]] = {path: [] for path in spread}
     for _ in range(int(samples)):
-        for path, value in _one(robot, centre, root, rng).items():
+        for path, value in _sample(robot, centre, root, rng).items():
             draws[path].append(value)
     return {path: np.array(values) for path, values in draws.items()}, int(samples)
 
@@ -133,7 +133,7 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     return paths
 
 
-def _one(
+def _sample(
     robot: Robot, spread: Mapping[str, float], root: Array, rng: np.random.Generator
 ) -> dict[str, float]:
     for _ in range(DRAWS):

@@ -90,7 +90,7 @@ def box_of(
     still = resting(model, pose) if still is None else still
     reached = _drawn_and_reached(model, rng, still)
     if pose is None:
-        pose = hanging(model, _some(model, reached))[0]
+        pose = hanging(model, _checked_reached(model, reached))[0]
     of_branch = on_branch(model, pose)
     reached = np.vstack([pose, reached[of_branch(reached)]]) if len(reached) else pose[None]
     low, high = reached.min(axis=0), reached.max(axis=0)
@@ -170,7 +170,7 @@ def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[in
     return drawn[model.check(drawn).valid] if len(drawn) else drawn
 
 
-def _some(model: Model, reached: Array) -> Array:
+def _checked_reached(model: Model, reached: Array) -> Array:
     """Refuse a robot that reaches no pose."""
     if not len(reached):
         problem = f"none of {DRAWS:,} poses drawn can be reached"
@@ -274,7 +274,7 @@ def usable_poses(model: Model) -> Array:
         If none was found.
     """
     rng, usable = np.random.default_rng(SEED), within(model)
-    reached = _some(model, _drawn_and_reached(model, rng, resting(model)))
+    reached = _checked_reached(model, _drawn_and_reached(model, rng, resting(model)))
     if usable(reached).any():
         return reached[usable(reached)]
     ends = reached.min(axis=0), reached.max(axis=0)

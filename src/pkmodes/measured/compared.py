@@ -60,8 +60,8 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
         first=first.source,
         second=second.source,
         pairs=pairs,
-        first_unpaired=_others(first, [a for a, _, _ in rows]),
-        second_unpaired=_others(second, [b for _, b, _ in rows]),
+        first_unpaired=_unpaired_lines(first, [a for a, _, _ in rows]),
+        second_unpaired=_unpaired_lines(second, [b for _, b, _ in rows]),
         median_relative=float(np.median(relative)) if pairs else None,
         rms_relative=float(np.sqrt(np.mean(relative**2))) if pairs else None,
         chi2=total,
@@ -125,8 +125,8 @@ def _pairs(
             differs=bool(differs[k]),
             mode=first.mode[i],
             noticeable=float(least * spread[k] / before[k]),
-            beyond_common=_known(own_changes.relative[k]),
-            beyond_common_sigmas=_known(own_changes.sigmas[k]),
+            beyond_common=_number_or_none(own_changes.relative[k]),
+            beyond_common_sigmas=_number_or_none(own_changes.sigmas[k]),
             own_change=bool(own_changes.clear[k] if shared else differs[k]),
             shape=shape,
             cautions=cautions_of(
@@ -137,7 +137,7 @@ def _pairs(
     ], common
 
 
-def _known(number: float) -> float | None:
+def _number_or_none(number: float) -> float | None:
     """Return a number, or None for NaN."""
     return float(number) if np.isfinite(number) else None
 
@@ -266,6 +266,6 @@ def _alike(
     return macs
 
 
-def _others(data: Measurements, paired: list[int]) -> list[int]:
+def _unpaired_lines(data: Measurements, paired: list[int]) -> list[int]:
     """Return the lines of the rows without a partner."""
     return [int(line) for line in np.delete(data.lines, paired)]

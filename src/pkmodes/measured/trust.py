@@ -111,17 +111,17 @@ def notes_on_poses(first: Measurements, second: Measurements, places: Sequence[t
     loaded = [first.labels[i] for i, j in places if first.load(i) != second.load(j)]
     if loaded:
         notes.append(
-            f"Pose {loaded[0]}{_others(loaded)}: columns set: differ; the changes are also those of another load."
+            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes are also those of another load."
         )
     moved = [first.labels[i] for i, j in places if _elsewhere(first, second, i, j)]
     if moved:
         notes.append(
-            f"Pose {moved[0]}{_others(moved)}: the positions differ; the changes are also those of another pose."
+            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes are also those of another pose."
         )
     return notes
 
 
-def _others(labels: Sequence[str]) -> str:
+def _and_others(labels: Sequence[str]) -> str:
     return f" and {len(labels) - 1} more" if len(labels) > 1 else ""
 
 

@@ -187,10 +187,10 @@ def _probabilities(result: Diagnosis) -> list[Block]:
 
     rows = [row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
     for i, group in enumerate(probabilities.classes):
-        rows.append(row(_some(group.members), group.probability, "classes", i, "probability"))
+        rows.append(row(_first_names(group.members), group.probability, "classes", i, "probability"))
     for i, pair in enumerate(probabilities.pairs):
         names = [" + ".join(both) for both in pair.members]
-        rows.append(row(_some(names), pair.probability, "pairs", i, "probability"))
+        rows.append(row(_first_names(names), pair.probability, "pairs", i, "probability"))
     rows.append(row("something that is not among the candidates", probabilities.outside, "outside"))
     rows.sort(key=lambda cells: -(cells[1].value or 0.0))
     caption = (
@@ -200,7 +200,7 @@ def _probabilities(result: Diagnosis) -> list[Block]:
     return [table(caption, [Column("explanation", False), Column("probability")], rows)]
 
 
-def _some(names: Sequence[str]) -> str:
+def _first_names(names: Sequence[str]) -> str:
     """Return the first names of a class, and how many more it has."""
     return listed([clean(name) for name in names], SHOWN, " or ", " or ")
 

@@ -59,9 +59,12 @@ def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     unpaired_note = f"; {plural(unpaired, 'mode')} without a partner" if unpaired else ""
     common = result.common
     changed = sorted(
-        (pair for pair in result.pairs if pair.own_change), key=lambda pair: -abs(_own(result, pair)[1])
+        (pair for pair in result.pairs if pair.own_change),
+        key=lambda pair: -abs(_single_change(result, pair)[1]),
     )
-    named = ", ".join(f"{mode_name(pair)} by {_change(*_own(result, pair))}" for pair in changed[:NAMED])
+    named = ", ".join(
+        f"{mode_name(pair)} by {_change(*_single_change(result, pair))}" for pair in changed[:NAMED]
+    )
     named += f" and {len(changed) - NAMED} more" if len(changed) > NAMED else ""
     shared = "" if common is None else _change(common.relative, common.sigmas)
     reasons = []
@@ -86,7 +89,7 @@ def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     return headline + unpaired_note, " ".join(reason for reason in reasons if reason), tone
 
 
-def _own(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
+def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
     """Return the change of a mode by itself: beyond the common one, where there is one; and in sigmas."""
     if result.changed == "common_and_single":
         return pair.beyond_common or 0.0, pair.beyond_common_sigmas or 0.0

@@ -73,7 +73,7 @@ def _at_poses(result: Modes | Statics, caption: str, titles: Sequence[str], numb
         cells = [str(reason)] * len(row) if reason else [format(value + 0.0, form) for value in row]
         rows.append([Cell(text) for text in (*(f"{value:.6g}" for value in point), *cells)])
     columns = [Column(f"{c.name} [{c.unit}]") for c in robot.mechanism.pose] + [*map(Column, titles)]
-    return _html(Table(f"{robot.name}: {caption}", columns, rows, note=_more(len(poses), "pose")))
+    return _html(Table(f"{robot.name}: {caption}", columns, rows, note=_omitted(len(poses), "pose")))
 
 
 def of_robot(robot: Robot) -> str:
@@ -89,7 +89,7 @@ def of_robot(robot: Robot) -> str:
         ]
         for path, quantity in list(robot.quantities.items())[:ROWS]
     ]
-    omitted = _more(len(robot.quantities), "value")
+    omitted = _omitted(len(robot.quantities), "value")
     note = f"{omitted}: Robot.quantities" if omitted else ""
     return _html(Table(f"{robot.name}: {robot.mechanism.title}", columns, rows, note=note))
 
@@ -135,7 +135,7 @@ def _words(strong: str, reason: str) -> str:
     return f"<p><strong>{escape(strong)}.</strong> {escape(sentence(reason))}</p>"
 
 
-def _more(count: int, noun: str) -> str:
+def _omitted(count: int, noun: str) -> str:
     return f"{plural(count - ROWS, f'more {noun}')}" if count > ROWS else ""
 
 

@@ -258,7 +258,11 @@ def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
     """Return the joints, by the names of their own candidates, that a candidate of the catalogue releases alone."""
     effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
     form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
-    return [_alone(effect.name, name) for p in form for name in p.releases] if effect is not None else []
+    return (
+        [_joint_candidate(effect.name, name) for p in form for name in p.releases]
+        if effect is not None
+        else []
+    )
 
 
 def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
@@ -350,11 +354,11 @@ def _joints(robot: Robot) -> dict[str, ParameterPath]:
                 continue
             slot = (f"{name}.{q.name}", ())
             path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
-            joints[_alone(effect.name, q.name)] = path
+            joints[_joint_candidate(effect.name, q.name)] = path
     return joints
 
 
-def _alone(effect: str, coordinate: str) -> str:
+def _joint_candidate(effect: str, coordinate: str) -> str:
     return f"{effect} of {coordinate} alone"
 
 
@@ -365,7 +369,9 @@ def _unlike(
     general = []
     effects = robot.mechanism.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
-        released = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
+        released = [
+            joint for q in effects[name].coordinates if (joint := _joint_candidate(name, q.name)) in joints
+        ]
         if len(released) > 1:
             parameters = tuple(joints[joint].path for joint in released)
             general_name = f"{name} with a separate value in each joint"

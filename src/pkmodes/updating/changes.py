@@ -113,11 +113,13 @@ def changed(
             progress=progress,
             terms=terms,
         )
-        changes[name] = _asked(ask, _with_day(structure), everything=candidates is not None)
+        changes[name] = _explained_change(ask, _with_day(structure), everything=candidates is not None)
     return merged(names[0], changes)
 
 
-def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool) -> Change:
+def _explained_change(
+    ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool
+) -> Change:
     """Return what changed: something that changes in use, or a part that was exchanged or moved.
 
     Such a part is less likely: it is named in the class of what explains the difference, or where nothing else does.

@@ -134,7 +134,7 @@ class RobotWithTerms:
     ) -> list[Batch]:
         """Return the modes at all poses for several sets of values; those with equally many modes form one batch."""
         values = np.asarray(values, dtype=float)
-        batches = [] if any(by) else self._together(values)
+        batches = [] if any(by) else self._batched(values)
         done = {int(k) for batch in batches for k in batch.sets}
         groups: dict[object, list[tuple[int, Prediction]]] = {}
         for k in range(len(values)):
@@ -150,7 +150,7 @@ class RobotWithTerms:
         ]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")
-    def _together(self, values: Array) -> list[Batch]:
+    def _batched(self, values: Array) -> list[Batch]:
         """Return the modes for sets of values that differ in their terms only, without derivatives, many at once."""
         groups: dict[tuple[object, ...], list[tuple[int, PresentTerm, list[TermMatrices]]]] = {}
         for k, row in enumerate(values):
