@@ -62,27 +62,27 @@ def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawi
 
 def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
     """Return the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
-    several = [setup for setup in setups if len(setup.files) > 1]
-    means = sorted(float(np.mean(list(mode.values()))) for setup in several for mode in setup.modes)
+    several = [repeats for repeats in setups if len(repeats.files) > 1]
+    means = sorted(float(np.mean(list(mode.values()))) for repeats in several for mode in repeats.modes)
     distinct = [f for i, f in enumerate(means) if i == 0 or f / means[i - 1] > 1.0 + 1e-3]
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.3)
         axes = panel.axes
         marks.zero(panel)
-        for k, setup in enumerate(several):
-            for file in range(len(setup.files)):
-                pairs = [(mode[file], np.mean(list(mode.values()))) for mode in setup.modes if file in mode]
+        for k, repeats in enumerate(several):
+            for file in range(len(repeats.files)):
+                pairs = [(mode[file], np.mean(list(mode.values()))) for mode in repeats.modes if file in mode]
                 x = [int(np.searchsorted(distinct, mean * (1.0 - 1e-9))) for _, mean in pairs]
                 x = [min(i, len(distinct) - 1) for i in x]
                 away = [100.0 * (f / mean - 1.0) for f, mean in pairs]
-                label = short(setup.setup) if file == 0 and setup.setup else None
+                label = short(repeats.setup) if file == 0 and repeats.setup else None
                 shift = 0.16 * (k - 0.5 * (len(several) - 1))
                 panel.plot(
                     np.array(x) + shift,
                     away,
-                    "_" if len(setup.files) > 8 else ".",
-                    name=short(setup.setup) if setup.setup else "",
+                    "_" if len(repeats.files) > 8 else ".",
+                    name=short(repeats.setup) if repeats.setup else "",
                     color=PALETTE[k % len(PALETTE)],
                     label=label,
                     zorder=3,
@@ -93,7 +93,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
         axes.set_xlim(-0.6, len(distinct) - 0.4)
         panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
         axes.grid(visible=False, axis="x")
-        if any(setup.setup for setup in several):
+        if any(repeats.setup for repeats in several):
             sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
 
     return Drawing(draw)
