@@ -127,9 +127,9 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):
             paths |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
-    for path, declared_path in lent(robot.mechanism).items():
-        if {path, declared_path} & paths:
-            paths |= {path, declared_path}
+    for path, lender in lent(robot.mechanism).items():
+        if {path, lender} & paths:
+            paths |= {path, lender}
     return paths
 
 

@@ -134,21 +134,21 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
 def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
     """Return candidates, with the defaults that their effects assume where no file states a value."""
     assumed: dict[str, list[Assumption]] = {}
-    for borrowed, declared_path in lent(robot.mechanism).items():
-        default, move = by_path(robot.mechanism)[declared_path].key.default, resolve(robot, borrowed)
-        if default and not {declared_path, borrowed} & robot.quantities.keys() and not loads.always(move):
-            words = f"a {declared_path} of {with_unit(default, move.unit)}"
+    for borrowed, lender in lent(robot.mechanism).items():
+        default, move = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
+        if default and not {lender, borrowed} & robot.quantities.keys() and not loads.always(move):
+            words = f"a {lender} of {with_unit(default, move.unit)}"
             for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
-                assumed.setdefault(name, []).append(Assumption(borrowed, declared_path, words))
+                assumed.setdefault(name, []).append(Assumption(borrowed, lender, words))
     return [replace(candidate, assumes=tuple(assumed.get(candidate.name, ()))) for candidate in candidates]
 
 
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
     with_constants = []
-    for borrowed, declared_path in lent(robot.mechanism).items():
+    for borrowed, lender in lent(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
-        declared = robot.quantities.get(declared_path)
+        declared = robot.quantities.get(lender)
         if declared is not None and declared.sigma is not None:
             continue
         forms = robot.mechanism.effects[name].forms
@@ -156,7 +156,7 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
             sentence = f"{candidate.sentence}, and its {constant} differs from the declared one"
             with_constants.append(
                 Candidate(
-                    f"{candidate.name} with another {declared_path}",
+                    f"{candidate.name} with another {lender}",
                     (*candidate.parameters, borrowed),
                     sentence,
                     remote=True,
@@ -169,11 +169,7 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
 def _varying(robot: Robot) -> list[str]:
     """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
     varying = set(paths(robot))
-    varying -= {
-        borrowed
-        for borrowed, declared_path in lent(robot.mechanism).items()
-        if declared_path in robot.quantities
-    }
+    varying -= {borrowed for borrowed, lender in lent(robot.mechanism).items() if lender in robot.quantities}
     return [path for path in robot.quantities if path in varying]
 
 
@@ -185,14 +181,10 @@ def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
     if effect in effects and name in effects[effect].forms:
         form = effects[effect].forms[name]
         refuse_declared(f"the effect {name}", _sigmas(robot, _paths(effects[effect], form)))
-        excluding = [path for path in _excluding(effects[effect], form) if path in robot.quantities]
+        excluding = " and ".join(p for p in _excluding(effects[effect], form) if p in robot.quantities)
         if excluding:
-            problem = (
-                f"{name} is not suspected: the robot file declares {' and '.join(excluding)} in its place"
-            )
-            raise PkmodesError(
-                problem, "candidates", f"leave {name} out, or remove {' and '.join(excluding)}"
-            )
+            problem = f"{name} is not suspected: the robot file declares {excluding} in its place"
+            raise PkmodesError(problem, "candidates", f"leave {name} out, or remove {excluding}")
     if name.startswith(EFFECTS) and effect in effects:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
     if name == path or path not in paths(robot):
@@ -258,23 +250,15 @@ def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
     """Return the joints, by the names of their own candidates, that a candidate of the catalogue releases alone."""
     effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
     form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
-    return (
-        [_joint_candidate(effect.name, name) for p in form for name in p.releases]
-        if effect is not None
-        else []
-    )
+    return [_of_joint(effect.name, name) for p in form for name in p.releases] if effect is not None else []
 
 
 def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     """Return the effects that the file does not declare, or declares without a standard deviation."""
     candidates = {}
     robots = (robot, *(case.robot for case in loads.cases))
-    there = {
-        path
-        for variant in robots
-        for path, value in {**variant.constants, **variant.effects}.items()
-        if value
-    }
+    values_of = [{**variant.constants, **variant.effects} for variant in robots]
+    there = {path for values in values_of for path, value in values.items() if value}
     for effect in robot.mechanism.conservative_effects.values():
         # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
         constants = [p.name for p in effect.parameters if not p.fitted and p.greater_than is not None]
@@ -354,11 +338,11 @@ def _joints(robot: Robot) -> dict[str, ParameterPath]:
                 continue
             slot = (f"{name}.{q.name}", ())
             path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
-            joints[_joint_candidate(effect.name, q.name)] = path
+            joints[_of_joint(effect.name, q.name)] = path
     return joints
 
 
-def _joint_candidate(effect: str, coordinate: str) -> str:
+def _of_joint(effect: str, coordinate: str) -> str:
     return f"{effect} of {coordinate} alone"
 
 
@@ -369,9 +353,7 @@ def _unlike(
     general = []
     effects = robot.mechanism.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
-        released = [
-            joint for q in effects[name].coordinates if (joint := _joint_candidate(name, q.name)) in joints
-        ]
+        released = [joint for q in effects[name].coordinates if (joint := _of_joint(name, q.name)) in joints]
         if len(released) > 1:
             parameters = tuple(joints[joint].path for joint in released)
             general_name = f"{name} with a separate value in each joint"

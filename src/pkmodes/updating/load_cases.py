@@ -64,7 +64,7 @@ class LoadCase:
         """Return what is solved for a robot of this case."""
         return solved_system(ExtendedSystem.of(robot), self.drives)
 
-    def without_set_slots(self, path: ParameterPath) -> ParameterPath:
+    def reduced(self, path: ParameterPath) -> ParameterPath:
         """Return a path without the slots that are set."""
         if not self.set_slots:
             return path
@@ -121,7 +121,7 @@ class LoadCases:
 
     def always(self, path: ParameterPath) -> bool:
         """Return whether all slots of a path are set in every setup."""
-        return all(not case.without_set_slots(path).weights for case in self.cases)
+        return all(not case.reduced(path).weights for case in self.cases)
 
     def arranged(self, cases: Sequence[int], included: NDArray[np.bool_]) -> tuple[Index, list[int]]:
         """Return the setups of some cases, ordered in blocks of equal size, one for each robot.

@@ -96,8 +96,7 @@ class RobotStructure:
         self._moves = dict(moves)
         self.loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
         self._free_paths = [
-            {name: case.without_set_slots(path) for name, path in self._moves.items()}
-            for case in self.loads.cases
+            {name: case.reduced(path) for name, path in self._moves.items()} for case in self.loads.cases
         ]
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
@@ -152,13 +151,11 @@ class RobotStructure:
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""
-        case_index = np.zeros(len(self.points), dtype=np.intp)
+        first = np.zeros(len(self.points), dtype=np.intp)
         cases = [
             (load, LoadCase.of(self.robot, load, self.drives)) for load in payloads(self.robot, self.points)
         ]
-        return [
-            (load, self.at(self.points, LoadCases(tuple(load), (case,), case_index))) for load, case in cases
-        ]
+        return [(load, self.at(self.points, LoadCases(tuple(load), (case,), first))) for load, case in cases]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
@@ -188,10 +185,8 @@ class RobotStructure:
         """
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
-        for k, (at, indices) in enumerate(zip(machines, by, strict=True)):
-            apart = any(
-                locked_joints(at.systems[c], paths).paths for c, paths in self._paths(indices).items()
-            )
+        for k, (at, chosen) in enumerate(zip(machines, by, strict=True)):
+            apart = any(locked_joints(at.systems[c], paths).paths for c, paths in self._paths(chosen).items())
             groups.setdefault(k if apart else tuple(map(self._key, at.systems)), []).append(k)
         everywhere = np.ones(len(self.points), dtype=bool)
         count, batches = len(self.points), []
