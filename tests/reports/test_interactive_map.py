@@ -243,7 +243,7 @@ def test_packed_frequencies_are_exact_to_three_decimals() -> None:
 def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
     model = pkmodes.load("robots/corexy-printer.toml")
     found = model.map({"x": np.linspace(0.05, 0.25, 40), "y": np.linspace(0.05, 0.25, 21)})
-    held = values_of(found, most=600)
+    held = values_of(found, max_values=600)
     assert held.thinned
     assert held.dataset["frequency"].size <= 600
     np.testing.assert_array_equal(
@@ -251,7 +251,7 @@ def test_a_large_map_is_thinned_and_says_so(tmp_path: Path) -> None:
         found["frequency"].values[:: held.steps["y"], :: held.steps["x"]],
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pkmodes.report.explorer.values_of", lambda one: values_of(one, most=600))
+        patch.setattr("pkmodes.report.explorer.values_of", lambda one: values_of(one, max_values=600))
         text = page_of(model, found, tmp_path, "thin.html").read_text(encoding="utf-8")
     sizes = held.dataset.sizes
     assert f"This page holds {sizes['y'] * sizes['x']} of the 840 poses of the map: every " in text

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 FORMATS = ("svg", "png", "pdf")
-#: Between a figure and the line below it [inch].
+#: Distance between a figure and the line below it [inch].
 GAP = 0.08
 
 
@@ -71,33 +71,33 @@ def written_pictures(
     model: Model, folder: Path, grid: Any, formats: Sequence[str], *, drives: str, overwrite: bool
 ) -> tuple[list[Path], dict[str, str]]:
     """Do as `write_pictures`; return the files, and the sentences instead of figures by name."""
-    for one in formats:
-        check_argument(one, one_of(FORMATS), "formats", "choose one of the three", OutputError)
+    for suffix in formats:
+        check_argument(suffix, one_of(FORMATS), "formats", "choose one of the three", OutputError)
     for kind in PICTURES:
-        what = "the file exists, and is no such figure"
-        places = [folder / f"{kind.name}.{one}" for one in formats]
+        problem = "the file exists, and is no such figure"
+        places = [folder / f"{kind.name}.{suffix}" for suffix in formats]
         remedy = "choose another folder, or replace what is there with overwrite=True (--overwrite)"
-        check_replaced(places, "folder", overwrite, holds(kind.title.encode()), what=what, remedy=remedy)
+        check_replaced(places, "folder", overwrite, holds(kind.title.encode()), what=problem, remedy=remedy)
     files: dict[str, bytes] = {}
-    said: dict[str, str] = {}
+    sentences: dict[str, str] = {}
     for picture in pictures(model, grid, drives=drives):
         if picture.instead:
-            said[picture.name] = picture.instead
-        for one in formats:
-            files[f"{picture.name}.{one}"] = rendered(picture, one)
-    return write_files(folder, files), said
+            sentences[picture.name] = picture.instead
+        for suffix in formats:
+            files[f"{picture.name}.{suffix}"] = rendered(picture, suffix)
+    return write_files(folder, files), sentences
 
 
 def rendered(picture: Picture, suffix: str) -> bytes:
     """Return a figure as the content of a file: on white, with what it shows below it, the same at every run."""
-    known: dict[str, dict[str, Any]] = {
+    fixed_metadata: dict[str, dict[str, Any]] = {
         "svg": {"Date": None, "Description": picture.description},
         "pdf": {"CreationDate": None, "Subject": picture.description},
         "png": {"Software": None, "Description": picture.description},
     }
     target = BytesIO()
     with styled(), _with_line_below(picture.figure, picture.about):
-        metadata = {**known[suffix], "Title": picture.title}
+        metadata = {**fixed_metadata[suffix], "Title": picture.title}
         picture.figure.savefig(
             target, format=suffix, metadata=metadata, bbox_inches="tight", pad_inches=0.05, facecolor="white"
         )

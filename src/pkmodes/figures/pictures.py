@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Length of the name of a robot below its figures at most.
+#: Length of the longest robot name below a figure.
 LONGEST = 60
 
 
@@ -128,7 +128,7 @@ class PictureKind:
         Returns the figure, or a sentence where it would show the same everywhere.
     planar : str or None
         The description for a mechanism that moves in a plane, if it is another.
-    more : callable or None
+    addition : callable or None
         Returns what the description says besides of this robot.
     """
 
@@ -137,11 +137,11 @@ class PictureKind:
     description: str
     draw: Callable[[RobotPlane], Drawing | str]
     planar: str | None = None
-    more: Callable[[RobotPlane], str] | None = None
+    addition: Callable[[RobotPlane], str] | None = None
 
 
 def known_to(spread: NDArray[Any] | None) -> str:
-    """Return how surely the frequencies are known, as a sentence; nothing without standard deviations."""
+    """Return the uncertainty of the frequencies as a sentence; empty without standard deviations."""
     if spread is None:
         return ""
     sizes = joined([f"\u00b1{typeset(f'{size:.2g}')}" for size in spread.tolist()])
@@ -152,11 +152,11 @@ def known_to(spread: NDArray[Any] | None) -> str:
 
 
 def with_rotations(lengths: NDArray[Any] | None) -> str:
-    """Say how rotations of the platform count; nothing where it does not turn."""
+    """State how rotations of the platform count; empty if it does not turn."""
     return "" if lengths is None else f" Rotations count times {typeset(f'{1e3 * lengths[-1]:.4g}')} mm."
 
 
-#: The figures in their order.  Another is an entry here, the function that draws it, and a row of docs/figures.md.
+#: The figures in order.  A new one needs an entry here, the function that draws it, and a row in docs/figures.md.
 PICTURES = (
     PictureKind(
         "workspace",
@@ -173,7 +173,7 @@ PICTURES = (
         "colours span at least 5\N{NO-BREAK SPACE}% of the frequency. Triangles mark the lowest (down) and the "
         "highest (up) frequency in the plane; squares are the motors, hollow ones at the edge those beyond it.",
         lambda robot: maps.frequencies(robot.plane, motors_of(robot.model, robot.plane)),
-        more=lambda robot: (
+        addition=lambda robot: (
             left_out.in_words(robot.plane.dataset)
             + known_to(median_spread(robot.model, robot.plane, robot.drives))
         ),
@@ -183,7 +183,7 @@ PICTURES = (
         "Directions of the platform's motion",
         "Lines show the direction in the plane, as long as its share of the motion.",
         lambda robot: maps.directions(robot.plane, robot.lengths),
-        more=lambda robot: with_rotations(robot.lengths),
+        addition=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "components",
@@ -191,7 +191,7 @@ PICTURES = (
         "Mass-normalised mode shapes on one scale.",
         lambda robot: maps.components(robot.plane, robot.lengths),
         planar="Mass-normalised mode shapes on one scale; this mechanism does not move out of the plane.",
-        more=lambda robot: with_rotations(robot.lengths),
+        addition=lambda robot: with_rotations(robot.lengths),
     ),
     PictureKind(
         "influence",
@@ -243,8 +243,10 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     require("figures", "plot", "matplotlib", "xarray")
     components = [component.name for component in model.mechanism.pose]
     if len(components) < 2:
-        what = f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
-        raise PkmodesError(what, model.robot.source, "draw its frequencies by the report of a map")
+        problem = (
+            f"the figures need two components of the pose, {model.mechanism.name} has {components[0]} only"
+        )
+        raise PkmodesError(problem, model.robot.source, "draw its frequencies by the report of a map")
     say("choosing the plane of the pictures")
     places = working_plane(model) if grid is None else places_of(model.mechanism, grid)
     plane_axes(
@@ -257,7 +259,7 @@ def pictures(model: Model, grid: Any = None, *, drives: str = FREE) -> Iterator[
     for number, kind in enumerate(PICTURES, start=1):
         say(f"picture {number} of {len(PICTURES)}: {kind.name}")
         description = kind.description if plane.normal else kind.planar or kind.description
-        description += kind.more(robot) if kind.more else ""
+        description += kind.addition(robot) if kind.addition else ""
         drawn = kind.draw(robot)
         if isinstance(drawn, str):
             yield Picture(kind.name, kind.title, f"{drawn} {about}.", None, about, drawn)

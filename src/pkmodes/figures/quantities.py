@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
 Array = NDArray[Any]
-#: Poses of a map of sensitivities, about.
+#: Approximate number of poses in a map of sensitivities.
 SENSITIVITIES = 2_000
 #: Heights at which the volume around a plane is outlined, and poses along each side of an outline.
 HEIGHTS, FINE = 16, 160
@@ -42,13 +42,15 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
     paths = scalable(model.robot)
     few = coarser(plane)
     points = points_of(model, few)
-    found = sensitivities_at(model, points, paths, fields=["frequencies"], on_error="nan", drives=drives)
+    sensitivities = sensitivities_at(
+        model, points, paths, fields=["frequencies"], on_error="nan", drives=drives
+    )
     modes = plane.dataset.sizes["mode"]
-    rates = found.frequencies[..., -modes:]
+    rates = sensitivities.frequencies[..., -modes:]
     frequency = few.dataset["frequency"].values
-    relative = rates * found.values[:, None] / frequency[..., None, :]
-    together = alike(relative)
-    return [one.name(paths) for one in together], relative[..., [one.members[0] for one in together], :]
+    relative = rates * sensitivities.values[:, None] / frequency[..., None, :]
+    groups = alike(relative)
+    return [group.name(paths) for group in groups], relative[..., [group.members[0] for group in groups], :]
 
 
 def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:

@@ -44,9 +44,11 @@ def response_picture(
         If matplotlib is not installed.
     """
     require("pictures of responses", "plot", "matplotlib")
-    found = DrawnChannels.of(response, measured, index, before)
-    text = found.text
-    if len(found.model) > MOST:
-        text += f" The first {MOST} of {len(found.model)} channels: choose others by inputs and outputs."
-    drawn = responses(found.frequencies, found.model, found.units, found.measured, text, found.before)
+    channels = DrawnChannels.of(response, measured, index, before)
+    text = channels.text
+    if len(channels.model) > MOST:
+        text += f" The first {MOST} of {len(channels.model)} channels: choose others by inputs and outputs."
+    drawn = responses(
+        channels.frequencies, channels.model, channels.units, channels.measured, text, channels.before
+    )
     return Picture("response", "Frequency responses", text, drawn)

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Poses of the plane and of the volume in which it is chosen, about.
+#: Approximate number of poses in the plane, and in the volume in which it is chosen.
 POSES, VOLUME = 8_000, 40_000
-#: Part of the largest cross section that the plane has at least.
+#: Smallest area of the plane relative to the largest cross-section.
 WIDE = 0.5
 
 
@@ -50,30 +50,30 @@ def working_plane(model: Model) -> Grid:
     volume = reachable(model, VOLUME)
     normal = model.mechanism.directions[2]
     coarse = map_of(model, volume)
-    others = [name for name in names if name != normal and name not in turning]
+    in_plane = [name for name in names if name != normal and name not in turning]
     best = best_conditioned(coarse, normal)
     inside = coarse["valid"].sel({normal: best})
     ends = {}
-    for name in others:
-        reached = np.flatnonzero(inside.any([other for other in inside.dims if other != name]).values)
+    for name in in_plane:
+        reached = np.flatnonzero(inside.any([dim for dim in inside.dims if dim != name]).values)
         ends[name] = volume.axes[name][reached[0]], volume.axes[name][reached[-1]]
     size = {name: float(high - low) for name, (low, high) in ends.items()}
     for name, extent in size.items():
         if extent == 0.0:
-            what = f"the workspace is too narrow along {name} to find a plane in it"
-            raise PkmodesError(what, model.robot.source, "give the plane as a grid")
+            problem = f"the workspace is too narrow along {name} to find a plane in it"
+            raise PkmodesError(problem, model.robot.source, "give the plane as a grid")
     step = (np.prod(list(size.values())) / POSES) ** (1 / len(size))
     # An odd number of values: one of them lies on the centre line.
-    axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in others}
+    axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in in_plane}
     axes |= {name: volume.axes[name] for name in turning}
     return Grid({name: axes.get(name, np.array([best])) for name in names}, volume.used)
 
 
 def best_conditioned(dataset: xarray.Dataset, normal: str) -> float:
     """Return where along an axis the mean condition number is lowest, among planes of `WIDE` of the largest area."""
-    others = [dim for dim in dataset["condition"].dims if dim != normal]
-    area = dataset["valid"].sum(others)
-    mean = dataset["condition"].mean(others).where(area >= WIDE * area.max())
+    other_dims = [dim for dim in dataset["condition"].dims if dim != normal]
+    area = dataset["valid"].sum(other_dims)
+    mean = dataset["condition"].mean(other_dims).where(area >= WIDE * area.max())
     values = mean.values
     place = np.nanargmin(values) if np.isfinite(values).any() else len(values) // 2
     return float(dataset[normal].values[place])

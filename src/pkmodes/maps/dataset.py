@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Poses of a stored map that are read and written together.
+#: Poses of a stored map that are read and written at once.
 CHUNK = 16_384
 
 
@@ -72,17 +72,19 @@ def dataset_of(
         for field in of_maps(layout.conditions):
             if INDEPENDENT in field.dims:
                 fields[field.variable] = fields[field.variable][..., columns]
-    known = variables(mechanism, normal, layout.conditions, tracked is not None)
+    described = variables(mechanism, normal, layout.conditions, tracked is not None)
     data = {
         v.name: (
             (*leading, *v.dims),
             fields[v.name],
             {**v.attributes, **meanings_of(robot, v.name)},
         )
-        for v in known
+        for v in described
     }
-    each = [solved_system(evaluation(one), layout.drives).rigid_modes for one in variants.robots]
-    rigid = np.array(each).reshape(variants.shape)
+    rigid_counts = [
+        solved_system(evaluation(variant), layout.drives).rigid_modes for variant in variants.robots
+    ]
+    rigid = np.array(rigid_counts).reshape(variants.shape)
     if (rigid != rigid.flat[0]).any():
         about = {"units": "1", "long_name": "number of rigid-body modes of this robot, which are left out"}
         data["rigid_modes"] = (variants.dims, rigid, about)
@@ -138,17 +140,17 @@ def _fields_of(
     """
     fields = {name: _spaced(arrays[name], shape) for name in arrays}
     code = fields.pop("code")
-    fields["valid"] = _each(lambda part: part == 0, np.dtype(bool), code)
-    fields["reason"] = _each(reasons.__getitem__, reasons.dtype, code)
+    fields["valid"] = _applied(lambda part: part == 0, np.dtype(bool), code)
+    fields["reason"] = _applied(reasons.__getitem__, reasons.dtype, code)
     return fields if tracked is None else fields | _tracked(fields, tracked, shape)
 
 
 def chunks_of(shape: tuple[int, ...], leading: int) -> tuple[int, ...]:
     """Return the size of the parts of a field: all values at about `CHUNK` poses next to each other."""
-    chunks, left = list(shape), CHUNK
+    chunks, remaining = list(shape), CHUNK
     for axis in reversed(range(leading)):
-        chunks[axis] = min(shape[axis], max(left, 1))
-        left //= shape[axis]
+        chunks[axis] = min(shape[axis], max(remaining, 1))
+        remaining //= shape[axis]
     return tuple(chunks)
 
 
@@ -181,7 +183,7 @@ def _lazy(whole: Array, shape: tuple[int, ...]) -> Any:
     return from_array(whole, chunks=chunks_of(whole.shape, len(shape)), name=False)
 
 
-def _each(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
+def _applied(function: Callable[..., Array], dtype: np.dtype[Any], *fields: Any) -> Any:
     """Apply a function to fields, part by part if they are stored."""
     if isinstance(fields[0], np.ndarray):
         return function(*fields)
@@ -209,8 +211,8 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
         further = (..., *[None] * (len(field.dims) - 1))
         factors = (signs[further],) if field.signed else ()
         along = partial(_reordered, axis=-len(field.dims))
-        reordered[field.variable] = _each(along, values.dtype, values, order[further], *factors)
-    reordered["rank"] = _each(
+        reordered[field.variable] = _applied(along, values.dtype, values, order[further], *factors)
+    reordered["rank"] = _applied(
         lambda places, good: np.where(good, places + 1, 0).astype(np.int8), np.dtype(np.int8), order, valid
     )
     reordered["tracking"] = events

@@ -94,8 +94,8 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) 
         modes = max(modes, number_of_modes(solved) - solved.rigid_modes)
         order.update(dict.fromkeys(system.coordinates))
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
-    every = [q.name for q in robots[0].mechanism.coordinates] + released
-    coordinates = tuple(sorted(order, key=every.index))
+    ordered = [q.name for q in robots[0].mechanism.coordinates] + released
+    coordinates = tuple(sorted(order, key=ordered.index))
     return Layout(modes, coordinates, conditions_of(robots, shapes, drives), backend, drives)
 
 
@@ -147,9 +147,9 @@ def evaluate(task: Task) -> dict[str, Array]:
     """
     mechanism = task.pieces[0][0].mechanism
     if code_of(mechanism) != task.code:
-        what = f"the generated code of {mechanism.name} differs from that of the map"
+        problem = f"the generated code of {mechanism.name} differs from that of the map"
         raise PkmodesError(
-            what, gethostname(), "generate it there with the same pkmodes, and restart the worker"
+            problem, gethostname(), "generate it there with the same pkmodes, and restart the worker"
         )
     parts = [_piece(*piece, task) for piece in task.pieces]
     if len(parts) == 1:

@@ -1,4 +1,4 @@
-"""Poses of a map that say nothing about the others: near-singular ones, and those at which the machine is unstable.
+"""Poses of a map that are not representative: near-singular ones, and those at which the machine is unstable.
 
 Near a singular pose the equations still have a solution, but it tells of the singularity: a belt span of almost no
 length is a spring of almost any stiffness, and a link near its singular direction gives way to any force.  At an
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 #: A pose is near-singular where the condition number of the platform Jacobian is above `CONDITION` and `FACTOR` times
 #: its median over the poses of the robot, or where a frequency is above `FACTOR` times its median.
 CONDITION, FACTOR = 100.0, 10.0
-#: A negative frequency of at least this fraction of the highest one at its pose is not rounding: its eigenvalue is
-#: 1e-12 of the highest.
+#: A negative frequency is more than rounding if it is at least this fraction of the highest one at its pose: its
+#: eigenvalue is then 1e-12 of the highest.
 ROUNDING = 1e-6
 MEDIANS = "median_frequency", "median_condition"
 RULE = (
@@ -54,16 +54,19 @@ def with_medians(dataset: xarray.Dataset) -> xarray.Dataset:
         for _, part in parts(dataset[["frequency", "condition"]], poses):
             frequency = part["frequency"].transpose(*poses, *robots, "mode").values
             condition = part["condition"].transpose(*poses, *robots).values[..., None]
-            every = np.concatenate([frequency, condition], axis=-1)
-            yield every.reshape(-1, int(np.prod(sizes)) * (modes + 1))
+            columns = np.concatenate([frequency, condition], axis=-1)
+            yield columns.reshape(-1, int(np.prod(sizes)) * (modes + 1))
 
     middle = quantiles(rows, [0.5]).reshape(*sizes, modes + 1)
-    found = {MEDIANS[0]: ((*robots, "mode"), middle[..., :-1]), MEDIANS[1]: (tuple(robots), middle[..., -1])}
-    return dataset.assign(found)
+    medians = {
+        MEDIANS[0]: ((*robots, "mode"), middle[..., :-1]),
+        MEDIANS[1]: (tuple(robots), middle[..., -1]),
+    }
+    return dataset.assign(medians)
 
 
 def near_singular(part: xarray.Dataset) -> xarray.DataArray:
-    """Return what the poses of a map from `with_medians`, or of a part, have of the bound: above 1 near-singular."""
+    """Return how near poses of a map from `with_medians`, or of a part, are to the bound: near-singular above 1."""
     frequency = (part["frequency"] / (FACTOR * abs(part[MEDIANS[0]]))).max("mode")
     bound = (FACTOR * part[MEDIANS[1]]).clip(min=CONDITION)
     condition = part["condition"] / bound
@@ -82,7 +85,7 @@ def ordinary(part: xarray.Dataset) -> xarray.DataArray:
 
 
 def shown(dataset: xarray.Dataset) -> xarray.Dataset:
-    """Return a map with NaN for the frequencies of the poses that say nothing about the others, to be drawn."""
+    """Return a map for drawing, with NaN for the frequencies of the poses that are not representative."""
     return dataset.assign(frequency=dataset["frequency"].where(ordinary(with_medians(dataset))))
 
 
@@ -90,11 +93,11 @@ def in_words(dataset: xarray.Dataset) -> str:
     """Return how many poses of a map `shown` leaves out, for a caption; empty if none."""
     judged = with_medians(dataset)
     near, moving = int((near_singular(judged) > 1.0).sum()), int(unstable(judged).sum())
-    said = [f"{near:,} near-singular"] if near else []
-    said += [f"{moving:,} unstable"] if moving else []
+    exclusions = [f"{near:,} near-singular"] if near else []
+    exclusions += [f"{moving:,} unstable"] if moving else []
     poses = "pose" if near + moving == 1 else "poses"
     blank = "; where the machine is unstable the panels are blank" if moving else ""
-    return f" Ranges and triangles leave out {' and '.join(said)} {poses}{blank}." if said else ""
+    return f" Ranges and triangles leave out {' and '.join(exclusions)} {poses}{blank}." if exclusions else ""
 
 
 def parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[int], xarray.Dataset]]:
@@ -116,8 +119,8 @@ def sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> l
     units : dict
         Units of the map's axes as shown, with the factors from SI.
     """
-    said = []
-    for key, is_, why, most in (
+    lines = []
+    for key, is_, why, extreme in (
         ("near_singular", "near-singular", RULE, "the farthest"),
         (
             "unstable",
@@ -131,9 +134,9 @@ def sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> l
             poses = "pose is" if count == 1 else "poses are"
             names = dict.fromkeys([*(name for name in content["ranges"] if name in at), *at])
             where = ", ".join(_place(name, at[name], units) for name in names)
-            one = "at" if count == 1 else f"{most} at"
-            said.append(f"{count:,} {poses} {is_} and not in these numbers: {why}; {one} {where}.")
-    return said
+            position = "at" if count == 1 else f"{extreme} at"
+            lines.append(f"{count:,} {poses} {is_} and not in these numbers: {why}; {position} {where}.")
+    return lines
 
 
 def _place(name: str, value: Any, units: dict[str, tuple[str, float]]) -> str:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import xarray
 
 NETCDF, ZARR, CSV, PARQUET = ".nc", ".zarr", ".csv", ".parquet"
-#: Libraries that write each format, besides those of every map in progress, and their extra.
+#: Libraries that write each format, besides those that every map in progress needs, and their extra.
 LIBRARIES = {
     NETCDF: ("map", "netCDF4"),
     ZARR: ("map",),
@@ -33,12 +33,12 @@ LIBRARIES = {
 }
 IN_PROGRESS = ("map", "zarr", "dask")
 FORMATS = tuple(LIBRARIES)
-#: Files of a Zarr store that describe it: one of the first of each group, and one of the second of each array.
+#: Metadata files of a Zarr store: each group has one of the first, and each array one of the second.
 GROUP, ARRAY = (".zgroup", "zarr.json"), (".zarray", "zarr.json")
 DESCRIBING = {*GROUP, *ARRAY, ".zattrs", ".zmetadata"}
-#: Its values: pieces of an array, or folders of them.
+#: Names of its data: chunks of an array, or folders of chunks.
 PIECE = re.compile(r"c|(c\.)?\d+(\.\d+)*")
-#: Names of the map that is being written, and of the one that it replaces, in the folder of the map in progress.
+#: Names, in the folder of the map in progress, of the map being written and of the one that it replaces.
 UNDER_WAY = ("new", "replaced")
 
 
@@ -62,13 +62,13 @@ class MapFile:
         check_argument(out, FILE_NAME, "out", "for example: map.nc", OutputError)
         path, where = Path(out), shown(str(out))
         if "\0" in str(out) or path.suffix.lower() not in FORMATS:
-            what = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
-            raise OutputError(what, "out", "for example: map.nc")
+            problem = f"expected a name that ends in {alternatives(FORMATS)}, found {where}"
+            raise OutputError(problem, "out", "for example: map.nc")
         if path.is_symlink():
             path = resolved(path, "out")
             if path.suffix.lower() not in FORMATS:
-                what = f"expected a link to a name that ends in {alternatives(FORMATS)}, found {shown(str(path))}"
-                raise OutputError(what, where, "name that file as a map, or choose another name")
+                problem = f"expected a link to a name that ends in {alternatives(FORMATS)}, found {shown(str(path))}"
+                raise OutputError(problem, where, "name that file as a map, or choose another name")
         if not path.parent.is_dir():
             raise OutputError(
                 f"the folder {path.parent} does not exist", where, "create it, or choose another place"
@@ -87,9 +87,10 @@ class MapFile:
             raise OutputError(
                 "the folder to replace does not hold a Zarr store", where, "choose another name"
             )
-        if folder and path.exists() and (other := next(_foreign(path), None)) is not None:
-            what = f"the folder to replace holds {shown(str(other.relative_to(path)))}, which is no part of the map"
-            raise OutputError(what, where, "move that away, or choose another name")
+        if folder and path.exists() and (foreign := next(_foreign(path), None)) is not None:
+            part = shown(str(foreign.relative_to(path)))
+            problem = f"the folder to replace holds {part}, which is no part of the map"
+            raise OutputError(problem, where, "move that away, or choose another name")
         if not os.access(path.parent, os.W_OK):
             raise OutputError(
                 "cannot write: permission denied", where, "choose another place or make it writable"
@@ -115,9 +116,9 @@ class MapFile:
                 replaced.rename(self.path)
 
         try:
-            put_back()  # the run before was killed between the two
-            for left in (new, replaced):  # by an interrupted run
-                _remove(left)
+            put_back()  # the previous run was killed between the two
+            for leftover in (new, replaced):  # by an interrupted run
+                _remove(leftover)
             if suffix == NETCDF:
                 import dask
 
@@ -178,21 +179,21 @@ def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
 
     tasks = dict(graph.__dask_graph__() if hasattr(graph, "__dask_graph__") else graph)
 
-    def evaluated(wanted: Any) -> Any:
-        if isinstance(wanted, list):
-            return [evaluated(one) for one in wanted]
-        return get_sync(cull(tasks, [wanted])[0], wanted)
+    def evaluated(request: Any) -> Any:
+        if isinstance(request, list):
+            return [evaluated(part) for part in request]
+        return get_sync(cull(tasks, [request])[0], request)
 
     return evaluated(keys)
 
 
 def _foreign(folder: Path, *, pieces: bool = False) -> Iterator[Path]:
-    """Yield what a folder of a Zarr store holds besides it.
+    """Yield what a folder of a Zarr store holds that is not part of it.
 
     Parameters
     ----------
     pieces : bool
-        Whether the folder is one of an array, in which its values are.
+        Whether the folder is that of an array, which holds its values.
     """
     pieces = pieces or any((folder / name).is_file() for name in ARRAY)
     for entry in sorted(folder.iterdir()):

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 Array = NDArray[Any]
-#: Rows of a task: large enough that starting it costs nothing, small enough for progress and memory.
+#: Rows of a task: enough to make its start-up cost negligible, few enough for progress reports and memory.
 ROWS = 16_384
 Progress = Callable[[int, int], None]
 
@@ -77,8 +77,8 @@ class Plan:
             first, last = max(rows.start - robot * size, 0), min(rows.stop - robot * size, size)
             pieces.append((self.variants.robots[robot], self.places.points(np.arange(first, last))))
         mechanism = self.model.mechanism
-        given = code_of(mechanism), self.model.max_condition, self.normal, self.layout
-        return Task(tuple(pieces), *given, used=self.used)
+        common = code_of(mechanism), self.model.max_condition, self.normal, self.layout
+        return Task(tuple(pieces), *common, used=self.used)
 
     @property
     def used(self) -> bool:
@@ -205,8 +205,8 @@ def map_of(
             store.remove()
             _refuse_outside(plan)
         tracked_modes = track_plan(plan, store.arrays) if tracked else None
-        wanted = layout if shapes else layout.without_shapes()
-        return dataset_of(model.robot, places, variants, wanted, store.arrays, tracked_modes)
+        saved_layout = layout if shapes else layout.without_shapes()
+        return dataset_of(model.robot, places, variants, saved_layout, store.arrays, tracked_modes)
 
     if file is None:
         return computed(_in_memory(plan, sizes))
@@ -225,9 +225,9 @@ def _in_memory(plan: Plan, sizes: Tails) -> Store:
     try:
         return in_memory(plan.rows, plan.task_count, sizes)
     except (MemoryError, ValueError):  # ValueError: more than an array can have
-        what = f"a map of {plan.rows:,} poses does not fit in memory"
+        problem = f"a map of {plan.rows:,} poses does not fit in memory"
         raise PkmodesError(
-            what, "map", "write it to a file with out (--out), or make the grid coarser"
+            problem, "map", "write it to a file with out (--out), or make the grid coarser"
         ) from None
 
 
@@ -257,11 +257,11 @@ def _fill(plan: Plan, store: Store, threads: int, scheduler: str | None, progres
 def _refuse_outside(plan: Plan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
     model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.poses
-    some = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
-    sentence = str(model.check(some).sentences[0]).partition(";")[0] if len(some) else ""
+    sample = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
+    sentence = str(model.check(sample).sentences[0]).partition(";")[0] if len(sample) else ""
     sentence = sentence or model.reasons[USABLE]  # it can be reached
     of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
-    what = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
+    problem = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
     if isinstance(plan.places, Grid):
         where, remedy = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
     else:
@@ -270,16 +270,18 @@ def _refuse_outside(plan: Plan) -> NoReturn:
             "poses",
             f"write the unit in the header of the file, such as {name} [mm], or give metres",
         )
-    raise PkmodesError(what, where, bounds_of(model, some, remedy))
+    raise PkmodesError(problem, where, bounds_of(model, sample, remedy))
 
 
 def _check_trackable(plan: Plan) -> None:
     drives = plan.layout.drives
-    systems = [(one, solved_system(one, drives)) for one in map(evaluation, plan.variants.robots)]
-    counts = {(one.coordinates, solved.rigid_modes) for one, solved in systems}
+    systems = [(system, solved_system(system, drives)) for system in map(evaluation, plan.variants.robots)]
+    counts = {(system.coordinates, solved.rigid_modes) for system, solved in systems}
     if len(counts) > 1:
-        what = "modes cannot be tracked across robots with different coordinates"
-        raise PkmodesError(what, "tracked", "sweep an effect from a value above zero, or leave out tracked")
+        problem = "modes cannot be tracked across robots with different coordinates"
+        raise PkmodesError(
+            problem, "tracked", "sweep an effect from a value above zero, or leave out tracked"
+        )
 
 
 def track_plan(plan: Plan, arrays: Mapping[str, Any]) -> Tracked:

@@ -48,10 +48,10 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     columns = [column_of(cell, f"{where}, column {i + 1}", units) for i, cell in enumerate(header)]
     places = {}
     for name in units:
-        matching = [i for i, (known, _) in enumerate(columns) if known == name]
+        matching = [i for i, (column_name, _) in enumerate(columns) if column_name == name]
         if len(matching) != 1:
-            what = f'expected one column "{name}", found {len(matching) or "none"}'
-            raise MeasurementError(what, where, remedy)
+            problem = f'expected one column "{name}", found {len(matching) or "none"}'
+            raise MeasurementError(problem, where, remedy)
         places[name] = matching[0]
     names = [name for name, _ in columns]
     labelled = names.count(LABEL) == 1
@@ -69,8 +69,8 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
             )
         table[(label, *map(repr, point))] = point
         if labelled and at_label.setdefault(label, point) != point:
-            what = f"the label {shown(label)} has two positions"
-            raise MeasurementError(what, where, "give each pose a label of its own")
+            problem = f"the label {shown(label)} has two positions"
+            raise MeasurementError(problem, where, "give each pose a label of its own")
     if not table:
         raise MeasurementError("expected a row for each pose, found only a header", source, "add the rows")
     labels = tuple(key[0] for key in table) if labelled else None
@@ -80,6 +80,6 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
 def _value(cell: str, factor: Decimal | None, notation: Notation, where: str) -> float:
     value = notation.number(cell, factor)
     if value is None:
-        what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
-        raise MeasurementError(what, where, f"write a plain number with {notation.decimal}")
+        problem = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
+        raise MeasurementError(problem, where, f"write a plain number with {notation.decimal}")
     return value

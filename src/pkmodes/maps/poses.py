@@ -28,7 +28,7 @@ class Grid:
     axes : mapping of str to ndarray
         Values of each component of the pose in the mechanism's order, ascending [SI].
     used : bool
-        Whether poses beyond the usable limits of a robot are left out, as in a grid that nobody asked for.
+        Whether poses beyond the usable limits of a robot are left out, as in a grid chosen by default.
     """
 
     axes: Mapping[str, Array]
@@ -108,12 +108,12 @@ class Poses:
 Places = Grid | Poses
 
 
-def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
+def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
     """Check the poses of a map.
 
     Parameters
     ----------
-    given : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
+    poses : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
         Ascending values, or one number, for each component of the pose, rotations 0 where they are not given; or
         poses one after the other.
 
@@ -122,19 +122,19 @@ def places_of(mechanism: Mechanism, given: Mapping[str, ArrayLike] | ArrayLike |
     PoseError
         If a component is missing or unknown, or its values do not ascend; or if it is not an array of poses.
     """
-    if isinstance(given, Grid | Poses):
-        return given
-    if not isinstance(given, Mapping):
-        points, _ = given_poses(poses_by_name(given, mechanism), mechanism, "raise")
+    if isinstance(poses, Grid | Poses):
+        return poses
+    if not isinstance(poses, Mapping):
+        points, _ = given_poses(poses_by_name(poses, mechanism), mechanism, "raise")
         return Poses(points, tuple(component.name for component in mechanism.pose))
     names = [component.name for component in mechanism.pose]
-    for name in given:
+    for name in poses:
         if name not in names:
-            what = f"expected values of {', '.join(names)}, found {shown(name)}"
-            raise PoseError(what, "grid", EXAMPLE)
-    given = {**dict.fromkeys(mechanism.components[len(mechanism.directions) :], 0.0), **given}
-    missing = [name for name in names if name not in given]
+            problem = f"expected values of {', '.join(names)}, found {shown(name)}"
+            raise PoseError(problem, "grid", EXAMPLE)
+    poses = {**dict.fromkeys(mechanism.components[len(mechanism.directions) :], 0.0), **poses}
+    missing = [name for name in names if name not in poses]
     if missing:
-        what = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
-        raise PoseError(what, "grid", f"give one number or several, {EXAMPLE}")
-    return Grid({name: ascending(given[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names})
+        problem = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
+        raise PoseError(problem, "grid", f"give one number or several, {EXAMPLE}")
+    return Grid({name: ascending(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names})

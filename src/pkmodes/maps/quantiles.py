@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
-#: Bits that are dropped to find the bin of a number: bins are 2^-10 of a number wide.
+#: Bits dropped to find the bin of a number: the width of a bin is 2^-10 of the number.
 DROPPED = 42
 MAGNITUDE = np.int64(2**63 - 1)
 
@@ -40,18 +40,18 @@ def quantiles(parts: Callable[[], Iterable[Array]], shares: Sequence[float]) -> 
             bins, numbers = np.unique(_bins(column[~np.isnan(column)]), return_counts=True)
             counter.update(dict(zip(bins.tolist(), numbers.tolist(), strict=True)))
     places = [_places(counter, shares) for counter in counts]
-    wanted = [np.array(sorted({key for key, _ in found.values()}), dtype=np.int64) for found in places]
+    needed = [np.array(sorted({key for key, _ in ranks.values()}), dtype=np.int64) for ranks in places]
     collected: list[list[Array]] = [[] for _ in counts]
     for part in parts():
-        for column, keys, kept in zip(part.T, wanted, collected, strict=True):
+        for column, keys, kept in zip(part.T, needed, collected, strict=True):
             values = column[~np.isnan(column)]
             kept.append(values[np.isin(_bins(values), keys)])
-    found = np.full((len(counts), len(shares)), np.nan)
+    results = np.full((len(counts), len(shares)), np.nan)
     for i, counter in enumerate(counts):
         if counter:
             values = np.sort(np.concatenate(collected[i]))
-            found[i] = [_between(values, places[i], share * (counter.total() - 1)) for share in shares]
-    return found
+            results[i] = [_between(values, places[i], share * (counter.total() - 1)) for share in shares]
+    return results
 
 
 def _bins(values: Array) -> Integers:
@@ -71,13 +71,13 @@ def _places(counter: Counter[int], shares: Sequence[float]) -> dict[int, tuple[i
     keys = sorted(counter)
     below = np.concatenate([[0], np.cumsum([counter[key] for key in keys])])
     bins = [int(np.searchsorted(below, rank, "right")) - 1 for rank in ranks]
-    skipped, used, found = 0, -1, {}
+    skipped, used, positions = 0, -1, {}
     for rank, place in zip(ranks, bins, strict=True):
         if place != used:  # values between the bin before and this one are not collected
             skipped += int(below[place] - below[used + 1])
             used = place
-        found[rank] = keys[place], rank - skipped
-    return found
+        positions[rank] = keys[place], rank - skipped
+    return positions
 
 
 def _between(values: Array, places: dict[int, tuple[int, int]], rank: float) -> float:

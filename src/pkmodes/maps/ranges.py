@@ -14,9 +14,9 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.units import NUMBER, QuantityError, parse_number_or_quantity
 
 Array = NDArray[np.float64]
-#: More values along one axis are a mistake.
+#: Most values along one axis: more are a mistake.
 LARGEST = 1_000_000
-#: A comma between two integers, of which the second alone has a unit: two values or a decimal comma.
+#: A comma between two integers of which only the second has a unit: two values, or a decimal comma.
 AMBIGUOUS = re.compile(r"(?<![^\s,:])(-?\d+),(\d+)\s*(?![eE][+-]?\d)([A-Za-zµ%°][^,:]*)")
 
 
@@ -44,15 +44,15 @@ def parse_range(text: str, unit: str, where: str) -> Array:
     """
     parts = text.split(":")
     if len(parts) not in (1, 3):
-        what = f"expected start:stop:count or one value, found {shown(text)}"
-        raise PkmodesError(what, where, f"for example: {f'{text}:7' if len(parts) == 2 else '0.3:0.8:51'}")
+        problem = f"expected start:stop:count or one value, found {shown(text)}"
+        raise PkmodesError(problem, where, f"for example: {f'{text}:7' if len(parts) == 2 else '0.3:0.8:51'}")
     ends = [parse_value(part, unit, where) for part in parts[:2]]
     if len(parts) == 1:
         return np.array(ends)
     (start, stop), number = ends, parts[2].strip()
     if not number.isascii() or not number.isdigit() or not 1 <= int(number) <= LARGEST:
-        what = f"expected a count from 1 to {LARGEST:,}, found {shown(number)}"
-        raise PkmodesError(what, where, "for example: 0.3:0.8:51 has 51 values, both ends included")
+        problem = f"expected a count from 1 to {LARGEST:,}, found {shown(number)}"
+        raise PkmodesError(problem, where, "for example: 0.3:0.8:51 has 51 values, both ends included")
     count = int(number)
     if stop < start:
         remedy = _with_one_unit(parts, unit) or f"write {parts[1].strip()}:{parts[0].strip()}:{number}"
@@ -60,16 +60,17 @@ def parse_range(text: str, unit: str, where: str) -> Array:
             f"the range is reversed: it ends below its start, found {shown(text)}", where, remedy
         )
     if (start == stop) != (count == 1):
-        what = f"expected {'one value' if count > 1 else 'several values'} from {start:g} to {stop:g}, found {count}"
+        expected = "one value" if count > 1 else "several values"
+        problem = f"expected {expected} from {start:g} to {stop:g}, found {count}"
         remedy = (
             f"write {parts[0].strip()} alone for one value, or two different ends and a count of at least 2"
         )
-        raise PkmodesError(what, where, remedy)
+        raise PkmodesError(problem, where, remedy)
     return np.linspace(start, stop, count)
 
 
 def _with_one_unit(parts: Sequence[str], unit: str) -> str:
-    """Return what to do about a range of which one end alone has a unit; nothing for others."""
+    """Return the remedy for a range of which only one end has a unit; empty for other ranges."""
     low, high, count = (part.strip() for part in parts)
     ends = [NUMBER.fullmatch(end) for end in (low, high)]
     units = [end[2] for end in ends if end is not None]
@@ -124,8 +125,8 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     for part in text.split(","):
         name, equals, values = (piece.strip() for piece in part.partition("="))
         if not equals or name not in units:
-            what = f"expected {', '.join(f'{known}=...' for known in units)}, found {shown(part.strip())}"
-            raise PkmodesError(what, where, f"{example}{'' if equals else '; decimals with a point'}")
+            problem = f"expected {', '.join(f'{component}=...' for component in units)}, found {shown(part.strip())}"
+            raise PkmodesError(problem, where, f"{example}{'' if equals else '; decimals with a point'}")
         if name in axes:
             raise PkmodesError(f"{name} is given twice", where, "give each component once")
         axes[name] = parse_range(values, units[name], f"{where} {name}={values}")
@@ -174,12 +175,12 @@ def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str)
             settings[path] = np.zeros(1)  # the robot says what is wrong with the path
             continue
         if (comma := AMBIGUOUS.search(values)) is not None:
-            what = (
+            problem = (
                 f"expected values separated by commas, found {shown(comma[0])}, in which one alone has a unit"
             )
             low, high, symbol = comma.groups()
             remedy = f"write {low} {symbol},{high} {symbol} for two values, {low}.{high} {symbol} for one"
-            raise PkmodesError(what, place, remedy)
+            raise PkmodesError(problem, place, remedy)
         ranges = [parse_range(part, unit, place) for part in values.split(",")]
         settings[path] = np.concatenate(ranges)
     return settings

@@ -26,12 +26,12 @@ from pkmodes.support.mac import mass_weighted_mac
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
-#: Poses evaluated together.
+#: Poses evaluated at once.
 CHUNK = 4096
-#: Shares of the poses below the ends of the range that is given for each mode.
+#: Quantiles over the poses that end the range given for each mode.
 ENDS = (0.02, 0.98)
-#: A mode can be compared where its partner is another one at no more than this share of the poses, and the median MAC
-#: of the pairs is at least this.
+#: A mode is comparable if its partner differs at no more than this share of the poses, and the median MAC of the
+#: pairs is at least this.
 EXCHANGED, LIKE = 0.1, 0.8
 #: Smaller relative differences of a frequency count as none.
 NOTHING = 5e-5
@@ -152,48 +152,48 @@ def compare_robots(first: Model, second: Model, poses: Array, drives: str = FREE
 
     Parameters, and errors raised, are those of `compare_frequencies`.
     """
-    found = differences(first.robot, second.robot)
+    declared = differences(first.robot, second.robot)
     changes = compare_frequencies(first, second, poses, drives)
     modes = mode_changes(changes)
     return RobotsCompared(
         first=first.robot.name,
         second=second.robot.name,
         drives=cast("Drives", drives),
-        compared=found.compared,
-        values=found.values,
-        choices=found.choices,
-        effects_added=found.added,
-        effects_removed=found.removed,
+        compared=declared.compared,
+        values=declared.values,
+        choices=declared.choices,
+        effects_added=declared.added,
+        effects_removed=declared.removed,
         poses=changes.counts,
         modes=modes,
         second_modes=changes.second_modes,
-        notes=tuple(_notes(found, changes, modes)),
+        notes=tuple(_notes(declared, changes, modes)),
     )
 
 
-def _notes(found: Differences, changes: FrequencyChanges, modes: Sequence[ModeChange]) -> Iterator[str]:
+def _notes(declared: Differences, changes: FrequencyChanges, modes: Sequence[ModeChange]) -> Iterator[str]:
     if sentence := exchanging(modes):
         yield sentence
-    more = changes.second_modes - changes.modes
-    if more:
-        has = "second" if more > 0 else "first"
-        noun = "mode" if abs(more) == 1 else "modes"
-        yield f"the {has} robot has {abs(more)} {noun} of vibration more, without partners at each pose"
-    if not (found.values or found.choices or found.added or found.removed):
+    surplus = changes.second_modes - changes.modes
+    if surplus:
+        has = "second" if surplus > 0 else "first"
+        noun = "mode" if abs(surplus) == 1 else "modes"
+        yield f"the {has} robot has {abs(surplus)} {noun} of vibration more, without partners at each pose"
+    if not (declared.values or declared.choices or declared.added or declared.removed):
         yield "the two files declare the same robot"
 
 
 def headline(modes: Sequence[ModeChange]) -> str:
     """Return the largest difference of a mode that can be compared, as a sentence without a stop."""
-    known = [mode for mode in modes if mode.comparable]
-    if not known:
+    comparable = [mode for mode in modes if mode.comparable]
+    if not comparable:
         return "No mode of the first robot is one mode of the second throughout"
-    of = "" if len(known) == len(modes) else " of the modes that can be compared"
-    most = max(known, key=lambda mode: abs(mode.median or 0.0))
-    if abs(most.median or 0.0) < NOTHING:
+    of = "" if len(comparable) == len(modes) else " of the modes that can be compared"
+    largest = max(comparable, key=lambda mode: abs(mode.median or 0.0))
+    if abs(largest.median or 0.0) < NOTHING:
         return f"No frequency{of} changes"
-    first = f"Mode {most.mode} changes most{',' if of else ''}{of}"
-    return f"{first}: {100.0 * (most.median or 0.0):+.2f} % in the median"
+    first = f"Mode {largest.mode} changes most{',' if of else ''}{of}"
+    return f"{first}: {100.0 * (largest.median or 0.0):+.2f} % in the median"
 
 
 def exchanging(modes: Sequence[ModeChange]) -> str:
@@ -235,12 +235,12 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
         parts.append(_at(first, second, poses[start : start + CHUNK], drives))
     modes = second.modes(poses[:1], "nan", fields=("frequencies",), drives=drives)
     count = modes.frequencies.shape[-1] - modes.rigid_modes
-    reached, also, *rest = (np.concatenate(each) for each in zip(*parts, strict=True))
+    reached, also, *rest = (np.concatenate(columns) for columns in zip(*parts, strict=True))
     frequencies, relative, partner, mac = rest
     changes = FrequencyChanges(poses, reached, also, frequencies, relative, partner, mac, second_modes=count)
     if not changes.counts.both:
-        what = f"expected poses that both robots can reach, found none among {len(poses):,}"
-        raise PoseError(what, "poses", "give poses in the workspaces of both")
+        problem = f"expected poses that both robots can reach, found none among {len(poses):,}"
+        raise PoseError(problem, "poses", "give poses in the workspaces of both")
     return changes
 
 
@@ -254,7 +254,7 @@ def _mode_change(changes: FrequencyChanges, mode: int) -> ModeChange:
     if not paired.any():
         return ModeChange(mode + 1, 0, None, None, None, None, None, None)
     relative, partner = changes.relative[paired, mode], changes.partner[paired, mode]
-    most = int(np.bincount(partner).argmax())
+    dominant = int(np.bincount(partner).argmax())
     low, high = np.quantile(relative, ENDS)
     return ModeChange(
         mode + 1,
@@ -262,8 +262,8 @@ def _mode_change(changes: FrequencyChanges, mode: int) -> ModeChange:
         float(np.median(relative)),
         float(low),
         float(high),
-        most + 1,
-        float((partner != most).mean()),
+        dominant + 1,
+        float((partner != dominant).mean()),
         float(np.median(changes.mac[paired, mode])),
     )
 
@@ -271,7 +271,7 @@ def _mode_change(changes: FrequencyChanges, mode: int) -> ModeChange:
 def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray[Any], ...]:
     """Return the arrays of `FrequencyChanges` at some poses, but for the last."""
     fields = ("frequencies", "shapes")
-    ours, theirs = (one.modes(poses, "nan", fields=fields, drives=drives) for one in (first, second))
+    ours, theirs = (model.modes(poses, "nan", fields=fields, drives=drives) for model in (first, second))
     reached = tuple(np.asarray(modes.valid, dtype=bool) for modes in (ours, theirs))
     f, g = (modes.frequencies[:, modes.rigid_modes :] for modes in (ours, theirs))
     relative, mac = np.full(f.shape, np.nan), np.full(f.shape, np.nan)
@@ -289,10 +289,10 @@ def _at(first: Model, second: Model, poses: Array, drives: str) -> tuple[NDArray
         mass = first.matrices(poses[both], "nan")[0][:, at][:, :, at]
         likeness = _mac(phi, psi, mass)
         for row, table in zip(both, likeness, strict=True):
-            mine, others = _pairs(table)
-            partner[row, mine] = others
-            relative[row, mine] = g[row, others] / f[row, mine] - 1.0
-            mac[row, mine] = table[mine, others]
+            mine, partners = _pairs(table)
+            partner[row, mine] = partners
+            relative[row, mine] = g[row, partners] / f[row, mine] - 1.0
+            mac[row, mine] = table[mine, partners]
     return *reached, f, relative, partner, mac
 
 
@@ -309,5 +309,5 @@ def _pairs(mac: Array) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     order = mac.argmax(axis=1)
     if len(np.unique(order)) == len(order):
         return np.arange(len(order)), order
-    mine, others = linear_sum_assignment(mac, maximize=True)
-    return mine, others
+    mine, partners = linear_sum_assignment(mac, maximize=True)
+    return mine, partners

@@ -21,11 +21,11 @@ from pkmodes.support.extras import require
 
 #: Tasks in progress for each thread: one is computed while the result of another is stored.
 AHEAD = 2
-#: How long to wait for the scheduler and a worker [s].
+#: Timeout for the scheduler and for a worker [s].
 PATIENCE = 10
 #: Protocols for which a client needs certificates.
 ENCRYPTED = ("tls://", "wss://")
-#: As text; that it is one shows when a client connects.
+#: Only the type is checked; whether it is an address shows when a client connects.
 ADDRESS = Constraint("the address of a scheduler", lambda value: isinstance(value, str))
 
 Values = Mapping[str, NDArray[Any]]
@@ -118,9 +118,9 @@ def _failures(scheduler: str) -> Iterator[None]:
         raise
     except (Exception, CancelledError) as error:
         reason = " ".join(str(error).split()) or "the connection was lost"
-        what = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
+        problem = f"the workers could not finish: {type(error).__name__}: {reason[:300]}"
         remedy = "check the scheduler and its workers; with an output file, the same command continues"
-        raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from error
+        raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from error
 
 
 @contextmanager
@@ -152,8 +152,8 @@ def connected(scheduler: str) -> Iterator[Any]:
     try:
         client = distributed.Client(scheduler, timeout=PATIENCE, set_as_default=False)
     except Exception as error:  # also what the protocol of the address raises
-        what = f"cannot reach the scheduler: {type(error).__name__}"
-        raise PkmodesError(what, f"scheduler {shown(scheduler)}", remedy) from None
+        problem = f"cannot reach the scheduler: {type(error).__name__}"
+        raise PkmodesError(problem, f"scheduler {shown(scheduler)}", remedy) from None
     try:
         try:
             client.wait_for_workers(1, timeout=PATIENCE)
@@ -166,33 +166,33 @@ def connected(scheduler: str) -> Iterator[Any]:
         versions = {**client.run(_probe()), scheduler: client.run_on_scheduler(_probe())}
         wrong = {where: version for where, version in versions.items() if version != VERSION}
         for where, version in wrong.items():
-            found = f"{version or 'none'} on {where}"
-            what = f"expected pkmodes {VERSION} on the scheduler and every worker, found {found}"
-            raise PkmodesError(what, f"scheduler {shown(scheduler)}", "install the same version there")
+            mismatch = f"{version or 'none'} on {where}"
+            problem = f"expected pkmodes {VERSION} on the scheduler and every worker, found {mismatch}"
+            raise PkmodesError(problem, f"scheduler {shown(scheduler)}", "install the same version there")
         yield client
     finally:
         client.close(timeout=PATIENCE)
 
 
 def _check_certificates(scheduler: str) -> None:
-    """Refuse an encrypted address without certificates, of which the client itself says nothing that helps."""
+    """Refuse an encrypted address without certificates, for which the client's own error is of no help."""
     import distributed
 
-    found = "none"
+    configured = "none"
     try:
         if distributed.Security().get_connection_args("client").get("ssl_context"):
             return
     except OSError as error:
-        found = f"files that cannot be read ({error.strerror or type(error).__name__})"
+        configured = f"files that cannot be read ({error.strerror or type(error).__name__})"
     raise PkmodesError(
-        f"expected certificates for TLS in the configuration of Dask, found {found}",
+        f"expected certificates for TLS in the configuration of Dask, found {configured}",
         f"scheduler {shown(scheduler)}",
         "set distributed.comm.tls.ca-file, and cert and key of distributed.comm.tls.client",
     )
 
 
 def _probe() -> Callable[[], str]:
-    """Return a function that tells the version of pkmodes where it runs, which need not have pkmodes."""
+    """Return a function that reports the version of pkmodes where it runs, even where there is none."""
 
     def version() -> str:
         try:

@@ -1,4 +1,4 @@
-"""How surely the declared values say the frequencies of a map along one of its axes."""
+"""Uncertainty of the declared robot's frequencies along one axis of a map."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
         the map has further axes: its frequencies then differ at each value, and sampled robots show their scatter.
     """
     dims = [str(name) for name in dataset["frequency"].dims]
-    others = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]
-    if others or SAMPLE in dims or not stated_sigmas(robot):
+    further = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]
+    if further or SAMPLE in dims or not stated_sigmas(robot):
         return None
     drives = str(dataset.attrs["drives"])
     frequencies = dataset["frequency"].transpose(dim, ..., "mode").values.reshape(dataset.sizes[dim], -1)
@@ -49,7 +49,7 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
         [np.broadcast_to(dataset[name].values.reshape(-1), len(frequencies)) for name in components], axis=-1
     )
     swept = {name: dataset[name].values for name in dims if "." in name}
-    known = taken(robot, swept)
+    set_paths = taken(robot, swept)
     if dim in swept:
         robots = [
             robot.with_values(
@@ -57,16 +57,16 @@ def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition:
             )
             for i in range(len(frequencies))
         ]
-        found = [
-            spread_of(Model(one, max_condition), point, drives, "nan", known)
-            for one, point in zip(robots, points, strict=True)
+        spreads = [
+            spread_of(Model(variant, max_condition), point, drives, "nan", set_paths)
+            for variant, point in zip(robots, points, strict=True)
         ]
     else:
-        one = robot.with_values({name: float(v[0]) for name, v in swept.items()}) if swept else robot
-        found = [spread_of(Model(one, max_condition), points, drives, "nan", known)]
-    if any(each is None for each in found):
+        variant = robot.with_values({name: float(v[0]) for name, v in swept.items()}) if swept else robot
+        spreads = [spread_of(Model(variant, max_condition), points, drives, "nan", set_paths)]
+    if any(part is None for part in spreads):
         return None
-    spread = np.vstack([each for each in found if each is not None])[:, -frequencies.shape[1] :]
+    spread = np.vstack([part for part in spreads if part is not None])[:, -frequencies.shape[1] :]
     # A tracked map numbers its modes by shape, not by frequency.
     ranks = np.argsort(np.argsort(frequencies, axis=1), axis=1)
     return np.take_along_axis(spread, ranks, axis=1)

@@ -30,7 +30,7 @@ from pkmodes.core.solve.fields import missing
 from pkmodes.support.writing import refusal
 
 Array = NDArray[Any]
-#: Shape at one pose, and type, of each field.
+#: Shape at one pose and type of each field.
 Tails = Mapping[str, tuple[tuple[int, ...], str]]
 SUFFIX = ".partial"
 #: Name of the group in the folder.
@@ -81,8 +81,8 @@ class Store:
         """
         codes = np.asarray(self.arrays["code"][:])
         if self.folder is not None and (codes < 0).any():
-            what = "expected the rows of the map in progress, found that some were removed meanwhile"
-            raise OutputError(what, str(self.folder), "the same command computes them again")
+            problem = "expected the rows of the map in progress, found that some were removed meanwhile"
+            raise OutputError(problem, str(self.folder), "the same command computes them again")
         return codes
 
     def remove(self) -> None:
@@ -93,7 +93,7 @@ class Store:
 
 @contextmanager
 def damage_refused(folder: Path) -> Iterator[None]:
-    """Say what to do where rows that are read were damaged after they had been stored.
+    """Explain what to do if rows were damaged after they had been stored.
 
     Raises
     ------
@@ -105,12 +105,12 @@ def damage_refused(folder: Path) -> Iterator[None]:
     except ValueError as error:
         if "checksum" not in str(error):  # of Zarr's codec
             raise
-        what = "rows of the map in progress were damaged meanwhile"
-        raise OutputError(what, str(folder), "the same command computes them again") from None
+        problem = "rows of the map in progress were damaged meanwhile"
+        raise OutputError(problem, str(folder), "the same command computes them again") from None
 
 
 def in_memory(rows: int, tasks: int, tails: Tails) -> Store:
-    """Return fields in memory, of which nothing is done."""
+    """Return empty fields in memory, with no task done."""
     arrays = {name: np.empty((rows, *tail), dtype) for name, (tail, dtype) in tails.items()}
     return Store(arrays, np.zeros(tasks, dtype=bool))
 
@@ -156,12 +156,12 @@ def _continued(group: Path, plan: dict[str, Any]) -> bool:
     except OSError:
         raise
     except Exception:  # depends on what Zarr finds wrong with the file
-        what = "the plan of the interrupted map is damaged"
-        raise OutputError(what, str(group.parent), START_AGAIN) from None
-    other = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
-    if other:
-        what = f"this folder holds an interrupted map that differs in: {', '.join(other)}"
-        raise OutputError(what, str(group.parent), START_AGAIN)
+        problem = "the plan of the interrupted map is damaged"
+        raise OutputError(problem, str(group.parent), START_AGAIN) from None
+    differing = [key for key in {**plan, **interrupted} if plan.get(key) != interrupted.get(key)]
+    if differing:
+        problem = f"this folder holds an interrupted map that differs in: {', '.join(differing)}"
+        raise OutputError(problem, str(group.parent), START_AGAIN)
     return True
 
 
@@ -228,8 +228,8 @@ def locked(folder: Path) -> Iterator[None]:
         _check_own(folder)
         lock.acquire()
     except Timeout:
-        what, remedy = "another process is writing this map", "wait for it, or choose another output"
-        raise OutputError(what, str(folder), remedy) from None
+        problem, remedy = "another process is writing this map", "wait for it, or choose another output"
+        raise OutputError(problem, str(folder), remedy) from None
     except OSError as error:
         raise refusal(error, folder) from None
     try:
@@ -245,20 +245,20 @@ def locked(folder: Path) -> Iterator[None]:
 def _check_own(folder: Path) -> None:
     """Refuse what is not a folder of a map in progress; one that is empty may become one."""
     entries = sorted(path.name for path in folder.iterdir()) if folder.is_dir() else []
-    found, remedy = "", "move or rename it, or choose another output"
+    obstacle, remedy = "", "move or rename it, or choose another output"
     if folder.is_symlink():
-        found, remedy = "a symbolic link", "remove it, or choose another output"
+        obstacle, remedy = "a symbolic link", "remove it, or choose another output"
     elif not folder.is_dir():
-        found = "a file"
+        obstacle = "a file"
     elif entries and LOCK not in entries:
-        found = f"one with other files ({shown(entries[0])})"
-    if found:
-        what = f"expected a folder for the map in progress, found {found}"
-        raise OutputError(what, str(folder), remedy)
+        obstacle = f"one with other files ({shown(entries[0])})"
+    if obstacle:
+        problem = f"expected a folder for the map in progress, found {obstacle}"
+        raise OutputError(problem, str(folder), remedy)
     for place, folders, files in os.walk(folder):
         for name in (*folders, *files):
             with suppress(FileNotFoundError):  # another process, which the lock will tell, removes its own
                 kind = (Path(place) / name).lstat().st_mode
                 if not (S_ISREG(kind) or S_ISDIR(kind)):
-                    what = f"expected files for the map in progress, found a link or device, {shown(name)}"
-                    raise OutputError(what, str(folder), START_AGAIN)
+                    problem = f"expected files for the map in progress, found a link or device, {shown(name)}"
+                    raise OutputError(problem, str(folder), START_AGAIN)

@@ -19,8 +19,8 @@ from pkmodes.support.documents import Document
 if TYPE_CHECKING:
     import xarray
 
-#: Shares of the poses below the frequencies that stand for a mode: at the edge of a workspace a spring may become so
-#: short that the extremes say nothing about the rest.
+#: Quantiles over the poses that characterise the frequency of a mode: at the edge of a workspace a spring may become
+#: so short that the extremes are not representative.
 SHARES = {"quantile_2_hz": 0.02, "median_hz": 0.5, "quantile_98_hz": 0.98}
 #: Number of poses below which 2 % of them are less than one.
 FEW = 50
@@ -187,14 +187,14 @@ def _as_read(leading: list[str]) -> list[str]:
     return [*(dim for dim in leading if dim not in pose), *reversed(pose)]
 
 
-def _better(known: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:
-    """Return the better one of an extreme with its place, if any, and that of a part; NaN stands for no value."""
+def _better(extreme: Any, values: NDArray[Any], start: list[int], *, highest: bool) -> Any:
+    """Return the more extreme of an extreme with its place, if any, and that of a part; NaN stands for no value."""
     if np.isnan(values).all():
-        return known
+        return extreme
     at = np.unravel_index(np.nanargmax(values) if highest else np.nanargmin(values), values.shape)
     value = float(values[at])
-    if known is not None and (value <= known[0] if highest else value >= known[0]):
-        return known
+    if extreme is not None and (value <= extreme[0] if highest else value >= extreme[0]):
+        return extreme
     return value, [a + int(b) for a, b in zip(start, at, strict=True)]
 
 
@@ -215,8 +215,8 @@ def _end(
 def _at(extreme: tuple[float, list[int]] | None, dataset: xarray.Dataset) -> dict[str, Any] | None:
     if extreme is None:
         return None
-    one = dataset["condition"][tuple(extreme[1])]
-    return {str(key): coordinate.values.item() for key, coordinate in one.coords.items()}
+    condition = dataset["condition"][tuple(extreme[1])]
+    return {str(key): coordinate.values.item() for key, coordinate in condition.coords.items()}
 
 
 def _range(values: NDArray[Any]) -> list[Any]:

@@ -31,9 +31,10 @@ from pkmodes.support.mac import mass_weighted_mac
 
 Array = NDArray[Any]
 Index = NDArray[np.intp]
-#: A pair below this MAC is uncertain; a mode that keeps less than this of its shape, but not alone, veers.
+#: A pair with a MAC below the first is uncertain; a mode whose own MAC is below the second, but reaches it together
+#: with another mode, veers.
 CLEAR, SAME = 0.5, 0.9
-#: Steps compared together.
+#: Steps compared at once.
 CHUNK = 8192
 
 Masses = Callable[[Index], Array]
@@ -120,10 +121,10 @@ def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], good: Array) -
     rows = np.arange(good.size).reshape(shape)
     pairs = []
     for axis, along in enumerate(linked):
-        each = np.moveaxis(rows, axis, 0)
-        others = each[1:]
+        aligned = np.moveaxis(rows, axis, 0)
+        later = aligned[1:]
         pairs.append(
-            (np.broadcast_to(each[:-1] if along else each[:1], others.shape).ravel(), others.ravel())
+            (np.broadcast_to(aligned[:-1] if along else aligned[:1], later.shape).ravel(), later.ravel())
         )
     first, second = (np.concatenate(part) for part in zip(*pairs, strict=True))
     kept = good[first] & good[second]
@@ -252,10 +253,10 @@ def _tree(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Index, Ind
     key = steps.first * rows + steps.second
     sorted_steps = np.argsort(key)
     for onward in (True, False):
-        wanted = parents[inner] * rows + inner if onward else inner * rows + parents[inner]
-        place = np.minimum(np.searchsorted(key, wanted, sorter=sorted_steps), len(key) - 1)
+        edge_keys = parents[inner] * rows + inner if onward else inner * rows + parents[inner]
+        place = np.minimum(np.searchsorted(key, edge_keys, sorter=sorted_steps), len(key) - 1)
         step = sorted_steps[place]
-        there = key[step] == wanted
+        there = key[step] == edge_keys
         taken[inner[there]], forward[inner[there]] = step[there], onward
     return parents, taken, forward
 

@@ -20,7 +20,7 @@ from pkmodes.support.covariance import covariance_of, root_of, uncertain
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
-#: Draws of one sample until the robot is refused: a standard deviation that large is a mistake.
+#: Draws of one sample before the robot is refused: a standard deviation that large is a mistake.
 DRAWS = 100
 
 
@@ -100,23 +100,23 @@ def _drawn(
         return {}, 1
     check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
     check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
-    known = taken(robot, swept)
-    spread = [path for path in uncertain(robot) if path not in known]
+    swept_paths = taken(robot, swept)
+    spread = [path for path in uncertain(robot) if path not in swept_paths]
     if not spread:
-        what = "no value of the robot has a standard deviation from which it could be drawn"
+        problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
-        raise PkmodesError(what, f"{robot.source}: samples", remedy)
+        raise PkmodesError(problem, f"{robot.source}: samples", remedy)
     rng, root = np.random.default_rng(seed), root_of(covariance_of(robot, spread))
     centre = {path: robot.quantities[path].value for path in spread}
     draws: dict[str, list[float]] = {path: [] for path in spread}
     for _ in range(int(samples)):
-        for path, value in _one(robot, centre, root, rng).items():
+        for path, value in _sample(robot, centre, root, rng).items():
             draws[path].append(value)
     return {path: np.array(values) for path, values in draws.items()}, int(samples)
 
 
 def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
-    """Return the paths of all values that a sweep sets: also the elements of a whole, and another name of a value.
+    """Return the paths of all values that a sweep sets, including the elements of a whole and the aliases of a value.
 
     Parameters
     ----------
@@ -127,13 +127,13 @@ def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     for path, values in swept.items():
         if path in groups_by_path(robot.mechanism):
             paths |= set(elements_of(robot, groups_by_path(robot.mechanism)[path], float(values[0])))
-    for path, own in lent(robot.mechanism).items():
-        if {path, own} & paths:
-            paths |= {path, own}
+    for path, lender in lent(robot.mechanism).items():
+        if {path, lender} & paths:
+            paths |= {path, lender}
     return paths
 
 
-def _one(
+def _sample(
     robot: Robot, spread: Mapping[str, float], root: Array, rng: np.random.Generator
 ) -> dict[str, float]:
     for _ in range(DRAWS):
@@ -145,5 +145,5 @@ def _one(
             problem = error
         else:
             return values
-    what = f"none of {DRAWS} draws gave a robot that can exist: {problem.what}"
-    raise PkmodesError(what, problem.where, "check the standard deviation of this value")
+    message = f"none of {DRAWS} draws gave a robot that can exist: {problem.what}"
+    raise PkmodesError(message, problem.where, "check the standard deviation of this value")

@@ -36,16 +36,16 @@ from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 Inside = Callable[[Array], NDArray[np.bool_]]
-#: Poses drawn in each round; a round is the last if it moves no end of the box by more than this part of its length.
+#: Poses drawn in each round, the relative change of the box below which rounds end, and most rounds.
 DRAWS, SETTLED, ROUNDS = 200_000, 0.01, 12
-#: Part of the length of the box by which it is extended on each side before the next round.
+#: Fraction of its length by which the box is extended on each side before the next round.
 BEYOND = 0.1
 SEED = 20260105
-#: Part of its characteristic length by which the origin of a platform is to one side of its joints.
+#: Smallest offset of a platform's origin to one side of its joints, relative to the characteristic length.
 BESIDE = 0.01
-#: Usable poses after which the ends of the box around them are known well enough.
+#: Number of usable poses from which the ends of the box around them are known well enough.
 ENOUGH = 5_000
-#: Poses of the grid, about, and along one component at most, about.
+#: Approximate number of poses of the grid, and the most along one component.
 POSES, LONGEST = 50_000, 1_000
 
 
@@ -90,7 +90,7 @@ def box_of(
     still = resting(model, pose) if still is None else still
     reached = _drawn_and_reached(model, rng, still)
     if pose is None:
-        pose = hanging(model, _some(model, reached))[0]
+        pose = hanging(model, _checked_reached(model, reached))[0]
     of_branch = on_branch(model, pose)
     reached = np.vstack([pose, reached[of_branch(reached)]]) if len(reached) else pose[None]
     low, high = reached.min(axis=0), reached.max(axis=0)
@@ -98,10 +98,10 @@ def box_of(
         size = np.where(high > low, high - low, 1e-3)
         drawn = rng.uniform(low - BEYOND * size, high + BEYOND * size, (DRAWS, len(low)))
         drawn[:, list(still)] = list(still.values())
-        more = drawn[of_branch(drawn)]
-        if not len(more):
+        further = drawn[of_branch(drawn)]
+        if not len(further):
             break
-        wider = np.minimum(low, more.min(axis=0)), np.maximum(high, more.max(axis=0))
+        wider = np.minimum(low, further.min(axis=0)), np.maximum(high, further.max(axis=0))
         moved = max(((low - wider[0]) / size).max(), ((wider[1] - high) / size).max())
         low, high = wider
         if moved <= SETTLED:
@@ -161,7 +161,7 @@ def _workspace_in_words(model: Model) -> str:
 
 
 def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[int, float]) -> Array:
-    """Draw poses, some components of which are given, and return those that can be evaluated, (N, d)."""
+    """Draw poses with some components fixed, and return those that can be evaluated, (N, d)."""
     with np.errstate(all="ignore"):
         generated = Generated(model.mechanism.model, model.robot.parameters)
         drawn = drawn_poses(generated, model.mechanism, model.robot.parameters, rng, DRAWS)
@@ -170,11 +170,11 @@ def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[in
     return drawn[model.check(drawn).valid] if len(drawn) else drawn
 
 
-def _some(model: Model, reached: Array) -> Array:
+def _checked_reached(model: Model, reached: Array) -> Array:
     """Refuse a robot that reaches no pose."""
     if not len(reached):
-        what = f"none of {DRAWS:,} poses drawn can be reached"
-        raise PoseError(what, model.robot.source, "check the robot file, or give a grid or poses")
+        problem = f"none of {DRAWS:,} poses drawn can be reached"
+        raise PoseError(problem, model.robot.source, "check the robot file, or give a grid or poses")
     return reached
 
 
@@ -186,8 +186,8 @@ def limits_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> tuple[Array,
             for name, middle in zip(ACROSS, bound.about, strict=True):
                 low, high = ends.get(name, (-np.inf, np.inf))
                 ends[name] = Limits(max(low, middle - bound.value), min(high, middle + bound.value))
-    every = [ends.get(component.name, (-np.inf, np.inf)) for component in mechanism.pose]
-    return np.array([low for low, _ in every]), np.array([high for _, high in every])
+    bounds = [ends.get(component.name, (-np.inf, np.inf)) for component in mechanism.pose]
+    return np.array([low for low, _ in bounds]), np.array([high for _, high in bounds])
 
 
 def inside(robot: Robot, points: Array) -> NDArray[np.bool_]:
@@ -196,7 +196,7 @@ def inside(robot: Robot, points: Array) -> NDArray[np.bool_]:
     good = np.ones(points.shape[:-1], dtype=bool)
     for name, bound in robot.usable.items():
         if isinstance(bound, Radius):
-            across = points[..., [names.index(one) for one in ACROSS]] - bound.about
+            across = points[..., [names.index(component) for component in ACROSS]] - bound.about
             good &= np.hypot(across[..., 0], across[..., 1]) <= bound.value
         elif isinstance(bound, SingularAngle):
             angles = singular_angles(mechanism, robot.parameters, points[good])
@@ -232,17 +232,19 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     first = hanging(model, usable_poses(model))[0] if pose is None else pose
     low, high = _clipped(model, *box_of(model, first))
     of_branch, rng = used(model, first), np.random.default_rng(SEED)
-    found, count = [first[None]], 1
+    batches, count = [first[None]], 1
     for _ in range(ROUNDS):
         drawn = rng.uniform(low, high, (DRAWS, len(low)))
-        found.append(drawn[of_branch(drawn)])
-        count += len(found[-1])
+        batches.append(drawn[of_branch(drawn)])
+        count += len(batches[-1])
         if count >= ENOUGH:
             break
-    reached = np.vstack(found)
-    ends, most = (reached.min(axis=0), reached.max(axis=0)), SETTLED * (high - low)
+    reached = np.vstack(batches)
+    ends, tolerance = (reached.min(axis=0), reached.max(axis=0)), SETTLED * (high - low)
     # An end that is reached is that of the box itself; draws only come near it.
-    return np.where(ends[0] - low > most, ends[0], low), np.where(high - ends[1] > most, ends[1], high)
+    return np.where(ends[0] - low > tolerance, ends[0], low), np.where(
+        high - ends[1] > tolerance, ends[1], high
+    )
 
 
 def turning_box(model: Model, pose: Array) -> tuple[Array, Array]:
@@ -272,7 +274,7 @@ def usable_poses(model: Model) -> Array:
         If none was found.
     """
     rng, usable = np.random.default_rng(SEED), within(model)
-    reached = _some(model, _drawn_and_reached(model, rng, resting(model)))
+    reached = _checked_reached(model, _drawn_and_reached(model, rng, resting(model)))
     if usable(reached).any():
         return reached[usable(reached)]
     ends = reached.min(axis=0), reached.max(axis=0)
@@ -284,9 +286,9 @@ def usable_poses(model: Model) -> Array:
         if (good := usable(drawn)).any():
             return drawn[good]
     limits = in_words(model.mechanism, model.robot.usable)
-    what = f"no pose within the usable limits can be reached: {limits}"
+    problem = f"no pose within the usable limits can be reached: {limits}"
     remedy = f"check the limits: the workspace lies within {_workspace_in_words(model)}"
-    raise PoseError(what, f"{model.robot.source}: {USABLE}", remedy)
+    raise PoseError(problem, f"{model.robot.source}: {USABLE}", remedy)
 
 
 def within(model: Model) -> Inside:
@@ -337,8 +339,8 @@ def reachable_by(models: Sequence[Model], poses: int = POSES) -> Grid:
     boxes = [usable_box(model) for model in models]
     low, high = np.min([box[0] for box in boxes], axis=0), np.max([box[1] for box in boxes], axis=0)
     mechanism = models[0].mechanism
-    every = [limits_of(mechanism, model.robot.usable) for model in models]
-    limits = np.min([one[0] for one in every], axis=0), np.max([one[1] for one in every], axis=0)
+    bounds = [limits_of(mechanism, model.robot.usable) for model in models]
+    limits = np.min([bound[0] for bound in bounds], axis=0), np.max([bound[1] for bound in bounds], axis=0)
     names = [component.name for component in mechanism.pose]
     units = [component.unit for component in mechanism.pose]
     size, still = np.where(high > low, high - low, 1e-3), resting(models[0])

@@ -24,16 +24,16 @@ from pkmodes.measured.measurements import Measurements
 Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
-#: Levels differ if the higher is this many times the lower.
+#: Levels differ if the higher is at least this multiple of the lower.
 DIFFER = 1.25
 #: Largest p-value of a dependence that is reported.
 SURE = 1e-3
-#: What the stated errors are worth beside the scatter of setups at one level, in degrees of freedom.
+#: Degrees of freedom that the stated errors are worth, beside the scatter of setups at one level.
 WORTH = 4.0
-#: How much larger than stated errors may be where no level was repeated.
+#: Factor by which the true errors may exceed the stated ones where no level was repeated.
 UNKNOWN = 2.0
-#: A change is clear from this many standard deviations on; one that is known worse than to this part of the largest
-#: clear one is not reported.
+#: Standard deviations from which a change is clear; a change whose standard deviation is more than this fraction of
+#: the clearest change is not reported.
 CLEAR, KNOWN = 3.0, 0.5
 
 
@@ -92,19 +92,23 @@ class AmplitudeDependence:
     @property
     def clearest(self) -> Change:
         """The change that is clearest against its error."""
-        return max(self.changes, key=lambda one: abs(one.sigmas))
+        return max(self.changes, key=lambda change: abs(change.sigmas))
 
     @property
     def range(self) -> tuple[float, float]:
-        """Smallest and largest relative change, of the modes of which it is known well enough."""
-        most = KNOWN * abs(self.clearest.relative)
-        known = [one.relative for one in self.changes if one.sigma <= most] or [self.clearest.relative]
-        return min(known), max(known)
+        """Smallest and largest relative change, of the modes for which it is known well enough."""
+        limit = KNOWN * abs(self.clearest.relative)
+        reliable = [change.relative for change in self.changes if change.sigma <= limit] or [
+            self.clearest.relative
+        ]
+        return min(reliable), max(reliable)
 
     @property
     def direction(self) -> int:
         """1 where all clear changes are upwards, -1 where all are downwards, else 0."""
-        clear = [one.relative for one in self.changes if abs(one.sigmas) > CLEAR] or [self.clearest.relative]
+        clear = [change.relative for change in self.changes if abs(change.sigmas) > CLEAR] or [
+            self.clearest.relative
+        ]
         return 0 if min(clear) < 0.0 < max(clear) else int(np.sign(clear[0]))
 
 
@@ -117,7 +121,7 @@ class Stratum(NamedTuple):
     of_scatter: int
 
     def p_value(self, usual: float) -> float:
-        """Return the p-value of the trend; `usual` is the variance that is expected, beside the stated one."""
+        """Return the p-value of the trend; `usual` is the expected variance relative to the stated one."""
         if not self.of_scatter:
             return float(stats.chi2.sf(self.trend / (UNKNOWN**2 * usual), self.of_trend))
         worth = WORTH + self.of_scatter
@@ -141,23 +145,23 @@ def amplitude_dependence(
         Derivatives of ln f with respect to the position, if the setups were positioned anew and it is uncertain.
     """
     plots = [_Plots.of(data, group, partner, motion) for group in groups]
-    known = [one for one in plots if one is not None]
-    if not known:
+    usable = [plot for plot in plots if plot is not None]
+    if not usable:
         return None
-    common, rest = ([one.strata[k] for one in known] for k in (0, 1))
+    common, rest = ([plot.strata[k] for plot in usable] for k in (0, 1))
     # Modes of a setup that share an error as large as the stated one scatter together by that, not by their mean.
-    modes = float(np.mean([one.modes_of_a_setup for one in known]))
+    modes = float(np.mean([plot.modes_of_a_setup for plot in usable]))
     p_values = [_sum(common).p_value(modes)]
-    if any(one.of_trend for one in rest):
+    if any(stratum.of_trend for stratum in rest):
         p_values.append(_sum(rest).p_value(1.0))
-    levels = np.concatenate([data.level[data.pose[one.rows]] for one in known])
+    levels = np.concatenate([data.level[data.pose[plot.rows]] for plot in usable])
     return AmplitudeDependence(
         low=float(levels.min()),
         high=float(levels.max()),
-        changes=tuple(change for one in known for change in one.changes()),
-        squares=sum(one.trend for one in (*common, *rest)),
+        changes=tuple(change for plot in usable for change in plot.changes()),
+        squares=sum(stratum.trend for stratum in (*common, *rest)),
         p_value=min(len(p_values) * min(p_values), 1.0),
-        repeated=any(one.of_scatter for one in (*common, *rest)),
+        repeated=any(stratum.of_scatter for stratum in (*common, *rest)),
     )
 
 
@@ -189,10 +193,10 @@ class _Plots:
         cls, data: Measurements, setups: Sequence[int], partner: Rows, motion: Array | None
     ) -> _Plots | None:
         """Return the modes that were measured at two levels or more; None if there are none."""
-        given = [i for i in setups if np.isfinite(data.level[i])]
-        if len(given) < 2 or data.level[given].max() < DIFFER * data.level[given].min():
+        excited = [i for i in setups if np.isfinite(data.level[i])]
+        if len(excited) < 2 or data.level[excited].max() < DIFFER * data.level[excited].min():
             return None
-        pairs = list(_same_modes(data, given, partner))
+        pairs = list(_same_modes(data, excited, partner))
         steps = level_steps(data.level[data.pose[[row for row, _ in pairs]]])
         at: dict[int, set[int]] = {}
         for (_, mode), step in zip(pairs, steps, strict=True):
@@ -203,8 +207,8 @@ class _Plots:
         rows, mode = np.array(pairs, dtype=np.intp).T
         V = np.diag((data.sigma[rows] / data.frequency[rows]) ** 2)
         if motion is not None:
-            together = data.pose[rows][:, None] == data.pose[rows]
-            V += together * ((motion[rows] * data.point_sigma[data.pose[rows]] ** 2) @ motion[rows].T)
+            same_setup = data.pose[rows][:, None] == data.pose[rows]
+            V += same_setup * ((motion[rows] * data.point_sigma[data.pose[rows]] ** 2) @ motion[rows].T)
         return cls(data, rows, mode, np.linalg.cholesky(V))
 
     @property
@@ -218,11 +222,16 @@ class _Plots:
         modes, setups = _columns(self._mode), _columns(self._setup)
         cells = _columns(self._mode * (1 + self._step.max()) + self._step)
         along, slopes = self._along[:, None], modes * (self._along - self._along.mean())[:, None]
-        plain, beside = self._left(modes), self._left(modes, setups)
-        trend, each = self._left(modes, along), self._left(modes, setups, slopes)
-        within, alone = self._left(cells), self._left(cells, setups)
-        common = Stratum(plain[0] - trend[0], plain[1] - trend[1], within[0] - alone[0], within[1] - alone[1])
-        return common, Stratum(beside[0] - each[0], beside[1] - each[1], *alone)
+        plain, beside = self._residual_sum(modes), self._residual_sum(modes, setups)
+        trend, individual = self._residual_sum(modes, along), self._residual_sum(modes, setups, slopes)
+        within, within_setups = self._residual_sum(cells), self._residual_sum(cells, setups)
+        common = Stratum(
+            plain[0] - trend[0],
+            plain[1] - trend[1],
+            within[0] - within_setups[0],
+            within[1] - within_setups[1],
+        )
+        return common, Stratum(beside[0] - individual[0], beside[1] - individual[1], *within_setups)
 
     def changes(self) -> Iterator[Change]:
         """Yield the change of each mode."""
@@ -232,18 +241,18 @@ class _Plots:
         values, *_ = np.linalg.lstsq(design, self._log, rcond=None)
         covariance, count = np.linalg.inv(design.T @ design), modes.shape[1]
         for k in range(count):
-            own = np.flatnonzero(modes[:, k])
-            span = float(np.ptp(self._along[own]))
+            of_mode = np.flatnonzero(modes[:, k])
+            span = float(np.ptp(self._along[of_mode]))
             sigma = span * float(np.sqrt(covariance[count + k, count + k]))
-            highest = own[int(self._along[own].argmax())]
+            highest = of_mode[int(self._along[of_mode].argmax())]
             yield Change(int(self.rows[highest]), float(np.expm1(span * values[count + k])), sigma)
 
-    def _left(self, *designs: Array) -> tuple[float, int]:
+    def _residual_sum(self, *designs: Array) -> tuple[float, int]:
         """Return the sum of squares that a linear model leaves, and its degrees of freedom."""
         design = self._white(np.hstack(designs))
         values, _, rank, _ = np.linalg.lstsq(design, self._log, rcond=1e-10)
-        left = self._log - design @ values
-        return float(left @ left), len(left) - int(rank)
+        residuals = self._log - design @ values
+        return float(residuals @ residuals), len(residuals) - int(rank)
 
     def _white(self, columns: Array) -> Array:
         return np.asarray(solve_triangular(self._root, columns, lower=True))
@@ -271,9 +280,9 @@ def _same_modes(data: Measurements, setups: Sequence[int], partner: Rows) -> Ite
     reference = max(rows, key=len)
     mode = {int(row): number for number, row in enumerate(reference)}
     yield from mode.items()
-    for others in rows:
-        if others is reference:
+    for setup_rows in rows:
+        if setup_rows is reference:
             continue
-        for row, other, _ in paired_rows(data, data, reference, others):
-            if partner[row] == partner[other]:
-                yield other, mode[row]
+        for row, counterpart, _ in paired_rows(data, data, reference, setup_rows):
+            if partner[row] == partner[counterpart]:
+                yield counterpart, mode[row]

@@ -22,24 +22,24 @@ def nearest_argument(name: str) -> str:
     optional = [q for q in QUANTITIES.values() if not q.value.required]
     values, sigmas = ([getattr(q, part).argument for q in optional] for part in ("value", "sigma"))
     shapes = ["mode", "shapes", "shape_sigma"]
-    known = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings", "level"]
-    others = {**renamed_columns(), "x": "points", "shape": "shapes"}
-    return nearest(others.get(name, name), known)
+    names = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings", "level"]
+    alternatives = {**renamed_columns(), "x": "points", "shape": "shapes"}
+    return nearest(alternatives.get(name, name), names)
 
 
-def numbers_of(given: Mapping[str, ArrayLike | None], rows: int, source: str) -> dict[str, Array]:
+def numbers_of(arrays: Mapping[str, ArrayLike | None], rows: int, source: str) -> dict[str, Array]:
     """Return the columns of all quantities, with the usual standard deviations where none are given."""
 
     def column(number: Number, numbers: ArrayLike | None) -> Array:
-        known = number.required or numbers is not None
-        return checked_array(numbers, number.argument, (rows,), source) if known else np.full(rows, np.nan)
+        present = number.required or numbers is not None
+        return checked_array(numbers, number.argument, (rows,), source) if present else np.full(rows, np.nan)
 
     columns: dict[str, Array] = {}
     for quantity in reversed(
         QUANTITIES.values()
-    ):  # of several mistakes, those in optional columns are told first
+    ):  # of several mistakes, those in optional columns are reported first
         value, sigma = quantity.value, quantity.sigma
-        values, stated = column(value, given.get(value.argument)), given.get(sigma.argument)
+        values, stated = column(value, arrays.get(value.argument)), arrays.get(sigma.argument)
         sigmas = column(sigma, stated if sigma.required else for_all(stated, rows))
         if quantity.usual_sigma is not None:
             sigmas = np.where(np.isnan(sigmas), quantity.usual_sigma(values), sigmas)
@@ -53,25 +53,25 @@ def read_only(array: Array) -> Array:
     return array
 
 
-def for_all(given: ArrayLike | None, rows: int) -> ArrayLike | None:
+def for_all(values: ArrayLike | None, rows: int) -> ArrayLike | None:
     """Repeat a single number for all rows; return anything else unchanged."""
-    return np.full(rows, given) if isinstance(given, int | float | np.integer | np.floating) else given
+    return np.full(rows, values) if isinstance(values, int | float | np.integer | np.floating) else values
 
 
 def by_name(
-    given: Mapping[str, ArrayLike] | None, argument: str, example: str, source: str
+    columns: Mapping[str, ArrayLike] | None, argument: str, example: str, source: str
 ) -> Mapping[str, ArrayLike]:
     """Check a mapping of names to columns; empty if none is given."""
-    if given is None:
+    if columns is None:
         return {}
-    if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
-        what = "components by coordinate" if argument == "shapes" else "values by name"
+    if not isinstance(columns, Mapping) or not all(isinstance(name, str) for name in columns):
+        expected = "components by coordinate" if argument == "shapes" else "values by name"
         raise MeasurementError(
-            f"expected {what}, found {shown(given)}",
+            f"expected {expected}, found {shown(columns)}",
             f"{source}: {argument}",
             f'for example: {{"{example}": [0.5, -0.2]}}',
         )
-    return given
+    return columns
 
 
 def drives_of_rows(drives: str | Sequence[str], rows: int, source: str) -> list[str]:
@@ -80,8 +80,8 @@ def drives_of_rows(drives: str | Sequence[str], rows: int, source: str) -> list[
         return [drives] * rows
     words = listed(drives, "words", f"{source}: drives", '"held"', str, MeasurementError)
     if len(words) != rows:
-        what = f"expected one word for all rows, or {rows}, found {len(words)}"
-        raise MeasurementError(what, f"{source}: drives", 'give "free" or "held" for each row')
+        problem = f"expected one word for all rows, or {rows}, found {len(words)}"
+        raise MeasurementError(problem, f"{source}: drives", 'give "free" or "held" for each row')
     return list(words)
 
 
@@ -91,11 +91,11 @@ def mode_numbers(mode: Sequence[object], source: str) -> list[object]:
 
 
 def checked_array(
-    given: ArrayLike | None, name: str, shape: tuple[int, ...], source: str, whole: bool = False
+    values: ArrayLike | None, name: str, shape: tuple[int, ...], source: str, whole: bool = False
 ) -> Array:
     """Copy an array, checking its shape and that it holds integers or numbers."""
     try:
-        array = np.array(given)
+        array = np.array(values)
         if array.dtype.kind not in ("iu" if whole else "iuf") and array.size:
             raise TypeError(f"values of type {array.dtype}")
     except Exception as error:  # conversion of an arbitrary object may raise anything

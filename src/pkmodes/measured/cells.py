@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 from pkmodes.core.base.errors import MeasurementError
 
-#: What separates cells, in words.  Of those that a header has equally often it is the first one: tabs also align.
+#: Cell separators, in words.  If a header has several equally often, the first one counts; tabs come last, since they
+#: may only align.
 SEPARATORS = {";": "semicolons", ",": "commas", "\t": "tabs"}
 QUOTED = re.compile(r'"[^"]*"')
 # Stricter than float(): no "nan", no "1_000", no digits of other scripts.
@@ -23,8 +24,8 @@ NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 def separator_of(header: str) -> str:
     """Return what separates the cells of a header, outside of quotes; a comma if there is a single one."""
     text = QUOTED.sub("", header)
-    most = max(SEPARATORS, key=text.count)
-    return most if most in text else ","
+    commonest = max(SEPARATORS, key=text.count)
+    return commonest if commonest in text else ","
 
 
 class Notation(NamedTuple):

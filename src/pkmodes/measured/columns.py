@@ -14,7 +14,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int_]
-#: How what a file may state under a name is written in Python.
+#: Python syntax of what a file may state under a name.
 EXAMPLES = {"priors": '{"parameter:link.length": "1 mm"}', "usable": '{"z": ["0 mm", "200 mm"]}'}
 #: Default components of a pose and their units: a point in space.
 POSITION: Mapping[str, str] = MappingProxyType({"x": "m", "y": "m", "z": "m"})
@@ -32,7 +32,9 @@ class Stated(NamedTuple):
         return ", ".join(map(str, self.value if isinstance(self.value, list | tuple) else [self.value]))
 
 
-def joined_with(stated: Mapping[str, Stated], given: Mapping[str, Any], argument: str) -> dict[str, Stated]:
+def joined_with(
+    stated: Mapping[str, Stated], argument_values: Mapping[str, Any], argument: str
+) -> dict[str, Stated]:
     """Return what is stated, and what an argument gives, which may not contradict it.
 
     Raises
@@ -40,18 +42,18 @@ def joined_with(stated: Mapping[str, Stated], given: Mapping[str, Any], argument
     MeasurementError
         If it does, or is no mapping.
     """
-    if not isinstance(given, Mapping):
-        what = f"expected a mapping of names to values, found {shown(given)}"
-        raise MeasurementError(what, argument, "write for example " + EXAMPLES[argument])
+    if not isinstance(argument_values, Mapping):
+        problem = f"expected a mapping of names to values, found {shown(argument_values)}"
+        raise MeasurementError(problem, argument, "write for example " + EXAMPLES[argument])
     values = {
-        name: one if isinstance(one, Stated) else Stated(one, f"{argument}: {name}")
-        for name, one in given.items()
+        name: value if isinstance(value, Stated) else Stated(value, f"{argument}: {name}")
+        for name, value in argument_values.items()
     }
     for name in stated.keys() & values.keys():
         if stated[name].text.replace(" ", "") != values[name].text.replace(" ", ""):
-            what = f"the file states {name} = {stated[name].text}, not {values[name].text}"
+            problem = f"the file states {name} = {stated[name].text}, not {values[name].text}"
             raise MeasurementError(
-                what, stated[name].where, "leave it out of what you give, or correct the file"
+                problem, stated[name].where, "leave it out of what you give, or correct the file"
             )
     return {**stated, **values}
 
@@ -154,8 +156,8 @@ class Columns:
     def conditions(self) -> Integers:
         """Index of what was done at each pose, (P,): equal where drives and set values are, at any level."""
         done = list(zip(self.drives, map(tuple, self.set_values.tolist()), strict=True))
-        seen: dict[str, int] = {}  # a blank setting, NaN, equals nothing, but its text does
-        return np.array([seen.setdefault(repr(one), len(seen)) for one in done], dtype=int)
+        indices: dict[str, int] = {}  # a blank setting, NaN, equals nothing, but its text does
+        return np.array([indices.setdefault(repr(condition), len(indices)) for condition in done], dtype=int)
 
     @property
     def frequency(self) -> Array:

@@ -20,10 +20,10 @@ from pkmodes.measured.trust import LEAST_MAC, cautions_of, close_to_another, not
 from pkmodes.support.mac import mac, normalised
 
 Array = NDArray[np.float64]
-#: Rows of a mode in both, and the MAC of its shapes.
+#: Rows of a mode in both files, and the MAC of its shapes.
 Rows = tuple[int, int, float | None]
-#: Largest relative difference of the frequencies of one mode, and how much of it counts as much as shapes without
-#: anything in common.
+#: Largest relative difference between the frequencies of one mode, and the difference that costs as much as shapes
+#: with a MAC of 0.
 FARTHEST, ALIKE = 0.25, 0.1
 
 
@@ -46,9 +46,9 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
     places = list(_common(first, second))
     _check_different(first, second)
     rows: list[Rows] = []
-    for pose, other in places:
+    for pose, second_pose in places:
         rows += paired_rows(
-            first, second, np.flatnonzero(first.pose == pose), np.flatnonzero(second.pose == other)
+            first, second, np.flatnonzero(first.pose == pose), np.flatnonzero(second.pose == second_pose)
         )
     rows.sort(key=lambda row: row[:2])
     shapes, energies = _shapes_compared(first, second, rows)
@@ -60,8 +60,8 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
         first=first.source,
         second=second.source,
         pairs=pairs,
-        first_unpaired=_others(first, [a for a, _, _ in rows]),
-        second_unpaired=_others(second, [b for _, b, _ in rows]),
+        first_unpaired=_unpaired_lines(first, [a for a, _, _ in rows]),
+        second_unpaired=_unpaired_lines(second, [b for _, b, _ in rows]),
         median_relative=float(np.median(relative)) if pairs else None,
         rms_relative=float(np.sqrt(np.mean(relative**2))) if pairs else None,
         chi2=total,
@@ -85,12 +85,12 @@ def _check_different(first: Measurements, second: Measurements) -> None:
 
 
 def _content(data: Measurements) -> list[str]:
-    """Return what each row says, in an order that is not that of the file."""
+    """Return the content of each row, in an order that does not depend on the file."""
     columns = {f"shape:{name}": data.shapes[:, k] for k, name in enumerate(data.channels)}
     columns |= {**data.numbers, "sigma_shape": data.shape_sigma}
-    given = {name: column for name, column in sorted(columns.items()) if not np.isnan(column).all()}
+    stated = {name: column for name, column in sorted(columns.items()) if not np.isnan(column).all()}
     return sorted(
-        repr((data.labels[pose], [(name, float(column[row])) for name, column in given.items()]))
+        repr((data.labels[pose], [(name, float(column[row])) for name, column in stated.items()]))
         for row, pose in enumerate(data.pose)
     )
 
@@ -105,7 +105,9 @@ def _pairs(
     spread = np.hypot(sigma, sigma_after)
     sigmas = (after - before) / spread
     differs, least = holm(two_sided(sigmas)), first_refused(len(rows))
-    common, own = common_and_own(np.log(after / before), np.hypot(sigma / before, sigma_after / after))
+    common, own_changes = common_and_own(
+        np.log(after / before), np.hypot(sigma / before, sigma_after / after)
+    )
     shared = common is not None and common.differs
     return [
         ModePair(
@@ -123,9 +125,9 @@ def _pairs(
             differs=bool(differs[k]),
             mode=first.mode[i],
             noticeable=float(least * spread[k] / before[k]),
-            beyond_common=_known(own.relative[k]),
-            beyond_common_sigmas=_known(own.sigmas[k]),
-            own_change=bool(own.clear[k] if shared else differs[k]),
+            beyond_common=_number_or_none(own_changes.relative[k]),
+            beyond_common_sigmas=_number_or_none(own_changes.sigmas[k]),
+            own_change=bool(own_changes.clear[k] if shared else differs[k]),
             shape=shape,
             cautions=cautions_of(
                 close_to_another(first, i) or close_to_another(second, j), alike, bool(differs[k]), shape
@@ -135,13 +137,13 @@ def _pairs(
     ], common
 
 
-def _known(number: float) -> float | None:
+def _number_or_none(number: float) -> float | None:
     """Return a number, or None for NaN."""
     return float(number) if np.isfinite(number) else None
 
 
 def _changed(pairs: Sequence[ModePair], common: CommonChange | None, p_value: float | None) -> Changed:
-    """Return what the frequencies say."""
+    """Return what the frequencies show."""
     if p_value is None:
         return "no_pairs"
     single = any(pair.own_change for pair in pairs)
@@ -200,7 +202,7 @@ def _clear(
 
 
 def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, int]]:
-    """Yield the poses that both have: of one label, or the only one of each."""
+    """Yield the poses that both have: those with the same label, or the only pose of each."""
     if len(first.labels) == len(second.labels) == 1:
         places = [(0, 0)]
     else:
@@ -208,59 +210,62 @@ def _common(first: Measurements, second: Measurements) -> Iterator[tuple[int, in
             (i, second.labels.index(label)) for i, label in enumerate(first.labels) if label in second.labels
         ]
     if not places:
-        what = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
-        raise MeasurementError(what, f"{second.source}: pose", "give the poses of both files the same labels")
+        problem = f"expected poses of {first.source}, such as {first.labels[0]}, found {second.labels[0]}"
+        raise MeasurementError(
+            problem, f"{second.source}: pose", "give the poses of both files the same labels"
+        )
     if first.points.any() and second.points.any() and first.components != second.components:
-        expected, found = (", ".join(data.components) for data in (first, second))
-        what = f"expected poses given by {expected}, as in {first.source}, found {found}"
-        raise MeasurementError(what, f"{second.source}: pose", "compare two measurements of one machine")
-    for one, other in places:
-        if first.drives[one] != second.drives[other]:
-            what = f"expected motors {first.drives[one]}, as in {first.source}, found {second.drives[other]}"
-            where = f"{second.source}: pose {second.labels[other]}"
-            raise MeasurementError(what, where, "compare measurements with the motors in the same state")
-        yield one, other
+        expected, actual = (", ".join(data.components) for data in (first, second))
+        problem = f"expected poses given by {expected}, as in {first.source}, found {actual}"
+        raise MeasurementError(problem, f"{second.source}: pose", "compare two measurements of one machine")
+    for first_pose, second_pose in places:
+        expected, actual = first.drives[first_pose], second.drives[second_pose]
+        if expected != actual:
+            problem = f"expected motors {expected}, as in {first.source}, found {actual}"
+            where = f"{second.source}: pose {second.labels[second_pose]}"
+            raise MeasurementError(problem, where, "compare measurements with the motors in the same state")
+        yield first_pose, second_pose
 
 
 def paired_rows(
-    first: Measurements, second: Measurements, rows: NDArray[np.intp], others: NDArray[np.intp]
+    first: Measurements, second: Measurements, rows: NDArray[np.intp], second_rows: NDArray[np.intp]
 ) -> list[Rows]:
     """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best in all.
 
     Parameters
     ----------
-    rows, others : ndarray of int
+    rows, second_rows : ndarray of int
         Of the pose, in the first and in the second measurement.
     """
-    apart = np.abs(np.log(second.frequency[others][None, :] / first.frequency[rows][:, None]))
-    alike = _alike(first, second, rows, others)
+    apart = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
+    alike = _alike(first, second, rows, second_rows)
     cost = apart / ALIKE + np.where(np.isfinite(alike), 1.0 - alike, 0.0)
     far = apart > FARTHEST
     chosen = zip(*linear_sum_assignment(np.where(far, 1e6, cost)), strict=True)
     return [
-        (int(rows[i]), int(others[j]), float(alike[i, j]) if np.isfinite(alike[i, j]) else None)
+        (int(rows[i]), int(second_rows[j]), float(alike[i, j]) if np.isfinite(alike[i, j]) else None)
         for i, j in chosen
         if not far[i, j]
     ]
 
 
 def _alike(
-    first: Measurements, second: Measurements, rows: NDArray[np.intp], others: NDArray[np.intp]
+    first: Measurements, second: Measurements, rows: NDArray[np.intp], second_rows: NDArray[np.intp]
 ) -> Array:
-    """Return the MAC of each row with each other, NaN where fewer than two components are in both."""
+    """Return the MAC between all rows of both, NaN where they share fewer than two components."""
     common = [name for name in first.channels if name in second.channels]
-    found = np.full((len(rows), len(others)), np.nan)
+    macs = np.full((len(rows), len(second_rows)), np.nan)
     if len(common) < 2:
-        return found
+        return macs
     a = first.shapes[rows][:, [first.channels.index(name) for name in common]]
-    b = second.shapes[others][:, [second.channels.index(name) for name in common]]
+    b = second.shapes[second_rows][:, [second.channels.index(name) for name in common]]
     for j, shape in enumerate(b):
-        known = np.isfinite(a) & np.isfinite(shape)
-        one = normalised(np.where(known, a, np.nan))
-        found[:, j] = mac(one, normalised(shape)[None, :], known)[:, 0]
-    return found
+        shared = np.isfinite(a) & np.isfinite(shape)
+        first_shapes = normalised(np.where(shared, a, np.nan))
+        macs[:, j] = mac(first_shapes, normalised(shape)[None, :], shared)[:, 0]
+    return macs
 
 
-def _others(data: Measurements, paired: list[int]) -> list[int]:
+def _unpaired_lines(data: Measurements, paired: list[int]) -> list[int]:
     """Return the lines of the rows without a partner."""
     return [int(line) for line in np.delete(data.lines, paired)]

@@ -11,10 +11,10 @@ from pkmodes.measured.significance import CommonChange
 from pkmodes.measured.strain_energy import StrainEnergyChange
 from pkmodes.support.documents import Count, Document, Number, Probability, Size
 
-#: Why the shapes of a pair do not say where something changed, or may say it wrongly.
+#: Why the shapes of a pair do not show where something changed, or may show it wrongly.
 Caution = Literal["few_channels", "no_sigma_shape", "close_modes", "low_mac", "same_shape"]
-#: What the frequencies say: `ModePair.own_change` of single modes, `CommonChange.differs`, both, only all changes
-#: taken together, nothing, or no mode has a partner.
+#: What the frequencies show: `ModePair.own_change` of single modes, `CommonChange.differs`, both, only all changes
+#: taken together, nothing, or that no mode has a partner.
 Changed = Literal["single", "common", "common_and_single", "together", "nothing", "no_pairs"]
 
 

@@ -15,7 +15,7 @@ from pkmodes.measured.header import components_of, read_header
 from pkmodes.measured.measurements import Measurements
 
 LARGEST_FILE = 50_000_000
-#: First bytes of text in UTF-16, in either order of bytes.
+#: First bytes of UTF-16 text, in either byte order.
 UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 #: First bytes of spreadsheet files: a zip archive, and the older Excel format.
 WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
@@ -77,7 +77,7 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
 def read_text(
     path: Path,
     source: str,
-    what: str = "the measurements",
+    subject: str = "the measurements",
     remedy: str = "give a CSV file of modal measurements",
     largest: int = LARGEST_FILE,
 ) -> str:
@@ -87,7 +87,7 @@ def read_text(
     ----------
     source : str
         The file, for messages.
-    what, remedy : str
+    subject, remedy : str
         What it should contain, and what to give instead of another file.
     largest : int
         Bytes.
@@ -98,9 +98,9 @@ def read_text(
         If it cannot be read, or is not UTF-8 text.
     """
     try:
-        check_regular(path, source, what, remedy)
+        check_regular(path, source, subject, remedy)
         if path.stat().st_size > largest:
-            _refuse(f"cannot read {what}: it is larger than {largest / 1e6:g} MB", source, remedy)
+            _refuse(f"cannot read {subject}: it is larger than {largest / 1e6:g} MB", source, remedy)
         content = path.read_bytes()
         if content.startswith(WORKBOOKS):
             remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
@@ -108,20 +108,20 @@ def read_text(
         return decoded(content)
     except UnicodeDecodeError as error:
         line = error.object[: error.start].count(b"\n") + 1
-        what = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
-        _refuse(what, f"{source}: line {line}", "save the file as UTF-8")
+        problem = f"expected UTF-8 text, found the byte 0x{error.object[error.start]:02x}"
+        _refuse(problem, f"{source}: line {line}", "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
-        raise unreadable(error, source, what) from None
+        raise unreadable(error, source, subject) from None
 
 
-def check_regular(path: Path, source: str, what: str, remedy: str) -> None:
+def check_regular(path: Path, source: str, subject: str, remedy: str) -> None:
     """Refuse a path that exists but is not a regular file.
 
     Parameters
     ----------
     source : str
         The path, for messages.
-    what, remedy : str
+    subject, remedy : str
         What it should contain, and what to give instead.
 
     Raises
@@ -131,11 +131,11 @@ def check_regular(path: Path, source: str, what: str, remedy: str) -> None:
     """
     if path.exists() and not path.is_file():
         kind = "a folder" if path.is_dir() else "not a regular file"
-        _refuse(f"cannot read {what}: it is {kind}", source, remedy)
+        _refuse(f"cannot read {subject}: it is {kind}", source, remedy)
 
 
-def unreadable(error: Exception, source: str, what: str) -> MeasurementError:
+def unreadable(error: Exception, source: str, subject: str) -> MeasurementError:
     """Return the error of a file that cannot be read."""
     reason = getattr(error, "strerror", None) or str(error)
     remedy = "check its permissions" if isinstance(error, PermissionError) else "check the path"
-    return MeasurementError(f"cannot read {what}: {reason.lower()}", source, remedy)
+    return MeasurementError(f"cannot read {subject}: {reason.lower()}", source, remedy)

@@ -28,11 +28,11 @@ from pkmodes.measured.rules import (
 )
 from pkmodes.measured.statements import ALSO, STATEMENT, STATEMENTS
 
-#: The column of the state of the machine.
+#: Name of the column with the state of the machine.
 STATE = "state"
-#: A line that tells spreadsheet programs the separator of the cells.
+#: A line that tells spreadsheet programs which separator the cells have.
 SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
-#: A comment with a comma in it, as spreadsheet programs write it.
+#: A comment that contains a comma, as spreadsheet programs write it.
 QUOTED_COMMENT = re.compile(r"\"(#[^\"]*)\"[,;\t ]*")
 
 
@@ -78,8 +78,8 @@ class Lines(NamedTuple):
             where = f"{source}: line {number}"
             cells = self.notation.cells(line, where)
             if len(cells) != count:
-                what = f"expected {count} cells, found {len(cells)}"
-                raise MeasurementError(what, where, "give each row as many cells as the header")
+                problem = f"expected {count} cells, found {len(cells)}"
+                raise MeasurementError(problem, where, "give each row as many cells as the header")
             yield where, cells
 
 
@@ -102,14 +102,14 @@ def read_lines(text: str, source: str) -> Lines:
             name = ALSO.get(word, word)
             statement = STATEMENTS[name]
             if match[2] != ":":
-                what = f'expected a colon after "{word}", found {shown(text)}'
-                raise MeasurementError(what, where, statement.remedy)
+                problem = f'expected a colon after "{word}", found {shown(text)}'
+                raise MeasurementError(problem, where, statement.remedy)
             value = statement.read(match[3], where)
             key, value = value if statement.several else ("", value)
             before = stated[name].setdefault(key, Stated(value, where))
             if value != before.value:
-                what = f"this {word} differs from that in {before.where.removeprefix(f'{source}: ')}"
-                raise MeasurementError(what, where, "remove one of them")
+                problem = f"this {word} differs from that in {before.where.removeprefix(f'{source}: ')}"
+                raise MeasurementError(problem, where, "remove one of them")
         elif not records and SEPARATOR.fullmatch(text) is not None:
             continue  # the header shows what it states
         elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
@@ -117,7 +117,7 @@ def read_lines(text: str, source: str) -> Lines:
     notation = Notation(separator_of(records[0][1])) if records else Notation()
     records = _without_ends(records, notation.separator)
     band, drives, state = (
-        next((one.value for one in stated[name].values()), None) for name in ("band", "drives", "state")
+        next((entry.value for entry in stated[name].values()), None) for name in ("band", "drives", "state")
     )
     return Lines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
 
@@ -142,8 +142,8 @@ def states_of(lines: Lines, cells: Sequence[str], source: str) -> list[str]:
         row = lines.notation.cells(line, where) if place is not None else []
         state = row[place].strip() if place is not None and place < len(row) else ""
         if state and lines.state and state != lines.state:
-            what = f"expected {shown(lines.state)}, as stated for all rows, found {shown(state)}"
-            raise MeasurementError(what, f"{where}, column {STATE}", "correct the row, or the statement")
+            problem = f"expected {shown(lines.state)}, as stated for all rows, found {shown(state)}"
+            raise MeasurementError(problem, f"{where}, column {STATE}", "correct the row, or the statement")
         states.append(state or lines.state)
     return states
 
@@ -170,11 +170,13 @@ def of_state(lines: Lines, cells: Sequence[str], source: str, state: str | None)
             return lines._replace(state=next(iter(different), lines.state))
         if "" in different:
             number = lines.records[1 + states.index("")][0]
-            what = f"expected a state in every row or in none, found nothing beside {shown(max(different))}"
-            raise MeasurementError(what, f"{source}: line {number}, column {STATE}", "name the state")
-        what = f"expected rows of one state of the machine, found {', '.join(map(shown, different))}"
-        raise MeasurementError(what, f"{source}: column {STATE}", "compare states with pkmodes changed")
-    kept = [record for record, own in zip(lines.records[1:], states, strict=True) if own == state]
+            problem = (
+                f"expected a state in every row or in none, found nothing beside {shown(max(different))}"
+            )
+            raise MeasurementError(problem, f"{source}: line {number}, column {STATE}", "name the state")
+        problem = f"expected rows of one state of the machine, found {', '.join(map(shown, different))}"
+        raise MeasurementError(problem, f"{source}: column {STATE}", "compare states with pkmodes changed")
+    kept = [record for record, row_state in zip(lines.records[1:], states, strict=True) if row_state == state]
     if not kept:
         raise MeasurementError(f"no row is of the state {shown(state)}", source, "check the name")
     return lines._replace(records=[lines.records[0], *kept], state=state)
@@ -216,12 +218,12 @@ def read_table(
     """
     records, notation = lines.records[1:], lines.notation
     if drives is not None and lines.drives not in (None, drives):
-        what = f"the file states that the motors were {lines.drives}, not {drives}"
-        raise MeasurementError(what, source, "leave drives out, or correct the file")
-    said = drives or lines.drives
+        problem = f"the file states that the motors were {lines.drives}, not {drives}"
+        raise MeasurementError(problem, source, "leave drives out, or correct the file")
+    stated_drives = drives or lines.drives
     if not records:
-        what = "expected a row for each identified mode, found only a header"
-        raise MeasurementError(what, source, "add the rows")
+        problem = "expected a row for each identified mode, found only a header"
+        raise MeasurementError(problem, source, "add the rows")
     blank = {f"{SPREAD}{name}": 0.0 for name in components}  # the pose is exact
     filled = {"pose", *required_columns(), *components}
     numbers_of_lines = np.array([line for line, _ in records])
@@ -233,7 +235,7 @@ def read_table(
         if len(cells) != len(columns):
             short = len(cells) < len(columns)
             place = columns[len(cells)].text if short else str(len(columns) + 1)
-            what = f"expected {len(columns)} cells, found {len(cells)}"
+            problem = f"expected {len(columns)} cells, found {len(cells)}"
             separators = SEPARATORS[notation.separator]
             remedy = f"leave the cells of optional columns blank, but keep their {separators}"
             if len(cells) == 1:
@@ -245,14 +247,14 @@ def read_table(
                     "if numbers have decimal commas, export the table with semicolons between the cells, or "
                 )
                 remedy += "with decimal points; else remove the extra cells"
-            problems.append(Problem(row, place, what, remedy))
+            problems.append(Problem(row, place, problem, remedy))
             continue
         for column, cell in zip(columns, cells, strict=True):
             if column.name == "drives":
-                word = cell.lower() or said or FREE
-                if word in DRIVES and said not in (None, word):
-                    what = f"expected {said}, as stated for all rows, found {shown(cell)}"
-                    problems.append(Problem(row, column.text, what, "correct the row, or the statement"))
+                word = cell.lower() or stated_drives or FREE
+                if word in DRIVES and stated_drives not in (None, word):
+                    problem = f"expected {stated_drives}, as stated for all rows, found {shown(cell)}"
+                    problems.append(Problem(row, column.text, problem, "correct the row, or the statement"))
                 texts[column.name].append(word)
             elif column.name in TEXT:
                 texts[column.name].append(cell)
@@ -261,39 +263,41 @@ def read_table(
             elif (value := notation.number(cell, column.factor)) is not None:
                 numbers[column.name].append(value)
             else:
-                what = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
+                problem = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"
                 unit = column.unit or column.si
                 remedy = f"write a plain number{f' in {unit}' if unit else ''}, with {notation.decimal}"
-                problems.append(Problem(row, column.text, what, remedy))
+                problems.append(Problem(row, column.text, problem, remedy))
     if not problems:
         problems = list(_rotations_in_degrees(columns, numbers, components))
     refuse(problems, source, numbers_of_lines)
     units = {column.name: column.unit for column in columns}
     try:
-        motors: str | list[str] = texts["drives"] or said or FREE
+        motors: str | list[str] = texts["drives"] or stated_drives or FREE
         return _measurements(texts, numbers, lines, source, units, components, motors)
     except BrokenRuleError as error:
-        what = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
-        raise MeasurementError(what, error.where, error.remedy) from None
+        problem = message(error.problem, lambda quoted: _as_written(quoted, columns, lines))
+        raise MeasurementError(problem, error.where, error.remedy) from None
 
 
 def _rotations_in_degrees(
     columns: Sequence[Column], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
 ) -> Iterator[Problem]:
-    """Yield the first value of each rotation of a pose that is no angle in rad, where no unit says that it is one."""
+    """Yield the first value of each pose rotation that cannot be in rad, if its column gives no unit."""
     for column in columns:
         if components.get(column.name) != "rad" or column.factor is not None:
             continue
         for row, value in enumerate(numbers[column.name]):
             if abs(value) > math.pi:
-                what = f"expected a rotation in rad, of at most pi, found {value:g}: these look like degrees"
+                problem = (
+                    f"expected a rotation in rad, of at most pi, found {value:g}: these look like degrees"
+                )
                 remedy = f"write the unit into the header: {column.name} [deg], or {column.name} [rad] if it is that"
-                yield Problem(row, column.text, what, remedy)
+                yield Problem(row, column.text, problem, remedy)
                 break
 
 
 def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:
-    """Format a number as in its cell, with the header's unit; also in SI units if that is another unit."""
+    """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
     place = [column.name for column in columns].index(quoted.column)
     column = columns[place]

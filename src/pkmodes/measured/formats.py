@@ -44,7 +44,7 @@ class Machine:
     others: Callable[[], Mapping[str, Collection[str]]] = dict
 
 
-#: How a format of measurements is read: from the path of a file, and the machine.
+#: Function that reads a format of measurements, from the path of a file and the machine.
 Reader = Callable[[str | PathLike[str], Machine], Measurements]
 Read_co = TypeVar("Read_co", bound=Callable[..., object], covariant=True)
 
@@ -62,7 +62,7 @@ class Format(Generic[Read_co]):
     recognises : callable
         Whether a file that begins with some bytes is of this format.
     read : callable
-        What a file holds, from its path and what is asked of it.  Raises `MeasurementError`.
+        Reads a file, from its path and what is expected of it.  Raises `MeasurementError`.
     """
 
     name: str

@@ -30,11 +30,11 @@ from pkmodes.support.ordering import joined
 TEXT = ("pose", "mode", "drives", "state")
 #: Prefix of the standard deviations of pose components.
 SPREAD = "sigma_"
-#: Separates the columns of tables that are no CSV.
+#: Column separator of tables that are not CSV.
 BAR = "|"
 #: Units of a shape component of unknown kind: a displacement or a rotation.
 MOTIONS = ("m", "rad")
-#: What to do about measurements of another machine.
+#: Remedy for measurements of another machine.
 OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
 
 
@@ -52,12 +52,18 @@ class Column(NamedTuple):
 
 
 def components_of(
-    cells: Sequence[str], known: Sequence[Mapping[str, str]], channels: Collection[str]
+    cells: Sequence[str], component_sets: Sequence[Mapping[str, str]], channels: Collection[str]
 ) -> Mapping[str, str]:
     """Choose the pose components of a header from several sets: the largest complete set, else the best match."""
-    names_of = [*(f"{SHAPE}{name}" for name in channels), *(name for each in known for name in each)]
+    names_of = [
+        *(f"{SHAPE}{name}" for name in channels),
+        *(name for component_set in component_sets for name in component_set),
+    ]
     names = {parted(cell, names_of)[0] for cell in cells}
-    return max(known, key=lambda each: (names >= each.keys(), len(names & each.keys())))
+    return max(
+        component_sets,
+        key=lambda component_set: (names >= component_set.keys(), len(names & component_set.keys())),
+    )
 
 
 def read_header(
@@ -84,36 +90,39 @@ def read_header(
     spreads = {f"{SPREAD}{name}": unit for name, unit in components.items()}
     units = {number.column: number.unit for number in row_numbers()} | dict(components) | spreads
     units |= {f"{SET}{name}": unit for name, unit in settings.items()} | {LEVEL.column: LEVEL.unit}
-    known = ["pose", *components, *needed, *spreads]
-    known += [number.column for number in quantity_numbers() if not number.required]
-    known += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
-    known += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
-    known += [f"{SET}{name}" for name in settings]
+    known_columns = ["pose", *components, *needed, *spreads]
+    known_columns += [number.column for number in quantity_numbers() if not number.required]
+    known_columns += ["mode", "state", LEVEL.column, *(["drives"] if positions else [])]
+    known_columns += [SHAPE_SIGMA.column, *(f"{SHAPE}{name}" for name in channels)]
+    known_columns += [f"{SET}{name}" for name in settings]
     help_text = f"start with a header such as {','.join(required)}"
     text = ",".join(cells)
     if BAR in text and (len(cells) == 1 or {part.strip() for part in text.split(BAR)} >= {"pose"}):
-        what = f"expected columns separated by commas, semicolons or tabs, found {shown(text)}"
+        problem = f"expected columns separated by commas, semicolons or tabs, found {shown(text)}"
         remedy = (
             f"the file uses bars: replace them, by semicolons if numbers have decimal commas; {help_text}"
         )
-        _refuse(what, where, remedy)
-    parts = [(ALSO.get(name, name), unit) for name, unit in (parted(cell, [*known, *ALSO]) for cell in cells)]
+        _refuse(problem, where, remedy)
+    parts = [
+        (ALSO.get(name, name), unit)
+        for name, unit in (parted(cell, [*known_columns, *ALSO]) for cell in cells)
+    ]
     names = [name for name, _ in parts]
     if not set(names) & set(required):
         _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
     columns: list[Column] = []
-    unknown = [i for i, name in enumerate(names) if name not in known]
+    unknown = [i for i, name in enumerate(names) if name not in known_columns]
     if len(unknown) > 1 and not owners([names[i] for i in unknown], machine.others()):
-        _refuse_all_unknown({i: cells[i] for i in unknown}, where, known, names)
+        _refuse_all_unknown({i: cells[i] for i in unknown}, where, known_columns, names)
     for i, (cell, (name, unit)) in enumerate(zip(cells, parts, strict=True)):
         place = f"{where}, column {i + 1}"
-        if name not in known:
+        if name not in known_columns:
             if whose := owners([names[k] for k in unknown], machine.others()):
                 _refuse(f"{shown(name)} is a column of another machine: {whose}", place, OTHER_MACHINE)
-            _refuse_unknown(name, place, known, names)
+            _refuse_unknown(name, place, known_columns, names)
         if name in names[:i]:
-            what = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
-            _refuse(what, place, "remove one of them")
+            problem = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
+            _refuse(problem, place, "remove one of them")
         factor = None if unit is None else _factor(name, unit, place, channels, units)
         columns.append(Column(name, cell, unit or "", factor, _plain(name, units)))
     for name in required:
@@ -122,9 +131,9 @@ def read_header(
     placed = [name for name in components if name in names]
     for name in names:
         if name in (*components, *spreads) and len(placed) < len(components):
-            missing = next(other for other in components if other not in placed)
-            what = f'found the column "{name}" without "{missing}"'
-            _refuse(what, where, f"give {joined(components)}, or no position column at all")
+            missing = next(component for component in components if component not in placed)
+            problem = f'found the column "{name}" without "{missing}"'
+            _refuse(problem, where, f"give {joined(components)}, or no position column at all")
     return columns
 
 
@@ -138,22 +147,22 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
     raise MeasurementError(what, where, remedy)
 
 
-def owners(names: Sequence[str], others: Mapping[str, Collection[str]]) -> str:
+def owners(names: Sequence[str], by_machine: Mapping[str, Collection[str]]) -> str:
     """Return, as a clause, whose columns the unknown ones of a file are; empty if no other machine has all."""
-    having = [machine for machine, columns in others.items() if set(names) <= set(columns)]
-    *some, last = having or [""]
-    machines = f"{', '.join(some)} or {last}" if some else last
+    having = [machine for machine, columns in by_machine.items() if set(names) <= set(columns)]
+    *preceding, last = having or [""]
+    machines = f"{', '.join(preceding)} or {last}" if preceding else last
     return f"the columns of the file are those of {machines}" if last else ""
 
 
 def _refuse_all_unknown(
-    cells: Mapping[int, str], where: str, known: Sequence[str], taken: Collection[str]
+    cells: Mapping[int, str], where: str, known_columns: Sequence[str], taken: Collection[str]
 ) -> NoReturn:
-    """Refuse several unknown columns, those first that are likely to mean another."""
+    """Refuse several unknown columns, first those that probably mean a known one."""
     meant: dict[int, str] = {}
     for i, cell in cells.items():
         before = {worded(meaning)[0] for meaning in meant.values()}
-        if meaning := likely_meaning(cell, known, {*taken, *before}):
+        if meaning := likely_meaning(cell, known_columns, {*taken, *before}):
             meant[i] = meaning
     rest = [i for i in cells if i not in meant]
     listing = [shown(cells[i]) if cells[i] else "one without a name" for i in (*meant, *rest)]
@@ -164,23 +173,27 @@ def _refuse_all_unknown(
     _refuse(f"unknown columns {', '.join(listing)}", f"{where}, columns {places}", remedy)
 
 
-def _refuse_unknown(name: str, place: str, known: Sequence[str], taken: Collection[str]) -> NoReturn:
+def _refuse_unknown(name: str, place: str, known_columns: Sequence[str], taken: Collection[str]) -> NoReturn:
     if not name:
         _refuse("expected the name of a column, found nothing", place, "name the column or remove it")
-    what = f"{shown(name)} is not a coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
-    if f"{SHAPE}{name}" in known:
-        _refuse(what, place, f"for the component of a mode shape, write {SHAPE}{name}; otherwise remove it")
+    problem = (
+        f"{shown(name)} is not a coordinate" if name.startswith(SHAPE) else f"unknown column {shown(name)}"
+    )
+    if f"{SHAPE}{name}" in known_columns:
+        _refuse(
+            problem, place, f"for the component of a mode shape, write {SHAPE}{name}; otherwise remove it"
+        )
     # There are very many settable values: they are listed nowhere.
-    others = [one for one in known if not one.startswith(SET)]
-    otherwise = f"known: {', '.join(others)}"
-    if name.startswith(SET) and len(others) < len(known):
-        what = f"{shown(name)} is not a value that can be set"
+    fixed_columns = [column for column in known_columns if not column.startswith(SET)]
+    otherwise = f"known: {', '.join(fixed_columns)}"
+    if name.startswith(SET) and len(fixed_columns) < len(known_columns):
+        problem = f"{shown(name)} is not a value that can be set"
         otherwise = "see docs/sensitivities.md for the paths"
-    meaning = likely_meaning(name, known, taken)
+    meaning = likely_meaning(name, known_columns, taken)
     meant, unit = worded(meaning)
     in_unit = f' With its unit: "{meaning}"' if unit else ""
     _refuse(
-        what,
+        problem,
         place,
         "remove it or correct the name: " + (f'did you mean "{meant}"?{in_unit}' if meaning else otherwise),
     )
@@ -195,8 +208,8 @@ def _factor(
 ) -> Decimal | None:
     """Return the factor that converts the numbers of a column to SI units; None for a level, of any unit."""
     if name in TEXT:
-        what = f"the column {shown(name)} has the unit {shown(unit)} but is not a quantity"
-        _refuse(what, place, f'write only "{name}"')
+        problem = f"the column {shown(name)} has the unit {shown(unit)} but is not a quantity"
+        _refuse(problem, place, f'write only "{name}"')
     if name == LEVEL.column:
         checked_level_unit(unit, place)
         return None

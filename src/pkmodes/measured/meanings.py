@@ -13,7 +13,7 @@ from pkmodes.measured.rules import SET, SHAPE
 
 #: A name with its unit, in words or in brackets.
 WITH_UNIT = re.compile(r"(.*?)(?:\s+in\s+(\S+)|\s*[\[(]([^\[\]()]*)[\])])")
-#: What others call columns of a measurement file, in lower case and without signs between the words.
+#: Names that other programs give to the columns of a measurement file, in lower case and without punctuation.
 SYNONYMS = {
     "frequency": (
         "freq",
@@ -43,7 +43,7 @@ SYNONYMS = {
 }
 OF_SHAPE = re.compile(r"(?:mode ?)?shape (.+)")
 OF_POSE = re.compile(r"(?:pos|position|pose) (.+)|(.+) (?:pos|position)")
-#: How alike a name must be to a known one that it may be meant.
+#: Smallest similarity of a name to a known one for it to be suggested.
 ALIKE = 0.51
 
 
@@ -53,26 +53,28 @@ def worded(cell: str) -> tuple[str, str]:
     return (cell, "") if match is None else (match[1], match[2] or match[3] or "")
 
 
-def likely_meaning(cell: str, known: Sequence[str], taken: Collection[str] = ()) -> str:
+def likely_meaning(cell: str, column_names: Sequence[str], taken: Collection[str] = ()) -> str:
     """Return the column that a cell is likely to mean, with its unit, "" if there is none.
 
     Parameters
     ----------
-    known : sequence of str
+    column_names : sequence of str
         Names that a column may have.
     taken : collection of str
         Those that other columns have already.
     """
     name, unit = worded(cell)
-    free = [one for one in known if one not in taken]
-    meant = next((one for one in _meanings(name, free) if one in free), "")
+    free = [column for column in column_names if column not in taken]
+    meant = next((column for column in _meanings(name, free) if column in free), "")
     return f"{meant} [{unit}]" if meant and unit else meant
 
 
-def _meanings(name: str, known: Sequence[str]) -> Iterator[str]:
+def _meanings(name: str, column_names: Sequence[str]) -> Iterator[str]:
     """Yield what a name may mean, the likeliest first."""
     words = " ".join(re.split(r"[\s_:.\-]+", name.strip().lower()))
-    yield from (own for own, others in SYNONYMS.items() if words in (own.replace("_", " "), *others))
+    yield from (
+        column for column, synonyms in SYNONYMS.items() if words in (column.replace("_", " "), *synonyms)
+    )
     if (match := OF_SHAPE.fullmatch(words)) is not None:
         yield from _of_shape(match[1])
     yield from _of_shape(words)
@@ -80,8 +82,8 @@ def _meanings(name: str, known: Sequence[str]) -> Iterator[str]:
         yield match[1] or match[2]
     # There are very many values that can be set: only names that begin like them, or lack only that, mean one.
     yield f"{SET}{name}"
-    some = [one for one in known if one.startswith(SET) is name.startswith(SET)]
-    yield from difflib.get_close_matches(name, some, n=1, cutoff=ALIKE)
+    same_kind = [column for column in column_names if column.startswith(SET) is name.startswith(SET)]
+    yield from difflib.get_close_matches(name, same_kind, n=1, cutoff=ALIKE)
 
 
 def _of_shape(words: str) -> Iterator[str]:

@@ -65,11 +65,12 @@ class Measurements(Columns):
     def __init__(self, *, numbers: Mapping[str, Array] = MappingProxyType({}), **columns: Any) -> None:
         # Measured quantities may also be given by name, alone or in place of those in `numbers`.
         names = [number.argument for number in quantity_numbers()]
-        given = {**numbers, **{name: columns.pop(name) for name in names if name in columns}}
-        if missing := [name for name in names if name not in given]:
+        merged = {**numbers, **{name: columns.pop(name) for name in names if name in columns}}
+        if missing := [name for name in names if name not in merged]:
             raise TypeError(f"Measurements.__init__() missing measured quantities: {', '.join(missing)}")
         super().__init__(
-            numbers={name: given[name] for name in (*names, *(n for n in given if n not in names))}, **columns
+            numbers={name: merged[name] for name in (*names, *(n for n in merged if n not in names))},
+            **columns,
         )
         self._check()
 
@@ -84,8 +85,8 @@ class Measurements(Columns):
         if not self.drives:
             object.__setattr__(self, "drives", (FREE,) * poses)
         if len(self.drives) != poses:
-            what = f"expected what the motors did at {poses} poses, found {len(self.drives)}"
-            raise MeasurementError(what, f"{self.source}: drives", 'give "free" or "held" for each pose')
+            problem = f"expected what the motors did at {poses} poses, found {len(self.drives)}"
+            raise MeasurementError(problem, f"{self.source}: drives", 'give "free" or "held" for each pose')
         if len(self.mode) != rows:
             raise MeasurementError(
                 f"expected {rows} mode numbers, found {len(self.mode)}",
@@ -217,8 +218,8 @@ class Measurements(Columns):
         """
         quantities = {number.argument for number in quantity_numbers()}
         for name in (name for name in further if name not in quantities):
-            what = f"unknown argument {shown(name)}"
-            raise MeasurementError(what, "from_rows", nearest_argument(name))
+            problem = f"unknown argument {shown(name)}"
+            raise MeasurementError(problem, "from_rows", nearest_argument(name))
         try:
             if unit:
                 frequency_factor(unit)
@@ -244,9 +245,9 @@ class Measurements(Columns):
             checked_array(column, f"{SHAPE}{name}", (rows,), source) for name, column in shapes.items()
         ]
         motors = drives_of_rows(drives, rows, source)
-        known = by_name(settings, "settings", "effects.payload.mass", source)
-        loads = np.empty((rows, len(known)))
-        for k, (name, values) in enumerate(known.items()):
+        load_columns = by_name(settings, "settings", "effects.payload.mass", source)
+        loads = np.empty((rows, len(load_columns)))
+        for k, (name, values) in enumerate(load_columns.items()):
             loads[:, k] = checked_array(values, f"{SET}{name}", (rows,), source)
         levels = np.full(rows, np.nan)
         if level is not None:
@@ -286,7 +287,7 @@ class Measurements(Columns):
                 components=tuple(components),
                 component_units=tuple(components.values()),
                 drives=tuple(motors[i] for i in introduced),
-                settings=tuple(known),
+                settings=tuple(load_columns),
                 set_values=loads[introduced],
                 level=levels[introduced],
                 level_unit=checked_level_unit(level_unit, f"{source}: level_unit"),

@@ -1,7 +1,7 @@
 """The quantities that are measured of each mode: their columns, units and errors, and how predictions are compared.
 
 Another quantity is another entry of `QUANTITIES`: the reader of files, its units, `Measurements` and the checks of
-their numbers follow, and the errors that the stability of a verdict is tried with.
+their numbers follow, and so do the errors with which the stability of a verdict is tested.
 """
 
 from __future__ import annotations
@@ -194,7 +194,7 @@ SHAPE_SIGMA = Number(
         "write 0.05 for 5 %, or leave it blank",
     ),
 )
-#: Level of excitation of a pose: of any kind, so that only its ratios count.
+#: Level of excitation of a pose, of any kind: only ratios matter.
 LEVEL = Number(
     "level",
     "level",

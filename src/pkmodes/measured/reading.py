@@ -12,8 +12,8 @@ from pkmodes.measured.csv_format import CSV
 from pkmodes.measured.formats import Format, Machine, Reader
 from pkmodes.measured.measurements import Measurements
 
-#: Formats by name.  The first one is tried on files of no known format: its errors say what is expected.
-FORMATS: dict[str, Format[Reader]] = {known.name: known for known in (CSV,)}
+#: Formats by name.  The first one also reads files of unknown format, since its errors say what is expected.
+FORMATS: dict[str, Format[Reader]] = {file_format.name: file_format for file_format in (CSV,)}
 #: Number of bytes from which a format is recognised.
 HEAD = 4096
 
@@ -27,8 +27,10 @@ def format_of(path: str | PathLike[str]) -> Format[Reader]:
                 head = file.read(HEAD)
     except (OSError, ValueError):  # the reader of the format says why
         pass
-    by_content = (known for known in FORMATS.values() if known.recognises(head))
-    by_suffix = (known for known in FORMATS.values() if place.suffix.lower() in known.suffixes)
+    by_content = (file_format for file_format in FORMATS.values() if file_format.recognises(head))
+    by_suffix = (
+        file_format for file_format in FORMATS.values() if place.suffix.lower() in file_format.suffixes
+    )
     return next(by_content, None) or next(by_suffix, None) or next(iter(FORMATS.values()))
 
 

@@ -26,7 +26,7 @@ from pkmodes.measured.quantities import (
 SHAPE = "shape:"
 #: Prefix of the columns that hold values of settings.
 SET = "set:"
-#: What to do about a label that is none.
+#: Remedy for an invalid label.
 PRINTABLE = "write a name in printable characters"
 
 
@@ -88,13 +88,15 @@ def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
             "expected two frequencies", where, "give the lower and the higher frequency in Hz"
         ) from None
     if not SMALLEST <= low < high <= LARGEST:
-        what = f"expected a lower and a higher frequency, both above 0 Hz, found {low:g} Hz and {high:g} Hz"
-        raise MeasurementError(what, where, "give the lower frequency first")
+        problem = (
+            f"expected a lower and a higher frequency, both above 0 Hz, found {low:g} Hz and {high:g} Hz"
+        )
+        raise MeasurementError(problem, where, "give the lower frequency first")
     return low, high
 
 
 def checked_level_unit(unit: object, where: str) -> str:
-    """Check the unit of the levels of excitation: any one in which a ratio is a ratio.
+    """Check the unit of the levels of excitation: any unit that is not logarithmic.
 
     Raises
     ------
@@ -104,55 +106,55 @@ def checked_level_unit(unit: object, where: str) -> str:
     if not isinstance(unit, str) or not unit.isprintable() or set(unit) & {*"[]"}:
         raise MeasurementError(f"expected a unit, found {shown(unit)}", where, 'write for example "N"')
     if unit.casefold().startswith("db"):
-        what = f"expected levels that are no logarithms, found the unit {shown(unit)}"
-        raise MeasurementError(what, where, "write the rms or the peak of the force or motion itself")
+        problem = f"expected levels that are no logarithms, found the unit {shown(unit)}"
+        raise MeasurementError(problem, where, "write the rms or the peak of the force or motion itself")
     return unit.strip()
 
 
-def value_problems(given: Columns, first: Integers) -> Iterator[Problem]:
+def value_problems(data: Columns, first: Integers) -> Iterator[Problem]:
     """Yield numbers that are out of range; `first` holds the first row of each pose."""
-    rows = np.arange(len(given.mode))
-    for k, (name, unit) in enumerate(zip(given.components, given.component_units, strict=True)):
+    rows = np.arange(len(data.mode))
+    for k, (name, unit) in enumerate(zip(data.components, data.component_units, strict=True)):
         place = Range(-LARGEST, LARGEST, "a finite coordinate", f"write a number in {unit}", blank=False)
-        yield from _outside(name, given.points[:, k], place, first)
-        what = f"a standard deviation of at least 0 {unit}"
-        spread = Range(0.0, LARGEST, what, "leave it blank if unknown", blank=False)
-        yield from _outside(f"sigma_{name}", given.point_sigma[:, k], spread, first)
+        yield from _outside(name, data.points[:, k], place, first)
+        requirement = f"a standard deviation of at least 0 {unit}"
+        spread = Range(0.0, LARGEST, requirement, "leave it blank if unknown", blank=False)
+        yield from _outside(f"sigma_{name}", data.point_sigma[:, k], spread, first)
     for quantity in QUANTITIES.values():
-        yield from _quantity_problems(quantity, given, rows)
-    yield from _outside(SHAPE_SIGMA.column, given.shape_sigma, SHAPE_SIGMA.range, rows)
-    if given.band is not None:
-        low, high = given.band
+        yield from _quantity_problems(quantity, data, rows)
+    yield from _outside(SHAPE_SIGMA.column, data.shape_sigma, SHAPE_SIGMA.range, rows)
+    if data.band is not None:
+        low, high = data.band
         expected = f"a frequency in the band from {low:.10g} Hz to {high:.10g} Hz"
         band = Range(low, high, expected, "correct the row or the band", blank=False)
-        inside = band.holds(given.frequency) | ~FREQUENCY.value.range.holds(given.frequency)
-        yield from _broken(FREQUENCY.value.column, given.frequency, inside, band, rows)
-    for k, name in enumerate(given.channels):
+        inside = band.holds(data.frequency) | ~FREQUENCY.value.range.holds(data.frequency)
+        yield from _broken(FREQUENCY.value.column, data.frequency, inside, band, rows)
+    for k, name in enumerate(data.channels):
         component = Range(-LARGEST, LARGEST, "a finite shape component", "leave it blank if unknown")
-        yield from _outside(f"{SHAPE}{name}", given.shapes[:, k], component, rows)
-    for k, name in enumerate(given.settings):
+        yield from _outside(f"{SHAPE}{name}", data.shapes[:, k], component, rows)
+    for k, name in enumerate(data.settings):
         setting = Range(-LARGEST, LARGEST, "a finite value", "leave it blank if it is as declared")
-        yield from _outside(f"{SET}{name}", given.set_values[:, k], setting, first)
-    yield from _outside(LEVEL.column, given.level, LEVEL.range, first)
-    for i in np.flatnonzero((given.shapes == 0.0).any(axis=1) & ~(np.abs(given.shapes) > 0.0).any(axis=1)):
-        column = f"{SHAPE}{given.channels[int(np.argmax(given.shapes[i] == 0.0))]}"
+        yield from _outside(f"{SET}{name}", data.set_values[:, k], setting, first)
+    yield from _outside(LEVEL.column, data.level, LEVEL.range, first)
+    for i in np.flatnonzero((data.shapes == 0.0).any(axis=1) & ~(np.abs(data.shapes) > 0.0).any(axis=1)):
+        column = f"{SHAPE}{data.channels[int(np.argmax(data.shapes[i] == 0.0))]}"
         remedy = "leave the components blank if the shape was not measured"
         yield Problem(int(i), column, "expected a mode shape, found only zeros", remedy)
 
 
-def _quantity_problems(quantity: Quantity, given: Columns, rows: Integers) -> Iterator[Problem]:
+def _quantity_problems(quantity: Quantity, data: Columns, rows: Integers) -> Iterator[Problem]:
     """Yield numbers of a quantity and standard deviations that are out of range."""
     value, sigma = quantity.value, quantity.sigma
-    values, sigmas = given.numbers[value.argument], given.numbers[sigma.argument]
-    valid, known = value.range.holds(values), sigma.range.holds(sigmas)
+    values, sigmas = data.numbers[value.argument], data.numbers[sigma.argument]
+    valid, valid_sigmas = value.range.holds(values), sigma.range.holds(sigmas)
     yield from _broken(value.column, values, valid, value.range, rows)
     # The usual standard deviation of a bad number is bad too.
-    stated = known if quantity.usual_sigma is None else known | ~valid
+    stated = valid_sigmas if quantity.usual_sigma is None else valid_sigmas | ~valid
     yield from _broken(sigma.column, sigmas, stated, sigma.range, rows)
     if quantity.transformation.positive:
-        small = (sigmas < values) | ~(valid & known) | np.isnan(values) | np.isnan(sigmas)
-        what, remedy = f"a standard deviation below the {value.column}", sigma.range.remedy
-        below = Range(0.0, LARGEST, what, f"{remedy}, and check the units of both")
+        small = (sigmas < values) | ~(valid & valid_sigmas) | np.isnan(values) | np.isnan(sigmas)
+        requirement, remedy = f"a standard deviation below the {value.column}", sigma.range.remedy
+        below = Range(0.0, LARGEST, requirement, f"{remedy}, and check the units of both")
         yield from _broken(sigma.column, sigmas, small, below, rows)
 
 
@@ -164,14 +166,14 @@ def _outside(column: str, values: Array, allowed: Range, at: Integers) -> Iterat
 def _broken(
     column: str, values: Array, good: NDArray[np.bool_], allowed: Range, at: Integers
 ) -> Iterator[Problem]:
-    """Yield numbers that are not good, with the messages of a range."""
+    """Yield numbers that violate a range, with its messages."""
     of_quantity = column in {number.column for number in quantity_numbers()}
     for i in np.flatnonzero(~good):
         large = of_quantity and allowed.largest == LARGEST < values[i] < np.inf
         expected = f"{allowed.expected} (at most {LARGEST:g})" if large else allowed.expected
         row = int(at[i])
-        what = (f"expected {expected}, found ", Quoted(row, column, float(values[i])))
-        yield Problem(row, column, what, allowed.remedy)
+        problem = (f"expected {expected}, found ", Quoted(row, column, float(values[i])))
+        yield Problem(row, column, problem, allowed.remedy)
 
 
 def is_label(text: str) -> bool:
@@ -179,24 +181,24 @@ def is_label(text: str) -> bool:
     return bool(text.strip()) and text.isprintable()
 
 
-def text_problems(given: Columns, first: Integers) -> Iterator[Problem]:
+def text_problems(data: Columns, first: Integers) -> Iterator[Problem]:
     """Yield labels and mode numbers that are not printable, labels that are repeated, and unknown `drives`."""
-    seen: set[str] = set()
-    for i, label in zip(first.tolist(), given.labels, strict=True):
+    earlier: set[str] = set()
+    for i, label in zip(first.tolist(), data.labels, strict=True):
         if not is_label(label):
             yield Problem(i, "pose", f"expected a label, found {shown(label)}", PRINTABLE)
-        if label in seen:
+        if label in earlier:
             yield Problem(
                 i, "pose", f"two poses have the label {shown(label)}", "give each pose a unique label"
             )
-        seen.add(label)
-    for i, word in zip(first.tolist(), given.drives, strict=True):
+        earlier.add(label)
+    for i, word in zip(first.tolist(), data.drives, strict=True):
         if word not in DRIVES:
-            what = f'expected "free" or "held", found {shown(word)}'
+            problem = f'expected "free" or "held", found {shown(word)}'
             yield Problem(
-                i, "drives", what, "say whether the motors turned freely or position loops held them"
+                i, "drives", problem, "say whether the motors turned freely or position loops held them"
             )
-    for i, number in enumerate(given.mode):
+    for i, number in enumerate(data.mode):
         if not number.isprintable():
             yield Problem(
                 i, "mode", f"expected a number or name, found {shown(number)}", "use printable characters"
@@ -235,7 +237,7 @@ def setting_problems(data: Columns, rows: Array) -> Iterator[Problem]:
 
 
 def level_problems(data: Columns, rows: Array) -> Iterator[Problem]:
-    """Yield rows, of all rows (R,), with another level than the first row of their pose."""
+    """Yield rows, of all rows (R,), whose level differs from that of the first row of their pose."""
     remedy = 'give each level a label of its own, such as "P1 low" and "P1 high"'
     yield from _two_values(data, LEVEL.column, data.level, rows, remedy)
 
@@ -249,21 +251,21 @@ def _two_values(data: Columns, name: str, poses: Array, rows: Array, remedy: str
         before = int(first[number])
         pair = [(before, float(expected[i])), (int(i), float(rows[i]))]
         there, here = ("blank" if np.isnan(v) else Quoted(row, name, v, ".10g") for row, v in pair)
-        what = f"pose {shown(data.labels[number])} has two values: {name} is "
+        problem = f"pose {shown(data.labels[number])} has two values: {name} is "
         yield Problem(
-            int(i), name, (what, there, f" in line {data.lines[before]} and ", here, " here"), remedy
+            int(i), name, (problem, there, f" in line {data.lines[before]} and ", here, " here"), remedy
         )
 
 
 def drives_problems(data: Columns, rows: Sequence[str]) -> Iterator[Problem]:
-    """Yield rows, of all rows (R,), in which the motors did something else than in the first row of their pose."""
+    """Yield rows, of all rows (R,), in which the motors were in another state than in the first row of their pose."""
     first = np.unique(data.pose, return_index=True)[1]
     for i, (word, pose) in enumerate(zip(rows, data.pose.tolist(), strict=True)):
         if word != data.drives[pose]:
-            what = f"pose {shown(data.labels[pose])} has two values: drives is {data.drives[pose]}"
-            what += f" in line {data.lines[first[pose]]} and {word} here"
+            problem = f"pose {shown(data.labels[pose])} has two values: drives is {data.drives[pose]}"
+            problem += f" in line {data.lines[first[pose]]} and {word} here"
             remedy = "give the pose with free motors and the one with held motors a label each"
-            yield Problem(i, "drives", what, remedy)
+            yield Problem(i, "drives", problem, remedy)
 
 
 def repetitions(data: Columns) -> Iterator[Problem]:
@@ -271,9 +273,9 @@ def repetitions(data: Columns) -> Iterator[Problem]:
     compared = [n for q in QUANTITIES.values() for n in (q.value, q.sigma) if n is q.value or n.required]
     columns = [data.numbers[number.argument] for number in compared]
     numbers = np.column_stack([data.pose, *columns, data.shapes])
-    seen: dict[tuple[bytes, str], int] = {}
+    first_rows: dict[tuple[bytes, str], int] = {}
     for i, row in enumerate(numbers):
-        before = seen.setdefault((row.tobytes(), data.mode[i]), i)
+        before = first_rows.setdefault((row.tobytes(), data.mode[i]), i)
         if before != i:
             yield Problem(
                 i,

@@ -11,7 +11,7 @@ from pkmodes.measured.quantities import QUANTITIES, SHAPE_SIGMA
 
 
 def with_errors(data: Measurements, factor: float) -> Measurements:
-    """Return measurements whose standard deviations are some times those stated.
+    """Return measurements whose standard deviations are a multiple of the stated ones.
 
     A standard deviation beyond what a file may state becomes the largest, or smallest, that it may.
 

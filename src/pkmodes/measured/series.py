@@ -9,9 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-#: A name with a number: what stands before and after its last number tells one series from another.
+#: A name with a number: the text before and after its last number identifies the series.
 NUMBERED = re.compile(r"(.*?)(\d+)(\D*)")
-#: Fewest channels of a series: two have no curvature, and only one motion between them.
+#: Fewest channels of a series: two have no curvature, and only one relative motion.
 FEWEST_OF_SERIES = 3
 
 

@@ -1,4 +1,4 @@
-"""What changed of a mode's shape between two measurements, channel by channel, with its standard deviation.
+"""How the shape of a mode changed between two measurements, channel by channel, with its standard deviation.
 
 A shape has any scale and sign, so the second is first scaled to the first by least squares; what is then left is the
 change.  A change at one place thus moves, by a little, what all other channels show.  Where channels are a series of
@@ -23,9 +23,9 @@ from pkmodes.measured.series import series_of
 from pkmodes.support.documents import Document, Probability, Size
 
 Array = NDArray[np.float64]
-#: Fewest channels at which a change of shape is looked for: with two, one number says all, and that is the MAC.
+#: Fewest channels at which a change of shape is looked for: with two, a single number, the MAC, describes it.
 FEWEST_CHANNELS = 3
-#: Second difference of three neighbours.
+#: Second difference over three neighbours.
 SECOND_DIFFERENCE = np.array([1.0, -2.0, 1.0])
 
 
@@ -83,28 +83,28 @@ class Aligned:
     covariance: Array
 
 
-def aligned(first: Measurements, second: Measurements, row: int, other: int) -> Aligned | None:
+def aligned(first: Measurements, second: Measurements, row: int, second_row: int) -> Aligned | None:
     """Return the shapes of a pair at the channels of both; None where they have no shape at three or more.
 
     Parameters
     ----------
-    row, other : int
+    row, second_row : int
         Of the mode in each.
     """
     names = [name for name in first.channels if name in second.channels]
     a = first.shapes[row, [first.channels.index(name) for name in names]]
-    b = second.shapes[other, [second.channels.index(name) for name in names]]
-    known = np.isfinite(a) & np.isfinite(b)
-    a, b = a[known], b[known]
-    if known.sum() < FEWEST_CHANNELS or not (a.any() and b.any()):
+    b = second.shapes[second_row, [second.channels.index(name) for name in names]]
+    measured = np.isfinite(a) & np.isfinite(b)
+    a, b = a[measured], b[measured]
+    if measured.sum() < FEWEST_CHANNELS or not (a.any() and b.any()):
         return None
     scale = np.abs(a).max()
     a = a / scale
     factor = a @ b / (b @ b)
     of_first = first.shape_sigma[row] * np.nanmax(np.abs(first.shapes[row])) / scale
-    of_second = second.shape_sigma[other] * np.nanmax(np.abs(second.shapes[other]))
+    of_second = second.shape_sigma[second_row] * np.nanmax(np.abs(second.shapes[second_row]))
     return Aligned(
-        channels=tuple(name for name, used in zip(names, known, strict=True) if used),
+        channels=tuple(name for name, used in zip(names, measured, strict=True) if used),
         first=a,
         second=factor * b,
         errors=(float(of_first), float(abs(factor) * of_second)),

@@ -13,13 +13,13 @@ from scipy.special import chdtrc, ndtr, ndtri
 from pkmodes.support.documents import Count, Document, Probability, Size
 
 Array = NDArray[np.float64]
-#: Level at which a mode differs, all pairs together, and at which a place does, all places of all shapes together.
+#: Significance level of a change, over all pairs together, and over all places of all shapes together.
 LEVEL = 0.01
-#: Level of the change that modes have in common, and of all changes taken together, which are asked beside it.
+#: Significance level of the common change, and of all changes taken together, which are tested in addition.
 BESIDE = LEVEL / 2.0
-#: Standard deviations of a common change from which on it is one.
+#: Number of standard deviations from which a common change counts as one.
 LEAST_COMMON = float(-ndtri(BESIDE / 2.0))
-#: Fewest pairs, and least share of all, that have a change in common although others do not.
+#: Fewest pairs, and smallest share of all pairs, that can share a change which the others do not.
 FEWEST, MOST_OF_ALL = 3, 0.75
 
 
@@ -44,7 +44,7 @@ class CommonChange(Document, frozen=True):
 
 @dataclass(frozen=True)
 class OwnChanges:
-    """What modes did beyond the common change, n pairs.
+    """Changes of modes beyond the common one, for n pairs.
 
     Attributes
     ----------
@@ -77,7 +77,7 @@ def holm(p: Array, level: float = LEVEL) -> NDArray[np.bool_]:
 
 
 def first_refused(count: int) -> float:
-    """Return how many standard deviations `holm` asks of the largest of several deviations."""
+    """Return the number of standard deviations that `holm` requires of the largest of several deviations."""
     return float(-ndtri(LEVEL / (2.0 * max(count, 1))))
 
 
@@ -110,11 +110,11 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
     unknown = np.full(count, np.nan)
     if count < 2:
         return None, OwnChanges(unknown, unknown, np.zeros(count, dtype=bool))
-    _, _, left = _mean(factors, errors)
-    p = float(chdtrc(count - 1, left))
+    _, _, residual_chi2 = _mean(factors, errors)
+    p = float(chdtrc(count - 1, residual_chi2))
     sharing = np.ones(count, dtype=bool) if p > LEVEL else _sharing(factors, errors)
     if not sharing.any():
-        nothing = CommonChange(None, None, None, False, 0, left, p)
+        nothing = CommonChange(None, None, None, False, 0, residual_chi2, p)
         return nothing, OwnChanges(unknown, unknown, np.zeros(count, dtype=bool))
     mean, sigma, _ = _mean(factors[sharing], errors[sharing])
     beyond = _beyond(factors, errors, sharing)
@@ -124,7 +124,7 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
         sigmas=float(mean / sigma),
         differs=bool(two_sided(np.array(mean / sigma)) <= BESIDE),
         pairs=int(sharing.sum()),
-        residual_chi2=left,
+        residual_chi2=residual_chi2,
         residual_p_value=p,
     )
     clear = holm(two_sided(beyond)) & (p <= LEVEL)

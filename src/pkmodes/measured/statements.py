@@ -1,7 +1,7 @@
 """What comments of a measurement file say of the whole test: ``# band: 10 Hz, 400 Hz`` or ``# motors: held``.
 
-Another statement is an entry of `STATEMENTS`.  Those of which there may be several have a name each, as in
-``# prior: measurement:offset.z = 2 mm``; what the names mean, the diagnosis of a robot knows.
+Another statement is an entry of `STATEMENTS`.  Those that may occur several times have a name each, as in
+``# prior: measurement:offset.z = 2 mm``; the diagnosis of a robot defines what the names mean.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ DRIVES_HELP = 'write "# drives: free" or "# drives: held", or start the comment 
 PRIOR_HELP = 'write "# prior: measurement:offset.z = 2 mm", or start the comment with another word'
 STATE_HELP = 'write "# state: before", or start the comment with another word'
 USABLE_HELP = 'write "# usable: z = 40 mm, 300 mm", or start the comment with another word'
-#: What a statement gives under a name: text with a unit, or a number in SI units; or several of them.
+#: Value of a statement: text with a unit, a number in SI units, or several of these.
 Value = str | float
 
 
@@ -59,8 +59,8 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
         if value is not None:
             limits.append(value)
     if len(limits) != 2:
-        what = f"expected a lower and a higher frequency, found {shown(text.strip())}"
-        raise MeasurementError(what, where, remedy)
+        problem = f"expected a lower and a higher frequency, found {shown(text.strip())}"
+        raise MeasurementError(problem, where, remedy)
     return checked_band(limits, where)
 
 
@@ -111,8 +111,8 @@ def parse_usable(text: str, where: str, remedy: str = USABLE_HELP) -> tuple[str,
     MeasurementError
         If the text is not a name and values.
     """
-    name, given = _named(text, where, remedy)
-    values = [_value(part) for part in _parts(given.translate(str.maketrans("", "", '[]"')))]
+    name, stated = _named(text, where, remedy)
+    values = [_value(part) for part in _parts(stated.translate(str.maketrans("", "", '[]"')))]
     return name, values if len(values) > 1 else values[0]
 
 
@@ -157,7 +157,7 @@ class Statement(NamedTuple):
     several: bool = False
 
 
-#: What a comment may say of the whole test, by its first word, and other words for that.
+#: Statements about the whole test by their first word; then synonyms of these words.
 STATEMENTS = {
     "band": Statement(parse_band, BAND_HELP, "[0-9.]"),
     "drives": Statement(parse_drives, DRIVES_HELP, r"(?:free|held)\b"),
@@ -166,7 +166,7 @@ STATEMENTS = {
     "usable": Statement(parse_usable, USABLE_HELP, r"\w+\s*[:=]", several=True),
 }
 ALSO = {"motors": "drives"}
-#: Such a comment.  Also matches without the colon, a mistake that would otherwise go unnoticed.
+#: A comment with a statement.  Also matches without the colon, a mistake that would otherwise go unnoticed.
 STATEMENT = re.compile(
     r"#\s*({})\s*([:=]|(?=\s))(.*)".format(
         "|".join(

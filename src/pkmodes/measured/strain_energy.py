@@ -24,7 +24,7 @@ from pkmodes.measured.shape_changes import Aligned
 from pkmodes.support.documents import Document, Number, Size
 
 Array = NDArray[np.float64]
-#: Where the relative motions of a mode are not this many times their errors (root mean square), it has no index.
+#: Smallest ratio of the relative motions of a mode to their errors (root mean square) for which it has an index.
 FEWEST_TIMES = 3.0
 
 
@@ -83,8 +83,8 @@ def strain_energy_changes(
 def most_changed(changes: Sequence[StrainEnergyChange]) -> StrainEnergyChange | None:
     """Return the place whose index is clearly not 1, and farthest from it; None without any.
 
-    The shares of a series add up, so that a change at one place changes those of all others: the largest is meant,
-    not the one that is known best.
+    The shares of a series add up, so that a change at one place changes those of all others: the largest change is
+    returned, not the most certain one.
     """
     clear = [change for change in changes if change.differs]
     return max(clear, key=lambda change: abs(np.log(change.index)), default=None)

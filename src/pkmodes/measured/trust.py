@@ -1,4 +1,4 @@
-"""When what the shapes of two measurements show may not be taken for a place that changed."""
+"""When changed shapes of two measurements may not be taken as the place of a change."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from pkmodes.measured.shape_changes import FEWEST_CHANNELS, ShapeChange
 from pkmodes.measured.significance import LEVEL
 from pkmodes.measured.strain_energy import StrainEnergyChange
 
-#: Modes whose frequencies are closer than this turn into each other under any change.
+#: Relative distance of frequencies below which any change may mix two modes.
 CLOSE = 0.03
-#: Shapes that have less in common may be of different modes.
+#: Shapes with a smaller MAC may belong to different modes.
 LEAST_MAC = 0.9
-#: What makes a change of shape no sign of a place; others only say that there is none to see.
+#: Cautions that rule out a change of shape as a sign of a place; the others only say that none can be seen.
 NO_PLACE: frozenset[Caution] = frozenset({"close_modes", "low_mac"})
-#: What the cautions mean.
+#: Meanings of the cautions.
 SENTENCES: dict[Caution, str] = {
     "no_sigma_shape": "not both files give sigma_shape, so nobody knows whether the shape changed by more than its "
     "errors.",
@@ -28,18 +28,18 @@ SENTENCES: dict[Caution, str] = {
     "same_shape": "the frequency changed, but not the shape by more than its errors: stiffness or mass changed in "
     "proportion everywhere, or by too little for these errors to show where.",
 }
-#: Lines that a note names.
+#: Most lines named in a note.
 NAMED = 8
 
 
 def close_to_another(data: Measurements, row: int) -> bool:
     """Return whether another mode at the pose of a row is closer than `CLOSE`."""
-    others = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
-    return bool((np.abs(np.log(data.frequency[others] / data.frequency[row])) < CLOSE).any())
+    neighbours = (data.pose == data.pose[row]) & (np.arange(len(data.pose)) != row)
+    return bool((np.abs(np.log(data.frequency[neighbours] / data.frequency[row])) < CLOSE).any())
 
 
 def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChange | None) -> list[Caution]:
-    """Return why the shape of a pair does not say where something changed.
+    """Return why the shape of a pair does not show where something changed.
 
     Parameters
     ----------
@@ -106,29 +106,29 @@ def _lines(pairs: Sequence[ModePair], caution: str) -> str:
 
 
 def notes_on_poses(first: Measurements, second: Measurements, places: Sequence[tuple[int, int]]) -> list[str]:
-    """Return at which poses of both something else was done, in sentences."""
+    """Return the poses at which the two measurements were made in different conditions, in sentences."""
     notes = []
     loaded = [first.labels[i] for i, j in places if first.load(i) != second.load(j)]
     if loaded:
         notes.append(
-            f"Pose {loaded[0]}{_others(loaded)}: columns set: differ; the changes are also those of another load."
+            f"Pose {loaded[0]}{_and_others(loaded)}: columns set: differ; the changes are also those of another load."
         )
     moved = [first.labels[i] for i, j in places if _elsewhere(first, second, i, j)]
     if moved:
         notes.append(
-            f"Pose {moved[0]}{_others(moved)}: the positions differ; the changes are also those of another pose."
+            f"Pose {moved[0]}{_and_others(moved)}: the positions differ; the changes are also those of another pose."
         )
     return notes
 
 
-def _others(labels: Sequence[str]) -> str:
+def _and_others(labels: Sequence[str]) -> str:
     return f" and {len(labels) - 1} more" if len(labels) > 1 else ""
 
 
-def _elsewhere(first: Measurements, second: Measurements, pose: int, other: int) -> bool:
+def _elsewhere(first: Measurements, second: Measurements, pose: int, second_pose: int) -> bool:
     """Return whether both give a position and these differ by more than their errors."""
-    a, b = first.points[pose], second.points[other]
+    a, b = first.points[pose], second.points[second_pose]
     if not (first.points.any() and second.points.any()):
         return False
-    errors = np.hypot(first.point_sigma[pose], second.point_sigma[other])
+    errors = np.hypot(first.point_sigma[pose], second.point_sigma[second_pose])
     return bool((np.abs(b - a) > 3.0 * errors + 1e-6).any())

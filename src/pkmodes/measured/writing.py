@@ -38,8 +38,8 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     if data.state:
         text.write(f"# state: {data.state}\n")
     for word, stated in (("prior", data.priors), ("usable", data.usable)):
-        for name, one in stated.items():
-            text.write(f"# {word}: {name} = {one.text}\n")
+        for name, statement in stated.items():
+            text.write(f"# {word}: {name} = {statement.text}\n")
     columns: dict[str, list[str]] = {"pose": [data.labels[i] for i in data.pose]}
     for k, name in enumerate(data.components):
         columns[name] = _numbers(data.points[data.pose, k])

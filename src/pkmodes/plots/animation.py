@@ -20,13 +20,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 FRAMES, MILLISECONDS = 24, 50
-#: Width, least and largest height of the machine, height of the title [inch]; dots per inch, colours of the palette.
+#: Width, smallest and largest height of the machine, and height of the title [inch]; then dots per inch and colours
+#: of the palette.
 ACROSS, LOWEST, HIGHEST, HEAD = 7.2, 2.0, 5.2, 0.62
 DOTS, COLOURS = 110, 64
-#: Line widths by kind of element, and colours of those that are not springs.
+#: Line widths by kind of element; then the colours of those that are not springs.
 WIDTHS = {"rail": 2.5, "belt": 3.2, "link": 3.0, "arm": 6.0, "gantry": 6.0}
 STEEL, PALE, DARK = "#6b7683", "#b9c0c8", "#2f3944"
-#: The machine at rest, behind the moving one.
+#: Colour of the machine at rest, behind the moving one.
 GHOST = "#e3e6ea"
 
 

@@ -14,9 +14,9 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLACK
 
 Array = NDArray[Any]
-#: Share of the values, by size, that do not determine the colours: those beside singularities.
+#: Fraction of the values, the largest ones, that the colour scale ignores: those next to singularities.
 OUTLIERS = 0.02
-#: Blue for lower, red for higher frequencies, white for none; also for colour-blind readers.
+#: Blue for lower, red for higher frequencies, white for no change; safe for colour-blind readers.
 COLOURS = "RdBu_r"
 
 

@@ -1,4 +1,4 @@
-"""How the fitted values depend on each other: their correlations, and ellipses of the pairs that hardly part."""
+"""Correlations of the fitted values, and error ellipses of the strongly correlated pairs."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, VERMILLION, ink_on
 
 Array = NDArray[np.float64]
-#: Most values in the matrix, and their longest name, also on a narrow sheet.
+#: Most values in the matrix, and the length of the longest name, on a wide and on a narrow sheet.
 MOST, LONGEST, NARROW = 16, 40, 16
-#: Correlation from which on one value says half of what the other does: its square is 0.5.
+#: Correlation at which one value explains half of the variance of the other: its square is 0.5.
 NOTABLE = 0.5**0.5
-#: Most pairs with ellipses, and points of one.
+#: Most pairs with ellipses, and number of points of an ellipse.
 PAIRS, POINTS = 4, 121
-#: Probabilities that an ellipse has the true pair of values, each with the style of its line.
+#: Probabilities that an ellipse contains the true pair of values, each with its line style.
 INSIDE = ((0.68, "-"), (0.95, "--"))
-#: Declared values are shown up to this number of standard deviations of the fit from it.
+#: Declared values are shown up to this many standard deviations of the fit away.
 NEAR = 6.0
 
 
 def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
-    """Draw the correlation of each pair of values, those of the table in its order; None of fewer than two.
+    """Draw the correlation of each pair of values, in the order of the table; None for fewer than two.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def notable(values: Sequence[Corrected], correlation: Array) -> list[tuple[int, 
 
 
 def ellipse(sigma: tuple[float, float], correlation: float, probability: float) -> Array:
-    """Return points (2, P) of the ellipse about 0 that has a normal pair of values with a probability."""
+    """Return points (2, P) on the ellipse about 0 that contains a normal pair of values with a probability."""
     from scipy.stats import chi2
 
     angle = np.linspace(0.0, 2.0 * np.pi, POINTS)
@@ -97,7 +97,7 @@ def ellipses(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
                 x, y = ellipse(sigma, float(correlation[i, k]), probability)
                 panel.plot(x, y, form, color=BLUE, linewidth=1.4, label=f"{100 * probability:.0f}\u00a0%")
             panel.plot([0.0], [0.0], "o", color=BLUE, markersize=4.0, label="fitted")
-            away = [(value.declared - value.value) * one for value, one in zip(two, unit, strict=True)]
+            away = [(value.declared - value.value) * factor for value, factor in zip(two, unit, strict=True)]
             if all(abs(a) <= NEAR * s for a, s in zip(away, sigma, strict=True)):
                 panel.plot(away[:1], away[1:], "x", color=VERMILLION, markersize=6.0, label="declared")
             names = [short(value.name.removeprefix("effects."), LONGEST) for value in two]

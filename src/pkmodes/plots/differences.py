@@ -11,11 +11,11 @@ from pkmodes.plots.labels import short
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import INK
 
-#: Width in which the setups of a mode are spread, in modes, and half the length of the line of their median.
+#: Width over which the setups of a mode are spread, and half the length of the median line, both in modes.
 SPREAD, HALF = 0.6, 0.34
-#: Space beyond the largest differences, relative to their range.
+#: Margin beyond the largest differences, relative to their range.
 MARGIN = 0.07
-#: Most modes whose typical frequency is written below their number.
+#: Most modes whose typical frequencies are written below their numbers.
 MOST_NAMED = 12
 SIGMAS = "difference [\u03c3]"
 
@@ -31,11 +31,11 @@ def by_mode(evidence: Evidence) -> Drawing:
             percent = 100.0 * evidence.difference(stage)
             marks.zero(panel)
             marks.rows(panel, evidence, np.where(mode > 0, place, np.nan), percent)
-            for one in range(1, evidence.modes + 1):
-                some = percent[(mode == one) & ~evidence.outlier & np.isfinite(percent)]
-                if len(some):
-                    ends = np.array([[one - HALF, one + HALF]])
-                    panel.lines(ends, np.median(some), color=INK, linewidth=1.2, zorder=2)
+            for number in range(1, evidence.modes + 1):
+                of_mode = percent[(mode == number) & ~evidence.outlier & np.isfinite(percent)]
+                if len(of_mode):
+                    ends = np.array([[number - HALF, number + HALF]])
+                    panel.lines(ends, np.median(of_mode), color=INK, linewidth=1.2, zorder=2)
             panel.label(
                 f"Model {stage.title}",
                 x="mode of the model, with the median of its measured frequencies",
@@ -55,10 +55,10 @@ def by_mode(evidence: Evidence) -> Drawing:
 def _names(evidence: Evidence) -> list[str]:
     """Return the numbers of the modes, with their typical frequency if there is room."""
     mode, names = evidence.mode(), []
-    for one in range(1, evidence.modes + 1):
-        some = evidence.measured[mode == one]
-        typical = f"\n{np.median(some):.3g} Hz" if len(some) and evidence.modes <= MOST_NAMED else ""
-        names.append(f"{one}{typical}")
+    for number in range(1, evidence.modes + 1):
+        of_mode = evidence.measured[mode == number]
+        typical = f"\n{np.median(of_mode):.3g} Hz" if len(of_mode) and evidence.modes <= MOST_NAMED else ""
+        names.append(f"{number}{typical}")
     return names
 
 

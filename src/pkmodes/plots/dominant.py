@@ -16,12 +16,12 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import ink_on
 
 Array = NDArray[Any]
-#: Colours of the parameters, those of the largest areas first, and that of all others.  No two of them have the same
-#: grey, and none is one that a page redefines: an image keeps its colours on a dark page.
+#: Colours of the parameters, those with the largest areas first, and the colour of all others.  No two have the same
+#: grey, and a page redefines none of them: an image keeps its colours on a dark page.
 COLOURS = ("#0072b3", "#e69f01", "#00264d", "#bfe3f8", "#009e74", "#7a2f00", "#f2f2f2")
 FRAME = "#80868c"
 ANOTHER = "another"
-#: Poses around a number in its region: where there are fewer, the region has none.
+#: Poses that a number needs around it within its region; smaller regions have no number.
 ROOM = 2
 
 
@@ -54,8 +54,8 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
     place = np.full(len(paths) + 1, float(len(shown)))
     place[shown] = range(len(shown))
     place[-1] = np.nan
-    *palette, other = COLOURS
-    used = [*palette[: len(shown)], other]
+    *palette, rest_colour = COLOURS
+    used = [*palette[: len(shown)], rest_colour]
     meanings = [f"{i + 1}  {paths[path]}" for i, path in enumerate(shown)]
     names = [f"{i + 1}  {broken(paths[path])}" for i, path in enumerate(shown)]
     several = counts.sum() > counts[shown].sum()
@@ -75,7 +75,7 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
                 }
                 for row, column in middles(values == i):
                     panel.axes.text(x[column], y[row], str(i + 1), **style)
-        shades = [*used[: len(shown)], *([other] if several else [])]
+        shades = [*used[: len(shown)], *([rest_colour] if several else [])]
         sheet.legend_of(
             [Patch(facecolor=colour, edgecolor=FRAME) for colour in shades],
             [*names, *([ANOTHER] if several else [])],
@@ -93,14 +93,16 @@ def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | s
 
 def _one_each(paths: Sequence[str], first: Array) -> str:
     """Return the parameter of each mode as a sentence; empty if a mode has several."""
-    found = [np.unique(one[one >= 0]) for one in np.moveaxis(first, -1, 0)]
-    if any(len(one) != 1 for one in found):
+    strongest = [np.unique(indices[indices >= 0]) for indices in np.moveaxis(first, -1, 0)]
+    if any(len(indices) != 1 for indices in strongest):
         return ""
-    names = [paths[int(one[0])] for one in found]
+    names = [paths[int(indices[0])] for indices in strongest]
     if len(set(names)) == 1:
         return f"At every pose each frequency changes most with {names[0]}, of {len(paths)} parameters."
-    each = ", ".join(f"that of mode {mode} with {name}" for mode, name in enumerate(names, 1))
-    return f"At every pose the frequencies change most with the same one of {len(paths)} parameters: {each}."
+    clauses = ", ".join(f"that of mode {mode} with {name}" for mode, name in enumerate(names, 1))
+    return (
+        f"At every pose the frequencies change most with the same one of {len(paths)} parameters: {clauses}."
+    )
 
 
 def middles(inside: Array) -> Iterator[tuple[int, int]]:
@@ -110,24 +112,24 @@ def middles(inside: Array) -> Iterator[tuple[int, int]]:
     ----------
     inside : ndarray of bool, shape (along, across)
     """
-    left = np.array(inside, dtype=bool)
+    remaining = np.array(inside, dtype=bool)
     while True:
-        depth = _depth(left)
+        depth = _depth(remaining)
         if depth.max(initial=0) <= ROOM:
             return
         deepest = np.argwhere(depth == depth.max())
         place = deepest[int(np.argmin(np.abs(deepest - deepest.mean(axis=0)).sum(axis=1)))]
         yield int(place[0]), int(place[1])
-        left &= ~_connected(left, place)
+        remaining &= ~_connected(remaining, place)
 
 
 def _depth(inside: Array) -> Array:
     """Return how many steps each pose is away from the outside, 0 outside."""
-    depth, left = np.zeros(inside.shape, dtype=int), inside
-    while left.any():
-        depth += left
-        padded = np.pad(left, 1)
-        left = left & padded[2:, 1:-1] & padded[:-2, 1:-1] & padded[1:-1, 2:] & padded[1:-1, :-2]
+    depth, remaining = np.zeros(inside.shape, dtype=int), inside
+    while remaining.any():
+        depth += remaining
+        padded = np.pad(remaining, 1)
+        remaining = remaining & padded[2:, 1:-1] & padded[:-2, 1:-1] & padded[1:-1, 2:] & padded[1:-1, :-2]
     return depth
 
 

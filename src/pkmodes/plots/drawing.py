@@ -21,15 +21,17 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 #: Columns that every table begins with; a part is a piece of a broken curve.
 PANEL, SERIES, PART = "panel", "series", "part"
-#: Significant digits of the places of cells and bars: without the rounding of their unit.
+#: Significant digits of the positions of cells and bars: free of the rounding errors of unit conversion.
 PLACES = 12
-#: Significant digits of a value that is shown as a colour, which shows three, and where there are more than so many.
+#: Significant digits of values shown as colours, which resolve three; number of values above which fewer are written,
+#: and how many.
 DIGITS, MANY, FEWER = 7, 60_000, 5
-#: Significant digits of the points of curves and marks, if there are more of them than so many; otherwise all.
+#: Significant digits of the points of curves and marks, by the number of points above which they apply; below, all
+#: digits.
 LONG = ((20_000, 6), (2_000, 9))
-#: First characters that make a spreadsheet take a text for a formula, in the widths of East Asian text, too.
+#: First characters that make a spreadsheet read a text as a formula, including their East Asian full-width forms.
 FORMULA = tuple("=+-@\uff1d\uff0b\uff0d\uff20")
-#: Characters for which a text is quoted, and whole numbers below which are written without a point.
+#: Characters for which a text is quoted; whole numbers below the limit are written without a decimal point.
 QUOTED, LARGEST = ',;"', 1e15
 
 
@@ -83,9 +85,9 @@ def _table_of(panels: Sequence[Panel]) -> list[list[str]]:
         shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
         spreadsheet does.  Empty if nothing is drawn.
     """
-    every = [series for panel in panels for series in panel.series]
-    coloured = sum(len(series.x) for series in every if series.values is not None)
-    free = sum(len(series.x) for series in every) - coloured
+    shown_series = [series for panel in panels for series in panel.series]
+    coloured = sum(len(series.x) for series in shown_series if series.values is not None)
+    free = sum(len(series.x) for series in shown_series) - coloured
     places = next((digits for count, digits in LONG if free > count), None)
     values = DIGITS if coloured <= MANY else FEWER
     return _joined([_columns(panel, series, places, values) for panel in panels for series in panel.series])
@@ -101,24 +103,24 @@ def _columns(
     places, digits : int or None
         Significant digits of the coordinates of curves and marks, None for all, and of values shown as colours.
     """
-    seen = np.isfinite(series.x) & np.isfinite(series.y)
-    if not seen.any():  # a line across the panel
-        seen = np.isfinite(series.x) | np.isfinite(series.y)
+    drawn = np.isfinite(series.x) & np.isfinite(series.y)
+    if not drawn.any():  # a line across the panel
+        drawn = np.isfinite(series.x) | np.isfinite(series.y)
     if series.values is not None:
-        seen &= np.isfinite(series.values)
+        drawn &= np.isfinite(series.values)
         places = PLACES
-    count = int(seen.sum())
+    count = int(drawn.sum())
     columns: dict[str, list[Any]] = {PANEL: [panel.title] * count, SERIES: [series.name] * count}
     if series.part is not None:
-        columns[PART] = series.part[seen].tolist()
+        columns[PART] = series.part[drawn].tolist()
     sides: tuple[tuple[Side, Array], ...] = (("x", series.x), ("y", series.y))
-    for side, every in sides:
-        title, chosen = _label(panel, side), every[seen]
+    for side, coordinates in sides:
+        title, chosen = _label(panel, side), coordinates[drawn]
         columns[title] = chosen.tolist() if places is None else _rounded(chosen, places)
         if _named(panel.names[side]):
             columns[f"{title} (name)"] = [_nearest(panel.names[side], place) for place in chosen.tolist()]
     if series.values is not None:
-        title, values = panel.labels["scale"] or "value", series.values[seen]
+        title, values = panel.labels["scale"] or "value", series.values[drawn]
         columns[title] = _rounded(values, digits)
         if series.meanings:
             columns[f"{title} (name)"] = [series.meanings[int(value)] for value in values.tolist()]
@@ -132,7 +134,7 @@ def _label(panel: Panel, side: Side) -> str:
 
 
 def _named(names: Mapping[float, str]) -> bool:
-    """Return whether names say more than the numbers at which they stand."""
+    """Return whether names say more than the numbers that they label."""
     return any(name != f"{at:g}" for at, name in names.items())
 
 

@@ -97,15 +97,15 @@ class Evidence:
         PkmodesError
             If the measurements are others than those of the result.
         """
-        given = tuple(dict.fromkeys(row.pose for row in result.rows))
-        order = in_order(given)
-        labels = tuple(given[i] for i in order)
+        measured_labels = tuple(dict.fromkeys(row.pose for row in result.rows))
+        order = in_order(measured_labels)
+        labels = tuple(measured_labels[i] for i in order)
         index = {label: i for i, label in enumerate(labels)}
         if data is not None and (
-            data.labels != given or data.frequency.tolist() != [row.measured for row in result.rows]
+            data.labels != measured_labels or data.frequency.tolist() != [row.measured for row in result.rows]
         ):
-            what = f"expected the measurements of the result, found others ({shown(data.source)})"
-            raise PkmodesError(what, "data", "give those that were passed to diagnose or compare")
+            problem = f"expected the measurements of the result, found others ({shown(data.source)})"
+            raise PkmodesError(problem, "data", "give those that were passed to diagnose or compare")
         # A structure without positions has all of them at 0.
         placed = None if data is None or not data.points.any() else data
         return cls(

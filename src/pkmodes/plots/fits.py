@@ -20,13 +20,13 @@ from pkmodes.plots.style import BLUE, GREY, INK, ORANGE, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: A pole is stable if the order before has one within these of its frequency and damping, relative.
+#: A pole is stable if the previous order has one within these relative distances of its frequency and damping.
 SAME_FREQUENCY, SAME_DAMPING = 0.005, 0.1
-#: Half the height of a pole's mark, relative to the least distance of orders.
+#: Half the height of a pole's mark, relative to the smallest distance between orders.
 HALF = 0.3
-#: Width of a digit relative to that of the axes on a narrow screen, and rows of labels at most.
+#: Width of a digit relative to that of the axes on a narrow screen, and most rows of labels.
 DIGIT, ROWS = 0.032, 3
-#: Decades of a magnitude below its highest value that are drawn.
+#: Decades of a magnitude drawn below its maximum.
 DECADES = 5.0
 POLE: dict[str, Any] = {
     "color": GREY,
@@ -49,7 +49,7 @@ class Lines:
     tones: Sequence[float]
 
 
-def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> Drawing:
+def stabilisation(inspection: Inspection, marked: Lines, band: tuple[float, float]) -> Drawing:
     """Return the poles of all model orders over frequency, above the sum of the measured functions."""
 
     def draw(sheet: Sheet) -> None:
@@ -57,16 +57,16 @@ def stabilisation(one: Inspection, marked: Lines, band: tuple[float, float]) -> 
         axes = panel.axes
         behind = sheet.adopt(axes.twinx(), inner={"x"})
         axes.set_zorder(behind.axes.get_zorder() + 1)
-        size = np.maximum(one.total, one.total.max() * 10.0**-DECADES)
+        size = np.maximum(inspection.total, inspection.total.max() * 10.0**-DECADES)
         behind.axes.set_yscale("log")
-        behind.plot(one.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
+        behind.plot(inspection.frequencies, size, color=GREY, linewidth=1.0, alpha=0.8, zorder=0)
         behind.axes.grid(visible=False)
         behind.axes.spines["right"].set_visible(True)
         behind.label(x="frequency [Hz]", y="sum of the functions [1]")
         decades(behind.axes.yaxis)
-        orders = one.stabilisation.orders
+        orders = inspection.stabilisation.orders
         for stable, style in ((False, POLE), (True, STABLE)):
-            panel.plot(*_dashes(one.stabilisation, stable), **style)
+            panel.plot(*_dashes(inspection.stabilisation, stable), **style)
         half = _half(orders)
         axes.set_ylim(orders[0] - 1.5 * half, orders[-1] + 1.5 * half)
         axes.set_xlim(*band)
@@ -97,7 +97,7 @@ def _dashes(of: Stabilisation, stable: bool) -> tuple[Array, Array]:
 
 
 def _stable(poles: Complex, before: Complex) -> NDArray[np.bool_]:
-    """Return which poles the order before has, too."""
+    """Return which poles the previous order also has."""
     if not len(before) or not len(poles):
         return np.zeros(len(poles), bool)
     f, f0 = np.abs(poles)[:, None], np.abs(before)
@@ -137,7 +137,7 @@ def rows_of(at: Sequence[float], names: Sequence[str]) -> list[int]:
     return rows
 
 
-def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: bool) -> Drawing:
+def functions(inspection: Inspection, marked: Lines, band: tuple[float, float], phase: bool) -> Drawing:
     """Return functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
 
     Parameters
@@ -145,17 +145,17 @@ def functions(one: Inspection, marked: Lines, band: tuple[float, float], phase: 
     phase : bool
         Whether the functions have one; power spectra have not.
     """
-    columns = min(2, len(one.curves))
-    rows = -(-len(one.curves) // columns)
-    coherence = any(curve.coherence is not None for curve in one.curves)
+    columns = min(2, len(inspection.curves))
+    rows = -(-len(inspection.curves) // columns)
+    coherence = any(curve.coherence is not None for curve in inspection.curves)
     ratios = [2.2, *([1.1] if phase else []), *([1.1] if coherence else [])]
 
     def draw(sheet: Sheet) -> None:
         height = (0.62 * sum(ratios) + 0.55) * rows + 0.25
-        groups = sheet.groups(len(one.curves), columns, height, rows=ratios, share_x=True)
+        groups = sheet.groups(len(inspection.curves), columns, height, rows=ratios, share_x=True)
         labels = ["magnitude" if phase else "power"]
         labels += [*(["phase [\u00b0]"] if phase else []), *(["coherence"] if coherence else [])]
-        for panels, curve in zip(groups, one.curves, strict=True):
+        for panels, curve in zip(groups, inspection.curves, strict=True):
             _curve(panels, curve, phase, coherence)
             for panel, label in zip(panels, labels, strict=True):
                 for f, _, _ in marked.modes:

@@ -18,7 +18,7 @@ from pkmodes.plots.style import BLUE, GREY, PALETTE, PURPLE, VERMILLION
 Array = NDArray[np.float64]
 #: Panels of complex shapes side by side.
 ACROSS = 6
-#: Poses that are named on an axis at most.
+#: Most poses named on an axis.
 NAMED = 30
 
 
@@ -62,27 +62,27 @@ def complex_shapes(shapes: Sequence[tuple[str, Mapping[str, complex]]]) -> Drawi
 
 def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
     """Return the frequencies in each file, relative to their mean over the repeats of the setup [%]."""
-    several = [one for one in setups if len(one.files) > 1]
-    means = sorted(float(np.mean(list(mode.values()))) for one in several for mode in one.modes)
+    several = [repeats for repeats in setups if len(repeats.files) > 1]
+    means = sorted(float(np.mean(list(mode.values()))) for repeats in several for mode in repeats.modes)
     distinct = [f for i, f in enumerate(means) if i == 0 or f / means[i - 1] > 1.0 + 1e-3]
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.3)
         axes = panel.axes
         marks.zero(panel)
-        for k, one in enumerate(several):
-            for file in range(len(one.files)):
-                pairs = [(mode[file], np.mean(list(mode.values()))) for mode in one.modes if file in mode]
+        for k, repeats in enumerate(several):
+            for file in range(len(repeats.files)):
+                pairs = [(mode[file], np.mean(list(mode.values()))) for mode in repeats.modes if file in mode]
                 x = [int(np.searchsorted(distinct, mean * (1.0 - 1e-9))) for _, mean in pairs]
                 x = [min(i, len(distinct) - 1) for i in x]
                 away = [100.0 * (f / mean - 1.0) for f, mean in pairs]
-                label = short(one.setup) if file == 0 and one.setup else None
+                label = short(repeats.setup) if file == 0 and repeats.setup else None
                 shift = 0.16 * (k - 0.5 * (len(several) - 1))
                 panel.plot(
                     np.array(x) + shift,
                     away,
-                    "_" if len(one.files) > 8 else ".",
-                    name=short(one.setup) if one.setup else "",
+                    "_" if len(repeats.files) > 8 else ".",
+                    name=short(repeats.setup) if repeats.setup else "",
                     color=PALETTE[k % len(PALETTE)],
                     label=label,
                     zorder=3,
@@ -93,7 +93,7 @@ def scatter_of_repeats(setups: Sequence[Repeats]) -> Drawing:
         axes.set_xlim(-0.6, len(distinct) - 0.4)
         panel.label(x="mean frequency [Hz]", y="file, above the mean [%]")
         axes.grid(visible=False, axis="x")
-        if any(one.setup for one in several):
+        if any(repeats.setup for repeats in several):
             sheet.legend(panel, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=4)
 
     return Drawing(draw)

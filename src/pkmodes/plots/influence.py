@@ -14,7 +14,7 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import ink_on
 
 Array = NDArray[Any]
-#: Parameters listed at most.
+#: Most parameters listed.
 ROWS = 14
 
 

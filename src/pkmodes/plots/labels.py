@@ -11,16 +11,16 @@ from pkmodes.core.base.errors import printable
 if TYPE_CHECKING:
     from matplotlib.axis import Axis
 
-#: Longest label of an axis.
+#: Length of the longest axis label.
 LONGEST = 18
-#: Decades below which an axis has labels between them.
+#: An axis that spans fewer decades than this has labels between them.
 FEW = 2.0
 MINUS, TIMES, PLUS_MINUS = "\u2212", "\u2009\u00d7\u2009", "\u00b1"
 RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 
 
 def visible(text: object, longest: int | None = None) -> str:
-    """Return text on one line, without characters that are not visible, such as those that turn the direction.
+    """Return text on one line, without invisible characters, such as those that reverse the direction.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def broken(name: str) -> str:
 
 
 def decades(axis: Axis, write: Callable[[float], str] = lambda value: typeset(f"{value:.0e}")) -> None:
-    """Label a logarithmic axis: at its decades, and where it has few of them at others too.
+    """Label a logarithmic axis at its decades, and also between them if they are few.
 
     Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
 

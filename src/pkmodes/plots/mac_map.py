@@ -13,7 +13,7 @@ from pkmodes.plots.plane import Plane
 from pkmodes.plots.sheet import Sheet
 
 Array = NDArray[Any]
-#: MAC from which on shapes hardly differ; `pkmodes.maps.tracking` speaks of a veering below 0.9.
+#: MAC above which shapes hardly differ; `pkmodes.maps.tracking` reports veering below 0.9.
 GRADUAL = 0.95
 
 

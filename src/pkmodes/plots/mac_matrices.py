@@ -1,4 +1,4 @@
-"""MAC matrices: how far each measured shape is like each mode of the model."""
+"""MAC matrices: how similar each measured shape is to each mode of the model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pkmodes.plots.sheet import Sheet
 Array = NDArray[np.float64]
 #: Most modes for which the numbers are written into the cells.
 MOST_WRITTEN = 8
-#: Above this MAC a cell is so light that its number is dark.
+#: MAC above which a cell is so light that its number is dark.
 LIGHT = 0.55
 
 
@@ -48,8 +48,8 @@ def mac_matrices(evidence: Evidence) -> Drawing | None:
         groups = sheet.groups(count, count, height, rows=rows, shape=1.0, scales="common")
         image: Any = None
         for panels, stage in zip(groups, stages, strict=True):
-            for panel, (name, some) in zip(panels, chosen, strict=True):
-                image = draw_matrix(panel, matrix(evidence, stage, some))
+            for panel, (name, selected) in zip(panels, chosen, strict=True):
+                image = draw_matrix(panel, matrix(evidence, stage, selected))
                 title, modes = f"Model {stage.title}", "mode of the model"
                 panel.label(title, x=modes, y="measured mode", row=name)
         sheet.scale(image, "MAC [1]", shrink=0.7, aspect=30)
@@ -57,16 +57,16 @@ def mac_matrices(evidence: Evidence) -> Drawing | None:
     return Drawing(draw)
 
 
-def matrix(evidence: Evidence, stage: Stage, some: NDArray[np.bool_]) -> Array:
+def matrix(evidence: Evidence, stage: Stage, selected: NDArray[np.bool_]) -> Array:
     """Return the mean MAC of measured modes (rows) and modes of the model, (M, M), NaN where there is no shape."""
     mode, count = evidence.mode(), evidence.modes
     macs = stage.predicted.macs
     mean_mac = np.full((count, count), np.nan)
-    for one in range(1, count + 1):
-        rows = some & (mode == one) & np.isfinite(macs).any(axis=1)
+    for number in range(1, count + 1):
+        rows = selected & (mode == number) & np.isfinite(macs).any(axis=1)
         if rows.any():
             mean = macs[rows].mean(axis=0)[:count]
-            mean_mac[one - 1, : len(mean)] = mean
+            mean_mac[number - 1, : len(mean)] = mean
     return mean_mac
 
 

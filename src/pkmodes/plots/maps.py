@@ -31,20 +31,20 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 Array = NDArray[Any]
-#: Lines along the shorter side of a map.
+#: Number of lines along the shorter side of a map.
 STROKES = 9
-#: Relative difference of frequencies up to which two poses have the same one, such as mirrored ones.
+#: Relative difference below which the frequencies of two poses are equal, as for mirrored poses.
 ROUNDING = 1e-9
-#: Poses that can share an extreme; where more do, it has no place.
+#: Most poses that can share an extreme; where more do, its location is not marked.
 SHARED = 8
-#: Numbers on contours are at least this far from one another, and from the edges of a panel; shorter lines have none
-#: [inch].
+#: Smallest distance of numbers on contours from one another and from the edges of a panel, and length of the shortest
+#: contour with a number [inch].
 APART, MARGIN, SHORTEST = 0.22, 0.12, 0.5
-#: Numbers on contours that are steeper stand upright: turned, 60 reads as 09 [degree].
+#: Numbers on contours steeper than this are upright: turned, 60 reads as 09 [degree].
 STEEP = 60.0
-#: What is said of a plane in which the platform turns.
+#: Shown in place of a figure for a plane in which the platform turns.
 NO_DIRECTIONS = "The axes of this plane are not two directions of the platform's motion."
-#: Blues up to this part are so light that black lines on them can be seen, also in grey.
+#: Blues up to this fraction of the scale are light enough for black lines, also in grey.
 LIGHT = 0.55
 
 
@@ -62,7 +62,7 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
         A sentence if no frequency depends on the pose.
     """
     values = plane.dataset["frequency"].values
-    known = shown(plane.dataset)["frequency"].values
+    displayed = shown(plane.dataset)["frequency"].values
     # A negative number is not a frequency: where the machine is unstable the panels are blank.
     values = np.where(unstable(plane.dataset).values[..., None], np.nan, values)
     modes = values.shape[-1]
@@ -70,19 +70,19 @@ def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
         same_everywhere(values[..., mode], scale=LEAST_SPAN * float(np.nanmax(np.abs(values[..., mode]))))
         for mode in range(modes)
     ):
-        found = ", ".join(f"{value:.2f}" for value in np.nanmedian(values, axis=(0, 1)))
+        medians = ", ".join(f"{value:.2f}" for value in np.nanmedian(values, axis=(0, 1)))
         return (
-            f"Every frequency is the same within {100 * SAME * LEAST_SPAN:.2g} % at every pose: {found} Hz."
+            f"Every frequency is the same within {100 * SAME * LEAST_SPAN:.2g} % at every pose: {medians} Hz."
         )
 
     def draw(sheet: Sheet) -> None:
         for mode, panel in mode_panels(sheet, plane, modes, scales="own", line=True):
             width = sheet.panel_width if sheet.narrow else width_of(plane, modes, colour_bars=True)
-            one, counted = values[..., mode], known[..., mode]
+            frequency, counted = values[..., mode], displayed[..., mode]
             limits = limits_of(counted)
             low, high = widened(*limits)
-            mesh = plane.draw(panel, one, vmin=low, vmax=high)
-            _contours(plane, panel.axes, mesh, one, float(np.ptp(plane.drawn(plane.across))) / width)
+            mesh = plane.draw(panel, frequency, vmin=low, vmax=high)
+            _contours(plane, panel.axes, mesh, frequency, float(np.ptp(plane.drawn(plane.across))) / width)
             _extremes(plane, panel, counted)
             _motors(panel, motors)
             panel.axes.annotate(
@@ -168,9 +168,9 @@ def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
         motion = plane.dataset["platform_shape"].values[..., turned] * lengths[turned]
         kinds.append(("rotation", np.sqrt((motion**2).sum(axis=-1))))
     modes = plane.dataset.sizes["mode"]
-    every = np.stack([values for _, values in kinds])
-    high = limits_of(every)[1]
-    if same_everywhere(every, axes=(1, 2), scale=high):
+    motions = np.stack([values for _, values in kinds])
+    high = limits_of(motions)[1]
+    if same_everywhere(motions, axes=(1, 2), scale=high):
         return "In each mode the platform moves by almost the same amount at every pose."
     lines = -(-modes // TALL_ROW)
     columns = -(-modes // lines)
@@ -206,13 +206,13 @@ def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
         For ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as mirrored
         poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
     """
-    found: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
+    extreme_poses: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
     if not np.isfinite(values).any():
-        return found
+        return extreme_poses
     for name, value in (("minimum", np.nanmin(values)), ("maximum", np.nanmax(values))):
         places = [(int(i), int(j)) for i, j in np.argwhere(np.abs(values - value) <= ROUNDING * abs(value))]
-        found[name] = places if len(places) <= SHARED else []
-    return found
+        extreme_poses[name] = places if len(places) <= SHARED else []
+    return extreme_poses
 
 
 def _range(low: float, high: float) -> str:
@@ -231,9 +231,9 @@ def _light_blues() -> Any:
 
 def _strokes(panel: Panel, x: Array, y: Array, across: Array, along: Array) -> None:
     """Draw a line through each pose in the direction of a vibration, which has no sign."""
-    known = np.isfinite(across) & np.isfinite(along)
+    finite = np.isfinite(across) & np.isfinite(along)
     ends = [
-        np.stack([place - half, place + half], axis=-1)[known]
+        np.stack([place - half, place + half], axis=-1)[finite]
         for place, half in zip(np.meshgrid(x, y), (across, along), strict=True)
     ]
     panel.lines(*ends, colors=BLACK, linewidths=0.9)
@@ -245,7 +245,7 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
     Parameters
     ----------
     inch : float
-        Of the panel in the units of its axes, about: numbers that would stand on one another are left out.
+        Approximate size of an inch of the panel in the units of its axes: numbers that would overlap are left out.
     """
     from matplotlib.ticker import MaxNLocator
 
@@ -261,7 +261,7 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
     x, y = plane.drawn(plane.across), plane.drawn(plane.along)
     lines = axes.contour(x, y, np.ma.masked_invalid(values), levels, colors=inks, linewidths=0.5)
     marks = [(x[j], y[i]) for places in extremes(values).values() for i, j in places]
-    places = _number_places([line for one in lines.allsegs for line in one], marks, axes, inch)
+    places = _number_places([line for segments in lines.allsegs for line in segments], marks, axes, inch)
     if places:
         settings: dict[str, Any] = {
             "colors": inks,
@@ -276,7 +276,7 @@ def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -
 def _number_places(
     lines: list[Array], marks: list[Any], axes: Axes, inch: float
 ) -> list[tuple[float, float]]:
-    """Return a place on each line that is long enough for a number, apart from others, from marks and from edges."""
+    """Return a place for a number on each line that is long enough, away from other numbers, marks and edges."""
     kept: list[tuple[float, float]] = []
     (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
     for line in lines:

@@ -14,13 +14,13 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREY, INK, PURPLE, VERMILLION
 
 Array = NDArray[np.float64]
-#: From this number of marks on, they become an image inside the figure, which stays small.
+#: Above this number, marks are rasterised to keep the figure small.
 MANY = 1500
 #: Area of the smallest mark [square points].
 SMALLEST = 2.0
-#: Standard deviations within which a difference may be noise.
+#: Differences within this many standard deviations may be noise.
 NOISE = 2.0
-#: Setups that are named on an axis at most.
+#: Most setups named on an axis.
 NAMED = 30
 #: Kinds of rows: fitted, held out, set aside, without a partner.
 FITTED: dict[str, Any] = {"marker": "o", "facecolor": BLUE, "edgecolor": BLUE, "label": "fitted"}
@@ -45,8 +45,8 @@ def rows(panel: Panel, evidence: Evidence, x: Array, y: Array, size: float = 16.
         (evidence.outlier, OUTLIER),
     )
     count = max(int(shown.sum()), 1)
-    for some, kind in kinds:
-        chosen = shown & some
+    for of_kind, kind in kinds:
+        chosen = shown & of_kind
         if chosen.any():
             panel.scatter(
                 x[chosen],
@@ -103,9 +103,9 @@ def noise(panel: Panel, sigmas: Array) -> None:
         Differences in standard deviations.
     """
     panel.axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
-    known = sigmas[np.isfinite(sigmas)]
-    most = 1.08 * max(1.5 * NOISE, float(np.abs(known).max(initial=0.0)))
-    panel.axes.set_ylim(-most, most)
+    finite = sigmas[np.isfinite(sigmas)]
+    limit = 1.08 * max(1.5 * NOISE, float(np.abs(finite).max(initial=0.0)))
+    panel.axes.set_ylim(-limit, limit)
 
 
 def setups(panel: Panel, evidence: Evidence, *, grid: bool = False) -> str:

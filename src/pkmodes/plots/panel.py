@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 Side = Literal["x", "y"]
 Part = Literal["title", "x", "y"]
-#: Characters of a title or label in one line on a narrow sheet.
+#: Characters per line of a title or label on a narrow sheet.
 LINE = 44
-#: Characters by which equal parts of a text are exceeded, since lines end between words.
+#: Extra characters allowed per line, since lines break between words.
 WORD = 5
 
 
@@ -40,7 +40,7 @@ class Series:
     part : ndarray of int, shape (N,), or None
         The piece of a broken curve, from 1.
     values : ndarray, shape (N,), or None
-        What the colour says.
+        Values shown by colour.
     meanings : tuple of str
         Names of the values 0, 1, 2... if they are kinds.
     """
@@ -96,7 +96,7 @@ class Panel:
         row: str = "",
         **settings: Any,
     ) -> None:
-        """Name the panel and its axes, as far as it does not leave that to others: see `inner`.
+        """Name the panel and its axes, except for what it leaves to other panels: see `inner`.
 
         Parameters
         ----------
@@ -172,10 +172,10 @@ class Panel:
     def limits(self, x: ArrayLike, low: ArrayLike, high: ArrayLike, name: str = "") -> None:
         """Keep the limits of a band that is drawn already."""
         lower, upper = np.asarray(low, float), np.asarray(high, float)
-        known = np.isfinite(lower) & np.isfinite(upper)
+        finite = np.isfinite(lower) & np.isfinite(upper)
         for end, limit in (("lower", lower), ("upper", upper)):
             kind = f"band, {end} limit"
-            self._keep(kind, f"{name}, {end} limit" if name else "", x, np.where(known, limit, np.nan))
+            self._keep(kind, f"{name}, {end} limit" if name else "", x, np.where(finite, limit, np.nan))
 
     def bar(self, y: float, left: float, right: float, **style: Any) -> None:
         """Draw a horizontal bar; one that does not begin at 0 has two ends."""
@@ -241,8 +241,8 @@ class Panel:
         self._counts[kind] += 1
         title = visible(name) if name else f"{kind} {self._counts[kind]}"
         across, along = np.broadcast_arrays(np.atleast_1d(x).astype(float), np.atleast_1d(y).astype(float))
-        known = None if values is None else np.asarray(values, dtype=float)
-        self.series.append(Series(title, across, along, part, known, meanings))
+        numbers = None if values is None else np.asarray(values, dtype=float)
+        self.series.append(Series(title, across, along, part, numbers, meanings))
 
 
 def _edges(places: Array) -> Array:

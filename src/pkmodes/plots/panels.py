@@ -15,24 +15,25 @@ if TYPE_CHECKING:
 
 #: Space for labels and colour bars beside and below each panel, and for a line below its title [inch].
 BESIDE, BELOW, LINE = 0.62, 1.0, 0.15
-#: Height of a colour bar below a panel, its distance from the labels above it, and of two numbers at it [inch].
+#: Height of a colour bar below a panel, its distance from the labels above it, and between two of its numbers [inch].
 THICK, CLEAR, GAP = 0.08, 0.07, 0.05
-#: Width of a colour bar below a panel at least [inch].
+#: Smallest width of a colour bar below a panel [inch].
 NARROWEST = 0.7
-#: Numbers at colour bars: their size [points], and the width of a digit over it.
+#: Font size of the numbers on colour bars [points], and width of a digit relative to it.
 SMALL, DIGIT = 6.5, 0.64
-#: Height of a panel over its width at most, and in inches.
+#: Largest ratio of height to width of a panel, and its largest height [inch].
 TALLEST, HIGHEST = 3.5, 4.5
-#: Tall panels in a row at most; others: as long as there are few, and at most.
+#: Most tall panels in a row; for other panels, the number up to which there are few, and most in a row for few and
+#: for many.
 TALL_ROW, FEW, ROW, LONG_ROW = 6, 6, 3, 4
-#: Span of a colour scale of frequencies at least, relative to the frequency: a smaller range looks as small as it is.
+#: Smallest span of a colour scale of frequencies, relative to the frequency, so that a small range also looks small.
 LEAST_SPAN = 0.05
 
 
 def arranged(modes: int, *, tall: bool) -> tuple[int, int]:
-    """Return the rows and columns of panels: as many in a row as fit, and rows as equally long as possible."""
-    most = TALL_ROW if tall else ROW if modes <= FEW else LONG_ROW
-    rows = -(-modes // most)
+    """Return the rows and columns of panels: as many in a row as fit, with rows of nearly equal length."""
+    longest_row = TALL_ROW if tall else ROW if modes <= FEW else LONG_ROW
+    rows = -(-modes // longest_row)
     return rows, -(-modes // rows)
 
 
@@ -113,8 +114,8 @@ def _apart(low: float, high: float) -> Any:
     from matplotlib.ticker import MaxNLocator
 
     steps = [1, 1.5, 2, 3, 4, 5, 6, 8, 10]
-    for most in (3, 2):
-        locator = MaxNLocator(most, steps=steps, min_n_ticks=most)
+    for count in (3, 2):
+        locator = MaxNLocator(count, steps=steps, min_n_ticks=count)
         ticks = [tick for tick in locator.tick_values(low, high) if low <= tick <= high]
         if len(ticks) < 2:
             continue

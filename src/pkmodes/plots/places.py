@@ -16,13 +16,13 @@ from pkmodes.view.scene import Scene
 from pkmodes_description import Element
 
 Array = NDArray[Any]
-#: Colours of what is marked: the strongest first.
+#: Colours of marked bodies, the strongest first.
 COLOURS = (PALETTE[1], *(colour for i, colour in enumerate(PALETTE) if i != 1))
-#: Line widths of what is marked and of the rest [pt].
+#: Line widths of marked bodies and of the rest [pt].
 BOLD, THIN = 3.0, 0.9
-#: Length of an arrow in sizes of the machine.
+#: Length of an arrow relative to the size of the machine.
 ARROW = 0.16
-#: Height of the picture over its width at most.
+#: Largest ratio of height to width of the picture.
 TALL = 0.9
 
 

@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from pkmodes.plots.panel import Panel
 
 Array = NDArray[Any]
-#: Share of the values at each end that do not determine the colours: belts that become very short at the edge of the
+#: Fraction of the values at each end that the colour scale ignores: belts that become very short at the edge of the
 #: workspace would hide everything else.
 OUTLIERS = 0.02
-#: Ratio of the extents from which on the longer one is vertical.
+#: Ratio of the extents above which the longer one is vertical.
 LONGER = 1.1
-#: Range of a quantity, relative to its colour scale or its size, below which it is the same everywhere: no eye tells
-#: two of its colours apart.
+#: A quantity counts as the same everywhere if its range is below this fraction of its colour scale or size: the eye
+#: cannot distinguish two such colours.
 SAME = 0.005
-#: Height of a map over its width from which on maps stand side by side in one row.
+#: Ratio of height to width above which maps stand side by side in one row.
 TALL = 1.6
 
 
@@ -189,16 +189,16 @@ def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) 
     several = [name for name, size in sizes.items() if size > 1]
     if len(several) != 2 or not set(several) <= set(components):
         lengths = ", ".join(f"{name}: {size}" for name, size in sizes.items())
-        what = f"expected a map over two components of the pose, found {lengths}"
+        problem = f"expected a map over two components of the pose, found {lengths}"
         remedy = f"give several values for two of {', '.join(components)}, and one for everything else"
-        raise PkmodesError(what, place, remedy)
+        raise PkmodesError(problem, place, remedy)
     return several
 
 
 def where(plane: Plane) -> str:
     """Return where a plane lies, such as ``z = -245 mm``; for a mechanism that moves in a plane its components.
 
-    Rotations that are 0 are not among what it says.
+    Rotations that are 0 are left out.
     """
     constant = {} if plane.normal is None else {plane.normal: plane.at}
     lengths = {name: value for name, value in plane.rest.items() if value or plane.unit(name)[0] != "deg"}

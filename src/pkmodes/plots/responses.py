@@ -16,12 +16,12 @@ from pkmodes.plots.style import BLUE, GREY, VERMILLION
 from pkmodes.response.drawn_channels import without_response
 
 Array = NDArray[Any]
-#: Height of a channel [inch], and channels drawn at most: more cannot be read.
+#: Height of a channel [inch], and most channels drawn: more would be illegible.
 HEIGHT, MOST = 2.4, 12
-#: Ratio of the last to the first frequency from which on the axis is logarithmic.
+#: Ratio of the last to the first frequency above which the axis is logarithmic.
 DECADES = 30.0
 FREQUENCY = "frequency [Hz]"
-#: Styles: the line of the model stays visible on a measured one that it fits.
+#: Line styles: the line of the model stays visible on top of a measured one that it fits.
 BEFORE = {"color": GREY, "linewidth": 1.1, "dashes": (4.0, 2.0), "label": "before", "zorder": 2.5}
 MODEL = {"color": BLUE, "linewidth": 1.1, "label": "model", "zorder": 3}
 MEASURED = {"color": VERMILLION, "linewidth": 2.4, "alpha": 0.55, "label": "measured", "zorder": 2}
@@ -91,14 +91,14 @@ def _channel(
     single = ends[0] == ends[1]
     if curves:
         above.axes.set_yscale("log")
-    seen = []
+    visible = []
     for f, values, style in curves:
         inside = (f >= ends[0]) & (f <= ends[1])
-        seen.append((f[inside], values[inside], {**style, "marker": "." if single else ""}))
-    for f, values, style in seen:
+        visible.append((f[inside], values[inside], {**style, "marker": "." if single else ""}))
+    for f, values, style in visible:
         size = np.abs(values)
         above.plot(f, np.where(size > 0.0, size, np.nan), **style)
-    draw_phases(below, seen)
+    draw_phases(below, visible)
     if curves:
         decades(above.axes.yaxis)
     else:

@@ -15,48 +15,50 @@ from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREEN, GREY, PAPER
 
-#: Most candidates or values in a figure, and their longest name.
+#: Most candidates or values in a figure, and length of the longest name.
 MOST, LONGEST = 16, 64
-#: Longest label of a row: words and a name.
+#: Length of the longest row label: words and a name.
 WHOLE = 96
-#: Height of a row with its label [inch]; its label is this part of a row above the line.
+#: Height of a row with its label [inch]; the label is this fraction of a row above the line.
 ROW, ABOVE = 0.3, 0.12
-#: Part of the axis left of 0, so that a mark at 0 is whole.
+#: Fraction of the axis left of 0, so that a mark at 0 is not cut off.
 LEFT = 0.012
-#: Smallest p-value that is distinguished from 0.
+#: Smaller p-values are drawn as this one.
 LEAST = 1e-300
 
 
 def candidates(result: Diagnosis) -> Drawing | None:
     """Return the scores of the candidates, the most significant first; None if none was tested."""
-    tested = sorted(result.candidates, key=lambda one: one.p_value)[:MOST]
+    tested = sorted(result.candidates, key=lambda candidate: candidate.p_value)[:MOST]
     if not tested:
         return None
     claimed = {name for effect in result.effects for name in effect.members}
-    left = {name for group in result.survivors for each in group for name in each.split(" + ")}
+    remaining = {
+        name for group in result.survivors for explanation in group for name in explanation.split(" + ")
+    }
     kinds = [
         ("claimed, with its class", BLUE, [c for c in tested if c.name in claimed]),
-        ("remains", GREEN, [c for c in tested if c.name in left - claimed]),
-        ("not claimed", GREY, [c for c in tested if c.name not in claimed | left]),
+        ("remains", GREEN, [c for c in tested if c.name in remaining - claimed]),
+        ("not claimed", GREY, [c for c in tested if c.name not in claimed | remaining]),
     ]
 
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(0.85 + ROW * len(tested))
         for label, colour, group in kinds:
-            for seen, face in ((True, colour), (False, PAPER)):
-                some = [c for c in group if c.detectable == seen]
-                if some:
-                    y = np.array([tested.index(c) for c in some])
-                    x = -np.log10([max(c.p_value, LEAST) for c in some])
+            for detectable, face in ((True, colour), (False, PAPER)):
+                plotted = [c for c in group if c.detectable == detectable]
+                if plotted:
+                    y = np.array([tested.index(c) for c in plotted])
+                    x = -np.log10([max(c.p_value, LEAST) for c in plotted])
                     ends = np.stack([0.0 * x, x], axis=1)[x > 0.0]
                     panel.lines(ends, y[x > 0.0, None], color=colour, linewidth=1.6)
-                    name = label if seen else f"{label}, not detectable"
+                    name = label if detectable else f"{label}, not detectable"
                     panel.scatter(
                         x, y, s=22, facecolor=face, edgecolor=colour, linewidth=1.2, zorder=3, label=name
                     )
-        _rows(panel, [_label(one.sentence, one.name) for one in tested])
-        most = panel.axes.get_xlim()[1]
-        panel.axes.set_xlim(-LEFT * most, most)
+        _rows(panel, [_label(candidate.sentence, candidate.name) for candidate in tested])
+        end = panel.axes.get_xlim()[1]
+        panel.axes.set_xlim(-LEFT * end, end)
         panel.label(x="score: \u2212log\u2081\u2080 of the p-value of this candidate alone [1]")
         marks.legend(sheet, panel)
 
@@ -92,9 +94,9 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
     words : callable
         Returns what the name of a value means, or nothing.
     """
-    known = [(value, value.prior_sigma) for value in values if value.prior_sigma]
-    moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in known]
-    shown = sorted(moved, key=lambda one: -abs(one[0]))[:MOST]
+    with_prior = [(value, value.prior_sigma) for value in values if value.prior_sigma]
+    moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in with_prior]
+    shown = sorted(moved, key=lambda entry: -abs(entry[0]))[:MOST]
     if not shown:
         return None
     labels = [_label(words(name) if words else "", name) for _, _, name in shown]
@@ -115,8 +117,8 @@ def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None
             label="after the fit, \u00b11 \u03c3",
         )
         _rows(panel, labels)
-        most = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
-        axes.set_xlim(-most, most)
+        limit = max(3.0, *(abs(a) + w for a, w, _ in shown)) * 1.05
+        axes.set_xlim(-limit, limit)
         axes.grid(visible=False, axis="y")
         panel.label(x="value \u2212 declared value [\u03c3 of the prior]")
         marks.legend(sheet, panel)

@@ -15,20 +15,20 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREEN, GREY, INK, ORANGE, PALETTE, PURPLE, SKY, VERMILLION, WIDTH
 
 Array = NDArray[Any]
-#: Colours of shapers that are not recommended.
+#: Colours of the shapers that are not recommended.
 OTHERS = (GREEN, ORANGE, PURPLE, SKY)
-#: End of an axis of per cent that is full.
+#: Upper end of an axis that shows up to 100 %.
 TOP = 104.0
-#: Share of a grid that poses fill, from which on it is drawn as one.
+#: Fraction of a grid's points above which poses are drawn as that grid.
 FILLED = 0.25
-#: Height of a map over its width, at least and at most; space for titles and labels [inch].
+#: Smallest and largest ratio of height to width of a map; space for titles and labels [inch].
 SHAPES, AROUND = (0.3, 1.3), 0.75
-#: Part of the width that a single map has, as one over this.
+#: A single map is as wide as if this many stood side by side.
 ALONE = 1.6
 
 
 def over_plane(
-    points: Array, names: Sequence[str], units: Sequence[tuple[str, float]], left: Mapping[str, Array]
+    points: Array, names: Sequence[str], units: Sequence[tuple[str, float]], remaining: Mapping[str, Array]
 ) -> Drawing:
     """Draw what shapers leave at poses in a plane, one map for each, on a common scale.
 
@@ -38,7 +38,7 @@ def over_plane(
         SI.
     names, units : sequence
         Of the two components, and the unit in which each is drawn with its factor.
-    left : mapping of str to ndarray, shape (N,)
+    remaining : mapping of str to ndarray, shape (N,)
         By shaper [%].
     """
     x, y = (points[:, i] * units[i][1] for i in (0, 1))
@@ -47,14 +47,14 @@ def over_plane(
     ratio = float(np.ptp(y) / np.ptp(x))
     shape = float(np.clip(ratio, *SHAPES)) if alike else 0.8
     equal = alike and SHAPES[0] <= ratio <= SHAPES[1]
-    highest = max(1e-9, *(float(values.max()) for values in left.values()))
+    highest = max(1e-9, *(float(values.max()) for values in remaining.values()))
 
     def draw(sheet: Sheet) -> None:
-        count, kept = len(left), shape if equal else 0.0
+        count, kept = len(remaining), shape if equal else 0.0
         height = shape * (WIDTH - 1.2) / max(count, ALONE) + AROUND
         sheet.groups(count, count, height, share_y=True, shape=kept, scales="common")
         mesh: Any = None
-        for panel, (title, values) in zip(sheet.panels, left.items(), strict=True):
+        for panel, (title, values) in zip(sheet.panels, remaining.items(), strict=True):
             mesh = _map(panel, x, y, values, highest, count)
             panel.label(title, x=across, y=along)
             panel.axes.grid(False)
@@ -78,14 +78,14 @@ def _map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panels
     return panel.scatter(x, y, values=values, s=size, rasterized=True, **style)
 
 
-def along_line(at: Array, name: str, unit: tuple[str, float], left: Mapping[str, Array]) -> Drawing:
+def along_line(at: Array, name: str, unit: tuple[str, float], remaining: Mapping[str, Array]) -> Drawing:
     """Draw what shapers leave at poses along a line.
 
     Parameters
     ----------
     at : ndarray, shape (N,)
         The component of the pose that changes [SI].
-    left : mapping of str to ndarray, shape (N,)
+    remaining : mapping of str to ndarray, shape (N,)
         By shaper [%].
     """
     order = np.argsort(at)
@@ -93,19 +93,21 @@ def along_line(at: Array, name: str, unit: tuple[str, float], left: Mapping[str,
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(2.6)
         panel.label(x=f"{name} [{unit[0]}]", y="left [%]")
-        _curves(sheet, panel, at[order] * unit[1], {title: values[order] for title, values in left.items()})
+        _curves(
+            sheet, panel, at[order] * unit[1], {title: values[order] for title, values in remaining.items()}
+        )
 
     return Drawing(draw)
 
 
-def against_error(errors: Array, left: Mapping[str, Array], spread: float | None) -> Drawing:
+def against_error(errors: Array, remaining: Mapping[str, Array], spread: float | None) -> Drawing:
     """Draw what shapers leave where all frequencies differ from those of the model.
 
     Parameters
     ----------
     errors : ndarray, shape (E,)
         Relative errors of the frequencies.
-    left : mapping of str to ndarray, shape (E,)
+    remaining : mapping of str to ndarray, shape (E,)
         By shaper [%]: the root mean square over the poses, relative to none.
     spread : float or None
         Mean standard deviation of the frequencies, as a band.
@@ -116,14 +118,14 @@ def against_error(errors: Array, left: Mapping[str, Array], spread: float | None
         if spread is not None:
             panel.axes.axvspan(-100.0 * spread, 100.0 * spread, color=GREY, alpha=0.2, linewidth=0.0)
         panel.label(x="frequencies, above those of the model [%]", y="left, rms [%]")
-        _curves(sheet, panel, 100.0 * errors, left)
+        _curves(sheet, panel, 100.0 * errors, remaining)
 
     return Drawing(draw)
 
 
-def _curves(sheet: Sheet, panel: Panel, x: Array, left: Mapping[str, Array]) -> None:
+def _curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, Array]) -> None:
     styles = ("-", "--", ":", "-.")
-    for i, (name, values) in enumerate(left.items()):
+    for i, (name, values) in enumerate(remaining.items()):
         panel.plot(x, values, styles[i % len(styles)], color=PALETTE[i % len(PALETTE)], label=name)
     panel.axes.set_xlim(x[0], x[-1])
     panel.axes.set_ylim(0.0, None)
@@ -135,7 +137,7 @@ class Curve:
     """What a shaper leaves of a mode at each frequency [%], by its name; `marked` for the recommended one."""
 
     name: str
-    left: Array
+    remaining: Array
     marked: bool
 
 
@@ -153,8 +155,8 @@ class MarkedModes:
     """Measured modes [Hz], and what the recommended shaper leaves of them: as measured, and at most [%]."""
 
     frequencies: Array
-    left: Array
-    most: Array
+    remaining: Array
+    largest: Array
     within: str
 
 
@@ -183,23 +185,25 @@ def over_frequency(
             panel.label(x=across, y="amplitude of the spectrum [% of the highest]")
         beside.label(x=across, y="left of a mode at this frequency [%]")
         colours = iter(OTHERS)
-        for one in sorted(curves, key=lambda curve: not curve.marked):
+        for curve in sorted(curves, key=lambda candidate: not candidate.marked):
             style: dict[str, Any] = {"color": VERMILLION, "linewidth": 2.0, "zorder": 3}
-            if not one.marked:
+            if not curve.marked:
                 style = {"color": next(colours), "linewidth": 1.1}
-            beside.plot(frequencies, one.left, "-" if one.marked else "--", label=one.name, **style)
+            beside.plot(
+                frequencies, curve.remaining, "-" if curve.marked else "--", label=curve.name, **style
+            )
         if modes is not None:
-            ends = np.stack([modes.left, modes.most], axis=-1)
+            ends = np.stack([modes.remaining, modes.largest], axis=-1)
             places = np.stack([modes.frequencies] * 2, axis=-1)
             beside.lines(places, ends, color=INK, linewidth=1.0, label=modes.within, zorder=4)
             dots: dict[str, Any] = {"marker": "o", "s": 14, "color": INK, "zorder": 5}
-            beside.scatter(modes.frequencies, modes.left, label="measured modes", **dots)
+            beside.scatter(modes.frequencies, modes.remaining, label="measured modes", **dots)
         beside.axes.set_ylim(0.0, TOP)
         panel.axes.set_xlim(0.0, frequencies[-1])
-        found = [one.axes.get_legend_handles_labels() for one in dict.fromkeys([panel, beside])]
+        legends = [part.axes.get_legend_handles_labels() for part in dict.fromkeys([panel, beside])]
         handles, names = (
-            [each for one in found for each in one[0]],
-            [each for one in found for each in one[1]],
+            [handle for legend in legends for handle in legend[0]],
+            [name for legend in legends for name in legend[1]],
         )
         place: dict[str, Any] = {
             "loc": "lower center",

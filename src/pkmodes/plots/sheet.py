@@ -15,23 +15,23 @@ if TYPE_CHECKING:
 
 Shared = bool | Literal["row", "col"]
 Scales = Literal["", "own", "common"]
-#: Width of a narrow figure, some 340 px of a page [inch].
+#: Width of a narrow figure, about 340 px of a page [inch].
 NARROW = 3.5
-#: Space for labels beside a panel, for a scale there, and for title and labels above and below it [inch].
+#: Space for labels beside a panel, for a colour scale there, and for title and labels above and below a panel [inch].
 LABELS, SCALE, AROUND = 0.75, 0.65, 0.75
-#: Space around a panel without axes, and for a scale below a panel [inch].
+#: Space around a panel without axes, and for a colour scale below a panel [inch].
 TITLE, BELOW = 0.25, 0.6
-#: Height of titles and labels around a panel on a wide sheet, about [inch].
+#: Approximate height of titles and labels around a panel on a wide sheet [inch].
 LABELLED = 0.55
-#: Height of a panel over its width from which on two and three stand side by side.
+#: Ratios of height to width above which two and three panels stand side by side.
 TALL = (1.3, 2.2)
-#: Width of a drawn figure over that of the sheet up to which it fits.
+#: A drawn figure fits if its width is at most this multiple of the sheet's.
 SLACK = 1.03
-#: Width of a panel at least [inch].
+#: Smallest width of a panel [inch].
 LEAST = 0.5
-#: Distance of the labels of ticks that are not turned [inch].
+#: Smallest distance between tick labels that are not rotated [inch].
 APART = 0.04
-#: Space around narrow figures [inch].
+#: Margin around narrow figures [inch].
 MARGIN = 0.08
 
 
@@ -102,7 +102,7 @@ class Sheet:
             for row in range(len(rows))
         }
         if self.narrow:
-            across = min(len(places), 1 + sum(shape >= one for one in TALL) if frames else 3)
+            across = min(len(places), 1 + sum(shape >= ratio for ratio in TALL) if frames else 3)
             beside = SCALE if scales == "common" or (scales == "own" and across == 1) else 0.0
             self.panel_width = (NARROW - (LABELS if frames else 0.0) - beside) / across
             heights = [(height / lines - LABELLED) * row / sum(rows) for row in rows]
@@ -110,24 +110,25 @@ class Sheet:
                 below = BELOW if scales == "own" and across > 1 else 0.0
                 heights = [shape * self.panel_width + below] * len(rows)
             around = AROUND if frames else TITLE
-            found = self._follow(places, across, heights, around, beside, share_x, share_y)
+            panels = self._follow(places, across, heights, around, beside, share_x, share_y)
         else:
             self.figure.set_size_inches(width, height)
             grid = {"height_ratios": list(rows) * lines} if len(rows) > 1 else {}
             size = lines * len(rows), columns
-            every: Any = self.figure.subplots(
+            grid_axes: Any = self.figure.subplots(
                 *size, squeeze=False, sharex=share_x, sharey=share_y, gridspec_kw=grid
             )
-            for axes in every.flat:
+            for axes in grid_axes.flat:
                 axes.set_visible(False)
             taken = set(places.values())
-            found = {
-                one: Panel(every[place], inner=_inner(one[1], place, taken)) for one, place in places.items()
+            panels = {
+                key: Panel(grid_axes[place], inner=_inner(key[1], place, taken))
+                for key, place in places.items()
             }
-            for panel in found.values():
+            for panel in panels.values():
                 panel.axes.set_visible(True)
-        self.panels = [found[one] for one in sorted(places, key=places.__getitem__)]
-        return [[found[group, row] for row in range(len(rows))] for group in range(count)]
+        self.panels = [panels[key] for key in sorted(places, key=places.__getitem__)]
+        return [[panels[group, row] for row in range(len(rows))] for group in range(count)]
 
     def _follow(
         self,
@@ -155,16 +156,16 @@ class Sheet:
         sides = {"left": 0.15, "right": 0.99 - beside / NARROW}
         spec = self.figure.add_gridspec(len(lines), across, height_ratios=lines, **sides)
         first: dict[tuple[str, int], Axes] = {}
-        found: dict[tuple[int, int], Panel] = {}
-        for k, one in enumerate(order):
-            row, column = places[one]
+        panels: dict[tuple[int, int], Panel] = {}
+        for k, cell in enumerate(order):
+            row, column = places[cell]
             keys = [("sharex", column if share_x == "col" else 0)] if share_x else []
             keys += [("sharey", row if share_y == "row" else 0)] if share_y else []
             shared: dict[str, Any] = {key[0]: first.get(key) for key in keys}
             axes = self.figure.add_subplot(spec[k // across, k % across], **shared)
             first = {**dict.fromkeys(keys, axes), **first}
-            found[one] = Panel(axes, narrow=True, before=found[order[k - 1]] if k % across else None)
-        return found
+            panels[cell] = Panel(axes, narrow=True, before=panels[order[k - 1]] if k % across else None)
+        return panels
 
     def adopt(self, axes: Axes, inner: Iterable[Part] = ()) -> Panel:
         """Return axes that were drawn elsewhere on the figure as a panel."""
@@ -259,7 +260,7 @@ def _inner(row: int, place: tuple[int, int], taken: Container[tuple[int, int]]) 
 
 
 def _turn(axes: Axes, gap: float) -> None:
-    """Turn the labels of ticks that would lie on each other; before the layout, when panels are about as wide."""
+    """Rotate tick labels that would overlap; before the layout, when panels have about their final width."""
     shown = [label for label in axes.get_xticklabels() if label.get_text() and label.get_visible()]
     boxes = sorted((label.get_window_extent() for label in shown), key=lambda box: box.x0)
     if any(a.x1 + gap > b.x0 for a, b in itertools.pairwise(boxes)) and shown[0].get_rotation() == 0:
@@ -267,6 +268,6 @@ def _turn(axes: Axes, gap: float) -> None:
 
 
 def _crowded(axes: Axes) -> bool:
-    """Return whether texts in a panel lie on each other."""
+    """Return whether texts in a panel overlap."""
     boxes = [text.get_window_extent() for text in axes.texts if text.get_text() and text.get_visible()]
     return any(a.overlaps(b) for a, b in itertools.pairwise(boxes))

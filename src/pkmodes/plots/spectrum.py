@@ -16,13 +16,13 @@ from pkmodes.plots.style import GREEN, GREY
 
 #: Modes of the model are shown up to this multiple of the highest measured frequency.
 ABOVE = 1.12
-#: Half the length of a model's line, in setups, and the styles of the first and the last stage.
+#: Half the length of a line of the model, in setups; then the styles of the first and the last stage.
 HALF = 0.36
 STYLES = (
     {"color": GREY, "linewidth": 2.6, "alpha": 0.55},
     {"color": GREEN, "linewidth": 1.2},
 )
-#: Of the bands around the lines of the declared model.
+#: Opacity and label of the bands around the lines of the declared model.
 SHADE, BAND = 0.25, "\u00b1 \u03c3 as declared"
 
 
@@ -35,11 +35,11 @@ def spectrum(evidence: Evidence) -> Drawing:
     def draw(sheet: Sheet) -> None:
         panel = sheet.panel(3.9)
         axes = panel.axes
-        most = ABOVE * float(evidence.measured.max())
+        highest = ABOVE * float(evidence.measured.max())
         for stage, style in zip(evidence.stages, STYLES[-len(evidence.stages) :], strict=True):
-            _lines(panel, stage.predicted.spectrum, most, f"model {stage.title}", style)
+            _lines(panel, stage.predicted.spectrum, highest, f"model {stage.title}", style)
         if evidence.spread is not None:
-            _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, most)
+            _bands(panel, evidence.stages[0].predicted.spectrum, evidence.spread, highest)
         place = evidence.setup.astype(float)
         paired = evidence.mode() > 0
         marks.rows(panel, evidence, np.where(paired, place, np.nan), evidence.measured)
@@ -47,7 +47,7 @@ def spectrum(evidence: Evidence) -> Drawing:
             panel.scatter(
                 place[~paired], evidence.measured[~paired], s=26, linewidth=1.3, zorder=4, **marks.UNMATCHED
             )
-        axes.set_ylim(0.0, most)
+        axes.set_ylim(0.0, highest)
         axes.set_xlim(-0.7, len(evidence.labels) - 0.3)
         panel.label(x=marks.setups(panel, evidence), y="frequency [Hz]")
         marks.legend(sheet, panel)
@@ -56,22 +56,22 @@ def spectrum(evidence: Evidence) -> Drawing:
 
 
 def _lines(
-    panel: Panel, spectrum: NDArray[np.float64], most: float, label: str, style: dict[str, Any]
+    panel: Panel, spectrum: NDArray[np.float64], highest: float, label: str, style: dict[str, Any]
 ) -> None:
     """Draw a short line for each mode of each setup."""
-    setup, mode = np.nonzero(spectrum <= most)
+    setup, mode = np.nonzero(spectrum <= highest)
     y = spectrum[setup, mode]
     ends = np.stack([setup - HALF, setup + HALF], axis=1)
     panel.lines(ends, y[:, None], label=label, zorder=2, rasterized=len(y) > marks.MANY, **style)
 
 
-def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float64], most: float) -> None:
+def _bands(panel: Panel, spectrum: NDArray[np.float64], spread: NDArray[np.float64], highest: float) -> None:
     """Shade one standard deviation on either side of the lines of the declared model."""
     from matplotlib.collections import PolyCollection
 
     modes = min(spectrum.shape[1], spread.shape[1])  # modes that pad a setup are in neither
     y, sigma = spectrum[:, :modes], spread[:, :modes]
-    setup, mode = np.nonzero((y <= most) & (sigma > 0.0))
+    setup, mode = np.nonzero((y <= highest) & (sigma > 0.0))
     if not len(setup):
         return
     low, high = (y[setup, mode] + side * sigma[setup, mode] for side in (-1.0, 1.0))

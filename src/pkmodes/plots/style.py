@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-#: The colours of text and background: in pages they follow those of the page, light or dark.
+#: Colours of text and background; on a page they follow the page's, light or dark.
 INK, PAPER = "#010203", "#fefdfc"
-#: Colours of data (Okabe and Ito, 2008), which also differ for colour-blind readers.
+#: Colours of data (Okabe and Ito, 2008), which colour-blind readers can distinguish.
 BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY = (
     "#0072b2",
     "#d55e00",
@@ -30,11 +30,11 @@ PALETTE = (BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY)
 BLACK, WHITE = "#000000", "#ffffff"
 #: Luminance at which black and white have the same contrast: 1.05 / (L + 0.05) = (L + 0.05) / 0.05.
 MIDDLE = 0.179
-#: Width of a figure that is as wide as a page's text [inch].
+#: Width of a figure as wide as the text of a page [inch].
 WIDTH = 6.3
-#: Characters in a line of such a figure.
+#: Characters per line of such a figure.
 CHARACTERS = 90
-#: Settings of a session that are not a matter of style.
+#: Settings of a session that do not affect style.
 OF_THE_SESSION = ("backend", "backend_fallback", "interactive", "toolbar", "timezone")
 
 

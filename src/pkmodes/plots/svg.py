@@ -33,20 +33,20 @@ COLOURS = {
     **{colour: f"var(--{name}, {colour})" for colour, name in NAMES.items()},
 }
 COLOUR = re.compile("|".join(COLOURS), re.IGNORECASE)
-#: The fonts of the page instead of the one that the layout was made with.
+#: The page's fonts in place of the one used for the layout.
 FONTS = (
     (re.compile(r"\bfont: (\S*px) [^;]*"), r"font-size: \1"),
     (re.compile(r"font-family: [^;]*"), "font-family: inherit"),
 )
-#: Coordinates have two decimals: a figure is some hundred units wide.
+#: Coordinates are rounded to two decimals: a figure is a few hundred units wide.
 DECIMALS = re.compile(r"\d+\.\d{3,}")
 SPACE = re.compile(r"\s+")
 REFERENCE = re.compile(r"url\(#([^)]+)\)")
-#: Characters that XML cannot hold.
+#: Characters that XML does not allow.
 FORBIDDEN = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffe\uffff]")
-#: Resolution of the images in narrow figures, whose panels are large [1/inch].
+#: Resolution of images in narrow figures, which have large panels [1/inch].
 SPARING = 130
-#: Length of the prefix that makes ids differ between figures.
+#: Length of the prefix that makes ids unique to a figure.
 DIGITS = 8
 
 
@@ -97,7 +97,7 @@ def _element(figure: Figure, title: str, description: str, settings: dict[str, A
                 parent.remove(child)
     # Matplotlib's ids are digests of places with all their digits, the last of which may differ between two layouts.
     used = _used(root)
-    _rename(root, {own: str(k) for k, own in enumerate(used)})
+    _rename(root, {identifier: str(k) for k, identifier in enumerate(used)})
     for element in root.iter():
         _simplify(element)
     drawing = ElementTree.tostring(root, encoding="unicode")
@@ -128,21 +128,25 @@ def _used(root: ElementTree.Element) -> list[str]:
             if name == LINK and value.startswith("#"):
                 used.add(value[1:])
             used.update(REFERENCE.findall(value))
-    return [own for element in root.iter() if (own := element.get("id")) in used and own is not None]
+    return [
+        identifier
+        for element in root.iter()
+        if (identifier := element.get("id")) in used and identifier is not None
+    ]
 
 
 def _rename(root: ElementTree.Element, names: Mapping[str, str]) -> None:
     """Give elements other ids, also where they are referred to, and drop the ids that have no other name."""
     for element in root.iter():
-        own = names.get(element.attrib.pop("id", ""))
-        if own is not None:
-            element.set("id", own)
+        new_id = names.get(element.attrib.pop("id", ""))
+        if new_id is not None:
+            element.set("id", new_id)
         for name, value in list(element.attrib.items()):
             if name in (LINK, "href"):
                 del element.attrib[name]
                 element.set("href", f"#{names[value[1:]]}" if value.startswith("#") else value)
             elif "url(#" in value:
-                element.set(name, REFERENCE.sub(lambda found: f"url(#{names[found[1]]})", value))
+                element.set(name, REFERENCE.sub(lambda match: f"url(#{names[match[1]]})", value))
 
 
 def _simplify(element: ElementTree.Element) -> None:

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Names of poses written at most under an axis.
+#: Most pose names written under an axis.
 LABELS = 24
-#: Values below which 2 % of them are less than one: the band then shows all of them.
+#: Below this number of values, 2 % of them are less than one: the band then covers all of them.
 FEW = 50
-#: Quantiles at the edges of a band of many values, and of few.
+#: Quantiles at the edges of a band for many values, and for few.
 INNER, ALL = (0.02, 0.5, 0.98), (0.0, 0.5, 1.0)
 
 
@@ -77,9 +77,9 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
     spread : ndarray, shape (poses, modes), optional
         Standard deviations of the frequencies [Hz], as bands.
     """
-    every = _flat(dataset, "pose")
+    frequencies = _flat(dataset, "pose")
     frequency = np.stack(
-        [_quantiles(every[..., mode], (0.5,))[0] for mode in range(every.shape[-1])], axis=-1
+        [_quantiles(frequencies[..., mode], (0.5,))[0] for mode in range(frequencies.shape[-1])], axis=-1
     )
     labels = [short(label) for label in dataset["pose"].values]
     step = max(1, -(-len(labels) // LABELS))
@@ -146,7 +146,7 @@ def _flat(dataset: xarray.Dataset, dim: str) -> Array:
 def _quantiles(values: Array, shares: tuple[float, ...]) -> Array:
     """Return quantiles along the second axis, NaN where no pose can be evaluated."""
     quantiles = np.full((len(shares), len(values)), np.nan)
-    some = np.isfinite(values).any(axis=1)
-    if some.any():
-        quantiles[:, some] = np.nanquantile(values[some], shares, axis=1)
+    evaluated = np.isfinite(values).any(axis=1)
+    if evaluated.any():
+        quantiles[:, evaluated] = np.nanquantile(values[evaluated], shares, axis=1)
     return quantiles

@@ -14,20 +14,20 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import BLUE, GREY, INK, PAPER
 from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes
 
-#: Bars in a panel at most, panels beside each other, and panels in a figure so that it fits a printed page.
+#: Most bars in a panel, panels side by side, and panels in a figure that fits a printed page.
 MOST, COLUMNS, PANELS = 10, 2, 6
-#: Longest line of a name; a longer one is broken before its last part.
+#: Longest line of a name; longer names are broken before their last part.
 LONGEST = 24
-#: Height of a bar with its space, and of what is around the bars of a panel [inch].
+#: Height of a bar with its spacing, and of the space around the bars of a panel [inch].
 BAR, AROUND = 0.23, 0.6
-#: Bars shorter than this fraction of the longest cannot be seen; the empty space beside the longest.
+#: Shortest visible bar as a fraction of the longest, and length of the axis relative to the longest.
 LEAST, SPACE = 1e-3, 1.06
-#: A rise is filled and a fall is not, so that they differ without colour.
+#: Rises are filled and falls are not, so that they differ without colour.
 RISE: dict[str, Any] = {"color": BLUE, "edgecolor": BLUE}
 FALL: dict[str, Any] = {"color": PAPER, "edgecolor": BLUE}
 TOGETHER: dict[str, Any] = {"color": GREY, "edgecolor": GREY}
 ALL = "all together"
-#: By how much each quantity changes.
+#: Step by which each quantity changes.
 STEPS = {PERCENT: "1 %", SIGMA: "one sigma"}
 
 

@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Poses along each axis at most: cells that the eye still tells apart.
+#: Most poses along each axis: cells that the eye can still tell apart.
 FINEST = 30
-#: Part of an axis at its ends without numbers: those of two axes would meet there.
+#: Fraction of an axis at each end that has no numbers: those of two axes would collide there.
 CORNER = 0.1
-#: How bright cells are from the sides of the three axes, so that their edges are seen.
+#: Brightness of the cell faces normal to the three axes, which makes edges visible.
 LIGHT = (0.82, 0.92, 1.0)
 
 
@@ -41,8 +41,8 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
         The three components of the pose, to be drawn as x, y and z.
     """
     part = dataset.isel(_around(dataset, across)).load().transpose(*across, ...)
-    known = part["valid"].values & ~unstable(part).values
-    values = np.where(known, part["frequency"].values[..., 0], np.nan)
+    evaluated = part["valid"].values & ~unstable(part).values
+    values = np.where(evaluated, part["frequency"].values[..., 0], np.nan)
     shown = [SHOWN[part[name].attrs["units"]] for name in across]
     places = [part[name].values * factor for name, (_, factor) in zip(across, shown, strict=True)]
     half = part.sizes[across[1]] // 2
@@ -57,13 +57,15 @@ def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
 
         colours = ScalarMappable(Normalize(low, high))
         sheet.figure.set_size_inches(WIDTH, 0.42 * WIDTH)
-        every = [sheet.figure.add_subplot(1, 2, i, projection="3d") for i in (1, 2)]
-        for axes, cells, title in zip(every, (values, cut), ("from outside", f"cut at {at}"), strict=True):
-            _cells(axes, [_edges(one) for one in places], cells, colours)
+        both_axes = [sheet.figure.add_subplot(1, 2, i, projection="3d") for i in (1, 2)]
+        for axes, cells, title in zip(
+            both_axes, (values, cut), ("from outside", f"cut at {at}"), strict=True
+        ):
+            _cells(axes, [_edges(axis_places) for axis_places in places], cells, colours)
             axes.set_title(title, y=0.95)
             _frame(axes, places, [f"{name} [{unit}]" for name, (unit, _) in zip(across, shown, strict=True)])
         sheet.figure.colorbar(
-            colours, ax=every, shrink=0.6, aspect=25, extend="both", pad=0.08, label="f [Hz], mode 1"
+            colours, ax=both_axes, shrink=0.6, aspect=25, extend="both", pad=0.08, label="f [Hz], mode 1"
         )
 
     return Drawing(draw, narrow=False)
@@ -73,8 +75,8 @@ def _around(dataset: xarray.Dataset, across: Sequence[str]) -> dict[str, slice]:
     """Return the part of a map that has frequencies, thinned out where it is finer than a picture."""
     chosen = {}
     for name in across:
-        others = [dim for dim in dataset["valid"].dims if dim != name]
-        inside = np.flatnonzero(dataset["valid"].any(others).values)
+        other_dims = [dim for dim in dataset["valid"].dims if dim != name]
+        inside = np.flatnonzero(dataset["valid"].any(other_dims).values)
         first, last = max(inside[0] - 1, 0), min(inside[-1] + 1, dataset.sizes[name] - 1)
         chosen[name] = slice(int(first), int(last) + 1, -(-int(last - first + 1) // FINEST))
     return chosen
@@ -98,14 +100,14 @@ def _cells(axes: Any, edges: list[Array], values: Array, colours: Any) -> None:
     for axis in range(3):
         low, high = ([slice(None)] * 3 for _ in range(2))
         low[axis], high[axis] = slice(None, -1), slice(1, None)
-        found = np.argwhere(filled[tuple(low)] != filled[tuple(high)])
-        below, above = (padded[tuple(one)][tuple(found.T)] for one in (low, high))
-        at = found - 1  # of the cells, which have a border
+        boundary = np.argwhere(filled[tuple(low)] != filled[tuple(high)])
+        below, above = (padded[tuple(side)][tuple(boundary.T)] for side in (low, high))
+        at = boundary - 1  # of the cells, which have a border
         at[:, axis] += 1  # the edge between both
         corners = np.repeat(at[:, None], 4, axis=1)
-        others = [other for other in range(3) if other != axis]
-        corners[:, [1, 2], others[0]] += 1
-        corners[:, [2, 3], others[1]] += 1
+        tangential = [index for index in range(3) if index != axis]
+        corners[:, [1, 2], tangential[0]] += 1
+        corners[:, [2, 3], tangential[1]] += 1
         sides.append(np.stack([edges[k][corners[..., k]] for k in range(3)], axis=-1))
         colour = colours.to_rgba(np.where(np.isfinite(below), below, above))
         colour[:, :3] *= LIGHT[axis]
@@ -117,11 +119,11 @@ def _cells(axes: Any, edges: list[Array], values: Array, colours: Any) -> None:
 
 
 def _frame(axes: Any, places: list[Array], labels: list[str]) -> None:
-    ends = [_edges(one)[[0, -1]] for one in places]
+    ends = [_edges(axis_places)[[0, -1]] for axis_places in places]
     axes.set(xlim=ends[0], ylim=ends[1], zlim=ends[2])
     for letter, label in zip("xyz", labels, strict=True):
         getattr(axes, f"set_{letter}label")(label, labelpad={"x": -2, "y": 2, "z": 2}[letter])
-    axes.set_box_aspect([np.ptp(one) for one in ends], zoom=0.88)
+    axes.set_box_aspect([np.ptp(extent) for extent in ends], zoom=0.88)
     axes.view_init(ELEVATION, AZIMUTH)
     bare(axes)
     for axis, (low, high) in zip((axes.xaxis, axes.yaxis, axes.zaxis), ends, strict=True):

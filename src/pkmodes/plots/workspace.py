@@ -16,12 +16,13 @@ from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import GREEN, INK, WIDTH
 
 Array = NDArray[Any]
-#: Direction from which the volume is seen [deg].
+#: Viewing direction of the volume [deg].
 ELEVATION, AZIMUTH = 20.0, -60.0
-#: Share of the poses at each end of the colour scale: condition numbers grow without bound towards a singularity.
+#: Fraction of the poses at each end that the colour scale ignores: condition numbers grow without bound towards a
+#: singularity.
 NEAR_SINGULAR = 0.1
-#: Outlines that enclose less than this part of the largest one are left out: at the rim of a workspace a step between
-#: two heights leaves shards of it.
+#: Outlines that enclose less than this fraction of the largest are left out: at the rim of a workspace, a step
+#: between two heights leaves fragments.
 SHARD = 0.03
 
 
@@ -98,11 +99,11 @@ def _outlines(x: Array, y: Array, valid: Array) -> list[list[Array]]:
     from matplotlib.figure import Figure
 
     flat = Figure().add_subplot()  # only to find them
-    every = [
+    outlines = [
         flat.contour(x, y, inside.astype(float), [0.5]).allsegs[0] if inside.any() else [] for inside in valid
     ]
-    least = SHARD * max((_enclosed(line) for closed in every for line in closed), default=0.0)
-    return [[line for line in closed if _enclosed(line) >= least] for closed in every]
+    least = SHARD * max((_enclosed(line) for closed in outlines for line in closed), default=0.0)
+    return [[line for line in closed if _enclosed(line) >= least] for closed in outlines]
 
 
 def _enclosed(line: Any) -> float:
@@ -145,7 +146,7 @@ def _volume(axes: Any, plane: Plane, volume: Volume, low: float, high: float) ->
 
 
 def bare(axes: Any) -> None:
-    """Leave nothing of axes in three dimensions but thin lines and a few numbers."""
+    """Strip axes in three dimensions down to thin lines and a few numbers."""
     axes.grid(visible=False)
     axes.tick_params(pad=-3, labelsize=7)
     axes.tick_params(axis="z", pad=0)

@@ -1,6 +1,6 @@
-"""What to do about a diagnosis, in the words of an owner: what to inspect, what it does, how sure, what to measure.
+"""What to do about a diagnosis, in the owner's words: what to inspect, its effect, how certain, what to measure.
 
-Each sentence is true by itself, and none is surer than the verdict.
+Each sentence holds by itself, and none claims more than the verdict.
 """
 
 from __future__ import annotations
@@ -44,22 +44,22 @@ WHERE = {
     "payload": "the platform: weigh what moves with it, such as a tool, cables and hoses",
     "servo_stiffness": "the motors: whether they were switched on during the measurement",
 }
-#: Where to look for other causes, by the beginning of their names.
+#: Where to look for other causes, by the prefix of their names.
 WHERE_ELSE = {
     "measurement:": "the measurement: whether its poses have the origin and the axes of the robot file",
     "parameter:": "the {words}: measure or look it up again",
 }
-#: What to say of a probability from the first number on: 96, 80 and 52 % of the most probable explanations were right
+#: Wording of a probability, by its lower bound: 96, 80 and 52 % of the most probable explanations were right
 #: (docs/probabilities-measured.md).
 LIKELY = ((0.9, "very likely that"), (0.7, "likely that"), (0.0, "doubtful whether"))
-#: Probabilities above this are not told apart.
+#: Probabilities above this are not distinguished.
 SUREST = 0.99
-#: Largest number of explanations of which it is said where to look.
+#: Most explanations for which the report states where to look.
 MOST = 5
 
 
 def action(result: Diagnosis, setting: Setting) -> Facts:
-    """Return what to inspect, its effect in hertz, how sure that is, and what to measure next."""
+    """Return what to inspect, its effect in hertz, how certain that is, and what to measure next."""
     effect = _effect(result, setting)
     return Facts(
         [
@@ -72,16 +72,16 @@ def action(result: Diagnosis, setting: Setting) -> Facts:
 
 
 def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
-    """Yield where to look for each cause, or for each explanation that remains."""
+    """Yield where to look for each cause, or for each remaining explanation."""
     causes = [effect.members for effect in result.effects]
-    if found := _beyond(result):
-        causes = [found.finding.members]
+    if term_class := _beyond(result):
+        causes = [term_class.finding.members]
     elif result.survivors:
-        causes = [tuple(each for group in result.survivors for each in group)]
+        causes = [tuple(name for group in result.survivors for name in group)]
     for k, names in enumerate(causes):
         places = [
             *dict.fromkeys(
-                joined([_where(one, result, setting) for one in name.split(" + ")]) for name in names
+                joined([_where(cause, result, setting) for cause in name.split(" + ")]) for name in names
             )
         ]
         for i, place in enumerate(places[:MOST]):
@@ -94,14 +94,14 @@ def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
 
 
 def _where(name: str, result: Diagnosis, setting: Setting) -> str:
-    """Return where to look for a cause; its sentence where nobody said."""
+    """Return where to look for a cause; its sentence if no advice is listed."""
     if name in result.alone:
-        alone, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
-        return f"{alone.joint.words}, which is {alone.compared}{colon}{advice}"
+        joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
+        return f"{joint_change.joint.words}, which is {joint_change.compared}{colon}{advice}"
     if name in WHERE:
         return WHERE[name]
-    if (found := _beyond(result)) and found.forms.get(name, DECLARED) not in ("", DECLARED):
-        return f"look for {clean(found.finding.member(name).words)}"
+    if (term_class := _beyond(result)) and term_class.forms.get(name, DECLARED) not in ("", DECLARED):
+        return f"look for {clean(term_class.finding.member(name).words)}"
     for beginning, where in WHERE_ELSE.items():
         if name.startswith(beginning):
             path = name.removeprefix(beginning)
@@ -110,56 +110,55 @@ def _where(name: str, result: Diagnosis, setting: Setting) -> str:
 
 
 def _beyond(result: Diagnosis) -> TermClass | None:
-    """Return what was found beyond the catalogue; None where that claims a cause itself."""
+    """Return the class found beyond the catalogue; None if the catalogue itself names a cause."""
     return result.beyond.found if result.beyond is not None and not result.effects else None
 
 
 def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
-    """Return what the causes do to the frequencies at the measured poses; nothing where there are none.
+    """Return the effect of the causes on the frequencies at the measured poses; empty without causes.
 
-    Modes go with each other by their order; of a cause that brings modes of its own, such as a frame that moves, by
-    their frequencies.
+    Modes are matched by rank; where a cause adds modes, such as those of a moving frame, by frequency.
     """
     stages = result.stages
     if stages is None or stages.after is None or stages.without is None:
         return []
     count = int(stages.after.mode.max(initial=1))
-    every = zip(stages.after.spectrum, stages.without, strict=True)
-    pairs = [_alike(after, without) for after, without in every]
+    spectra = zip(stages.after.spectrum, stages.without, strict=True)
+    pairs = [_alike(after, without) for after, without in spectra]
     changes = [
         (float(stages.after.spectrum[i, k] - stages.without[i, n]), i, k, n)
-        for i, each in enumerate(pairs)
-        for k, n in each
+        for i, pose_pairs in enumerate(pairs)
+        for k, n in pose_pairs
         if k < count
     ]
     if not changes:
         return []
     sizes = [change for change, *_ in changes]
-    most, at, mode, own = max(changes, key=lambda one: abs(one[0]))
+    largest, at, mode, partner = max(changes, key=lambda entry: abs(entry[0]))
     labels = [*dict.fromkeys(row.pose for row in result.rows)]
     new = [f for k, f in enumerate(stages.after.spectrum[at, :count]) if k not in dict(pairs[at])]
     verb = "lower" if max(sizes) <= 0.0 else "raise" if min(sizes) >= 0.0 else "change"
     who = f"they {verb}" if len(result.effects) > 1 else f"it {verb}s"
     place = "setup" if setting.robot is None else "pose"
     before, now = (
-        rounded(float(f), abs(most)).columns[0]
-        for f in (stages.without[at, own], stages.after.spectrum[at, mode])
+        rounded(float(f), abs(largest)).columns[0]
+        for f in (stages.without[at, partner], stages.after.spectrum[at, mode])
     )
     are = "another is" if len(new) == 1 else "others are"
-    others = f"; {are} new, there {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
+    new_modes = f"; {are} new, there {joined([f'{f:.4g}' for f in new])} Hz" if new else ""
     return [
         Cell(
             f"In the model {who} the natural frequencies at the {plural(len(labels), f'measured {place}')} by up to "
-            f"{plain(abs(most), 2)} Hz: that of mode {mode + 1} at"
+            f"{plain(abs(largest), 2)} Hz: that of mode {mode + 1} at"
         ),
         label(labels[at]),
-        Cell(f"from {before} to {now} Hz{others}."),
+        Cell(f"from {before} to {now} Hz{new_modes}."),
     ]
 
 
 def _alike(after: Array, without: Array) -> list[tuple[int, int]]:
-    """Return which frequencies of two models go with each other: as places in both."""
-    f, g = (one[np.isfinite(one)] for one in (after, without))
+    """Return the matching frequencies of two models, as pairs of indices."""
+    f, g = (spectrum[np.isfinite(spectrum)] for spectrum in (after, without))
     if len(f) == len(g):
         return [(k, k) for k in range(len(f))]
     from scipy.optimize import linear_sum_assignment
@@ -176,29 +175,31 @@ def _difference(result: Diagnosis) -> list[Cell]:
     if not apart:
         return [Cell("The model has no mode near any measured frequency.")]
     rms = float(np.sqrt(np.mean([size**2 for size, _ in apart])))
-    most, row = max(apart, key=lambda one: abs(one[0]))
+    largest, row = max(apart, key=lambda entry: abs(entry[0]))
     title = "as declared" if result.refit is None else "with its uncertain values refitted"
     lost = len(rows) - len(apart)
     without = f" It has no mode for {plural(lost, 'other')}." if lost else ""
-    measured, own = (rounded(one, abs(most)).columns[0] for one in (row.measured, row.measured + most))
+    measured, modelled = (
+        rounded(frequency, abs(largest)).columns[0] for frequency in (row.measured, row.measured + largest)
+    )
     return [
         Cell(
             f"The model {title} differs from {plural(len(apart), 'measured mode')} by {plain(rms, 2)} Hz (rms), and "
-            f"by {plain(abs(most), 2)} Hz at most: at"
+            f"by {plain(abs(largest), 2)} Hz at most: at"
         ),
         label(row.pose),
-        Cell(f"it predicts {own} Hz where {measured} Hz are measured.{without}"),
+        Cell(f"it predicts {modelled} Hz where {measured} Hz are measured.{without}"),
     ]
 
 
 def _sure(result: Diagnosis) -> list[Cell]:
-    """Return how sure the verdict is, what limits it, and how well the size of a cause is known."""
-    if result.beyond is not None and (found := _beyond(result)):
-        return [Cell(" ".join(map(sentence, _sure_of_terms(result.beyond, found))))]
+    """Return how certain the verdict is, what limits it, and how well the size of a cause is known."""
+    if result.beyond is not None and (term_class := _beyond(result)):
+        return [Cell(" ".join(map(sentence, _sure_of_terms(result.beyond, term_class))))]
     p, alike = _probability(result)
     likely = "the tests allow that" if p is None else f"it is {next(w for least, w in LIKELY if p >= least)}"
-    said = VERDICTS[result.verdict].sure.format(likely=likely, what=_claim(result, alike))
-    sentences = [said if p is None else f"{said} (probability {_percent(p)})"]
+    claim = VERDICTS[result.verdict].sure.format(likely=likely, what=_claim(result, alike))
+    sentences = [claim if p is None else f"{claim} (probability {_percent(p)})"]
     if alike:
         sentences.append("the tests exclude all others that act alike")
     if any(len(effect.members) > 1 for effect in result.effects):
@@ -206,8 +207,8 @@ def _sure(result: Diagnosis) -> list[Cell]:
     if size := _size(result):
         sentences.append(f"how large it is, is known to {size}")
     if result.settled and result.stability and not stable(result):
-        changed = [one.change for one in result.stability if not same(result, one)]
-        words = joined([CHANGES.get(one, one) for one in changed], "or")
+        changed = [entry.change for entry in result.stability if not same(result, entry)]
+        words = joined([CHANGES.get(change, change) for change in changed], "or")
         sentences.append(f"with {words}, the verdict is another")
     if not result.settled and not result.survivors and result.probabilities is not None:
         sentences.append(_most_probable(result, result.probabilities))
@@ -215,18 +216,20 @@ def _sure(result: Diagnosis) -> list[Cell]:
     return [Cell(text.replace(" %", "\u00a0%"), plain=text)]
 
 
-def _sure_of_terms(said: Beyond, found: TermClass) -> Iterator[str]:
-    """Yield how sure a claim beyond the catalogue is."""
-    several = len(found.finding.members) > 1
+def _sure_of_terms(beyond: Beyond, term_class: TermClass) -> Iterator[str]:
+    """Yield how certain a claim beyond the catalogue is."""
+    several = len(term_class.finding.members) > 1
     yield (
-        f"of {said.tried} changes at one place each that were tried where the catalogue does not explain the "
+        f"of {beyond.tried} changes at one place each that were tried where the catalogue does not explain the "
         f"measurements, the tests leave {'these alone' if several else 'this alone'}"
     )
     if several:
         yield "these data cannot tell which of the alternatives it is"
-    elif len(found.finding.parameters) == 1:
-        (value,) = found.finding.parameters
-        declared = next((one.declared for one in found.corrected if one.name == value.name), 0.0)
+    elif len(term_class.finding.parameters) == 1:
+        (value,) = term_class.finding.parameters
+        declared = next(
+            (parameter.declared for parameter in term_class.corrected if parameter.name == value.name), 0.0
+        )
         if value.value != declared:
             part = plain(100.0 * value.sigma / abs(value.value - declared), 2)
             yield f"how large it is, is known to {part} % (one standard deviation)"
@@ -242,21 +245,24 @@ def _claim(result: Diagnosis, alike: bool) -> str:
 
 
 def _probability(result: Diagnosis) -> tuple[float | None, bool]:
-    """Return how probable the claim is, and whether that includes causes which the tests of the verdict left out.
+    """Return the probability of the claim, and whether it includes causes that the tests of the verdict excluded.
 
-    None where nothing is claimed, or nothing is known about it.
+    None if nothing is claimed, or its probability is unknown.
     """
-    said = result.probabilities
-    if said is None or not result.settled:
+    probabilities = result.probabilities
+    if probabilities is None or not result.settled:
         return None, False
     if not result.effects:
-        return said.nothing_missing, False
+        return probabilities.nothing_missing, False
     claimed = [set(effect.members) for effect in result.effects]
     p, alike = 0.0, False
-    for statement in said.classes if len(claimed) == 1 else said.pairs:
-        own = [_claimed((one,) if isinstance(one, str) else one, claimed) for one in statement.members]
-        if any(own):
-            p, alike = p + statement.probability, alike or not all(own)
+    for statement in probabilities.classes if len(claimed) == 1 else probabilities.pairs:
+        matches = [
+            _claimed((member,) if isinstance(member, str) else member, claimed)
+            for member in statement.members
+        ]
+        if any(matches):
+            p, alike = p + statement.probability, alike or not all(matches)
     return p, alike
 
 
@@ -269,13 +275,13 @@ def _percent(p: float) -> str:
     return f"over {100 * SUREST:.0f} %" if p > SUREST else f"{100 * p:.0f} %"
 
 
-def _most_probable(result: Diagnosis, said: Probabilities) -> str:
-    """Return the most probable explanation where none is sure enough for the verdict."""
-    what, p = said.top
-    if what == OUTSIDE:
+def _most_probable(result: Diagnosis, probabilities: Probabilities) -> str:
+    """Return the most probable explanation where none is certain enough for the verdict."""
+    explanation, p = probabilities.top
+    if explanation == OUTSIDE:
         return f"most probable is something that is no candidate ({_percent(p)})"
-    words = _explanation(what if isinstance(what, str) else _joined(what[0]), result)
-    like = "" if isinstance(what, str) or len(what) == 1 else ", or what acts like this"
+    words = _explanation(explanation if isinstance(explanation, str) else _joined(explanation[0]), result)
+    like = "" if isinstance(explanation, str) or len(explanation) == 1 else ", or what acts like this"
     return f"most probable, but not sure enough to be claimed, is: {words}{like} ({_percent(p)})"
 
 
@@ -296,7 +302,7 @@ def _explanation(name: str, result: Diagnosis) -> str:
 def _size(result: Diagnosis) -> str:
     """Return how well the size of the only cause is known, in per cent; empty where it has several values."""
     values = [
-        one for effect in result.effects for name in effect.members for one in effect.alternatives[name]
+        value for effect in result.effects for name in effect.members for value in effect.alternatives[name]
     ]
     saved = saved_as(values[0], result.corrected) if len(values) == 1 else None
     if saved is None or saved.value == saved.declared:
@@ -306,7 +312,7 @@ def _size(result: Diagnosis) -> str:
 
 
 def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
-    """Return where a measurement is expected to tell most about which explanation is true, or why nowhere."""
+    """Return the measurement that is expected to separate the explanations best, or why none is proposed."""
     proposed = result.next_measurement
     if proposed is None:
         return [Cell(f"No next measurement is proposed: {clean(result.next_measurement_reason)}.")]
@@ -317,8 +323,8 @@ def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
         text = f"{unit(symbol)},"
     if proposed.drives:
         text += f" {_motors(result, setting, proposed)},"
-    one, other = (_explanation(name, result) for name in proposed.separates)
-    told = f"which is expected to tell most about what is true: {one}, or {other}; they differ there by"
+    first, second = (_explanation(name, result) for name in proposed.separates)
+    told = f"which is expected to tell most about what is true: {first}, or {second}; they differ there by"
     caveat = f" {sentence(proposed.caveat)}" if proposed.caveat else ""
     load = [Cell("Set"), setting.load(proposed.load)] if proposed.load else []
     sigmas = number(proposed.sigmas, ".0f", pointer(at, "sigmas"))
@@ -326,7 +332,7 @@ def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
 
 
 def _motors(result: Diagnosis, setting: Setting, proposed: NextMeasurement) -> str:
-    """Return what is to be done to the motors; free ones that give way, as declared or claimed, are not called so."""
+    """Return what to do with the motors; free ones that yield, as declared or claimed, are not called free."""
     if setting.robot is None or proposed.drives != FREE:
         return proposed.motors
     claimed = [effect.members[0] for effect in result.effects if len(effect.members) == 1]

@@ -1,4 +1,4 @@
-"""What a report says of one thing at one place, beyond the catalogue: its classes, and the error before and after."""
+"""Report of a single change at one place, beyond the catalogue: its classes, and the errors before and after."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pkmodes.report.tables import table
 
 
 def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
-    """Return what terms explain; nothing where none was tried."""
+    """Return what terms explain; empty if none was tried."""
     terms = result.beyond
     if terms is None:
         return []
@@ -47,14 +47,16 @@ def _member(
     member, rows = group.finding.member(name), []
     for value in group.finding.alternatives[name]:
         quantity = group.quantity(name, value)
-        own = at + pointer("parameters", quantity)
+        at_parameter = at + pointer("parameters", quantity)
         words = setting.words(value.name) or clean(quantity)
         rows.append(
             [
                 Cell(str(k + 1), k + 1),
                 Cell.named(clean(member.words), clean(name)),
                 Cell(words),
-                uncertain(value.value, value.sigma, own + pointer("value"), own + pointer("sigma")),
+                uncertain(
+                    value.value, value.sigma, at_parameter + pointer("value"), at_parameter + pointer("sigma")
+                ),
                 Cell(unit(value.unit)),
                 Cell(prose(f"no: {member.implausible}") if member.implausible else "yes"),
                 p_value(group.finding.p_value, of_class + pointer("p_value")),

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
     from pkmodes.plots.drawing import Drawing
 
-#: Cells with at most this number of characters are not broken into lines.
+#: Cells of up to this many characters are not wrapped.
 SHORT = 26
-#: Height over width from which on a figure is tall.
+#: Ratio of height to width above which a figure counts as tall.
 TALL = 0.85
 VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 
@@ -132,7 +132,7 @@ class Table(Placed):
     note : str
         What the table leaves out.
     heads : int
-        First columns that tell the rows apart: a terminal repeats them where the others do not fit beside each other.
+        First columns, which identify the rows: a terminal repeats them where the others do not fit side by side.
     """
 
     caption: str
@@ -165,7 +165,7 @@ class Picture(Placed):
 
     @property
     def tall(self) -> bool:
-        """Whether it is nearly as high as wide: it needs more height on paper to be read."""
+        """Whether it is nearly as tall as wide, and so needs more height on paper."""
         box = VIEW_BOX.search(self.svg)
         return box is not None and float(box[2]) > TALL * float(box[1])
 
@@ -191,9 +191,9 @@ class Picture(Placed):
 
 
 def _packed(columns: Sequence[Sequence[str]]) -> str:
-    """Return a table for a page, where a program makes a file of it: cells in lines, an empty one between columns.
+    """Return a packed table, of which the page's program makes a file: a line per cell, a blank one between columns.
 
-    Columns compress to half of what rows do.
+    Columns compress to half the size of rows.
     """
     text = "\n\n".join("\n".join(cell or " " for cell in column) for column in columns)
     return b64encode(zlib.compress(text.encode("utf-8", errors="replace"), 9)).decode("ascii") if text else ""
@@ -239,7 +239,7 @@ class Difference(Placed):
 
 @dataclass(frozen=True)
 class Lines(Placed):
-    """Lines to copy, as they stand."""
+    """Lines to copy verbatim."""
 
     name: str
     lines: Sequence[str]
@@ -247,7 +247,7 @@ class Lines(Placed):
 
 @dataclass(frozen=True)
 class Foreign(Placed):
-    """Finished HTML from another module of pkmodes, which is placed as it is: the view in three dimensions."""
+    """Finished HTML from another module of pkmodes, inserted as it is: the view in three dimensions."""
 
     html: str
 

@@ -1,4 +1,4 @@
-"""What changed between states: the words of its head, its table mode by mode, and its page."""
+"""What changed between states: the header, the table mode by mode, and the page."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ from pkmodes.support.numbers import rounded
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
 
-#: Sections that a reader sees without unfolding them.
+#: Sections that are unfolded when the page opens.
 OPEN = ("changes", "causes", "beyond", "place", "errors")
-#: Prefix of values that differ from one day to another, and from how many standard deviations on that is said.
+#: Prefix of values that differ from day to day, and the number of standard deviations from which that is reported.
 DAY, CLEARLY = "day.", 3.0
 #: Most rows in the table of changes on a page.
 MOST = 300
@@ -51,7 +51,7 @@ def headline(result: Change, setting: Setting) -> str:
     """Return what changed since the trusted state, as a title."""
     trusted = result.states[0]
     if result.by_state:
-        return clean("; ".join(f"{name}: {one.what}" for name, one in result.by_state.items()))
+        return clean("; ".join(f"{name}: {change.what}" for name, change in result.by_state.items()))
     if result.changed is None:
         return clean(f"The data do not tell whether anything changed since {trusted}")
     if result.changed is False:
@@ -74,10 +74,10 @@ def _best(result: Change, setting: Setting) -> str:
     words = sizes[0] if sizes and sizes[0].startswith("the ") else ", ".join([member.words, *sizes])
     if len(sizes) > 1 and finding.alone is not None:
         words = member.words  # it has the size of the one joint that changed
-    others = len(finding.members) - 1
+    alternatives = len(finding.members) - 1
     return (
-        f"{words}, or {plural(others, 'other')} that {'acts' if others == 1 else 'act'} alike"
-        if others
+        f"{words}, or {plural(alternatives, 'other')} that {'acts' if alternatives == 1 else 'act'} alike"
+        if alternatives
         else words
     )
 
@@ -87,14 +87,14 @@ def _claimed(result: Change) -> tuple[Finding, Sequence[Corrected]]:
     if result.effects:
         return result.effects[0], result.corrected
     assert result.beyond is not None
-    found = result.beyond.found
-    assert found is not None
-    return found.finding, found.corrected
+    term_class = result.beyond.found
+    assert term_class is not None
+    return term_class.finding, term_class.corrected
 
 
 def _size(value: Value, values: Sequence[Corrected], setting: Setting) -> str:
     """Return the change of a declared value in per cent, or the size of what was not there before."""
-    before = next((one.declared for one in values if one.name == value.name), 0.0)
+    before = next((parameter.declared for parameter in values if parameter.name == value.name), 0.0)
     if before and (words := setting.words(value.name)):
         change = rounded(100.0 * (value.value / before - 1.0), 100.0 * abs(value.sigma / before))
         return f"the {words}, by {change} %"
@@ -102,20 +102,20 @@ def _size(value: Value, values: Sequence[Corrected], setting: Setting) -> str:
 
 
 def _of_day(result: Change) -> list[str]:
-    """Return what differs clearly as from one day to another: "all belts are 1.2 % stiffer"."""
+    """Return the clear day-to-day differences: "all belts are 1.2 % stiffer"."""
     return [
-        between(f"{one.name} from {one.before:g} to {one.after:g}", *result.states[:2])
-        for one in result.refitted
-        if one.name.startswith(DAY) and abs(one.after) > CLEARLY * one.sigma
+        between(f"{parameter.name} from {parameter.before:g} to {parameter.after:g}", *result.states[:2])
+        for parameter in result.refitted
+        if parameter.name.startswith(DAY) and abs(parameter.after) > CLEARLY * parameter.sigma
     ]
 
 
 def summary(result: Change, setting: Setting) -> Summary:
-    """Return the head of what changed."""
+    """Return the header of the page."""
     facts = [
         ("states", Cell(clean(" \u2192 ".join(result.states)), len(result.states))),
-        ("modes compared", _count(sum(one is not None for one in result.counterparts))),
-        ("without a counterpart", _count(sum(one is None for one in result.counterparts))),
+        ("modes compared", _count(sum(counterpart is not None for counterpart in result.counterparts))),
+        ("without a counterpart", _count(sum(counterpart is None for counterpart in result.counterparts))),
         ("rms change [%]", numbers.percent(_rms(result))),
         ("error of the model in both [%]", numbers.percent(result.model_error, pointer("model_error"))),
     ]
@@ -159,31 +159,33 @@ def _count(number: int) -> Cell:
 def _rms(result: Change) -> float | None:
     """Return the root mean square of the relative changes of the modes that both states have."""
     changes = [change for change, _ in _changes(result) if change is not None]
-    return (sum(one**2 for one in changes) / len(changes)) ** 0.5 if changes else None
+    return (sum(change**2 for change in changes) / len(changes)) ** 0.5 if changes else None
 
 
 def _changes(result: Change) -> list[tuple[float | None, float | None]]:
     """Return the relative change of each mode, and in standard deviations of the difference."""
-    found: list[tuple[float | None, float | None]] = []
+    differences: list[tuple[float | None, float | None]] = []
     for row, before in zip(result.rows, result.counterparts, strict=True):
         if before is None:
-            found.append((None, None))
+            differences.append((None, None))
             continue
         change = row.measured / before.measured - 1.0
-        found.append((change, change * row.measured / row.sigma))
-    return found
+        differences.append((change, change * row.measured / row.sigma))
+    return differences
 
 
-def changes(result: Change, most: int | None = MOST) -> Table:
-    """Return the modes of both states side by side, those first that changed most in standard deviations.
+def changes(result: Change, max_rows: int | None = MOST) -> Table:
+    """Return the modes of both states side by side, the largest changes in standard deviations first.
 
     Parameters
     ----------
-    most : int, optional
+    max_rows : int, optional
         Number of rows; None for all.
     """
-    every = _changes(result)
-    chosen = sorted(range(len(every)), key=lambda i: (every[i][1] is None, -abs(every[i][1] or 0.0)))[:most]
+    differences = _changes(result)
+    chosen = sorted(
+        range(len(differences)), key=lambda i: (differences[i][1] is None, -abs(differences[i][1] or 0.0))
+    )[:max_rows]
     trusted, *later = result.states
     rows = [
         [
@@ -191,8 +193,8 @@ def changes(result: Change, most: int | None = MOST) -> Table:
             *_of_trusted(result, i),
             number(result.rows[i].line, ".0f", pointer("rows", i, "line")),
             hertz(result.rows[i].measured, pointer("rows", i, "frequency_hz")),
-            number(every[i][0], "+.2f", scale=100.0),
-            number(every[i][1], "+.1f"),
+            number(differences[i][0], "+.2f", scale=100.0),
+            number(differences[i][1], "+.1f"),
             number(_explained(result.rows[i]), "+.2f", scale=100.0),
         ]
         for i in chosen
@@ -204,12 +206,12 @@ def changes(result: Change, most: int | None = MOST) -> Table:
         Column("[\u03c3]"),
         Column("[%]"),
     ]
-    other = later[0] if len(later) == 1 else "later"
-    groups = [("", 1), (clean(trusted), 2), (clean(other), 2), ("change", 2), ("explained", 1)]
+    later_title = later[0] if len(later) == 1 else "later"
+    groups = [("", 1), (clean(trusted), 2), (clean(later_title), 2), ("change", 2), ("explained", 1)]
     if all(_explained(row) is None for row in result.rows):
         rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
-    left = len(every) - len(chosen)
-    note = f"{plural(left, 'mode')} changed less: --all prints every mode." if left else ""
+    omitted = len(differences) - len(chosen)
+    note = f"{plural(omitted, 'mode')} changed less: --all prints every mode." if omitted else ""
     caption = "Modes of both states: standard deviations are those of the difference."
     return table(caption, columns, rows, groups, note)
 
@@ -223,7 +225,7 @@ def _of_trusted(result: Change, i: int) -> list[Cell]:
 
 
 def _explained(row: Row) -> float | None:
-    """Return the relative change of a frequency by what was found; None without that."""
+    """Return the relative change of a frequency that the explanation accounts for; None without one."""
     return None if row.after is None or not row.before else row.after / row.before - 1.0
 
 
@@ -233,7 +235,7 @@ def change_page(result: Change, evidence: Evidence, setting: Setting) -> str:
     where = [] if result.by_state else picture(result, evidence, setting)
     sections = [
         Section("changes", "Before and after, mode by mode", [changes(result)]),
-        *([Section("causes", title, found)] if (found := explanations.causes(result, setting)) else []),
+        *([Section("causes", title, causes)] if (causes := explanations.causes(result, setting)) else []),
         *([Section("beyond", "One thing at one place", terms)] if (terms := beyond(result, setting)) else []),
         *([Section("place", "Where it is", where)] if where else []),
         Section("errors", "Error before and after", numbers.errors(result)),
@@ -245,7 +247,9 @@ def change_page(result: Change, evidence: Evidence, setting: Setting) -> str:
         glossary(diagnosed=True),
         setting.origin(evidence),
     ]
-    return page(summary(result, setting), [replace(one, folded=one.name not in OPEN) for one in sections])
+    return page(
+        summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
+    )
 
 
 def _rows(result: Change, evidence: Evidence, setting: Setting) -> Section:
@@ -257,13 +261,13 @@ def _of_states(result: Change, setting: Setting) -> Sequence[Section]:
     return [
         Section(
             f"state-{k}",
-            clean(f"{name}: {one.what}"),
+            clean(f"{name}: {change.what}"),
             [
-                Paragraph(prose(sentence(one.reason))),
-                *explanations.causes(one, setting),
-                *beyond(one, setting),
-                changes(one),
+                Paragraph(prose(sentence(change.reason))),
+                *explanations.causes(change, setting),
+                *beyond(change, setting),
+                changes(change),
             ],
         )
-        for k, (name, one) in enumerate(result.by_state.items(), start=1)
+        for k, (name, change) in enumerate(result.by_state.items(), start=1)
     ]

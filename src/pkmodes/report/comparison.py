@@ -68,7 +68,7 @@ def judged(result: Comparison) -> tuple[str, str, Colour]:
 
 
 def by_mode(result: Comparison) -> list[Table]:
-    """Return how far each mode of the model is from what was measured of it; nothing where none has a partner."""
+    """Return the deviation of each mode of the model from its measurements; empty if none has a partner."""
     rows = []
     for partner in sorted({row.partner for row in result.rows if row.partner is not None}):
         mine = [row for row in result.rows if row.partner == partner]
@@ -108,5 +108,5 @@ def by_mode(result: Comparison) -> list[Table]:
 
 def _median(ratios: Iterable[float | None]) -> Cell:
     """Return the median of the damping ratios that are known, in per cent."""
-    known = [ratio for ratio in ratios if ratio is not None]
-    return number(float(np.median(known)) if known else None, ".3g", scale=100.0)
+    available = [ratio for ratio in ratios if ratio is not None]
+    return number(float(np.median(available)) if available else None, ".3g", scale=100.0)

@@ -1,4 +1,4 @@
-"""What the damping says beside the verdict, and measured damping beside that of the model."""
+"""What the damping adds to the verdict, and measured damping beside that of the model."""
 
 from __future__ import annotations
 
@@ -32,35 +32,41 @@ from pkmodes.report.tables import table
 TOP = "damping"
 #: Most rows on the page.
 MOST = 300
-#: Columns of the ratios of the model: key in the JSON and title.
+#: Columns of the damping ratios of the model: JSON key and title.
 RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%]"}
 
 
 def damping(result: Diagnosis, setting: Setting) -> list[Block]:
-    """Return what the damping says, and the ratios of all modes; nothing where damping was not measured."""
-    found = result.damping
-    if not found.measured:
+    """Return what the damping shows, and the ratios of all modes; empty if damping was not measured."""
+    damping_result = result.damping
+    if not damping_result.measured:
         return []
     blocks: list[Block] = [
-        Paragraph(f"Verdict on the damping: {found.verdict}. {prose(sentence(found.reason))}"),
-        *explanations.causes(found, setting, TOP),
-        *refitted(found, setting),
-        *_stability(found),
+        Paragraph(
+            f"Verdict on the damping: {damping_result.verdict}. {prose(sentence(damping_result.reason))}"
+        ),
+        *explanations.causes(damping_result, setting, TOP),
+        *refitted(damping_result, setting),
+        *_stability(damping_result),
         *factors(result),
-        *([Listing([prose(sentence(note)) for note in found.notes])] if found.notes else []),
+        *(
+            [Listing([prose(sentence(note)) for note in damping_result.notes])]
+            if damping_result.notes
+            else []
+        ),
     ]
     rows = [(i, row) for i, row in enumerate(result.rows) if row.damping is not None]
     if rows:
         blocks.append(_ratios(rows))
-    if found.candidates:
-        blocks.append(_candidates(found))
+    if damping_result.candidates:
+        blocks.append(_candidates(damping_result))
     return blocks
 
 
-def refitted(found: Damping, setting: Setting) -> list[Paragraph | Facts]:
+def refitted(damping_result: Damping, setting: Setting) -> list[Paragraph | Facts]:
     """Return the uncertain losses, fitted within their priors."""
     entries = []
-    for value in found.refitted:
+    for value in damping_result.refitted:
         at = pointer(TOP, "refitted", value.name)
         after = uncertain(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
         before = figures(value.before, 6, at + pointer("before"))
@@ -76,15 +82,15 @@ def _named(path: str, setting: Setting) -> str:
     return f"{words} ({clean(path)})" if words else clean(path)
 
 
-def _stability(found: Damping) -> list[Block]:
-    """Return what the verdict on the damping becomes with other errors or priors, where it changes."""
-    own = {name for effect in found.effects for name in effect.members}
+def _stability(damping_result: Damping) -> list[Block]:
+    """Return how the verdict on the damping changes with other errors or priors."""
+    claimed = {name for effect in damping_result.effects for name in effect.members}
     parts = [
         f"{CHANGES.get(s.change, s.change)}: {' '.join([s.verdict, *s.effects])}"
-        for s in found.stability
-        if s.verdict != found.verdict or not set(s.effects) <= own
+        for s in damping_result.stability
+        if s.verdict != damping_result.verdict or not set(s.effects) <= claimed
     ]
-    if not found.stability:
+    if not damping_result.stability:
         return []
     if not parts:
         return [Paragraph("That is the same with \u03c3 halved or doubled, and with priors twice as wide.")]
@@ -93,13 +99,13 @@ def _stability(found: Damping) -> list[Block]:
 
 def factors(result: Diagnosis) -> list[Paragraph]:
     """Return how far the damping ratios of the model are from the measured ones, and with which errors."""
-    found = result.damping
-    if not found.fitted:
+    damping_result = result.damping
+    if not damping_result.fitted:
         return []
     named = {
-        "as declared": found.before,
-        "as diagnosed": found.after,
-        "at the held-out poses": found.held_out,
+        "as declared": damping_result.before,
+        "as diagnosed": damping_result.after,
+        "at the held-out poses": damping_result.held_out,
     }
     parts = [f"{factor:.3g} {name}" for name, factor in named.items() if factor is not None]
     errors = [
@@ -107,11 +113,11 @@ def factors(result: Diagnosis) -> list[Paragraph]:
         for row in result.rows
         if row.damping_used and row.damping and row.sigma_damping_used is not None
     ]
-    each = f" with a \u03c3 of {100.0 * median(errors):.0f} % (median)" if errors else ""
+    spread = f" with a \u03c3 of {100.0 * median(errors):.0f} % (median)" if errors else ""
     compared = f"; rms factor between model and measurement: {', '.join(parts)}" if parts else ""
     undamped = " The model as declared has no damping: it predicts no ratios to compare these with."
-    text = f"{plural(found.fitted, 'ratio')} fitted{each}{compared}."
-    return [Paragraph(text + (undamped if found.before is None else ""))]
+    text = f"{plural(damping_result.fitted, 'ratio')} fitted{spread}{compared}."
+    return [Paragraph(text + (undamped if damping_result.before is None else ""))]
 
 
 def _ratios(rows: list[tuple[int, Row]]) -> Table:
@@ -149,12 +155,12 @@ def _row(i: int, row: Row) -> list[Cell]:
     ]
 
 
-def _candidates(found: Damping) -> Table:
+def _candidates(damping_result: Damping) -> Table:
     """Return the losses that were tested, and how large each may still be.
 
-    There is no p-value: that of a loss alone is another than that of a loss found beside others.
+    There is no p-value: for a loss alone it differs from that of a loss found along with others.
     """
-    rows = [_candidate(found, k, one) for k, one in enumerate(found.candidates)]
+    rows = [_candidate(damping_result, k, candidate) for k, candidate in enumerate(damping_result.candidates)]
     columns = [Column("loss", False), Column("standing", False), Column("visible from")]
     columns += [Column("limit (95\u00a0%)"), Column("unit", False), Column("detectable", False)]
     caption = (
@@ -164,20 +170,23 @@ def _candidates(found: Damping) -> Table:
     return table(caption, columns, rows)
 
 
-def _candidate(found: Damping, k: int, one: Examined) -> list[Cell]:
+def _candidate(damping_result: Damping, k: int, candidate: Examined) -> list[Cell]:
     name, limit = next(
-        ((name, limit) for name, limit in found.limits.items() if limit.candidate == one.name), ("", None)
+        ((name, limit) for name, limit in damping_result.limits.items() if limit.candidate == candidate.name),
+        ("", None),
     )
-    visible = next(iter(one.visible_from), None)
+    visible = next(iter(candidate.visible_from), None)
     at = pointer(TOP, "candidates", k, "visible_from", key(visible), "value") if visible else ""
     size = None if limit is None else limit.value
     place = pointer(TOP, "limits", name, *(() if size is None else ("value",))) if limit else ""
     symbol = visible.unit if visible else limit.unit if limit else "1"
     return [
-        Cell.named(clean(one.sentence), clean(one.name)),
-        Cell(explanations.standing(found, one.name)),
-        figures(visible.value if visible and one.detectable else None, 2, at if one.detectable else ""),
+        Cell.named(clean(candidate.sentence), clean(candidate.name)),
+        Cell(explanations.standing(damping_result, candidate.name)),
+        figures(
+            visible.value if visible and candidate.detectable else None, 2, at if candidate.detectable else ""
+        ),
         figures(size, 2, place) if limit else Cell(""),
         Cell(unit(symbol)),
-        Cell("yes" if one.detectable else "no"),
+        Cell("yes" if candidate.detectable else "no"),
     ]

@@ -37,11 +37,11 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
-#: Sections that a reader sees without unfolding them.
+#: Sections that are unfolded when the page opens.
 OPEN = ("errors", "causes", "beyond", "place", "modes")
-#: Most values of the members of a class in the head; of a cause, all are there.
+#: Most values listed in the header for the members of a class; those of a single cause are all listed.
 MOST = 5
-#: As in `diff`.
+#: Written as `diff` writes it.
 NO_END = "\\ No newline at end of file"
 
 
@@ -72,11 +72,13 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         glossary(diagnosed=True),
         _origin(result, evidence, setting),
     ]
-    return page(_summary(result, setting), [replace(one, folded=one.name not in OPEN) for one in sections])
+    return page(
+        _summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
+    )
 
 
 def _stability(result: Diagnosis) -> list[Section]:
-    """Return what other errors and priors make of the verdict."""
+    """Return how other errors and priors affect the verdict."""
     tried = stability_sentence(result)
     return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
 
@@ -110,8 +112,12 @@ def _larger(result: Diagnosis) -> str:
 
 def _of_damping(result: Diagnosis) -> list[str]:
     """Return what the damping says, which changes neither the verdict nor the headline."""
-    found = result.damping
-    return [f"the verdict is that of frequencies and shapes; {found.reason}"] if found.measured else []
+    damping_result = result.damping
+    return (
+        [f"the verdict is that of frequencies and shapes; {damping_result.reason}"]
+        if damping_result.measured
+        else []
+    )
 
 
 def headline(result: Diagnosis) -> str:
@@ -154,20 +160,23 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
 
 
 def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]]:
-    """Return the values of a cause, with the standard deviations that may be relied on."""
+    """Return the values of a cause, with reliable standard deviations."""
     effect = result.effects[i]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
-        alone, at = effect.alone, pointer("effects", i, "term_change")
-        cell = uncertain(alone.change, alone.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
+        joint_change, at = effect.alone, pointer("effects", i, "term_change")
+        cell = uncertain(joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
         facts.append(
-            (f"{clean(alone.joint.words)} alone: change of its {clean(alone.joint.quantity)} [%]", cell)
+            (
+                f"{clean(joint_change.joint.words)} alone: change of its {clean(joint_change.joint.quantity)} [%]",
+                cell,
+            )
         )
     for value in relative or effect.parameters:
-        own = ("effects", i, "relative" if relative else "parameters", key(value))
-        sigma = pointer(*own, "sigma" if relative else "saved_sigma")
+        keys = ("effects", i, "relative" if relative else "parameters", key(value))
+        sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = believed(value, result.corrected)
-        cell = uncertain(value.value, saved.sigma, pointer(*own, "value"), sigma, fit=saved.fit_sigma)
+        cell = uncertain(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
@@ -175,14 +184,14 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
 
 
 def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
-    """Return the value of each member of a class; how many members there are, where that is too much."""
+    """Return the value of each member of a class; only the number of members if there are too many."""
     facts: list[tuple[str, Cell]] = []
     for name in effect.members:
         start = "either" if not facts else "or"
         also = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
-            own = ("effects", i, "alternatives", name, key(value))
-            cell = uncertain(value.value, value.sigma, pointer(*own, "value"), pointer(*own, "sigma"))
+            keys = ("effects", i, "alternatives", name, key(value))
+            cell = uncertain(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
             title = setting.words(value.name) or clean(effect.member(name).words)
             of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
             facts.append((f"{start}{also}: {title}{of}", cell))
@@ -235,7 +244,7 @@ def _difference(before: str, after: str, name: str) -> list[str]:
 
 
 def _lines(text: str) -> list[str]:
-    """Return the lines of a text without their ends; the last one says if it has none, as in `diff`."""
+    """Return the lines of a text without line ends; as in `diff`, the last one states if it had none."""
     *lines, rest = text.replace("\r\n", "\n").split("\n")
     visible = [
         "\t".join(clean(part) for part in line.split("\t")) for line in [*lines, *([rest] if rest else [])]
@@ -244,12 +253,12 @@ def _lines(text: str) -> list[str]:
 
 
 def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:
-    more: list[tuple[str, list[Cell]]] = []
+    facts: list[tuple[str, list[Cell]]] = []
     if result.scatter:
         at = pointer("pose_scatter")
         common = number(result.scatter, ".2g", at, scale=100.0)
-        more.append(("error common to the modes of a pose [%]", [common]))
+        facts.append(("error common to the modes of a pose [%]", [common]))
     if result.shape_scatter is not None:
         scatter = number(result.shape_scatter, ".2g", pointer("shape_scatter"), scale=100.0)
-        more.append(("estimated scatter of the shapes [%]", [scatter]))
-    return setting.origin(evidence, more)
+        facts.append(("estimated scatter of the shapes [%]", [scatter]))
+    return setting.origin(evidence, facts)

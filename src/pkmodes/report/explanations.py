@@ -26,9 +26,9 @@ from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed
 
-#: Most candidates in the table; more than any robot has.
+#: Most candidates in the table: more than any robot has.
 MOST = 200
-#: Members of a class in the table of probabilities.
+#: Members of a class named in the table of probabilities.
 SHOWN = 3
 
 
@@ -44,9 +44,12 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
     blocks: list[Block] = []
     for i, effect in enumerate(result.effects):
         several = len(effect.members) > 1
-        what = clean(naming.of_class(effect))
+        class_name = clean(naming.of_class(effect))
         entries: list[tuple[str, list[Cell]]] = [
-            (f"One of {naming.count(len(effect.members))}" if several else "Cause", [Cell(what, strong=True)])
+            (
+                f"One of {naming.count(len(effect.members))}" if several else "Cause",
+                [Cell(class_name, strong=True)],
+            )
         ]
         if effect.sentence or several:
             names = ", ".join(map(clean, effect.members))
@@ -54,11 +57,11 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
         at = pointer(*top, "effects", i)
         entries.append(("p-value", [p_value(effect.p_value, at + pointer("p_value"))]))
         if effect.alone is not None:
-            alone = effect.alone
+            joint_change = effect.alone
             of, place = at + pointer("term_change", "value"), at + pointer("term_change", "sigma")
-            term = f"({clean(alone.joint.term)})" if alone.joint.term else ""
-            value = uncertain(alone.change, alone.sigma, of, place, scale=100.0)
-            entries.append((f"{clean(alone.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
+            term = f"({clean(joint_change.joint.term)})" if joint_change.joint.term else ""
+            value = uncertain(joint_change.change, joint_change.sigma, of, place, scale=100.0)
+            entries.append((f"{clean(joint_change.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
         blocks += [Facts(entries), *_relative(effect, at, setting)]
         blocks.append(_members(effect, result.corrected, at, setting, sentences))
         if several:
@@ -71,7 +74,7 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
     if result.survivors:
         blocks.append(Paragraph("These explanations remain; the data do not decide between them:"))
         blocks.append(
-            Listing([" or ".join(named(each, sentences) for each in group) for group in result.survivors])
+            Listing([" or ".join(named(name, sentences) for name in group) for group in result.survivors])
         )
     return blocks
 
@@ -83,9 +86,9 @@ def _members(
     setting: Setting,
     sentences: Mapping[str, str],
 ) -> Table:
-    """Return the values of the cause, and of each other member of its class if it were the cause.
+    """Return the values of the cause, and those of each other member of its class, as if it were the cause.
 
-    The standard deviation of a single cause is the one that may be relied on, beside that of the fit.
+    For a single cause, the reliable standard deviation is shown beside that of the fit.
     """
     single = len(effect.members) == 1
     rows = []
@@ -155,7 +158,7 @@ def candidates(result: Diagnosis) -> list[Block]:
         about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
         return [Paragraph("No candidate was tested."), *_limits(result), *about]
     figure = scores.candidates(result)
-    best = min(result.candidates, key=lambda one: one.p_value)
+    best = min(result.candidates, key=lambda candidate: candidate.p_value)
     blocks: list[Block] = []
     if figure is not None:
         name = clean(best.name)
@@ -175,20 +178,20 @@ def candidates(result: Diagnosis) -> list[Block]:
 
 def _probabilities(result: Diagnosis) -> list[Block]:
     """Return how probable each explanation is, a second opinion."""
-    said = result.probabilities
-    if said is None:
+    probabilities = result.probabilities
+    if probabilities is None:
         return []
 
-    def row(what: str, value: float, *at: str | int) -> list[Cell]:
-        return [Cell(what), three_digits(value, pointer("probabilities", *at))]
+    def row(explanation: str, value: float, *at: str | int) -> list[Cell]:
+        return [Cell(explanation), three_digits(value, pointer("probabilities", *at))]
 
-    rows = [row("nothing is missing", said.nothing_missing, "nothing_missing")]
-    for i, one in enumerate(said.classes):
-        rows.append(row(_some(one.members), one.probability, "classes", i, "probability"))
-    for i, pair in enumerate(said.pairs):
+    rows = [row("nothing is missing", probabilities.nothing_missing, "nothing_missing")]
+    for i, group in enumerate(probabilities.classes):
+        rows.append(row(_first_names(group.members), group.probability, "classes", i, "probability"))
+    for i, pair in enumerate(probabilities.pairs):
         names = [" + ".join(both) for both in pair.members]
-        rows.append(row(_some(names), pair.probability, "pairs", i, "probability"))
-    rows.append(row("something that is not among the candidates", said.outside, "outside"))
+        rows.append(row(_first_names(names), pair.probability, "pairs", i, "probability"))
+    rows.append(row("something that is not among the candidates", probabilities.outside, "outside"))
     rows.sort(key=lambda cells: -(cells[1].value or 0.0))
     caption = (
         "A second opinion: how probable each explanation is, from the same fits. The verdict does not depend on it. "
@@ -197,16 +200,16 @@ def _probabilities(result: Diagnosis) -> list[Block]:
     return [table(caption, [Column("explanation", False), Column("probability")], rows)]
 
 
-def _some(names: Sequence[str]) -> str:
+def _first_names(names: Sequence[str]) -> str:
     """Return the first names of a class, and how many more it has."""
     return listed([clean(name) for name in names], SHOWN, " or ", " or ")
 
 
 def _open(result: Diagnosis) -> str:
     """Return what open marks are, if the figure has any."""
-    shown = sorted(result.candidates, key=lambda one: one.p_value)[: scores.MOST]
-    said = " Open marks are candidates that these data cannot detect, listed below the table."
-    return "" if all(one.detectable for one in shown) else said
+    shown = sorted(result.candidates, key=lambda candidate: candidate.p_value)[: scores.MOST]
+    note = " Open marks are candidates that these data cannot detect, listed below the table."
+    return "" if all(candidate.detectable for candidate in shown) else note
 
 
 def _which(result: Diagnosis) -> str:
@@ -219,20 +222,22 @@ def _table(result: Diagnosis) -> Table:
     order = sorted(range(len(result.candidates)), key=lambda k: result.candidates[k].p_value)
     rows = []
     for k in order[:MOST]:
-        one = result.candidates[k]
+        candidate = result.candidates[k]
         at = ("candidates", k)
-        sizes = _sizes(result, one)
+        sizes = _sizes(result, candidate)
         for value, name in sizes:
-            seen = value if one.detectable else None
+            visible_size = value if candidate.detectable else None
             rows.append(
                 [
-                    Cell.named(clean(one.sentence), clean(_identifier(one.name, name, len(sizes)))),
-                    Cell(standing(result, one.name)),
-                    p_value(one.p_value, pointer(*at, "p_value")),
-                    _visible(seen, pointer(*at, "visible_from")),
+                    Cell.named(
+                        clean(candidate.sentence), clean(_identifier(candidate.name, name, len(sizes)))
+                    ),
+                    Cell(standing(result, candidate.name)),
+                    p_value(candidate.p_value, pointer(*at, "p_value")),
+                    _visible(visible_size, pointer(*at, "visible_from")),
                     _limit(result, name),
-                    Cell(_unit(result, seen, name)),
-                    Cell("yes" if one.detectable else "no"),
+                    Cell(_unit(result, visible_size, name)),
+                    Cell("yes" if candidate.detectable else "no"),
                 ]
             )
     columns = [Column("candidate", False), Column("standing", False)]
@@ -243,10 +248,10 @@ def _table(result: Diagnosis) -> Table:
         Column("unit", False),
         Column("detectable", False),
     ]
-    left = len(result.candidates) - MOST
+    omitted = len(result.candidates) - MOST
     note = (
-        f"{plural(left, 'more candidate')} with larger p-values: see --json, under candidates."
-        if left > 0
+        f"{plural(omitted, 'more candidate')} with larger p-values: see --json, under candidates."
+        if omitted > 0
         else ""
     )
     caption = (
@@ -277,10 +282,10 @@ def _limits(result: Diagnosis) -> list[Block]:
     return [Paragraph(about), Facts(entries)] if entries else []
 
 
-def _sizes(result: Diagnosis, one: Examined) -> list[tuple[Value | None, str]]:
+def _sizes(result: Diagnosis, candidate: Examined) -> list[tuple[Value | None, str]]:
     """Return the parameters of a candidate: the smallest visible size, and the name among the limits."""
-    visible = {value.name.removeprefix("effects."): value for value in one.visible_from}
-    names = [name for name, limit in result.limits.items() if limit.candidate == one.name]
+    visible = {value.name.removeprefix("effects."): value for value in candidate.visible_from}
+    names = [name for name, limit in result.limits.items() if limit.candidate == candidate.name]
     return [(visible.get(name), name) for name in dict.fromkeys([*names, *visible])] or [(None, "")]
 
 
@@ -306,13 +311,13 @@ def _unit(result: Diagnosis, value: Value | None, name: str) -> str:
 
 
 def standing(result: Diagnosis | Damping, name: str) -> str:
-    """Return what became of a candidate."""
+    """Return the outcome for a candidate."""
     for effect in result.effects:
         if name in effect.members:
             several = len(effect.members) > 1
             return f"one of {naming.count(len(effect.members))}" if several else "found"
     for i, group in enumerate(result.survivors, start=1):
-        if any(name in each.split(" + ") for each in group):
+        if any(name in explanation.split(" + ") for explanation in group):
             return f"remains ({i})"
     return "not claimed"
 

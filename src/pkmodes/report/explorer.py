@@ -1,4 +1,4 @@
-"""The interactive map of a report: what the program of the page needs to know about a map."""
+"""The interactive map of a report: the data that the program of the page needs."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Colours of the scale in the page.
+#: Number of colours in the scale on the page.
 COLOURS = 128
 LIST = "pose"
 
 
 def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: bool) -> Explorer | None:
-    """Return the interactive map; None where there is nothing to choose a pose from.
+    """Return the interactive map; None unless there are several poses to choose from.
 
     Parameters
     ----------
@@ -126,13 +126,13 @@ def _colours() -> list[str]:
 
 def _note(values: MapValues, dataset: xarray.Dataset) -> str:
     """Return which poses of the map the page holds."""
-    held, every = (_count(one["valid"].size) for one in (values.dataset, dataset))
+    held, total = (_count(part["valid"].size) for part in (values.dataset, dataset))
     if not values.thinned:
-        return f"This page holds all {every} poses of the map."
+        return f"This page holds all {total} poses of the map."
     kept = ", ".join(
         f"every {_ordinal(step)} of {clean(dim)}" for dim, step in values.steps.items() if step > 1
     )
-    return f"This page holds {held} of the {every} poses of the map: {kept}."
+    return f"This page holds {held} of the {total} poses of the map: {kept}."
 
 
 def _count(number: int) -> str:

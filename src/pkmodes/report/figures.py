@@ -15,12 +15,12 @@ from pkmodes.support.numbers import plain
 
 def sections(evidence: Evidence) -> list[Section]:
     """Return the sections of the figures: mode by mode, pose by pose, and the shapes."""
-    first, *others = mode_figures(evidence)
-    others += pose_figures(evidence)
+    first, *further = mode_figures(evidence)
+    further += pose_figures(evidence)
     place = evidence.place
     return [
         Section("modes", "Measurement and model", [first]),
-        *([Section("poses", f"{place.capitalize()} by {place}", others)] if others else []),
+        *([Section("poses", f"{place.capitalize()} by {place}", further)] if further else []),
         Section("shapes", "Mode shapes", shape_figures(evidence)),
     ]
 
@@ -68,7 +68,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
 
 
 def pose_figures(evidence: Evidence) -> list[Block]:
-    """Return the residual against the components of the pose; nothing where the poses are unknown."""
+    """Return the residual against the components of the pose; empty if the poses are unknown."""
     figure = differences.against_pose(evidence) if _paired(evidence) else None
     if figure is None:
         return []
@@ -108,7 +108,7 @@ def shape_figures(evidence: Evidence) -> list[Block]:
 
 
 def _spread(evidence: Evidence) -> str:
-    """Return what the bands are; nothing without any."""
+    """Return the explanation of the bands; empty without any."""
     if evidence.spread is None or not (evidence.spread > 0.0).any():
         return ""
     later = (
@@ -148,9 +148,9 @@ def _unmatched(evidence: Evidence) -> str:
 def _rms(evidence: Evidence) -> str:
     parts = []
     for stage in evidence.stages:
-        some = evidence.difference(stage)[stage.paired & ~evidence.outlier]
-        if len(some):
-            parts.append(f"{stage.title}: rms {plain(100 * np.sqrt(np.mean(some**2)), 2)} %")
+        fitted = evidence.difference(stage)[stage.paired & ~evidence.outlier]
+        if len(fitted):
+            parts.append(f"{stage.title}: rms {plain(100 * np.sqrt(np.mean(fitted**2)), 2)} %")
     return "; ".join(parts)
 
 

@@ -9,7 +9,7 @@ from pkmodes.report.formatting import clean
 from pkmodes.shaping.firmware import ASK
 from pkmodes.support.numbers import plain
 
-#: Of what is left: the first key that a document has.
+#: Keys of the remaining vibration, in order of preference.
 WORST = ("worst_uncertain", "worst")
 
 
@@ -21,14 +21,14 @@ def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     content : dict
         The JSON of the command.
     """
-    left = content["shapers"][content["recommended"]]["left"]
-    said = next(left[key] for key in WORST if key in left)
+    remaining = content["shapers"][content["recommended"]]["left"]
+    reported = next(remaining[key] for key in WORST if key in remaining)
     intro = "For the recommended shaper. Check which axes your firmware shapes: usually x and y, not z."
-    return _blocks(intro, content["firmware_versions"], said, "", "{} has no such shaper.")
+    return _blocks(intro, content["firmware_versions"], reported, "", "{} has no such shaper.")
 
 
 def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
-    """Return the lines of the schedule, likewise; nothing without a schedule.
+    """Return the lines of the schedule in the same way; empty without a schedule.
 
     Parameters
     ----------
@@ -46,35 +46,43 @@ def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
         f"For the schedule: G-code, each line to be inserted {where}. Klipper takes it if printer.cfg has a section "
         "[input_shaper]."
     )
-    said, lacks = schedule["left"]["worst"], "{} lacks a shaper of the schedule."
-    return _blocks(intro, schedule["firmware_versions"], said, ", schedule", lacks)
+    reported, lacks = schedule["left"]["worst"], "{} lacks a shaper of the schedule."
+    return _blocks(intro, schedule["firmware_versions"], reported, ", schedule", lacks)
 
 
 def _blocks(
-    intro: str, versions: list[dict[str, Any]], said: float, what: str, lacks: str
+    intro: str, versions: list[dict[str, Any]], reported: float, suffix: str, lacks: str
 ) -> list[Paragraph | Lines]:
-    """Return the lines, with what a version leaves of the vibration where this is not what is said elsewhere."""
-    leaves = {one["version"]: _per_cent(one["worst"]) for one in versions if one["worst"] is not None}
-    others = {name for name, share in leaves.items() if share != _per_cent(said)}
-    if others:
+    """Return the lines, with the vibration that a version leaves if it differs from what is reported elsewhere."""
+    leaves = {
+        version["version"]: _per_cent(version["worst"])
+        for version in versions
+        if version["worst"] is not None
+    }
+    differing = {name for name, share in leaves.items() if share != _per_cent(reported)}
+    if differing:
         intro += (
             " Some versions turn these lines into other impulses than those compared above: what these leave at "
-            f"most, instead of {_per_cent(said)}, is beside their names."
+            f"most, instead of {_per_cent(reported)}, is beside their names."
         )
     blocks: list[Paragraph | Lines] = [Paragraph(intro)]
-    for i, one in enumerate(versions):
-        name, firmware = one["version"], one["firmware"]
-        if one["lines"]:
-            share = f", leaves {leaves[name]}" if name in others else ""
-            blocks.append(Lines(f"{name}{what}{share}", [clean(line) for line in one["lines"].splitlines()]))
+    for i, version in enumerate(versions):
+        name, firmware = version["version"], version["firmware"]
+        if version["lines"]:
+            share = f", leaves {leaves[name]}" if name in differing else ""
+            blocks.append(
+                Lines(f"{name}{suffix}{share}", [clean(line) for line in version["lines"].splitlines()])
+            )
         else:
             blocks.append(Paragraph(lacks.format(name)))
-        known = [other["firmware"] for other in versions[: i + 1]]
-        if known.count(firmware) > 1 and firmware not in [other["firmware"] for other in versions[i + 1 :]]:
+        so_far, later = (
+            [entry["firmware"] for entry in part] for part in (versions[: i + 1], versions[i + 1 :])
+        )
+        if so_far.count(firmware) > 1 and firmware not in later:
             blocks.append(Paragraph(ASK[firmware]))
     return blocks
 
 
 def _per_cent(share: float) -> str:
-    """Return a share as it is said."""
+    """Return a share in per cent, as sentences give it."""
     return f"{plain(100.0 * share, 2)} %"

@@ -11,42 +11,42 @@ from pkmodes.report.blocks import Cell, Spread
 from pkmodes.support import numbers
 from pkmodes.support.numbers import p_text, plain, rounded, unsigned
 
-#: Labels and names of files longer than this are shortened; the JSON has them whole.
+#: Longer labels and file names are shortened; the JSON has them in full.
 LONGEST = 100
-#: Shown where there is no number.
+#: Shown in place of a missing number.
 NOTHING = "\u2013"
 #: A number with a power of ten within a sentence.
 POWER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?e[+-]?\d+(?!\w|\.\d)")
 
 
 def clean(text: object) -> str:
-    """Return text on one line, without characters that are not visible, such as those that turn the direction.
+    """Return text on one line, without invisible characters, such as those that reverse the direction.
 
-    It is whole, however long: what a user reads as a sentence, or may type, is never cut.
+    However long, it is never shortened: users read it as a sentence, or may type it.
     """
     return visible(text)
 
 
 def shortened(label: object, longest: int = LONGEST) -> str:
-    """Return a label or name that a file gives, on one line as by `clean`, and cut where it is longer than that."""
+    """Return a label or name from a file on one line, as `clean` does, shortened to at most `longest` characters."""
     return visible(label, longest)
 
 
 def prose(text: object) -> str:
     """Return sentences on one line, with their powers of ten set as in print."""
-    return POWER.sub(lambda found: typeset(found[0]), clean(text))
+    return POWER.sub(lambda match: typeset(match[0]), clean(text))
 
 
 def sentence(text: str) -> str:
-    """Begin with a capital, unless with a name that has dots or underscores, and end with a full stop."""
+    """Capitalise the first letter, unless of a name with dots or underscores, and end with a full stop."""
     first = text.partition(" ")[0].rstrip(".,;:")
     begun = text if "." in first or "_" in first else f"{text[:1].upper()}{text[1:]}"
     return begun + ("" if text.endswith((".", "?", "!")) else ".")
 
 
 def figures(value: float | None, digits: int = 6, at: str = "") -> Cell:
-    """Return a number with at most some significant digits as a cell; without one, `NOTHING`."""
-    return _cell(value, lambda known: plain(known, digits), at)
+    """Return a number as a cell with at most `digits` significant digits; `NOTHING` if there is none."""
+    return _cell(value, lambda finite: plain(finite, digits), at)
 
 
 def number(
@@ -67,7 +67,7 @@ def number(
     strong : bool
         Whether it is emphasised.
     """
-    return _cell(value, lambda known: format(scale * known, form), at, strong)
+    return _cell(value, lambda finite: format(scale * finite, form), at, strong)
 
 
 def three_digits(value: float | None, at: str = "", *, scale: float = 1.0, strong: bool = False) -> Cell:
@@ -102,7 +102,7 @@ def uncertain(
     scale: float = 1.0,
     fit: float | None = None,
 ) -> Cell:
-    """Return a value with its standard deviation, both rounded by it.
+    """Return a value with its standard deviation, both rounded according to the latter.
 
     Parameters
     ----------
@@ -113,11 +113,11 @@ def uncertain(
     fit : float, optional
         A smaller standard deviation by the fit alone: the value keeps its digits.
     """
-    found = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
-    power = f"{TIMES}10{str(found.exponent).translate(RAISED)}" if found.exponent else ""
-    digits, of_sigma = typeset(found.value), typeset(found.sigma)
+    rounding = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
+    power = f"{TIMES}10{str(rounding.exponent).translate(RAISED)}" if rounding.exponent else ""
+    digits, of_sigma = typeset(rounding.value), typeset(rounding.sigma)
     spread = Spread(float(sigma), at_sigma, digits, of_sigma, power)
-    return Cell(typeset(str(found)), float(value), at, spread=spread, plain=str(found))
+    return Cell(typeset(str(rounding)), float(value), at, spread=spread, plain=str(rounding))
 
 
 def label(text: str) -> Cell:
@@ -131,7 +131,7 @@ def minus(text: str) -> Cell:
 
 
 def named(explanation: str, sentences: Mapping[str, str]) -> str:
-    """Return an explanation of one cause or two in words, with their names."""
+    """Return an explanation of one or two causes in words, with their names."""
     names = explanation.split(" + ")
     return " + ".join(
         f"{clean(sentences[name])} ({clean(name)})" if sentences.get(name) else clean(name) for name in names

@@ -22,22 +22,22 @@ from pkmodes.report.tables import table
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Places that a note of the head names at most.
+#: Most places named in a header note.
 PLACES = 8
-#: MAC of two modes above which the sensors hardly tell them apart.
+#: MAC between two modes above which the sensors hardly tell them apart.
 ALIKE = 0.8
-#: Relative standard deviation of a damping ratio from which the page mentions it.
+#: Relative standard deviation of a damping ratio above which the page mentions it.
 UNCERTAIN = 0.5
 
 
 def identification_report(
-    found: Identification, campaign: Campaign, content: Mapping[str, Any], sources: Sequence[Source]
+    identified: Identification, campaign: Campaign, content: Mapping[str, Any], sources: Sequence[Source]
 ) -> str:
     """Return the report of an identification.
 
     Parameters
     ----------
-    found : Identification
+    identified : Identification
         With what is drawn of the fits.
     content : mapping
         The JSON of the command.
@@ -55,26 +55,27 @@ def identification_report(
         If the libraries of the extra ``report`` are not installed.
     """
     need_report()
-    sections = [Section("records", "Records", _overview(found, content))]
+    sections = [Section("records", "Records", _overview(identified, content))]
     sections += [
-        record_section(i, result, campaign, content["records"][i]) for i, result in enumerate(found.records)
+        record_section(i, result, campaign, content["records"][i])
+        for i, result in enumerate(identified.records)
     ]
-    repeatability = number(found.repeatability, ".2g", pointer("repeatability"), scale=100.0)
+    repeatability = number(identified.repeatability, ".2g", pointer("repeatability"), scale=100.0)
     sections.append(origin(sources, None, [("repeatability [%]", [repeatability])]))
-    return page(_summary(found, campaign), sections)
+    return page(_summary(identified, campaign), sections)
 
 
-def _summary(found: Identification, campaign: Campaign) -> Summary:
-    modes = [mode for result in found.records for mode in result.modes]
+def _summary(identified: Identification, campaign: Campaign) -> Summary:
+    modes = [mode for result in identified.records for mode in result.modes]
     count, poses = (
         plural(len(modes), "mode"),
-        plural(sum(not one.is_left_out for one in found.records), "pose"),
+        plural(sum(not result.is_left_out for result in identified.records), "pose"),
     )
-    attention = _attention(found)
-    said = [f"{what} {listed(places, PLACES)}." for what, places in attention]
-    notes = [clean(note) for note in (*said, *found.messages)]
-    # A sentence that lists several modes or poses is as many points.
-    points = sum(len(places) for _, places in attention) + len(found.messages)
+    attention = _attention(identified)
+    sentences = [f"{beginning} {listed(places, PLACES)}." for beginning, places in attention]
+    notes = [clean(note) for note in (*sentences, *identified.messages)]
+    # A sentence that lists several modes or poses counts as that many points.
+    points = sum(len(places) for _, places in attention) + len(identified.messages)
     relative = np.array([mode.sigma / mode.frequency for mode in modes])
     damped = np.array([mode.sigma_damping / mode.damping for mode in modes if mode.damping > 0.0])
     damped = damped[np.isfinite(damped)]
@@ -86,18 +87,18 @@ def _summary(found: Identification, campaign: Campaign) -> Summary:
             Cell(_per_cent(float(np.median(relative))), float(np.median(relative))),
         ),
         ("largest \u03c3 of a frequency", Cell(_per_cent(float(relative.max())), float(relative.max()))),
-        ("of it repeatability", Cell(_per_cent(found.repeatability), found.repeatability, at)),
+        ("of it repeatability", Cell(_per_cent(identified.repeatability), identified.repeatability, at)),
     ]
     if damped.size:
         middle = float(np.median(damped))
         facts.append(("median \u03c3 of a damping ratio, of its value", Cell(_per_cent(middle), middle)))
     subject = "Structure" if campaign.model is None else campaign.model.robot.name
-    messages = sum(len(result.messages) for result in found.records)
+    messages = sum(len(result.messages) for result in identified.records)
     return Summary(
         subject=shortened(subject),
         kind="Identification",
         headline=f"{count} at {poses}" + (f", {plural(points, 'point')} to check" if points else ""),
-        reason=_reason(found, modes, messages),
+        reason=_reason(identified, modes, messages),
         tone="open" if notes else "good",
         notes=notes,
         facts=facts,
@@ -109,9 +110,9 @@ def _per_cent(share: float) -> str:
     return f"{plain(100.0 * share, 2)} %"
 
 
-def _reason(found: Identification, modes: Sequence[IdentifiedMode], said: int) -> str:
-    """Return where the modes come from, and what limits them."""
-    files = sum(len(one.files) for result in found.records for one in result.repeats)
+def _reason(identified: Identification, modes: Sequence[IdentifiedMode], message_count: int) -> str:
+    """Return where the modes come from, and what limits their accuracy."""
+    files = sum(len(repeat.files) for result in identified.records for repeat in result.repeats)
     largest = [
         max(("scatter", "fit", "repeatability"), key=lambda part: getattr(mode.parts, part)) for mode in modes
     ]
@@ -120,69 +121,76 @@ def _reason(found: Identification, modes: Sequence[IdentifiedMode], said: int) -
         "scatter": "the scatter of the repeats",
         "fit": "what the fit leaves open",
     }
-    most = max(names, key=largest.count)
-    share = "all of them" if largest.count(most) == len(modes) else f"{largest.count(most)} of them"
-    messages = f" {plural(said, 'message')} {'is' if said == 1 else 'are'} with the records." if said else ""
+    dominant = max(names, key=largest.count)
+    share = "all of them" if largest.count(dominant) == len(modes) else f"{largest.count(dominant)} of them"
+    messages = (
+        f" {plural(message_count, 'message')} {'is' if message_count == 1 else 'are'} with the records."
+        if message_count
+        else ""
+    )
     return (
         f"From {plural(files, 'file')}. The largest part of the standard deviation of the frequency is, for {share}, "
-        f"{names[most]}.{messages}"
+        f"{names[dominant]}.{messages}"
     )
 
 
-def _attention(found: Identification) -> list[tuple[str, list[str]]]:
-    """Return what a reader should look at: the beginning of each sentence, and the modes or poses that it lists."""
-    left = [result.record.pose for result in found.records for _ in result.left_out]
-    said = [
-        (f"{plural(len(left), 'faulty file')} left out:", left),
-        ("No file could be used of", [one.record.pose for one in found.records if one.is_left_out]),
+def _attention(identified: Identification) -> list[tuple[str, list[str]]]:
+    """Return the points to check: the beginning of each sentence, and the modes or poses that it lists."""
+    omitted = [result.record.pose for result in identified.records for _ in result.left_out]
+    points = [
+        (f"{plural(len(omitted), 'faulty file')} left out:", omitted),
+        (
+            "No file could be used of",
+            [result.record.pose for result in identified.records if result.is_left_out],
+        ),
         (
             "No mode was found at",
-            [one.record.pose for one in found.records if not (one.modes or one.is_left_out)],
+            [result.record.pose for result in identified.records if not (result.modes or result.is_left_out)],
         ),
-        ("Added by the campaign:", _modes_with(found, lambda mode, _: mode.edited is not None)),
+        ("Added by the campaign:", _modes_with(identified, lambda mode, _: mode.edited is not None)),
         (
             "Struck out by the campaign:",
-            [f"{one.record.pose} ({f:.4g} Hz)" for one in found.records for f in one.struck],
+            [f"{result.record.pose} ({f:.4g} Hz)" for result in identified.records for f in result.struck],
         ),
         (
             f"Complex shapes (modal phase collinearity below {COMPLEX:g}):",
-            _modes_with(found, lambda mode, _: mode.complexity < COMPLEX),
+            _modes_with(identified, lambda mode, _: mode.complexity < COMPLEX),
         ),
         (
             "Found in some of the files only:",
-            _modes_with(found, lambda mode, result: mode.files < _files(result)),
+            _modes_with(identified, lambda mode, result: mode.files < _files(result)),
         ),
         (
             f"Damping known to no better than {100.0 * UNCERTAIN:g} %:",
-            _modes_with(found, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping),
+            _modes_with(identified, lambda mode, _: mode.sigma_damping > UNCERTAIN * mode.damping),
         ),
         (
             f"Modes that the sensors hardly tell apart (MAC above {ALIKE:g}):",
-            [pair for result in found.records for pair in _alike(result)],
+            [pair for result in identified.records for pair in _alike(result)],
         ),
         (
             "A single file, so that the scatter of repeats is unknown:",
             [
                 result.record.pose
-                for result in found.records
-                if result.repeats and all(len(one.files) == 1 for one in result.repeats)
+                for result in identified.records
+                if result.repeats and all(len(repeat.files) == 1 for repeat in result.repeats)
             ],
         ),
     ]
-    return [(what, places) for what, places in said if places]
+    return [(beginning, places) for beginning, places in points if places]
 
 
-def _modes_with(found: Identification, wanted: Any) -> list[str]:
+def _modes_with(identified: Identification, predicate: Any) -> list[str]:
     return [
         f"{result.record.pose} ({mode.frequency:.4g} Hz)"
-        for result in found.records
+        for result in identified.records
         for mode in result.modes
-        if wanted(mode, result)
+        if predicate(mode, result)
     ]
 
 
 def _files(result: RecordResult) -> int:
-    return sum(len(one.files) for one in result.repeats)
+    return sum(len(repeat.files) for repeat in result.repeats)
 
 
 def _alike(result: RecordResult) -> list[str]:
@@ -193,10 +201,10 @@ def _alike(result: RecordResult) -> list[str]:
     ]
 
 
-def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:
+def _overview(identified: Identification, content: Mapping[str, Any]) -> list[Block]:
     """Return all records in a table, and their frequencies in a figure if there are several."""
     rows = []
-    for i, result in enumerate(found.records):
+    for i, result in enumerate(identified.records):
         last = len(result.modes) - 1
         rows.append(
             [
@@ -216,14 +224,14 @@ def _overview(found: Identification, content: Mapping[str, Any]) -> list[Block]:
         *(Column("files"), Column("left out"), Column("messages")),
     ]
     blocks: list[Block] = []
-    if len(found.records) > 1:
-        labels = [result.record.pose for result in found.records]
+    if len(identified.records) > 1:
+        labels = [result.record.pose for result in identified.records]
         modes = [
             (i, mode.frequency, mode.edited is not None)
-            for i, result in enumerate(found.records)
+            for i, result in enumerate(identified.records)
             for mode in result.modes
         ]
-        struck = [(i, f) for i, result in enumerate(found.records) for f in result.struck]
+        struck = [(i, f) for i, result in enumerate(identified.records) for f in result.struck]
         blocks.append(
             Picture.of(
                 identified_modes.by_pose(labels, modes, struck),

@@ -19,15 +19,15 @@ from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import listed
 
-#: Complex shapes drawn of a record at most: the least collinear.
+#: Most complex shapes drawn for one record: the least collinear ones.
 MOST_SHAPES = 18
-#: Modes of a record at most for a matrix whose cells can be seen.
+#: Most modes of a record for a matrix with legible cells.
 MOST_MAC = 60
-#: Messages of a record that are listed at most.
+#: Most messages listed for one record.
 MOST_MESSAGES = 40
-#: Kinds of record whose name is an abbreviation.
+#: Kinds of record whose names are abbreviations.
 SHOWN = {"frf": "FRF"}
-#: What the functions of each kind of record are.
+#: The functions measured in each kind of record.
 FUNCTIONS = {
     "frf": "frequency response function, as acceleration per force in SI units",
     "impact": "frequency response function of the blows, as acceleration per force in SI units",
@@ -53,15 +53,17 @@ def record_section(
     nothing = Paragraph("No file of it could be used." if result.is_left_out else "No mode was found.")
     blocks.append(modes_table(index, content["modes"]) if result.modes else nothing)
     if result.messages:
-        said = [clean(message) for message in result.messages[:MOST_MESSAGES]]
-        more = len(result.messages) - len(said)
-        blocks += [Paragraph("What was noticed:"), Listing(said)]
-        blocks += [Paragraph(f"{plural(more, 'further message')} in the output of --json.")] if more else []
+        messages = [clean(message) for message in result.messages[:MOST_MESSAGES]]
+        omitted = len(result.messages) - len(messages)
+        blocks += [Paragraph("What was noticed:"), Listing(messages)]
+        blocks += (
+            [Paragraph(f"{plural(omitted, 'further message')} in the output of --json.")] if omitted else []
+        )
     if result.left_out:
-        faulty = [clean(f"{_name(one.file)}: {one.reason}") for one in result.left_out]
+        faulty = [clean(f"{_name(omission.file)}: {omission.reason}") for omission in result.left_out]
         blocks += [Paragraph("Files that were left out:"), Listing(faulty)]
-    for one in result.inspections:
-        blocks += _fit(one, result, campaign)
+    for inspection in result.inspections:
+        blocks += _fit(inspection, result, campaign)
     blocks += _shapes(result)
     blocks += _repeats(result)
     return Section(
@@ -118,8 +120,8 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
             cells.append(_damping(mode, at))
         cells += [number(mode["complexity"], ".3f", pointer(*at, "complexity"))] if shaped else []
         if ordered:
-            found = mode["found_in"]
-            cells.append(number(None) if found is None else Cell(f"{found[0]} of {found[1]}"))
+            orders = mode["found_in"]
+            cells.append(number(None) if orders is None else Cell(f"{orders[0]} of {orders[1]}"))
         cells.append(number(mode["files"], ".0f", pointer(*at, "files")))
         cells += [Cell(mode["edited"] or "")] if edited else []
         rows.append(cells)
@@ -129,11 +131,11 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
 
 def meanings(modes: Sequence[Mapping[str, Any]]) -> list[str]:
     """Return what columns of the table mean."""
-    said = {
+    texts = {
         "complexity": "MPC is the modal phase collinearity, 1 for a real shape",
         "found_in": "orders: in how many model orders the pole was found",
     }
-    return [text for key, text in said.items() if any(mode[key] is not None for mode in modes)]
+    return [text for key, text in texts.items() if any(mode[key] is not None for mode in modes)]
 
 
 def _two_digits(sigma: float | None, at: str) -> Cell:
@@ -149,14 +151,14 @@ def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
     return uncertain(ratio, sigma, place, pointer(*at, "sigma_damping"), scale=100.0)
 
 
-def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
+def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
     """Return the figures of the fit of a file."""
     record = result.record
-    which, whole = f"file {shortened(one.file)}", "the record"
-    if one.setup:
-        which, whole = f"setup {shortened(one.setup)}, {which}", "the setup"
+    which, whole = f"file {shortened(inspection.file)}", "the record"
+    if inspection.setup:
+        which, whole = f"setup {shortened(inspection.setup)}, {which}", "the setup"
     elif "" not in record.setups:  # of all setups together
-        which, whole = shortened(one.file), "each setup"
+        which, whole = shortened(inspection.file), "each setup"
     begin = which[:1].upper() + which[1:]
     low, high = record.band
     multiples = [
@@ -165,15 +167,19 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
     marked = fits.Lines(
         [(mode.frequency, k, bool(mode.edited)) for k, mode in enumerate(result.modes, start=1)],
         result.struck,
-        sorted({*one.tones, *multiples}),
+        sorted({*inspection.tones, *multiples}),
     )
     blocks: list[Block] = []
     rest = ""
-    if one.others:
-        files, are = ("other file", "is") if one.others == 1 else (plural(one.others, "other file"), "are")
+    if inspection.others:
+        files, are = (
+            ("other file", "is")
+            if inspection.others == 1
+            else (plural(inspection.others, "other file"), "are")
+        )
         rest = f" The {files} of {whole} {are} not drawn."
-    if len(one.stabilisation.orders):
-        count = sum(map(len, one.stabilisation.poles))
+    if len(inspection.stabilisation.orders):
+        count = sum(map(len, inspection.stabilisation.poles))
         lines = ["lines with a number are the modes of the record, as in the table"]
         lines += ["dash-dotted ones those added"] if any(mode.edited for mode in result.modes) else []
         lines += ["dashed ones those struck out"] if result.struck else []
@@ -185,44 +191,47 @@ def _fit(one: Inspection, result: RecordResult, campaign: Campaign) -> list[Bloc
         )
         blocks.append(
             Picture.of(
-                fits.stabilisation(one, marked, record.band),
+                fits.stabilisation(inspection, marked, record.band),
                 f"Stabilisation diagram of {which}",
-                f"{plural(count, 'pole')} over {plural(len(one.stabilisation.orders), 'model order')}, and "
+                f"{plural(count, 'pole')} over {plural(len(inspection.stabilisation.orders), 'model order')}, and "
                 f"{plural(len(result.modes), 'mode')}.",
                 caption,
             )
         )
-    if one.curves:
+    if inspection.curves:
         phase = record.kind in ("frf", "impact")
         blocks.append(
             Picture.of(
-                fits.functions(one, marked, record.band, phase),
+                fits.functions(inspection, marked, record.band, phase),
                 f"Measured and synthesised functions of {which}",
-                f"{', '.join(shortened(curve.name, 40) for curve in one.curves)}: measured, and synthesised from the "
-                "modes.",
-                f"{begin}: {_which(one)}, measured and synthesised from the modes of this file. Each is a "
-                f"{FUNCTIONS[record.kind]}{_panels(phase, one)}. Faint lines are the modes of the record.",
+                f"{', '.join(shortened(curve.name, 40) for curve in inspection.curves)}: measured, and synthesised "
+                "from the modes.",
+                f"{begin}: {_which(inspection)}, measured and synthesised from the modes of this file. Each is a "
+                f"{FUNCTIONS[record.kind]}{_panels(phase, inspection)}. Faint lines are the modes of the record.",
             )
         )
     return blocks
 
 
-def _which(one: Inspection) -> str:
-    if len(one.curves) == one.functions:
-        return f"its {plural(one.functions, 'function')}" if one.functions > 1 else "its function"
+def _which(inspection: Inspection) -> str:
+    if len(inspection.curves) == inspection.functions:
+        return (
+            f"its {plural(inspection.functions, 'function')}" if inspection.functions > 1 else "its function"
+        )
     return (
-        f"{len(one.curves)} of {one.functions} functions, chosen so that each mode stands out in one of them"
+        f"{len(inspection.curves)} of {inspection.functions} functions, chosen so that each mode stands out in one "
+        "of them"
     )
 
 
-def _panels(phase: bool, one: Inspection) -> str:
+def _panels(phase: bool, inspection: Inspection) -> str:
     parts = ["magnitude", *(["phase"] if phase else [])]
-    parts += ["coherence"] if any(curve.coherence is not None for curve in one.curves) else []
+    parts += ["coherence"] if any(curve.coherence is not None for curve in inspection.curves) else []
     return f": {', '.join(parts)}" if len(parts) > 1 else ""
 
 
 def _shapes(result: RecordResult) -> list[Block]:
-    """Return how alike and how complex the shapes are."""
+    """Return the figures of how similar and how complex the shapes are."""
     shaped = [(k, mode) for k, mode in enumerate(result.modes, start=1) if len(mode.complex_shape) > 1]
     if not shaped:
         return []
@@ -239,12 +248,14 @@ def _shapes(result: RecordResult) -> list[Block]:
                 "the diagonal means that the sensors hardly tell two modes apart.",
             )
         )
-    drawn = sorted(sorted(shaped, key=lambda one: one[1].complexity)[:MOST_SHAPES], key=lambda one: one[0])
+    drawn = sorted(
+        sorted(shaped, key=lambda entry: entry[1].complexity)[:MOST_SHAPES], key=lambda entry: entry[0]
+    )
     titles = [(f"{k}: {mode.complexity:.2f}", mode.complex_shape) for k, mode in drawn]
     which = (
         "" if len(drawn) == len(shaped) else f" The {len(drawn)} least collinear of {len(shaped)} are drawn."
     )
-    lowest = min(shaped, key=lambda one: one[1].complexity)
+    lowest = min(shaped, key=lambda entry: entry[1].complexity)
     blocks.append(
         Picture.of(
             identified_modes.complex_shapes(titles),
@@ -260,24 +271,24 @@ def _shapes(result: RecordResult) -> list[Block]:
 
 
 def auto_macs(modes: Sequence[IdentifiedMode]) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Return the MAC of each mode with each, (M, M), NaN where they have fewer than two components in common."""
-    found = np.full((len(modes), len(modes)), np.nan)
-    for i, one in enumerate(modes):
-        for k, other in enumerate(modes):
-            if len(one.complex_shape.keys() & other.complex_shape.keys()) > 1:
-                found[i, k] = mac(one.complex_shape, other.complex_shape)
-    return found
+    """Return the MAC between all modes, (M, M), NaN where two have fewer than two components in common."""
+    macs = np.full((len(modes), len(modes)), np.nan)
+    for i, first in enumerate(modes):
+        for k, second in enumerate(modes):
+            if len(first.complex_shape.keys() & second.complex_shape.keys()) > 1:
+                macs[i, k] = mac(first.complex_shape, second.complex_shape)
+    return macs
 
 
 def _repeats(result: RecordResult) -> list[Block]:
-    several = [one for one in result.repeats if len(one.files) > 1 and one.modes]
+    several = [repeat for repeat in result.repeats if len(repeat.files) > 1 and repeat.modes]
     if not several:
         return []
-    files = sum(len(one.files) for one in several)
+    files = sum(len(repeat.files) for repeat in several)
     widest = max(
         abs(f / np.mean(list(mode.values())) - 1.0)
-        for one in several
-        for mode in one.modes
+        for repeat in several
+        for mode in repeat.modes
         for f in mode.values()
     )
     colours = " Each setup has a colour, and its own means." if len(several) > 1 else ""

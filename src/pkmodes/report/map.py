@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: What the bands are where the robot file states standard deviations.
+#: Explanation of the bands where the robot file states standard deviations.
 BAND = (
     "the band is one standard deviation on either side, to first order from those that the robot file states"
 )
@@ -104,7 +104,7 @@ def _explored(model: Model, dataset: xarray.Dataset, view: str | None) -> list[S
 
 
 def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
-    """Yield the picture of a map over a volume, and over nothing else."""
+    """Yield the picture of a map over a volume, if it has no other axes."""
     components = list(model.mechanism.directions)
     dims = dataset["frequency"].dims[:-1]
     if len(components) != 3 or {dim for dim in dims if dataset.sizes[dim] > 1} != {*components}:
@@ -123,7 +123,7 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
     Parameters
     ----------
     drawn_of : Dataset
-        The same without the poses that say nothing about the others.
+        The same without the poses that are not representative.
     """
     components = [component.name for component in model.mechanism.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]
@@ -169,15 +169,15 @@ def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) ->
 
 
 def _banded(dataset: xarray.Dataset, dim: str, spread: Any) -> str:
-    """Return what line and band of `pkmodes.plots.sweeps.against` are, to end a caption; nothing without a band."""
+    """Return what line and band of `pkmodes.plots.sweeps.against` are, to end a caption; empty without a band."""
     if spread is not None:
         return f": {BAND}"
-    others = [str(other) for other in dataset["frequency"].dims if other not in (dim, "mode")]
-    count = math.prod(dataset.sizes[other] for other in others)
+    pooled = [str(axis) for axis in dataset["frequency"].dims if axis not in (dim, "mode")]
+    count = math.prod(dataset.sizes[axis] for axis in pooled)
     if count == 1:
         return ""
-    several = [other for other in others if dataset.sizes[other] > 1]
-    robots = any("." in other or other == "sample" for other in several)
+    several = [axis for axis in pooled if dataset.sizes[axis] > 1]
+    robots = any("." in axis or axis == "sample" for axis in several)
     over = "everything else" if robots else "all poses"
     if count < sweeps.FEW:
         return f": the line is the median, the band the range over {over}"

@@ -21,9 +21,9 @@ if TYPE_CHECKING:
 
     from pkmodes.core.model import Model
 
-#: Values along each side of the plane that is drawn at most.
+#: Most values along each side of the plane that is drawn.
 FINEST = 150
-#: Titles, and how a plane was chosen.
+#: Titles; below, how a plane was chosen.
 WORKING, OF_MAP = "Over the working plane", "Over the plane of the map"
 CHOSEN = (
     "with the lowest mean condition number, among those of at least half the largest area, on a coarse grid"
@@ -36,7 +36,7 @@ def swept_paths(dataset: xarray.Dataset) -> list[str]:
 
 
 def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, str]:
-    """Choose the plane in which the report of a map draws the robot, and say which it is.
+    """Choose the plane in which the report of a map draws the robot, and describe it.
 
     Returns
     -------
@@ -64,19 +64,19 @@ def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, s
         return _thinned(axes, dataset), f"the plane of {' and '.join(shown)} of the map", OF_MAP
     if len(several) > 2 and not listed:
         normal = model.mechanism.directions[2]
-        found = None if varied else working_plane(model)
+        plane = None if varied else working_plane(model)
         values = dataset[normal].values
-        if found is None or not values[0] <= found.axes[normal][0] <= values[-1]:
+        if plane is None or not values[0] <= plane.axes[normal][0] <= values[-1]:
             at = best_conditioned(dataset, normal)
             axes = {name: np.array([at]) if name == normal else dataset[name].values for name in names}
             axes |= {name: nearest_to_zero(dataset[name].values) for name in names if name not in linear}
             return _thinned(axes, dataset), f"the plane of the map {CHOSEN}", OF_MAP
-        return found, f"the plane {CHOSEN} of the workspace", WORKING
+        return plane, f"the plane {CHOSEN} of the workspace", WORKING
     if not listed and (varied or not several):
-        what = f"along {clean(several[0])}" if several else "at one pose"
+        extent = f"along {clean(several[0])}" if several else "at one pose"
         return (
             None,
-            f"The map is {what}: it has no plane to draw. pkmodes figures draws the robot in a plane.",
+            f"The map is {extent}: it has no plane to draw. pkmodes figures draws the robot in a plane.",
             OF_MAP,
         )
     return working_plane(model), f"the plane {CHOSEN} of the workspace", WORKING
@@ -110,11 +110,11 @@ def swept_pictures(
     if "sample" in drawn.dims:
         drawn = drawn.isel(sample=0)
     for end in (0, -1):
-        one = drawn.isel({path: [end] for path in paths})
-        shown = Plane.of(one, components)
+        at_end = drawn.isel({path: [end] for path in paths})
+        shown = Plane.of(at_end, components)
         if not shown.dataset["valid"].values.any():
             continue
-        values = ", ".join(value(path, float(one[path].values[0]), units) for path in paths)
+        values = ", ".join(value(path, float(at_end[path].values[0]), units) for path in paths)
         title = f"Natural frequencies at {values}"
         description = (
             f"{title}, in the plane {where(shown)}: an end of the sweep. The picture has its own colour scales; "
@@ -134,5 +134,5 @@ def value(path: str, number: float, units: dict[str, str]) -> str:
 
 def declared_values(model: Model, paths: Sequence[str], units: dict[str, str]) -> str:
     """Return what swept parameters are in the robot as declared, for a sentence; empty without any."""
-    known = model.robot.quantities
-    return ", ".join(value(path, known[path].value, units) for path in paths if path in known)
+    quantities = model.robot.quantities
+    return ", ".join(value(path, quantities[path].value, units) for path in paths if path in quantities)

@@ -31,7 +31,7 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
         f"{plural(count, 'pose')} cannot be evaluated: {model.reasons[code]}."
         for code, count in content["reasons"].items()
     ]
-    notes += [one.replace("= -", f"= {MINUS}") for one in sentences(content, axis_units(model))]
+    notes += [sentence.replace("= -", f"= {MINUS}") for sentence in sentences(content, axis_units(model))]
     facts = [
         ("poses", Cell(thousands(content["poses"]), content["poses"], pointer("poses"))),
         (
@@ -56,7 +56,7 @@ def summary(model: Model, content: dict[str, Any]) -> Summary:
 
 
 def _headline(content: dict[str, Any]) -> str:
-    """Return where the lowest frequency lies, without what a few poses at the edge of the workspace add."""
+    """Return where the lowest frequency lies, ignoring a few poses at the edge of the workspace."""
     first, count = content["modes"][0], content["counted"]
     if first["minimum_hz"] is None:
         return "The machine is stable at no pose" if content["valid"] else "No pose could be evaluated"

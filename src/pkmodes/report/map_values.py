@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     import xarray
 
 Array = NDArray[Any]
-#: Decimals of the frequencies [Hz]: as many as the tables of a report show.
+#: Decimals of the frequencies [Hz], as in the tables of a report.
 DECIMALS = 3
-#: Frequencies beyond this are held as this [Hz]: near a singular pose they have no bound.
+#: Cap on the stored frequencies [Hz]: near a singular pose they grow without bound.
 LARGEST = 1e6
-#: Frequencies and packed characters of one page at most.
+#: Most frequencies, and most packed characters, on one page.
 MOST, LONGEST = 1_000_000, 1_600_000
 
 
@@ -32,7 +32,7 @@ class MapValues:
     dataset : xarray.Dataset
         The map, thinned.
     steps : mapping of str to int
-        By axis, the n of which every n-th value was kept.
+        For each axis, the step between the values that were kept.
     packed : str
         Base64 of a zlib stream, from `pack`.
     """
@@ -47,20 +47,20 @@ class MapValues:
         return any(step > 1 for step in self.steps.values())
 
 
-def values_of(dataset: xarray.Dataset, most: int = MOST, longest: int = LONGEST) -> MapValues:
+def values_of(dataset: xarray.Dataset, max_values: int = MOST, longest: int = LONGEST) -> MapValues:
     """Return the frequencies of a map for a page.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         From `pkmodes.Model.map`.
-    most, longest : int
-        Frequencies and packed characters at most; a larger map is thinned along its longest axes.
+    max_values, longest : int
+        Most frequencies and packed characters; a larger map is thinned along its longest axes.
     """
     dims = [str(dim) for dim in dataset["frequency"].dims[:-1]]
     sizes = {dim: dataset.sizes[dim] for dim in dims}
     while True:
-        steps = _steps(sizes, max(most // dataset.sizes["mode"], 1))
+        steps = _steps(sizes, max(max_values // dataset.sizes["mode"], 1))
         part = dataset[["frequency", "valid"]].isel(
             {dim: slice(None, None, step) for dim, step in steps.items()}
         )
@@ -68,18 +68,18 @@ def values_of(dataset: xarray.Dataset, most: int = MOST, longest: int = LONGEST)
         packed = pack(np.moveaxis(part["frequency"].values, -1, 0))
         if len(packed) <= longest or part["frequency"].size <= dataset.sizes["mode"]:
             return MapValues(part, steps, packed)
-        most = part["frequency"].size // 2
+        max_values = part["frequency"].size // 2
 
 
-def _steps(sizes: Mapping[str, int], most: int) -> dict[str, int]:
-    """Return by axis the n for which every n-th value is kept, so that at most this many poses are left."""
+def _steps(sizes: Mapping[str, int], max_poses: int) -> dict[str, int]:
+    """Return for each axis the step between the values to keep, so that at most `max_poses` poses remain."""
     steps = dict.fromkeys(sizes, 1)
 
-    def left() -> dict[str, int]:
+    def kept_sizes() -> dict[str, int]:
         return {dim: -(-size // steps[dim]) for dim, size in sizes.items()}
 
-    while np.prod(list(left().values())) > most:
-        kept = left()
+    while np.prod(list(kept_sizes().values())) > max_poses:
+        kept = kept_sizes()
         steps[max(kept, key=lambda dim: kept[dim])] += 1
     return steps
 

@@ -74,16 +74,16 @@ def report(
         raise PkmodesError(f"expected a diagnosis or a comparison, found {shown(result)}", "result", remedy)
     if not result.rows:
         raise PkmodesError("expected a result with rows, found none", "result", "measure at least one mode")
-    own = robot.robot if isinstance(robot, Model) else robot
+    declared = robot.robot if isinstance(robot, Model) else robot
     if sources is None:
-        places = [] if own is None else [("robot file", own.source)]
+        places = [] if declared is None else [("robot file", declared.source)]
         sources = known_sources([*places, *([] if data is None else [("measurement file", data.source)])])
-    subject = title if title is not None else "Structure" if own is None else own.name
+    subject = title if title is not None else "Structure" if declared is None else declared.name
     if isinstance(result, Change) and result.by_state:
         data = None  # the rows are of several measurements
-    setting = Setting(subject, own, data, tuple(sources), view)
-    spread = None if own is None or data is None else declared_spread(own, data)
-    evidence = Evidence.of(result, data, "setup" if own is None else "pose", spread)
+    setting = Setting(subject, declared, data, tuple(sources), view)
+    spread = None if declared is None or data is None else declared_spread(declared, data)
+    evidence = Evidence.of(result, data, "setup" if declared is None else "pose", spread)
     if isinstance(result, Comparison):
         return _comparison_page(result, evidence, setting)
     if isinstance(result, Change):

@@ -12,7 +12,7 @@ from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import NOTHING, number, plural, pointer, shortened, three_digits
 from pkmodes.report.tables import table
 
-#: Modes that sentences name, and channels of each.
+#: Most modes named in sentences, and channels of each.
 MODES, CHANNELS = 3, 2
 
 
@@ -29,15 +29,15 @@ def deviations(sigmas: float | None) -> str:
 
 
 def where(result: MeasurementsCompared) -> list[str]:
-    """Return what the shapes say of the place of a change, in sentences."""
+    """Return what the shapes show about the place of a change, in sentences."""
     sentences = []
     if place := most_changed(result.strain_energy):
         low, high = map(shortened, place.channels)
-        more = place.index > 1.0
+        increased = place.index > 1.0
         sentences.append(
-            f"Of the strain energy at {shortened(place.pose)}, {'more' if more else 'less'} is between {low} and "
-            f"{high}: index {place.index:.3g} ({deviations(place.sigmas)}), as where stiffness is "
-            f"{'lost' if more else 'gained'} there, or a mass changed."
+            f"Of the strain energy at {shortened(place.pose)}, {'more' if increased else 'less'} is between {low} "
+            f"and {high}: index {place.index:.3g} ({deviations(place.sigmas)}), as where stiffness is "
+            f"{'lost' if increased else 'gained'} there, or a mass changed."
         )
     trusted = [
         pair for pair in result.pairs if pair.shape and pair.shape.chi2 is not None and _shows_places(pair)
@@ -57,7 +57,7 @@ def where(result: MeasurementsCompared) -> list[str]:
 
 
 def _shows_places(pair: ModePair) -> bool:
-    """Return whether the shape of a pair may be a sign of a place."""
+    """Return whether the shape of a pair can locate a change."""
     return not NO_PLACE.intersection(pair.cautions)
 
 
@@ -79,15 +79,15 @@ def _places(result: MeasurementsCompared) -> Iterator[tuple[int, str, int, Place
                     yield i, key, k, place
 
 
-def shape_tables(result: MeasurementsCompared, most: int | None) -> list[Table]:
-    """Return the places at which shapes differ, so many of a table, the clearest first, or all in their order."""
+def shape_tables(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
+    """Return the places at which shapes differ: the clearest first, up to `max_rows`, or all in order."""
     places = list(_places(result))
-    if most is not None:
+    if max_rows is not None:
         clear = [entry for entry in places if entry[3].differs and _shows_places(result.pairs[entry[0]])]
-        left = max(len(clear) - most, 0)
-        places = sorted(clear, key=lambda entry: -abs(entry[3].sigmas or 0.0))[:most]
+        omitted = max(len(clear) - max_rows, 0)
+        places = sorted(clear, key=lambda entry: -abs(entry[3].sigmas or 0.0))[:max_rows]
     else:
-        left = 0
+        omitted = 0
     rows = []
     for i, key, k, place in places:
         pair, at = result.pairs[i], pointer("pairs", i, "shape", key, k)
@@ -111,18 +111,18 @@ def shape_tables(result: MeasurementsCompared, most: int | None) -> list[Table]:
         columns += [Column("channel", numbers=False), Column("first"), Column("second")]
         columns += [Column("change"), Column("sigma"), Column("[\u03c3]"), Column("clear", numbers=False)]
         caption = "Changes of shapes, relative to the largest component; the second is scaled to the first."
-        note = f"{plural(left, 'place')} less clear: --all prints every place." if left else ""
+        note = f"{plural(omitted, 'place')} less clear: --all prints every place." if omitted else ""
         tables.append(table(caption, columns, rows, note=note))
-    return [*tables, *_strain_energy(result, most)]
+    return [*tables, *_strain_energy(result, max_rows)]
 
 
-def _strain_energy(result: MeasurementsCompared, most: int | None) -> list[Table]:
-    """Return the table of strain energies, where one is clear or all are asked for."""
+def _strain_energy(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
+    """Return the table of strain energies, if one is clear or all are requested."""
     changes = list(enumerate(result.strain_energy))
-    if most is not None:
+    if max_rows is not None:
         poses = {change.pose for _, change in changes if change.differs}
         changes = [(k, change) for k, change in changes if change.pose in poses]
-    shown = changes if most is None else changes[:most]
+    shown = changes if max_rows is None else changes[:max_rows]
     rows = []
     for k, change in shown:
         at = pointer("strain_energy", k)
@@ -147,6 +147,6 @@ def _strain_energy(result: MeasurementsCompared, most: int | None) -> list[Table
     caption = (
         "Shares of strain energy between neighbours; the damage index is above 1 where stiffness is lost."
     )
-    left = len(changes) - len(shown)
-    note = f"{plural(left, 'place')} more: --all prints every place." if left else ""
+    omitted = len(changes) - len(shown)
+    note = f"{plural(omitted, 'place')} more: --all prints every place." if omitted else ""
     return [table(caption, columns, rows, note=note)]

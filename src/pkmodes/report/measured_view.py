@@ -30,7 +30,7 @@ from pkmodes.view.evaluating import scene_of
 from pkmodes.view.measured_modes import Channel, MeasuredMode
 
 Array = NDArray[np.float64]
-#: Poses of a measurement that are shown at most.
+#: Most poses of a measurement that are shown.
 MOST = 60
 
 
@@ -60,8 +60,8 @@ def robot_shown(result: Diagnosis | Comparison, robot: Robot) -> Shown:
     }
     if result.effects:
         causes = " and ".join(effect.sentence or effect.name for effect in result.effects)
-        what = f"with the cause{'s' * (len(result.effects) > 1)}: {causes}"
-        return Shown(corrected, what, None if stages is None else stages.after, moved)
+        with_causes = f"with the cause{'s' * (len(result.effects) > 1)}: {causes}"
+        return Shown(corrected, with_causes, None if stages is None else stages.after, moved)
     return Shown(
         corrected, "with its uncertain values refitted", None if stages is None else stages.refit, moved
     )
@@ -103,32 +103,32 @@ def measured_scene(
     if not kept:
         return None
     kept = [kept[k] for k in in_order([data.labels[i] for i in kept])]  # as in tables and figures
-    seen = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
-    known = channels(shown.robot.mechanism)
+    scene = scene_of([models[loads[i]] for i in kept], points[kept], drives=drives)
+    units = channels(shown.robot.mechanism)
     return replace(
-        seen,
+        scene,
         labels=tuple(_label(shown.robot, data, i) for i in kept),
         what=shown.what,
-        measured=_measured(result, shown, data, {pose: k for k, pose in enumerate(kept)}, seen),
-        channels=tuple(Channel(name, known.get(name, "1")) for name in data.channels),
+        measured=_measured(result, shown, data, {pose: k for k, pose in enumerate(kept)}, scene),
+        channels=tuple(Channel(name, units.get(name, "1")) for name in data.channels),
     )
 
 
 def _measured(
-    result: Diagnosis | Comparison, shown: Shown, data: Measurements, place: dict[int, int], seen: Scene
+    result: Diagnosis | Comparison, shown: Shown, data: Measurements, place: dict[int, int], scene: Scene
 ) -> tuple[MeasuredMode, ...]:
-    found = []
+    modes = []
     rows: Sequence[Row | ComparedRow] = result.rows
     for row, (measured, pose) in enumerate(zip(rows, data.pose.tolist(), strict=True)):
         if pose not in place:
             continue
         partner = 0 if shown.predicted is None else int(shown.predicted.mode[row])
-        mode = seen.rigid_modes + partner - 1
+        mode = scene.rigid_modes + partner - 1
         mac = None if shown.predicted is None else float(shown.predicted.mac[row])
-        found.append(
+        modes.append(
             MeasuredMode(
                 pose=place[pose],
-                mode=mode if partner > 0 and mode < seen.frequencies.shape[1] else None,
+                mode=mode if partner > 0 and mode < scene.frequencies.shape[1] else None,
                 name=measured.mode,
                 frequency=measured.measured,
                 sigma=measured.sigma,
@@ -136,7 +136,7 @@ def _measured(
                 shape=tuple(data.shapes[row].tolist()),
             )
         )
-    return tuple(found)
+    return tuple(modes)
 
 
 def _label(robot: Robot, data: Measurements, pose: int) -> str:

@@ -16,7 +16,7 @@ from pkmodes.support.numbers import p_text, plain
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
 
-#: Modes that a headline names.
+#: Most modes named in a headline.
 NAMED = 3
 FACTOR = (
     "Modes change so where stiffness or mass changes everywhere in proportion, as with the temperature or the "
@@ -55,20 +55,23 @@ def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
     if result.changed == "no_pairs":
         return "No mode has a partner", "No frequency of one is within 25 % of one of the other.", "bad"
     count = len(result.pairs)
-    alone = len(result.first_unpaired) + len(result.second_unpaired)
-    others = f"; {plural(alone, 'mode')} without a partner" if alone else ""
+    unpaired = len(result.first_unpaired) + len(result.second_unpaired)
+    unpaired_note = f"; {plural(unpaired, 'mode')} without a partner" if unpaired else ""
     common = result.common
-    own = sorted(
-        (pair for pair in result.pairs if pair.own_change), key=lambda pair: -abs(_own(result, pair)[1])
+    changed = sorted(
+        (pair for pair in result.pairs if pair.own_change),
+        key=lambda pair: -abs(_single_change(result, pair)[1]),
     )
-    named = ", ".join(f"{mode_name(pair)} by {_change(*_own(result, pair))}" for pair in own[:NAMED])
-    named += f" and {len(own) - NAMED} more" if len(own) > NAMED else ""
+    named = ", ".join(
+        f"{mode_name(pair)} by {_change(*_single_change(result, pair))}" for pair in changed[:NAMED]
+    )
+    named += f" and {len(changed) - NAMED} more" if len(changed) > NAMED else ""
     shared = "" if common is None else _change(common.relative, common.sigmas)
     reasons = []
     tone: Colour = "open"
     match result.changed:
         case "single":
-            headline = f"{len(own)} of {plural(count, 'mode')} changed: {named}"
+            headline = f"{len(changed)} of {plural(count, 'mode')} changed: {named}"
             reasons.append(_nothing_common(common))
         case "common":
             headline = f"{_sharing(common, count)} changed by one factor: {shared}"
@@ -83,10 +86,10 @@ def _judged(result: MeasurementsCompared) -> tuple[str, str, Colour]:
             headline, tone = "No mode changed by more than the errors", "good"
             reasons.append(_noticeable(result))
     reasons += [*where(result), "The stated errors are taken as independent."]
-    return headline + others, " ".join(reason for reason in reasons if reason), tone
+    return headline + unpaired_note, " ".join(reason for reason in reasons if reason), tone
 
 
-def _own(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
+def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float, float]:
     """Return the change of a mode by itself: beyond the common one, where there is one; and in sigmas."""
     if result.changed == "common_and_single":
         return pair.beyond_common or 0.0, pair.beyond_common_sigmas or 0.0
@@ -108,7 +111,7 @@ def _sharing(common: CommonChange | None, count: int) -> str:
 
 
 def _nothing_common(common: CommonChange | None) -> str:
-    """Return that no change is shared, and what is known of it."""
+    """Return that no change is shared, and what limits this statement."""
     if common is None:
         return ""
     if common.relative is None:
@@ -130,19 +133,19 @@ def _left_of_single(common: CommonChange | None) -> str:
 
 def _noticeable(result: MeasurementsCompared) -> str:
     """Return which changes would have been found."""
-    least, most = (choose(result.pairs, key=lambda pair: pair.noticeable) for choose in (min, max))
-    text = f"Would have counted: a change of a single mode by {plain(100.0 * least.noticeable, 2)} %"
-    if most is not least:
-        text += f" ({mode_name(least)}) to {plain(100.0 * most.noticeable, 2)} % ({mode_name(most)})"
+    smallest, largest = (choose(result.pairs, key=lambda pair: pair.noticeable) for choose in (min, max))
+    text = f"Would have counted: a change of a single mode by {plain(100.0 * smallest.noticeable, 2)} %"
+    if largest is not smallest:
+        text += f" ({mode_name(smallest)}) to {plain(100.0 * largest.noticeable, 2)} % ({mode_name(largest)})"
     if result.common is not None and result.common.sigma is not None:
         text += f", or of all modes by {plain(100.0 * LEAST_COMMON * result.common.sigma, 2)} %"
     return f"{text}."
 
 
-def changes(result: MeasurementsCompared, most: int | None) -> list[Table]:
-    """Return the pairs, those that changed most in standard deviations first, at most so many; all in their order."""
+def changes(result: MeasurementsCompared, max_rows: int | None) -> list[Table]:
+    """Return the pairs: the largest changes in standard deviations first, up to `max_rows`, or all in order."""
     order = sorted(range(len(result.pairs)), key=lambda i: -abs(result.pairs[i].sigmas))
-    shown = list(range(len(result.pairs))) if most is None else order[:most]
+    shown = list(range(len(result.pairs))) if max_rows is None else order[:max_rows]
     shared = result.common is not None and result.common.differs
     rows = []
     for i in shown:
@@ -177,8 +180,8 @@ def changes(result: MeasurementsCompared, most: int | None) -> list[Table]:
     caption = "Modes of both measurements; changes are second minus first."
     if all(pair.mac is None for pair in result.pairs):
         rows, columns, groups = [row[:-1] for row in rows], columns[:-1], groups[:-1]
-    left = len(result.pairs) - len(shown)
-    note = f"{plural(left, 'pair')} that changed less: --all prints every pair." if left else ""
+    omitted = len(result.pairs) - len(shown)
+    note = f"{plural(omitted, 'pair')} that changed less: --all prints every pair." if omitted else ""
     return [table(caption, columns, rows, groups, note)]
 
 

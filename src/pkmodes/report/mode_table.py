@@ -14,9 +14,9 @@ from pkmodes.report.formatting import hertz, label, number, plural, pointer
 from pkmodes.report.setting import Setting
 from pkmodes.report.tables import table
 
-#: Most rows on the page: beyond that, those that differ most.
+#: Most rows on the page; beyond that, only those that differ most.
 MOST = 300
-#: Names of the measured columns in the JSON of a diagnosis and of a comparison.
+#: Keys of the measured columns in the JSON of a diagnosis and of a comparison.
 MEASURED = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "sigma")}
 
 
@@ -24,23 +24,23 @@ def mode_table(
     result: Diagnosis | Comparison,
     evidence: Evidence,
     setting: Setting,
-    most: int = MOST,
+    max_rows: int = MOST,
     *,
     paired: bool = False,
 ) -> Table:
-    """Return all measured modes in the order of their poses, or the worst first if there are more than asked for.
+    """Return all measured modes in the order of their poses, or the worst first if there are more than `max_rows`.
 
     Parameters
     ----------
     paired : bool
-        Whether those with a partner are the worst: what is said of the others stands elsewhere.
+        Whether only modes with a partner count as the worst: the others are reported elsewhere.
     """
     rows: list[Row | ComparedRow] = [*result.rows]
     chosen, note = _order(evidence), ""
-    if len(rows) > most:
+    if len(rows) > max_rows:
         worst = _worst(evidence)
         with_partner = [i for i in worst if evidence.stages and evidence.last.paired[i]]
-        chosen = (with_partner if paired and with_partner else worst)[:most]
+        chosen = (with_partner if paired and with_partner else worst)[:max_rows]
         which = (
             "measured mode that differs" if len(chosen) == 1 else f"{len(chosen)} measured modes that differ"
         )
@@ -48,16 +48,16 @@ def mode_table(
             f"The table has the {which} most from the model{', the worst first' if len(chosen) > 1 else ''}. "
             f"All {plural(len(rows), 'mode')} are in the output of --json, under rows."
         )
-    own = any(row.mode for row in rows)
+    has_names = any(row.mode for row in rows)
     shapes = any(row.mac is not None for row in rows)
     loads = any(row.load for row in rows)
     mixed = len({row.drives for row in rows}) > 1
     remarks = [_remark(row, evidence, i) for i, row in enumerate(rows)]
     columns = [Column(evidence.place, numbers=False), *([Column("motors", numbers=False)] if mixed else [])]
     columns += [Column("line")]
-    columns += [Column("own", numbers=False)] if own else []
+    columns += [Column("own", numbers=False)] if has_names else []
     columns += [Column("mode"), Column(FREQUENCY.value.heading), Column(FREQUENCY.sigma.heading)]
-    groups = [("", 3 + mixed + own), ("measured", 2)]
+    groups = [("", 3 + mixed + has_names), ("measured", 2)]
     for stage in evidence.stages:
         columns += [Column(FREQUENCY.value.heading), Column("diff. [%]"), Column("diff. [\u03c3]")]
         groups.append((f"model {stage.title}", 3))
@@ -75,7 +75,7 @@ def mode_table(
         row = rows[i]
         cells = [label(row.pose), *([Cell(row.drives or "")] if mixed else [])]
         cells += [Cell(str(row.line), row.line, pointer("rows", i, "line"))]
-        cells += [label(row.mode)] if own else []
+        cells += [label(row.mode)] if has_names else []
         cells += _numbers(result, evidence, i)
         cells += _damping(row, i) if damped and isinstance(row, ComparedRow) else []
         cells += [number(row.mac, ".3f", pointer("rows", i, "mac"))] if shapes else []
@@ -85,7 +85,7 @@ def mode_table(
     caption = (
         "Measured modes and the model; differences are model minus measurement. Line: of the measurement file"
     )
-    caption += "; own: the name of the mode there." if own else "."
+    caption += "; own: the name of the mode there." if has_names else "."
     return table(caption, columns, lines, groups, note, heads=2 + mixed)
 
 

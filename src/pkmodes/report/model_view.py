@@ -91,10 +91,10 @@ def view_of_result(
     if not isinstance(data, Measurements):
         return view_of(Model(shown.robot), data, drives=drives)
     try:
-        seen = measured_scene(result, shown, data, drives)
+        drawn = measured_scene(result, shown, data, drives)
     except PkmodesError:
         return None
-    if seen is None:
+    if drawn is None:
         return None
     marks = marked_elements(result, robot) if isinstance(result, Diagnosis) else frozenset[int]()
-    return fragment(replace(seen, marked=marks)) + assets()
+    return fragment(replace(drawn, marked=marks)) + assets()

@@ -29,7 +29,7 @@ from pkmodes.support.motors import motors_in_words
 from pkmodes.support.words import in_words
 
 Array = NDArray[np.float64]
-#: Rows of a table at most.
+#: Most rows of a table.
 ROWS = 20
 
 
@@ -46,32 +46,34 @@ def of_modes(modes: Modes) -> str | None:
             units = entry.units_of(modes.robot.mechanism)
             titles += [f"{entry.symbol}{i + 1} [{units}]" for i in range(vibrations.shape[1])]
             columns.append(vibrations)
-    what = f"frequencies of vibration, {motors_in_words(modes.robot, modes.drives)}"
-    return _at_poses(modes, what, titles, np.hstack(columns), ".3f")
+    caption = f"frequencies of vibration, {motors_in_words(modes.robot, modes.drives)}"
+    return _at_poses(modes, caption, titles, np.hstack(columns), ".3f")
 
 
 def of_statics(statics: Statics) -> str:
     """Return the torques and rotations that hold each pose against gravity."""
     mechanism = statics.robot.mechanism
     titles = [f"torque {drive.name} [{unit(drive.unit)}]" for drive in mechanism.drives]
-    rest = [one for one in mechanism.coordinates if one.name not in mechanism.independent]
-    titles += [f"{one.name} [{one.unit}]" for one in rest]
+    rest = [
+        coordinate for coordinate in mechanism.coordinates if coordinate.name not in mechanism.independent
+    ]
+    titles += [f"{coordinate.name} [{coordinate.unit}]" for coordinate in rest]
     arrays = (statics.torques, statics.rotations)
-    found = np.hstack([array.reshape(-1, array.shape[-1]) for array in arrays])
-    return _at_poses(statics, "what holds the pose against gravity", titles, found, ".4g")
+    holding = np.hstack([array.reshape(-1, array.shape[-1]) for array in arrays])
+    return _at_poses(statics, "what holds the pose against gravity", titles, holding, ".4g")
 
 
-def _at_poses(result: Modes | Statics, what: str, titles: Sequence[str], found: Array, form: str) -> str:
+def _at_poses(result: Modes | Statics, caption: str, titles: Sequence[str], numbers: Array, form: str) -> str:
     """Return a table with a row for each pose; instead of numbers, the reason why there are none."""
     robot = result.robot
     poses = result.poses.reshape(-1, result.poses.shape[-1])
     reasons = np.atleast_1d(result.reason).ravel()
     rows = []
-    for point, row, reason in zip(poses[:ROWS], found[:ROWS], reasons[:ROWS], strict=True):
+    for point, row, reason in zip(poses[:ROWS], numbers[:ROWS], reasons[:ROWS], strict=True):
         cells = [str(reason)] * len(row) if reason else [format(value + 0.0, form) for value in row]
         rows.append([Cell(text) for text in (*(f"{value:.6g}" for value in point), *cells)])
     columns = [Column(f"{c.name} [{c.unit}]") for c in robot.mechanism.pose] + [*map(Column, titles)]
-    return _html(Table(f"{robot.name}: {what}", columns, rows, note=_more(len(poses), "pose")))
+    return _html(Table(f"{robot.name}: {caption}", columns, rows, note=_omitted(len(poses), "pose")))
 
 
 def of_robot(robot: Robot) -> str:
@@ -80,20 +82,20 @@ def of_robot(robot: Robot) -> str:
     rows = [
         [
             Cell(path),
-            figures(one.value),
-            figures(one.sigma, 2),
-            unit_cell(one.unit),
+            figures(quantity.value),
+            figures(quantity.sigma, 2),
+            unit_cell(quantity.unit),
             Cell(in_words(robot.mechanism, path)),
         ]
-        for path, one in list(robot.quantities.items())[:ROWS]
+        for path, quantity in list(robot.quantities.items())[:ROWS]
     ]
-    more = _more(len(robot.quantities), "value")
-    note = f"{more}: Robot.quantities" if more else ""
+    omitted = _omitted(len(robot.quantities), "value")
+    note = f"{omitted}: Robot.quantities" if omitted else ""
     return _html(Table(f"{robot.name}: {robot.mechanism.title}", columns, rows, note=note))
 
 
 def of_move(move: Move) -> str:
-    """Return how far the platform is from what the motors are told, along each component."""
+    """Return the deviation of the platform from the commands to the motors, along each component."""
     rows = []
     for i, component in enumerate(move.robot.mechanism.pose):
         at = int(np.argmax(np.abs(move.deviation[:, i])))
@@ -125,26 +127,26 @@ def of_comparison(result: Comparison) -> str:
 def of_diagnosis(result: Diagnosis) -> str:
     """Return what was found and why, the errors before and after, and the fitted values."""
     setting = Setting("", None, None, (), None)
-    tables = [one for one in (*errors(result), *values(result, setting)) if isinstance(one, Table)]
+    tables = [block for block in (*errors(result), *values(result, setting)) if isinstance(block, Table)]
     return _words(headline(result), result.reason) + "".join(map(_html, tables))
 
 
-def _words(strong: str, more: str) -> str:
-    return f"<p><strong>{escape(strong)}.</strong> {escape(sentence(more))}</p>"
+def _words(strong: str, reason: str) -> str:
+    return f"<p><strong>{escape(strong)}.</strong> {escape(sentence(reason))}</p>"
 
 
-def _more(count: int, noun: str) -> str:
+def _omitted(count: int, noun: str) -> str:
     return f"{plural(count - ROWS, f'more {noun}')}" if count > ROWS else ""
 
 
 def _html(table: Table) -> str:
-    """Return a table as HTML; of the columns, those that a terminal has."""
+    """Return a table as HTML, with the columns that a terminal shows."""
     kept = [k for k, column in enumerate(table.columns) if not column.page_only]
 
     def row(cells: Sequence[str], tag: str) -> str:
-        left = ("" if table.columns[k].numbers else ' style="text-align:left"' for k in kept)
-        each = (f"<{tag}{style}>{text}</{tag}>" for style, text in zip(left, cells, strict=True))
-        return f"<tr>{''.join(each)}</tr>"
+        alignments = ("" if table.columns[k].numbers else ' style="text-align:left"' for k in kept)
+        tags = (f"<{tag}{style}>{text}</{tag}>" for style, text in zip(alignments, cells, strict=True))
+        return f"<tr>{''.join(tags)}</tr>"
 
     def shown(cell: Cell) -> str:
         text = escape(cell.name or cell.text)

@@ -47,7 +47,7 @@ def errors(result: Diagnosis) -> list[Table | Paragraph]:
     if result.held_out_poses:
         labels = sorted_labels(result.held_out_poses)
         about, why = "Held out of every choice and fit: ", ". The error there is that of a prediction."
-        whole, named = (listed(some, 20) for some in (labels, list(map(clean, labels))))
+        whole, named = (listed(texts, 20) for texts in (labels, list(map(clean, labels))))
         blocks.append(Paragraph(f"{about}{named}{why}", plain=f"{about}{whole}{why}"))
     return blocks
 
@@ -88,7 +88,7 @@ def _corrected(result: Diagnosis) -> list[Corrected]:
 
 
 def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
-    """Return the figure of how far the fit moved each uncertain value; nothing where none has a prior."""
+    """Return the figure of how far the fit moved each uncertain value; empty if none has a prior."""
     corrected = _corrected(result)
     figure = scores.pulls(corrected, setting.words)
     if figure is None:
@@ -107,12 +107,12 @@ def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
 
 
 def correlations(result: Diagnosis) -> list[Picture]:
-    """Return the figures of how the fitted values depend on each other; nothing of fewer than two."""
-    kept, every = _corrected(result), np.array(result.correlation)
-    if len(every) != len(result.corrected):
+    """Return the figures of the correlations of the fitted values; empty for fewer than two values."""
+    kept, correlation = _corrected(result), np.array(result.correlation)
+    if len(correlation) != len(result.corrected):
         return []
     places = [k for k, value in enumerate(result.corrected) if value in kept]
-    rates = every[np.ix_(places, places)] if places else every
+    rates = correlation[np.ix_(places, places)] if places else correlation
     figure, parts = dependence.matrix(kept, rates), dependence.ellipses(kept, rates)
     pairs = len(dependence.notable(kept, rates))
     if figure is None:
@@ -122,7 +122,7 @@ def correlations(result: Diagnosis) -> list[Picture]:
         if pairs
         else f"No pair has a correlation of {dependence.NOTABLE:.2f} or more"
     )
-    found = [
+    pictures = [
         Picture.of(
             figure,
             "Correlation of the fitted values",
@@ -134,7 +134,7 @@ def correlations(result: Diagnosis) -> list[Picture]:
     ]
     if parts is not None:
         which = f" (the {dependence.PAIRS} strongest of {pairs})" if pairs > dependence.PAIRS else ""
-        found.append(
+        pictures.append(
             Picture.of(
                 parts,
                 "Error ellipses",
@@ -145,7 +145,7 @@ def correlations(result: Diagnosis) -> list[Picture]:
                 "cross, if there is one, is the declared pair.",
             )
         )
-    return found
+    return pictures
 
 
 def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
@@ -158,7 +158,7 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
             pointer("refitted", value.name, name) for name in ("before", "after", "sigma", "saved_sigma")
         )
     for i, effect in enumerate(result.effects):
-        if any(own.name == value.name for own in effect.parameters):
+        if any(parameter.name == value.name for parameter in effect.parameters):
             role = "cause"
             at = ("effects", i, "parameters", key(value))
             after, sigma, saved = (pointer(*at, name) for name in ("value", "sigma", "saved_sigma"))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from jinja2 import Environment
 
 TEMPLATES, PAGE, STYLE, BROWSER = "templates", "page.html.j2", "style.css", "browser"
-#: The program of pages with folded sections.
+#: Program that pages with folded sections need.
 FOLDING = "fold"
 
 

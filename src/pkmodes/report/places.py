@@ -19,11 +19,11 @@ from pkmodes.report.setting import Setting
 from pkmodes.view import scene
 from pkmodes_description import Element
 
-#: Terms that are marked at most.
+#: Most terms that are marked.
 MOST = 5
-#: How a declared value begins as a candidate.
+#: Prefix of a declared value as a candidate.
 VALUE = "parameter:"
-#: Directions that an arrow shows.
+#: Directions that an arrow can show.
 AXES = ("x", "y", "z")
 
 
@@ -49,12 +49,12 @@ def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
 
 
 def picture(result: Diagnosis, evidence: Evidence, setting: Setting) -> list[Block]:
-    """Return a picture of the machine with these places in colour; nothing where it shows none."""
+    """Return a picture of the machine with these places in colour; empty if it shows none of them."""
     if setting.robot is None:
         return []
     elements, model = setting.robot.mechanism.drawing.elements, Model(setting.robot)
-    every = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
-    marks = [mark for mark in every if mark is not None]
+    possible = [marked(name, words, elements) for name, words in named_terms(result)[:MOST]]
+    marks = [mark for mark in possible if mark is not None]
     if not marks:
         return []
     valid = np.flatnonzero(model.check(evidence.points).valid)
@@ -75,7 +75,7 @@ def picture(result: Diagnosis, evidence: Evidence, setting: Setting) -> list[Blo
 
 
 def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
-    """Return what shows a term.
+    """Return the marked elements that show a term.
 
     Parameters
     ----------
@@ -95,22 +95,22 @@ def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
     if not place:  # a cause of the catalogue
         return None
     if form in ("parameter", "compliance"):
-        found = _of_one_axis(place, words, elements)
-        return Marked(words, found) if found else None
+        indices = _of_one_axis(place, words, elements)
+        return Marked(words, indices) if indices else None
     ends, _, along = place.partition(".")
     names = ends.split("/")
-    found = tuple(i for i, element in enumerate(elements) if element.place in names)
-    if {elements[i].place for i in found} != {*names}:
+    indices = tuple(i for i, element in enumerate(elements) if element.place in names)
+    if {elements[i].place for i in indices} != {*names}:
         return None
-    return Marked(words, found, along if along in AXES else "")
+    return Marked(words, indices, along if along in AXES else "")
 
 
-def _of_one_axis(what: str, words: str, elements: Sequence[Element]) -> tuple[int, ...]:
+def _of_one_axis(place: str, words: str, elements: Sequence[Element]) -> tuple[int, ...]:
     """Return the elements of the table or joint of one axis, or else all of that axis."""
-    numbers = re.findall(r"(?<![a-z])\d+", what)
+    numbers = re.findall(r"(?<![a-z])\d+", place)
     if not numbers:
         return ()
-    number, tables = numbers[0], re.findall(r"[a-z]+", what)
+    number, tables = numbers[0], re.findall(r"[a-z]+", place)
     tried = (
         lambda e: e.place and e.place.startswith(tuple(f"{table}_{number}" for table in tables)),
         lambda e: e.kind in tables and e.name.endswith(f" {number}"),
@@ -118,6 +118,6 @@ def _of_one_axis(what: str, words: str, elements: Sequence[Element]) -> tuple[in
         lambda e: number in re.findall(r"\d+", e.place)[:1],
     )
     for shows in tried:
-        if found := tuple(i for i, element in enumerate(elements) if shows(element)):
-            return found
+        if indices := tuple(i for i, element in enumerate(elements) if shows(element)):
+            return indices
     return ()

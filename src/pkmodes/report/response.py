@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from pkmodes.core.robot.robot import Robot
     from pkmodes.response.frequency_response import FrequencyResponse
 
-#: Channels in one figure: two by two.
+#: Channels in one figure, two by two.
 TOGETHER = 4
 UNDAMPED = (
     "The robot file has no damping: a resonance has no height of its own, and its peak is as high as the nearest "
@@ -132,7 +132,7 @@ def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> 
         alike = f"{which} in {named}" if named else f"dimensionless {which}"
         reason += f" Of the {alike} this one has the largest response."
     if meanings := [
-        f"{clean(one)} is {words}" for one in (output, into) if (words := _meaning(one, model.mechanism))
+        f"{clean(port)} is {words}" for port in (output, into) if (words := _meaning(port, model.mechanism))
     ]:
         reason += f" Here {', '.join(meanings)}."
     return Summary(
@@ -158,7 +158,7 @@ def _notes(robot: Robot, drawn: DrawnChannels) -> Iterator[str]:
 
 
 def _meaning(port: str, mechanism: Mechanism) -> str:
-    """Return what an input or output is; empty for one whose name says it, or that has none."""
+    """Return what an input or output is; empty if its name says so, or it has no description."""
     kind, _, which = port.partition("_")
     if kind in ("p", "r", "force", "moment") and which not in ("x", "y", "z"):
         return ""  # a direction that the user named
@@ -182,7 +182,7 @@ def _within(drawn: DrawnChannels, values: NDArray[Any]) -> int | None:
 
 
 def _pictures(drawn: DrawnChannels) -> list[Block]:
-    """Return magnitude and phase of every channel, in as many figures as fit pages."""
+    """Return magnitude and phase of every channel, divided into figures that fit on pages."""
     names, blocks = list(drawn.model), list[Block]()
     for start in range(0, len(names), TOGETHER):
         chosen = names[start : start + TOGETHER]

@@ -16,13 +16,13 @@ from pkmodes.support.words import in_words
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: Titles of numbers of poses by their keys.
+#: Titles of the pose counts by their keys.
 REACHED = {
     "both": "poses that both reach",
     "first_only": "poses that only the first reaches",
     "second_only": "poses that only the second reaches",
 }
-#: Titles of standard deviations by their keys.
+#: Titles of the standard deviations by their keys.
 SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
 Shared = Paragraph | Listing | Table
 
@@ -50,22 +50,22 @@ def summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
     )
 
 
-def values(first: Model, content: dict[str, Any], most: int | None = None) -> Iterator[Shared]:
+def values(first: Model, content: dict[str, Any], max_rows: int | None = None) -> Iterator[Shared]:
     """Yield what the files declare differently.
 
     Parameters
     ----------
-    most : int or None
+    max_rows : int or None
         Most values, those that differ most; None for all, in the order of the files.
     """
     numbered = list(enumerate(content["values"]))
     note = ""
-    if most is not None and len(numbered) > most:
-        numbered = sorted(numbered, key=lambda one: _size(one[1]))[:most]
-        note = f"The {most} that differ most of {len(content['values'])}; all: --all, --json or --report."
+    if max_rows is not None and len(numbered) > max_rows:
+        numbered = sorted(numbered, key=lambda entry: _size(entry[1]))[:max_rows]
+        note = f"The {max_rows} that differ most of {len(content['values'])}; all: --all, --json or --report."
     if numbered:
         shown = [value for _, value in numbered]
-        # Columns that would say nothing are left out.
+        # Columns without information are left out.
         sigmas = [
             key for key in ("first_sigma", "second_sigma") if any(value[key] is not None for value in shown)
         ]
@@ -88,8 +88,8 @@ def values(first: Model, content: dict[str, Any], most: int | None = None) -> It
     else:
         yield Paragraph("Every value is the same in both files.")
     choices = [
-        f"{clean(one['path'])}: {clean(one['first'])}, then {clean(one['second'])}"
-        for one in content["choices"]
+        f"{clean(choice['path'])}: {clean(choice['first'])}, then {clean(choice['second'])}"
+        for choice in content["choices"]
     ]
     if choices:
         yield Listing(choices)
@@ -105,12 +105,12 @@ def values(first: Model, content: dict[str, Any], most: int | None = None) -> It
 def frequencies(content: dict[str, Any]) -> Iterator[Shared]:
     """Yield how much each frequency differs over the poses that both reach."""
     counts = {mode["poses"] for mode in content["modes"]}
-    known = len(counts) > 1  # otherwise the summary says it
+    varied = len(counts) > 1  # otherwise the summary says it
     rows = [
         [
             Cell(str(mode["mode"])),
             number(mode["partner"], ".0f", pointer("modes", i, "partner")),
-            *([number(mode["poses"], ".0f", pointer("modes", i, "poses"))] if known else []),
+            *([number(mode["poses"], ".0f", pointer("modes", i, "poses"))] if varied else []),
             *(
                 number(mode[key], "+.2f", pointer("modes", i, key), scale=100.0)
                 for key in ("low", "median", "high")
@@ -120,9 +120,9 @@ def frequencies(content: dict[str, Any]) -> Iterator[Shared]:
         ]
         for i, mode in enumerate(content["modes"])
     ]
-    titles = ["mode", "partner", *(["poses"] if known else [])]
+    titles = ["mode", "partner", *(["poses"] if varied else [])]
     titles += ["2 %", "median", "98 %", "exchanged [%]", "MAC"]
-    groups = [("", 2 + known), ("difference [%]", 3), ("", 2)]
+    groups = [("", 2 + varied), ("difference [%]", 3), ("", 2)]
     caption = (
         "Relative difference of each frequency: its median, and the values below which 2 % and 98 % lie."
     )

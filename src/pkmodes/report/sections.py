@@ -10,7 +10,7 @@ from pkmodes.report.blocks import Block, Cell, Facts, Foreign, Paragraph, Sectio
 from pkmodes.report.formatting import clean, shortened
 from pkmodes.report.sources import Source
 
-#: The words that a reader of a comparison and of a diagnosis needs, as in docs/diagnosis.md.
+#: Terms that the reader of a comparison or a diagnosis needs, as in docs/diagnosis.md.
 COMPARED = {
     "difference": "Model minus measurement: in per cent of the measured frequency, or in \u03c3.",
     "\u03c3": "Standard deviation of the measured frequency, with the uncertainty of the pose where one is stated. "
@@ -34,7 +34,7 @@ DIAGNOSED = {
 def origin(
     sources: Sequence[Source],
     mechanism: Mechanism | None,
-    more: Sequence[tuple[str, Sequence[Cell]]] = (),
+    further_facts: Sequence[tuple[str, Sequence[Cell]]] = (),
     version: str = VERSION,
 ) -> Section:
     """Return the last section of a report: its input files with their digests, and the version that made the numbers.
@@ -43,7 +43,7 @@ def origin(
     ----------
     mechanism : Mechanism or None
         Of the robot; None where the report does not name it.
-    more : sequence of (str, sequence of Cell)
+    further_facts : sequence of (str, sequence of Cell)
         Further facts.
     """
     facts: list[tuple[str, Sequence[Cell]]] = []
@@ -52,7 +52,7 @@ def origin(
         facts.append((f"SHA-256 of the {source.role}", [Cell(source.digest)]))
     if mechanism is not None:
         facts.append(("mechanism", [Cell(clean(mechanism.title))]))
-    facts += [*more, ("pkmodes", [Cell(version)])]
+    facts += [*further_facts, ("pkmodes", [Cell(version)])]
     return Section("origin", "Data and versions", [Facts(facts)])
 
 

@@ -1,4 +1,4 @@
-"""The report of ``pkmodes sensitivities``: what frequencies at a pose depend on, and how surely they are known."""
+"""The report of ``pkmodes sensitivities``: what frequencies at a pose depend on, and how uncertain they are."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from pkmodes.sensitivity.spread import stated_sigmas
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: Modes beside each other in a table.
+#: Modes side by side in one table.
 MODES = 6
 
 
@@ -33,7 +33,7 @@ def sensitivities_report(
     model : Model
         The robot.
     content : dict
-        The JSON of the command, with at least the quantities of which a per cent means something.
+        The JSON of the command, with at least the quantities for which a change in per cent is meaningful.
     sources : sequence of Source, optional
         The input files as they were read; by default the robot file as it is now.
 
@@ -67,8 +67,8 @@ def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[B
         " Coordinates are left out, since a per cent of a coordinate depends on where the origin lies; --all and the "
         "JSON have everything."
     )
-    found = per_cent(model, changes, content)
-    return [*_pictures(changes), *_parts(replace(found, note=(found.note + note).strip()))]
+    percent_table = per_cent(model, changes, content)
+    return [*_pictures(changes), *_parts(replace(percent_table, note=(percent_table.note + note).strip()))]
 
 
 def _per_sigma(model: Model, changes: Changes | None) -> list[Block]:
@@ -83,7 +83,7 @@ def _per_sigma(model: Model, changes: Changes | None) -> list[Block]:
 
 
 def _pictures(changes: Changes) -> list[Block]:
-    """Return the tornado charts, in as many figures as fit pages."""
+    """Return the tornado charts, divided into figures that fit on pages."""
     blocks: list[Block] = []
     count, text = len(changes.frequencies), describe(changes)
     for start in range(0, count, PANELS):

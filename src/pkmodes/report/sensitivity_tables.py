@@ -32,23 +32,28 @@ from pkmodes.support.words import in_words
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
 
-#: Of parameters that act as one.
+#: Note on parameters that act as one.
 ONE = "Quantities in one row act as one: only their product or quotient enters the equations."
-#: Columns of a table before those of the modes.
+#: Columns of a table to the left of the modes.
 NAMED = 2
-#: Derivatives below these bounds are rounding: relative change of the frequency per relative change of the value, or
-#: per SI unit if the value is 0.
+#: Derivatives below these bounds are rounding errors: relative change of the frequency per relative change of the
+#: value, or per SI unit if the value is 0.
 ROUNDING, ROUNDING_BY_UNIT = 1e-9, 1e-15
 
 
 def summary(
-    model: Model, percent: Changes, sigma: Changes | None, content: dict[str, Any], *, asked: bool = False
+    model: Model,
+    percent: Changes,
+    sigma: Changes | None,
+    content: dict[str, Any],
+    *,
+    chosen_only: bool = False,
 ) -> Summary:
     """Return what the frequencies depend on most, and their standard deviations.
 
     Parameters
     ----------
-    asked : bool
+    chosen_only : bool
         Whether the changes are those of chosen quantities only.
     """
     relative = 100.0 * np.abs(percent.changes / percent.frequencies)
@@ -58,7 +63,7 @@ def summary(
         mode = int(relative[first[0]].argmax())
         change = f"{relative[first[0], mode]:.2g}"
         name = " or ".join(_named(model, path) for path in percent.names[first[0]])
-        which = f"Of the chosen quantities, mode {mode + 1}" if asked else f"Mode {mode + 1}"
+        which = f"Of the chosen quantities, mode {mode + 1}" if chosen_only else f"Mode {mode + 1}"
         headline = f"{which} depends most on {name}: {change} % for 1 %"
         reason = "The largest change of any frequency for one per cent of a quantity. "
     at = placed(model.mechanism, np.array(content["pose"]), "g").replace("-", MINUS)
@@ -91,30 +96,30 @@ def _quantity(model: Model, paths: Sequence[str]) -> Cell:
     return Cell.named(", ".join(words) if all(words) else "", clean(", ".join(paths)))
 
 
-def per_cent(model: Model, changes: Changes, content: dict[str, Any], most: int | None = None) -> Table:
+def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: int | None = None) -> Table:
     """Return what one per cent more of each quantity does to every frequency.
 
     Parameters
     ----------
-    most : int or None
+    max_rows : int or None
         Most quantities, the first; None for all.
     """
     order, frequencies = changes.largest_of_all(), changes.frequencies.tolist()
     rigid, paths, rows = content["rigid_modes"], content["parameters"], []
-    for i in order[:most]:
-        known = [paths.index(name) for name in changes.paths[i] if name in paths]
-        values = [quantity(content["values"][t], content["units"][t], 5).text for t in known]
+    for i in order[:max_rows]:
+        indices = [paths.index(name) for name in changes.paths[i] if name in paths]
+        values = [quantity(content["values"][t], content["units"][t], 5).text for t in indices]
         row = [_quantity(model, changes.names[i]), Cell(", ".join(values) or NOTHING)]
         for mode, frequency in enumerate(frequencies):
             value, place = float(100.0 * changes.changes[i, mode] / frequency), ""
-            if known:
-                place = pointer("relative_derivatives", known[0], rigid + mode)
-                value = content["relative_derivatives"][known[0]][rigid + mode]
+            if indices:
+                place = pointer("relative_derivatives", indices[0], rigid + mode)
+                value = content["relative_derivatives"][indices[0]][rigid + mode]
             row.append(number(value, "+.4f", place))
         rows.append(row)
-    note = "" if all(len(changes.names[i]) == 1 for i in order[:most]) else ONE
-    if most is not None and len(order) > most:
-        note = f"{note} The {most} largest of {len(order)}, by their largest in any mode.".strip()
+    note = "" if all(len(changes.names[i]) == 1 for i in order[:max_rows]) else ONE
+    if max_rows is not None and len(order) > max_rows:
+        note = f"{note} The {max_rows} largest of {len(order)}, by their largest in any mode.".strip()
     caption = "Per cent of each frequency for one per cent more of a quantity, the largest first."
     return Table(
         caption, _columns("quantity", "value", page_only=True, modes=len(frequencies)), rows, note=note
@@ -130,8 +135,8 @@ def per_sigma(model: Model, changes: Changes) -> Table:
         symbol = model.robot.quantities[path].unit
         row = [_quantity(model, [path]), quantity(sigmas[path], symbol, 3)]
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
-    together = [number(float(value), ".3f", strong=True) for value in changes.together]
-    rows.append([Cell("all together", strong=True), Cell(""), *together])
+    combined = [number(float(value), ".3f", strong=True) for value in changes.together]
+    rows.append([Cell("all together", strong=True), Cell(""), *combined])
     how = (
         CORRELATED
         if model.robot.covariance
@@ -151,7 +156,7 @@ def per_unit(model: Model, content: dict[str, Any]) -> Table:
     rigid, rows = content["rigid_modes"], []
     depends = acting(content)
     largest = [
-        max((abs(one or 0.0) for one in line[rigid:]), default=0.0)
+        max((abs(derivative or 0.0) for derivative in line[rigid:]), default=0.0)
         for line in content["relative_derivatives"]
     ]
     for t in sorted(depends, key=lambda t: -float(f"{largest[t]:.6g}")):

@@ -66,12 +66,12 @@ class Setting:
             plain=", ".join(f"{path} = {cell.plain}" for path, cell in cells.items()),
         )
 
-    def origin(self, evidence: Evidence, more: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
+    def origin(self, evidence: Evidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
         """Return the section of data and versions.
 
         Parameters
         ----------
-        more : sequence of (str, sequence of Cell)
+        further_facts : sequence of (str, sequence of Cell)
             Further facts.
         """
         places = plural(len(evidence.labels), evidence.place)
@@ -80,14 +80,16 @@ class Setting:
             low, high = self.data.band
             facts.append(("band", [Cell(f"{low:g} Hz to {high:g} Hz")]))
         stated = {} if self.data is None else {"prior": self.data.priors, "usable": self.data.usable}
-        for what, values in stated.items():
+        for kind, values in stated.items():
             if values:
-                facts.append((what, [Cell(clean(f"{name} = {one.text}")) for name, one in values.items()]))
+                facts.append(
+                    (kind, [Cell(clean(f"{name} = {statement.text}")) for name, statement in values.items()])
+                )
         mechanism = None if self.robot is None else self.robot.mechanism
-        return origin(self.sources, mechanism, [*facts, *more])
+        return origin(self.sources, mechanism, [*facts, *further_facts])
 
     def components(self, count: int) -> Sequence[tuple[str, str]]:
-        """Return the names and units of the components of a pose with so many of them."""
+        """Return the names and units of the components of a pose with `count` components."""
         if self.robot is not None:
             named = [(component.name, component.unit) for component in self.robot.mechanism.pose]
         elif self.data is not None:

@@ -1,4 +1,4 @@
-"""The report of ``pkmodes shaper``: what shapers leave of the vibration, where, and how surely."""
+"""The report of ``pkmodes shaper``: what shapers leave of the vibration, where, and how certain that is."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ if TYPE_CHECKING:
 
 #: Relative errors of the frequencies in the second figure.
 ERRORS = np.linspace(-0.2, 0.2, 81)
-#: Poses at which shapers are evaluated over the frequency error at most.
+#: Most poses at which shapers are evaluated over the frequency error.
 POSES = 400
-#: Poses whose components differ by less are in one layer [SI].
+#: Poses whose components differ by less than this lie in one layer [SI].
 SAME = 1e-9
-#: Per cent left everywhere below which a map would be of one colour.
+#: Where less than this is left everywhere [%], a map would have a single colour.
 FLAT = 0.05
-#: Poses in a layer, of those that a layer of a regular grid would have, at least.
+#: Smallest number of poses in a layer, relative to that in a layer of a regular grid.
 LAYER = 0.3
 
 
@@ -121,15 +121,15 @@ def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
 
 def why_recommended(choice: Choice) -> str:
     """Return why it is recommended."""
-    most, length = choice.left, choice.length
+    limit, length = choice.left, choice.length
     lasting = "" if length is None else f" that lasts at most {1e3 * length:.4g} ms"
-    if choice.candidates[choice.recommended].left.worst <= most:
-        return f"It is the shortest fixed one{lasting} that leaves at most {plain(100.0 * most, 3)} % there."
-    return f"No fixed one{lasting} leaves at most {plain(100.0 * most, 3)} % there; it leaves least."
+    if choice.candidates[choice.recommended].left.worst <= limit:
+        return f"It is the shortest fixed one{lasting} that leaves at most {plain(100.0 * limit, 3)} % there."
+    return f"No fixed one{lasting} leaves at most {plain(100.0 * limit, 3)} % there; it leaves least."
 
 
 def as_sentence(text: str) -> str:
-    """Return a note as a sentence; a name that stands first keeps its small letter."""
+    """Return a note as a sentence; a name at its beginning keeps its small letter."""
     whole = sentence(text)
     return whole if text.partition(" ")[0].isalpha() else text[:1] + whole[1:]
 
@@ -150,7 +150,7 @@ def machine(model: Model, choice: Choice, content: dict[str, Any]) -> Facts:
         where.append(Cell(clean(choice.unshaped.setting)))
     entries.append(("largest without a shaper at", where))
     for path, symbol in at.settings[0].units.items() if at.settings else ():
-        values = np.array([one.values[path] for one in at.settings])
+        values = np.array([setting.values[path] for setting in at.settings])
         count = len(set(values.tolist()))
         extent = with_unit(_range(values, ".4g"), symbol) + (f" ({count} values)" if count > 1 else "")
         entries.append((clean(path), [minus(extent)]))
@@ -175,7 +175,7 @@ def _range(values: NDArray[np.float64], form: str) -> str:
 def shapers_table(choice: Choice) -> Table:
     """Return all shapers, and what each leaves."""
     keys = {"rms": "left, rms [%]", "worst": "worst [%]", "rms_uncertain": "rms, uncertain [%]"}
-    uncertain = any(one.left.rms_uncertain is not None for one in choice.candidates)
+    uncertain = any(candidate.left.rms_uncertain is not None for candidate in choice.candidates)
     if not uncertain:
         del keys["rms_uncertain"]
     columns = [
@@ -185,18 +185,18 @@ def shapers_table(choice: Choice) -> Table:
         *(Column(title) for title in keys.values()),
     ]
     rows = []
-    for i, one in enumerate(choice.candidates):
+    for i, candidate in enumerate(choice.candidates):
         strong = i == choice.recommended
         cells = [
-            Cell(clean(one.kind) + (" *" if strong else ""), strong=strong),
+            Cell(clean(candidate.kind) + (" *" if strong else ""), strong=strong),
             Cell(
                 f"of the {choice.ringing.point_is}"
-                if one.follows_pose
-                else ", ".join(f"{f:.2f}" for f in one.frequencies)
+                if candidate.follows_pose
+                else ", ".join(f"{f:.2f}" for f in candidate.frequencies)
             ),
-            number(one.duration, ".1f", scale=1e3),
+            number(candidate.duration, ".1f", scale=1e3),
         ]
-        cells += [number(getattr(one.left, key), ".2f", scale=100.0) for key in keys]
+        cells += [number(getattr(candidate.left, key), ".2f", scale=100.0) for key in keys]
         rows.append(cells)
     caption = (
         f"What shapers leave of the vibration: the root mean square over the {choice.ringing.points_are}, of that "
@@ -217,10 +217,10 @@ def _picked(choice: Choice) -> dict[str, Candidate]:
     """Return the recommended shaper, and the best one that follows the pose."""
     best = choice.candidates[choice.recommended]
     picked = {f"{best.kind}, fixed": best}
-    following = [one for one in choice.candidates if one.follows_pose]
+    following = [candidate for candidate in choice.candidates if candidate.follows_pose]
     if following:
-        one = min(following, key=lambda each: (round(each.left.worst, 6), each.duration))
-        picked[f"{one.kind}, of the {choice.ringing.point_is}"] = one
+        follower = min(following, key=lambda candidate: (round(candidate.left.worst, 6), candidate.duration))
+        picked[f"{follower.kind}, of the {choice.ringing.point_is}"] = follower
     return picked
 
 
@@ -233,8 +233,8 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
         part, at = np.flatnonzero(at.setting == number), at.only(number)
     varying = [i for i in range(len(components)) if np.ptp(at.poses[:, i]) > SAME]
     shares = {
-        name: 100.0 * one.left_at[part] * at.unshaped / choice.unshaped.worst
-        for name, one in _picked(choice).items()
+        name: 100.0 * candidate.left_at[part] * at.unshaped / choice.unshaped.worst
+        for name, candidate in _picked(choice).items()
     }
     if not varying:
         share = ", ".join(f"{name}: {_per_cent(values[0] / 100.0)}" for name, values in shares.items())
@@ -269,29 +269,32 @@ def _over_workspace(model: Model, choice: Choice) -> Picture | Paragraph:
 
 
 def _plane(
-    poses: NDArray[np.float64], through: NDArray[np.float64], others: Sequence[int]
+    poses: NDArray[np.float64], through: NDArray[np.float64], normals: Sequence[int]
 ) -> tuple[NDArray[np.bool_], dict[int, float]]:
     """Return the poses in the layer through one of them, and its place; all poses where they form no layers."""
-    layer = np.asarray((np.abs(poses[:, others] - through[others]) < SAME).all(axis=1))
-    if layer.sum() < LAYER * len(poses) ** (2.0 / (2 + len(others))):
+    layer = np.asarray((np.abs(poses[:, normals] - through[normals]) < SAME).all(axis=1))
+    if layer.sum() < LAYER * len(poses) ** (2.0 / (2 + len(normals))):
         return np.ones(len(poses), dtype=bool), {}
-    return layer, {i: float(through[i]) for i in others}
+    return layer, {i: float(through[i]) for i in normals}
 
 
 def _against_error(choice: Choice) -> Picture:
     at = choice.ringing
-    some = np.unique(np.linspace(0, len(at.poses) - 1, POSES).astype(int))
-    f, ratios, weights = at.frequencies[some], at.damping_ratios[some], at.weights[some]
+    sample = np.unique(np.linspace(0, len(at.poses) - 1, POSES).astype(int))
+    f, ratios, weights = at.frequencies[sample], at.damping_ratios[sample], at.weights[sample]
     before = np.sqrt(np.mean(np.sum(weights**2, axis=1)))
-    fixed = sorted((one for one in choice.candidates if not one.follows_pose), key=lambda one: one.left.worst)
-    drawn = {**_picked(choice), **{f"{one.kind}, fixed": one for one in fixed[:CURVES]}}
-    left = {}
-    for name, one in list(drawn.items())[:CURVES]:
-        impulses = one.shaper
-        if one.follows_pose:
-            impulses = type(impulses)(impulses.amplitudes[some], impulses.delays[some])
+    fixed = sorted(
+        (candidate for candidate in choice.candidates if not candidate.follows_pose),
+        key=lambda candidate: candidate.left.worst,
+    )
+    drawn = {**_picked(choice), **{f"{candidate.kind}, fixed": candidate for candidate in fixed[:CURVES]}}
+    remaining = {}
+    for name, candidate in list(drawn.items())[:CURVES]:
+        impulses = candidate.shaper
+        if candidate.follows_pose:
+            impulses = type(impulses)(impulses.amplitudes[sample], impulses.delays[sample])
         all_left = np.array([residual(impulses, f * (1.0 + error), ratios) for error in ERRORS])
-        left[name] = 100.0 * np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
+        remaining[name] = 100.0 * np.sqrt(np.mean(np.sum((weights * all_left) ** 2, axis=2), axis=1)) / before
     caption = (
         f"Root mean square over the {at.points_are} of the vibration that is left if all frequencies differ from "
         "those of the model by the same share. Belts that are 10 % stiffer raise them by 5 %."
@@ -300,5 +303,5 @@ def _against_error(choice: Choice) -> Picture:
     if spread is not None:
         caption += " The band is the mean standard deviation of the frequencies."
     return Picture.of(
-        shapers.against_error(ERRORS, left, spread), "Against frequency error", caption, caption
+        shapers.against_error(ERRORS, remaining, spread), "Against frequency error", caption, caption
     )

@@ -20,7 +20,7 @@ from pkmodes.support.ordering import joined
 if TYPE_CHECKING:
     from pkmodes.shaping.results import Candidate, Choice
 
-#: Shapers that are drawn at most, and frequencies of a curve.
+#: Most shapers drawn, and number of frequencies in a curve.
 CURVES, DRAWN = 5, 400
 
 
@@ -32,24 +32,30 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
     if spectrum is not None:
         spectrum = spectrum.up_to(f[-1])
     curves = []
-    for one in fixed:
-        design = f"{one.kind} ({design_of(one)}): {plain(100.0 * one.left.worst, 2)} %"
-        left = 100.0 * residual(one.shaper, f, one.damping_ratio)
-        curves.append(shapers.Curve(design + (", recommended" if one is best else ""), left, one is best))
+    for candidate in fixed:
+        design = f"{candidate.kind} ({design_of(candidate)}): {plain(100.0 * candidate.left.worst, 2)} %"
+        remaining = 100.0 * residual(candidate.shaper, f, candidate.damping_ratio)
+        curves.append(
+            shapers.Curve(
+                design + (", recommended" if candidate is best else ""), remaining, candidate is best
+            )
+        )
     ratio = f"{plain(100.0 * best.damping_ratio, 2)} %"
     caption = (
         f"What each shaper leaves of a mode at each frequency, for the damping ratio of the designs, {ratio}. The "
         f"legend has the frequencies of each design, and the most that it leaves {at.where_most}."
     )
-    if len(fixed) < sum(not one.follows_pose for one in choice.candidates):
+    if len(fixed) < sum(not candidate.follows_pose for candidate in choice.candidates):
         caption += (
             f" At most {CURVES} are drawn: the recommended one, and the shortest of those that no other beats in "
             "both length and what it leaves."
         )
     drawn = marked = None
     if spectrum is not None:
-        seen = spectrum.frequencies >= BELOW * at.frequencies.min()  # lower, the movement itself is higher
-        before = 100.0 * np.sqrt(spectrum.density / spectrum.density[seen].max())
+        above_movement = (
+            spectrum.frequencies >= BELOW * at.frequencies.min()
+        )  # lower, the movement itself is higher
+        before = 100.0 * np.sqrt(spectrum.density / spectrum.density[above_movement].max())
         after = before * residual(best.shaper, spectrum.frequencies, best.damping_ratio)
         drawn = shapers.Spectrum(spectrum.frequencies, before, after)
         summed = joined(list(map(clean, spectrum.directions)))
@@ -58,9 +64,9 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
             f"{summed}; and what is left of it if each frequency is a mode of its own."
         )
     if isinstance(at, MeasuredRinging):
-        nominal, most = (100.0 * left for left in at.left_of(best))
+        nominal, largest = (100.0 * share for share in at.left_of(best))
         words = f"within {WITHIN:g} standard deviations"
-        marked = shapers.MarkedModes(at.data.frequency[at.rows], nominal, most, words)
+        marked = shapers.MarkedModes(at.data.frequency[at.rows], nominal, largest, words)
         caption += (
             " Dots are what the recommended one leaves of the measured modes with their own damping; lines reach to "
             f"the most {words} of frequency and damping ratio."
@@ -70,24 +76,24 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
 
 def _frequencies(choice: Choice) -> NDArray[np.float64]:
     """Return the frequencies at which curves are drawn [Hz], from above 0 to beyond all modes and designs."""
-    designs = [f for one in choice.candidates for f in one.frequencies]
+    designs = [f for candidate in choice.candidates for f in candidate.frequencies]
     return np.linspace(0.0, ABOVE * max(float(choice.ringing.frequencies.max()), *designs), DRAWN + 1)[1:]
 
 
 def _undominated(choice: Choice) -> list[Candidate]:
-    """Return the recommended shaper and fixed ones that no other beats in both length and what it leaves, a few."""
+    """Return the recommended shaper and a few fixed ones that no other beats in length and remaining vibration."""
     best = choice.candidates[choice.recommended]
     fixed = sorted(
-        (one for one in choice.candidates if not one.follows_pose),
-        key=lambda one: (one.duration, one.left.worst),
+        (candidate for candidate in choice.candidates if not candidate.follows_pose),
+        key=lambda candidate: (candidate.duration, candidate.left.worst),
     )
     least = np.inf
-    found: list[Candidate] = []
-    for one in fixed:
-        if one.left.worst < least and len(found) < CURVES:
-            found.append(one)
-            least = one.left.worst
-    return found if any(one is best for one in found) else [*found[: CURVES - 1], best]
+    chosen: list[Candidate] = []
+    for candidate in fixed:
+        if candidate.left.worst < least and len(chosen) < CURVES:
+            chosen.append(candidate)
+            least = candidate.left.worst
+    return chosen if any(candidate is best for candidate in chosen) else [*chosen[: CURVES - 1], best]
 
 
 def over_frequency_section(choice: Choice, spectrum: MeasuredSpectrum | None) -> Section:
@@ -103,23 +109,29 @@ def curves_csv(choice: Choice, spectrum: MeasuredSpectrum | None) -> str:
     columns = {"frequency": f}
     if spectrum is not None:
         columns["density"] = spectrum.density
-    for one in (each for each in choice.candidates if not each.follows_pose):
-        columns[f"left:{one.kind}"] = residual(one.shaper, f, one.damping_ratio)
+    for candidate in (candidate for candidate in choice.candidates if not candidate.follows_pose):
+        columns[f"left:{candidate.kind}"] = residual(candidate.shaper, f, candidate.damping_ratio)
     rows = np.column_stack(list(columns.values())).tolist()
     return "".join(f"{','.join(map(str, cells))}\n" for cells in [list(columns), *rows])
 
 
 def spectrum_facts(content: dict[str, Any]) -> list[tuple[str, Cell]]:
-    """Return what the recommended shaper does to the highest peak of a spectrum; nothing without one."""
-    seen = content["spectrum"]
-    if seen is None:
+    """Return what the recommended shaper does to the highest peak of a spectrum; empty without one."""
+    spectrum = content["spectrum"]
+    if spectrum is None:
         return []
     return [
-        ("highest peak of the spectrum [Hz]", number(seen["peak_hz"], ".1f", pointer("spectrum", "peak_hz"))),
-        ("left of a mode there [%]", number(seen["left"], ".2g", pointer("spectrum", "left"), scale=100.0)),
+        (
+            "highest peak of the spectrum [Hz]",
+            number(spectrum["peak_hz"], ".1f", pointer("spectrum", "peak_hz")),
+        ),
+        (
+            "left of a mode there [%]",
+            number(spectrum["left"], ".2g", pointer("spectrum", "left"), scale=100.0),
+        ),
     ]
 
 
-def design_of(one: Candidate) -> str:
+def design_of(candidate: Candidate) -> str:
     """Return the frequencies of a design in words."""
-    return f"{joined([f'{f:.1f}' for f in one.frequencies])} Hz"
+    return f"{joined([f'{f:.1f}' for f in candidate.frequencies])} Hz"

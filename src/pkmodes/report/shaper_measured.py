@@ -20,7 +20,7 @@ from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
 from pkmodes.shaping.results import Choice
 from pkmodes.support.numbers import plain
 
-#: What everything is said within.
+#: The range of errors for which everything is stated.
 ERRORS = f"within {WITHIN:g} standard deviations of its frequency and damping ratio"
 
 
@@ -62,12 +62,12 @@ def measured_shaper_report(
 def summary(choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
     best = choice.candidates[choice.recommended]
-    left = of_measured(choice).shares(best)
+    remaining = of_measured(choice).shares(best)
     at = ("shapers", choice.recommended, "left")
     modes, poses = plural(content["modes"], "measured mode"), plural(content["poses"], "pose")
-    most = f"{plain(100.0 * left.worst_uncertain, 2)} %"
+    worst = f"{plain(100.0 * remaining.worst_uncertain, 2)} %"
     reason = (
-        f"The recommended shaper, for {design_of(best)}, leaves at most {most} of the vibration in each of the "
+        f"The recommended shaper, for {design_of(best)}, leaves at most {worst} of the vibration in each of the "
         f"{modes} at {poses}, {ERRORS}. {why_recommended(choice)} How much each mode takes part in a movement is not "
         "in the table, so each counts in full: of all of them together no larger share is left."
     )
@@ -75,17 +75,17 @@ def summary(choice: Choice, content: dict[str, Any]) -> Summary:
         ("lasts", Cell(f"{1e3 * best.duration:.3g} ms", best.duration)),
         (
             "most left of a mode as measured [%]",
-            number(left.worst, ".2g", pointer(*at, "worst"), scale=100.0),
+            number(remaining.worst, ".2g", pointer(*at, "worst"), scale=100.0),
         ),
         (
             f"most left of a mode within {WITHIN:g} \u03c3 [%]",
-            number(left.worst_uncertain, ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
+            number(remaining.worst_uncertain, ".2g", pointer(*at, "worst_uncertain"), scale=100.0),
         ),
     ]
     return Summary(
         subject=shortened(Path(content["measured"]).name),
         kind="Shaper",
-        headline=f"{best.kind} leaves at most {most} of each measured mode",
+        headline=f"{best.kind} leaves at most {worst} of each measured mode",
         reason=reason,
         notes=[as_sentence(clean(note)) for note in content["notes"]],
         facts=[*facts, *spectrum_facts(content)],
@@ -104,15 +104,17 @@ def shapers_table(choice: Choice) -> Table:
     ]
     rows = []
     ringing = of_measured(choice)
-    for i, one in enumerate(choice.candidates):
-        strong, at, left = i == choice.recommended, ("shapers", i), ringing.shares(one)
+    for i, candidate in enumerate(choice.candidates):
+        strong, at, remaining = i == choice.recommended, ("shapers", i), ringing.shares(candidate)
         cells = [
-            Cell(clean(one.kind) + (" *" if strong else ""), strong=strong),
-            Cell(", ".join(f"{f:.2f}" for f in one.frequencies)),
-            number(one.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
+            Cell(clean(candidate.kind) + (" *" if strong else ""), strong=strong),
+            Cell(", ".join(f"{f:.2f}" for f in candidate.frequencies)),
+            number(candidate.duration, ".1f", pointer(*at, "duration_s"), scale=1e3),
         ]
-        cells += [number(getattr(left, key), ".2f", pointer(*at, "left", key), scale=100.0) for key in keys]
-        cells.append(number(one.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6))
+        cells += [
+            number(getattr(remaining, key), ".2f", pointer(*at, "left", key), scale=100.0) for key in keys
+        ]
+        cells.append(number(candidate.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6))
         rows.append(cells)
     caption = (
         "What shapers leave of the measured modes: the root mean square and the largest of all as measured, and the "
@@ -122,41 +124,41 @@ def shapers_table(choice: Choice) -> Table:
     return Table(caption, columns, rows, note="* The recommended one.", heads=2)
 
 
-def modes_table(content: dict[str, Any], most: int | None = None) -> Table:
-    """Return the measured modes with what the recommended shaper leaves of each, those of which most is left first.
+def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
+    """Return the measured modes with what the recommended shaper leaves of each, the largest remainders first.
 
     Parameters
     ----------
-    most : int, optional
-        How many at most; all by default.
+    max_modes : int, optional
+        Most modes; all by default.
     """
     modes = content["measured_modes"]
     order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])
     rows = []
-    for i in order[:most]:
-        one, at = modes[i], ("measured_modes", i)
+    for i in order[:max_modes]:
+        mode, at = modes[i], ("measured_modes", i)
         rows.append(
             [
-                label(one["pose"]),
-                number(one["line"], ".0f", pointer(*at, "line")),
+                label(mode["pose"]),
+                number(mode["line"], ".0f", pointer(*at, "line")),
                 uncertain(
-                    one["frequency_hz"],
-                    one["sigma_hz"],
+                    mode["frequency_hz"],
+                    mode["sigma_hz"],
                     pointer(*at, "frequency_hz"),
                     pointer(*at, "sigma_hz"),
                 ),
-                number(one["damping_ratio"], ".2f", pointer(*at, "damping_ratio"), scale=100.0),
-                number(one["left"], ".2f", pointer(*at, "left"), scale=100.0),
-                number(one["left_uncertain"], ".2f", pointer(*at, "left_uncertain"), scale=100.0),
+                number(mode["damping_ratio"], ".2f", pointer(*at, "damping_ratio"), scale=100.0),
+                number(mode["left"], ".2f", pointer(*at, "left"), scale=100.0),
+                number(mode["left_uncertain"], ".2f", pointer(*at, "left_uncertain"), scale=100.0),
             ]
         )
     columns = [Column("pose", numbers=False), Column("line"), Column("f [Hz]"), Column("damping ratio [%]")]
     columns += [Column("left [%]"), Column(f"left, {WITHIN:g} \u03c3 [%]")]
     caption = f"What the recommended shaper leaves of each measured mode: as measured, and at most {ERRORS}."
-    others = len(order) - len(rows)
+    omitted = len(order) - len(rows)
     note = (
-        f"{plural(others, 'mode')} of which less is left: the JSON and the report have them."
-        if others
+        f"{plural(omitted, 'mode')} of which less is left: the JSON and the report have them."
+        if omitted
         else ""
     )
     return table(caption, columns, rows, note=note)

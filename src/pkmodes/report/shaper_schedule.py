@@ -11,12 +11,12 @@ from pkmodes.support.numbers import plain
 if TYPE_CHECKING:
     from pkmodes.shaping.results import Choice, Step
 
-#: Of paths in titles, where it says nothing.
+#: Prefix of paths that titles leave out, since it carries no information.
 OF_EFFECTS = "effects."
 
 
 def schedule_blocks(choice: Choice) -> list[Table]:
-    """Return the table of the schedule; nothing without one."""
+    """Return the table of the schedule; empty without one."""
     schedule = choice.schedule
     if schedule is None:
         return []
@@ -46,21 +46,21 @@ def schedule_blocks(choice: Choice) -> list[Table]:
         f"setting with the recommended {clean(fixed.kind)} for all of them (fixed). Where it turns back, a shaped "
         "path is rounded by so much for each m/s\u00b2 of acceleration."
     )
-    rounds = [1e6 * one.best.rounding for one in schedule.steps]
+    rounds = [1e6 * step.best.rounding for step in schedule.steps]
     note = (
         f"Over all settings the schedule leaves {plain(100.0 * schedule.left.worst, 2)} % of the largest vibration "
         f"without a shaper, and rounds by {min(rounds):.1f} to {max(rounds):.1f} \u00b5m; {clean(fixed.kind)} for "
         f"all of them leaves {plain(100.0 * fixed.left.worst, 2)} % and rounds by {1e6 * fixed.rounding:.1f} \u00b5m."
     )
-    rows = [_row(one, i, layers, one_parameter) for i, one in enumerate(schedule.steps)]
+    rows = [_row(step, i, layers, one_parameter) for i, step in enumerate(schedule.steps)]
     return [Table(caption, columns, rows, note=note, heads=len(settings))]
 
 
-def _row(one: Step, i: int, layers: bool, one_parameter: bool) -> list[Cell]:
-    at, best = ("schedule", "steps", i), one.best
-    cells = [number(value, ".4g", pointer(*at, "set", path)) for path, value in one.setting.values.items()]
-    if layers and one.heights is not None:
-        cells.append(number(one.heights[0], ".1f", pointer(*at, "heights_m", 0), scale=1e3))
+def _row(step: Step, i: int, layers: bool, one_parameter: bool) -> list[Cell]:
+    at, best = ("schedule", "steps", i), step.best
+    cells = [number(value, ".4g", pointer(*at, "set", path)) for path, value in step.setting.values.items()]
+    if layers and step.heights is not None:
+        cells.append(number(step.heights[0], ".1f", pointer(*at, "heights_m", 0), scale=1e3))
     cells += [
         Cell(clean(best.kind)),
         Cell(", ".join(f"{f:.2f}" for f in best.frequencies)),
@@ -69,9 +69,9 @@ def _row(one: Step, i: int, layers: bool, one_parameter: bool) -> list[Cell]:
         number(best.left.worst, ".2f", pointer(*at, "left", "worst"), scale=100.0),
     ]
     if one_parameter:
-        cells.append(number(one.at_ends, ".2f", pointer(*at, "left_at_ends"), scale=100.0))
+        cells.append(number(step.at_ends, ".2f", pointer(*at, "left_at_ends"), scale=100.0))
     cells += [
-        number(one.fixed, ".2f", pointer(*at, "left_by_fixed"), scale=100.0),
+        number(step.fixed, ".2f", pointer(*at, "left_by_fixed"), scale=100.0),
         number(best.rounding, ".1f", pointer(*at, "rounding_s2"), scale=1e6),
     ]
     return cells

@@ -53,13 +53,13 @@ class Source:
             with path.open("rb") as file:  # in blocks: signals may be gigabytes
                 digest = hashlib.file_digest(file, "sha256").hexdigest()
         except OSError as error:
-            what = f"cannot read the {role}: {(error.strerror or str(error)).lower()}"
-            raise PkmodesError(what, str(path), "check the place") from None
+            problem = f"cannot read the {role}: {(error.strerror or str(error)).lower()}"
+            raise PkmodesError(problem, str(path), "check the place") from None
         return cls(role, path.name, digest)
 
 
 def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:
-    """Return the sources among some places that are files; others are objects from a script.
+    """Return the sources for those places that are files; the others are objects from a script.
 
     Parameters
     ----------

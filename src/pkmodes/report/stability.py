@@ -10,7 +10,7 @@ from pkmodes.diagnosis.verdict.stability_words import DOUBLED, HALVED, WIDENED, 
 from pkmodes.diagnosis.verdict.verdicts import ADEQUATE, EFFECT_FOUND, INSUFFICIENT_DATA, UNEXPLAINED
 from pkmodes.support.ordering import joined
 
-#: The changes as people say them.
+#: The changes of the stability test, in words.
 CHANGES = {HALVED: "sigma halved", DOUBLED: "sigma doubled", WIDENED: "priors twice as wide"}
 NOTHING = "nothing explains the residual"
 
@@ -29,11 +29,11 @@ def stability_sentence(result: Diagnosis) -> str:
     claimed = {member for effect in result.effects for member in effect.members}
     outcomes: dict[tuple[str, str], list[str]] = {}
     for entry in result.stability:
-        found = _outcome(result, entry, claimed), meaning(result, entry)
-        outcomes.setdefault(found, []).append(entry.change)
+        outcome = _outcome(result, entry, claimed), meaning(result, entry)
+        outcomes.setdefault(outcome, []).append(entry.change)
     same = _same(result)
-    order = sorted(outcomes, key=lambda found: found[0] != same)  # what stays comes first
-    parts = [_part(*found, outcomes[found], len(outcomes) == 1) for found in order]
+    order = sorted(outcomes, key=lambda outcome: outcome[0] != same)  # what stays comes first
+    parts = [_part(*outcome, outcomes[outcome], len(outcomes) == 1) for outcome in order]
     of = "the catalogue alone, " if result.beyond is not None and result.beyond.found is not None else ""
     return f"{of}{'stable' if stable(result) else 'stability'}: {'; '.join(parts)}"
 
@@ -49,8 +49,12 @@ def _outcome(result: Diagnosis, entry: Stability, claimed: set[str]) -> str:
         return entry.verdict
     if claimed and set(entry.effects) <= claimed:
         return _same(result) if entry.verdict == result.verdict else f"{_same(result)}, but not alone,"
-    what = names if entry.verdict == EFFECT_FOUND.word else f"{names}, but not alone,"
-    return f"{what} instead" if claimed else f"the best explanation, which is not claimed, is {what}"
+    explanation = names if entry.verdict == EFFECT_FOUND.word else f"{names}, but not alone,"
+    return (
+        f"{explanation} instead"
+        if claimed
+        else f"the best explanation, which is not claimed, is {explanation}"
+    )
 
 
 def _same(result: Diagnosis) -> str:
@@ -59,7 +63,7 @@ def _same(result: Diagnosis) -> str:
     return result.verdict
 
 
-def _part(outcome: str, why: str, changes: Sequence[str], alone: bool) -> str:
+def _part(outcome: str, why: str, changes: Sequence[str], single: bool) -> str:
     words = joined([CHANGES.get(change, change) for change in changes])
     because = f" ({why})" if why else ""
-    return f"{outcome} {'also ' if alone and ' ' not in outcome else ''}with {words}{because}"
+    return f"{outcome} {'also ' if single and ' ' not in outcome else ''}with {words}{because}"

@@ -1,4 +1,4 @@
-"""Tables without columns that say the same in every row: a sentence says it once."""
+"""Tables without the columns that are the same in every row: a sentence states them once."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from itertools import groupby
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import NOTHING
 
-#: Texts that say nothing.
+#: Texts that carry no information.
 BLANK = ("", NOTHING)
 
 
@@ -33,28 +33,26 @@ def table(
     over = [k for k, (_, count) in enumerate(groups) for _ in range(count)]
     same = [c for c in range(1, len(columns)) if not columns[c].page_only and _same([row[c] for row in rows])]
     kept = [c for c in range(len(columns)) if c not in same]
-    said = [
+    shared = [
         f"{_title(columns, groups, over, c)} {rows[0][c].text}" for c in same if rows[0][c].text not in BLANK
     ]
-    left = (
-        [(groups[k][0], len(list(some))) for k, some in groupby(over[c] for c in kept) if over]
-        if over
-        else []
+    kept_groups = (
+        [(groups[k][0], len(list(run))) for k, run in groupby(over[c] for c in kept) if over] if over else []
     )
-    sentences = [f"In every row: {', '.join(said)}."] if said else []
+    sentences = [f"In every row: {', '.join(shared)}."] if shared else []
     sentences += [note] if note else []
     return Table(
         caption,
         [columns[c] for c in kept],
         [[row[c] for c in kept] for row in rows],
-        left,
+        kept_groups,
         " ".join(sentences),
         sum(c < heads for c in kept),
     )
 
 
 def _same(cells: Sequence[Cell]) -> bool:
-    """Return whether the cells of a column say the same, and no more than words, counts or nothing."""
+    """Return whether the cells of a column are all the same, and are words, counts or blank."""
     texts = {cell.text for cell in cells}
     if len(texts) > 1 or not texts:
         return False

@@ -11,10 +11,10 @@ from pkmodes.core.base.arguments import real_numbers
 from pkmodes.core.base.errors import PkmodesError, shown
 
 Array = NDArray[np.float64]
-#: What to do about arguments that are not numbers.
+#: Remedy for arguments that are not numbers.
 GIVE = "give a number, or an array of numbers"
 DESIGN = "design it with pkmodes.shaping.shaper or Model.shaper"
-#: Error of the sum of a shaper's amplitudes, which rounding and few decimal digits make.
+#: Tolerance of the sum of a shaper's amplitudes, for rounding and values with few decimals.
 SUM = 1e-3
 
 
@@ -45,8 +45,8 @@ def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Ar
     try:
         f, zeta = np.broadcast_arrays(f, zeta)
     except ValueError:
-        what = f"expected one ratio, or one for each of the frequencies {f.shape}, found {zeta.shape}"
-        raise PkmodesError(what, "damping_ratios", "give arrays of the same shape") from None
+        problem = f"expected one ratio, or one for each of the frequencies {f.shape}, found {zeta.shape}"
+        raise PkmodesError(problem, "damping_ratios", "give arrays of the same shape") from None
     return f, zeta
 
 
@@ -59,21 +59,21 @@ def checked_impulses(shaper: Any) -> tuple[Array, Array]:
         If it is not a shaper, an amplitude is negative, their sum is not 1, or the delays do not ascend from 0.
     """
     try:
-        given = [np.asarray(part, dtype=float) for part in (shaper.amplitudes, shaper.delays)]
-        if given[0].shape[-1:] != given[1].shape[-1:]:
+        parts = [np.asarray(part, dtype=float) for part in (shaper.amplitudes, shaper.delays)]
+        if parts[0].shape[-1:] != parts[1].shape[-1:]:
             raise ValueError
-        amplitudes, delays = np.broadcast_arrays(*given)
+        amplitudes, delays = np.broadcast_arrays(*parts)
     except (AttributeError, TypeError, ValueError):
-        what = f"expected a shaper with as many amplitudes as delays, found {shown(shaper)}"
-        raise PkmodesError(what, "shaper", DESIGN) from None
+        problem = f"expected a shaper with as many amplitudes as delays, found {shown(shaper)}"
+        raise PkmodesError(problem, "shaper", DESIGN) from None
     if not delays.ndim or not delays.shape[-1]:
         raise PkmodesError("expected a shaper with impulses, found none", "shaper", DESIGN)
     sums = amplitudes.sum(axis=-1)
     if not (amplitudes >= 0.0).all() or not (np.abs(sums - 1.0) <= SUM).all():
         worst = np.unravel_index(np.argmax(np.abs(sums - 1.0)), sums.shape)
-        found = ", ".join(f"{amplitude:.4g}" for amplitude in amplitudes[worst])
-        what = f"expected amplitudes that are not negative, with the sum 1, found {found}"
-        raise PkmodesError(what, "shaper", DESIGN)
+        shown_amplitudes = ", ".join(f"{amplitude:.4g}" for amplitude in amplitudes[worst])
+        problem = f"expected amplitudes that are not negative, with the sum 1, found {shown_amplitudes}"
+        raise PkmodesError(problem, "shaper", DESIGN)
     if not (np.isfinite(delays).all() and (delays[..., 0] == 0.0).all() and (np.diff(delays) >= 0.0).all()):
         raise PkmodesError("expected delays in s that ascend from 0", "shaper", DESIGN)
     return amplitudes, delays

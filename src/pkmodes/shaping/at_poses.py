@@ -14,11 +14,11 @@ from pkmodes.shaping.ringing import Ringing, ringing
 from pkmodes.shaping.shapers import Shaper, shaper
 
 Array = NDArray[np.float64]
-#: Steps of the logarithm of the frequencies that are tried at each pose: zv leaves 3 % of a mode half a step away.
+#: Step in log frequency of the frequencies tried at each pose: zv leaves 3 % of a mode half a step away.
 APART = 0.04
-#: Poses evaluated together.
+#: Poses evaluated at once.
 TOGETHER = 2000
-#: Part of an interval that a golden section keeps.
+#: Fraction of an interval that a golden-section step keeps.
 GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 
 
@@ -72,12 +72,12 @@ def shaper_at(
     checked = model.checked(poses, "raise")
     at = ringing(model, checked.points, count if modes is None and count > 1 else modes, drives=drives)
     if at.left_out:
-        what = f"at {at.left_out} of the poses a mode does not oscillate"
+        problem = f"at {at.left_out} of the poses a mode does not oscillate"
         raise PkmodesError(
-            what, "poses", f"pkmodes modes --drives {at.drives} shows its frequency and damping ratio"
+            problem, "poses", f"pkmodes modes --drives {at.drives} shows its frequency and damping ratio"
         )
-    found = own_shapers(kind, at, continuous=continuous)
-    return Shaper(*(part.reshape(*checked.batch, -1) for part in found))
+    designs = own_shapers(kind, at, continuous=continuous)
+    return Shaper(*(part.reshape(*checked.batch, -1) for part in designs))
 
 
 def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
@@ -106,8 +106,10 @@ def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
     if continuous:
         return shaper(kind, np.average(at.frequencies, axis=-1, weights=share), zeta)
     parts = [slice(start, start + TOGETHER) for start in range(0, len(zeta), TOGETHER)]
-    found = [_least(kind, zeta[p], at.frequencies[p], at.damping_ratios[p], at.weights[p]) for p in parts]
-    return shaper(kind, np.concatenate(found), zeta)
+    frequencies = [
+        _least(kind, zeta[p], at.frequencies[p], at.damping_ratios[p], at.weights[p]) for p in parts
+    ]
+    return shaper(kind, np.concatenate(frequencies), zeta)
 
 
 def check_factors(kind: str, at: Ringing, where: str) -> int:
@@ -120,8 +122,8 @@ def check_factors(kind: str, at: Ringing, where: str) -> int:
     """
     count = len(factors(kind))
     if count > at.modes:
-        what = f"{kind} is for {count} modes, and {at.modes} count"
-        raise PkmodesError(what, where, "leave out a factor, or count more modes")
+        problem = f"{kind} is for {count} modes, and {at.modes} count"
+        raise PkmodesError(problem, where, "leave out a factor, or count more modes")
     return count
 
 
@@ -131,10 +133,10 @@ def _least(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> A
     The best of frequencies apart by less than what a shaper of two impulses notices, and between its neighbours by
     golden sections.
     """
-    one = shaper(kind, np.ones_like(zeta), zeta)
-    amplitudes, step = one.amplitudes[:, None, None], one.delays[:, 1, None]
+    unit_shaper = shaper(kind, np.ones_like(zeta), zeta)
+    amplitudes, step = unit_shaper.amplitudes[:, None, None], unit_shaper.delays[:, 1, None]
 
-    def left(logs: Array) -> Array:
+    def squared_vibration(logs: Array) -> Array:
         """Return the squared vibration for c designs at each pose, (N, c)."""
         steps = (step * np.exp(-logs))[..., None]
         return np.asarray(
@@ -146,23 +148,27 @@ def _least(kind: str, zeta: Array, f: Array, ratios: Array, weights: Array) -> A
     low, high = np.log(f.min(axis=1) / BEYOND), np.log(f.max(axis=1) * BEYOND)
     count = 2 + int(np.ceil((high - low).max() / APART))
     tried = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, count)
-    best = np.argmin(left(tried), axis=1)
+    best = np.argmin(squared_vibration(tried), axis=1)
     middle = np.take_along_axis(tried, best[:, None], 1)
     width = ((high - low) / (count - 1))[:, None]
     a, b = middle - width, middle + width
     for _ in range(int(np.ceil(np.log(2.0 * APART / CLOSE) / -np.log(GOLDEN)))):
         inner = np.hstack([b - GOLDEN * (b - a), a + GOLDEN * (b - a)])
-        values = left(inner)
+        values = squared_vibration(inner)
         lower = values[:, :1] <= values[:, 1:]
         a, b = np.where(lower, a, inner[:, :1]), np.where(lower, inner[:, 1:], b)
     ends = np.hstack([middle, 0.5 * (a + b)])
-    chosen = np.take_along_axis(ends, np.argmin(left(ends), axis=1)[:, None], 1)
+    chosen = np.take_along_axis(ends, np.argmin(squared_vibration(ends), axis=1)[:, None], 1)
     return np.asarray(np.exp(chosen[:, 0]))
 
 
 def following(kind: str, at: Ringing, fixed: Shaper) -> Shaper:
     """Return the best shaper of each pose, (N, n): that for its own modes, or a fixed one where this leaves less."""
-    own = own_shapers(kind, at)
-    mine, theirs = (at.shaped(residual(one, at.frequencies, at.damping_ratios)) for one in (own, fixed))
+    followed = own_shapers(kind, at)
+    mine, theirs = (
+        at.shaped(residual(design, at.frequencies, at.damping_ratios)) for design in (followed, fixed)
+    )
     loses = (mine > theirs)[:, None]
-    return Shaper(*(np.where(loses, other, one) for one, other in zip(own, fixed, strict=True)))
+    return Shaper(
+        *(np.where(loses, fixed_part, own_part) for own_part, fixed_part in zip(followed, fixed, strict=True))
+    )

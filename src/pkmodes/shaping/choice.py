@@ -26,7 +26,7 @@ from pkmodes.support.progress import say
 Array = NDArray[np.float64]
 #: Time between two commands of the controller [s].
 TICK = 1e-3
-#: A shaper needs as many ticks at least: its impulses would fall together.
+#: Shortest shaper, in ticks: the impulses of a shorter one would coincide.
 TICKS = 2
 SHARE = Constraint("a share above 0 and at most 1", lambda value: is_number(value) and 0.0 < value <= 1.0)
 TIME = Constraint("a positive time in s", lambda value: is_number(value) and 0.0 < value < np.inf)
@@ -71,27 +71,34 @@ def choose(
             "expected at least one kind of shaper, found none", "kinds", f"known: {', '.join(KINDS)}"
         )
     both: list[Candidate] = []
-    every = (*names, *names) if follow and at.known_between else names
-    for number, name in enumerate(every):
-        say(f"shaper {number + 1} of {len(every)}: {name}")
+    all_names = (*names, *names) if follow and at.known_between else names
+    for number, name in enumerate(all_names):
+        say(f"shaper {number + 1} of {len(all_names)}: {name}")
         if number < len(names):
             frequencies, fixed = best_fixed(name, at, firmware)
             both.append(_candidate(name, False, frequencies, at.mean_ratio, fixed, at))
         else:
             followed = following(name, at, both[number - len(names)].shaper)
             both.append(_candidate(name, True, (), np.nan, followed, at))
-    short = [one for one in both if np.min(one.shaper.durations) < TICKS * tick]
-    candidates = tuple(one for one in both if all(one is not each for each in short))
-    if not any(not one.follows_pose for one in candidates):
-        longest = max(one.duration for one in both)
-        what = f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
-        raise PkmodesError(what, "tick", "shorten the tick, or choose a longer kind")
+    short = [candidate for candidate in both if np.min(candidate.shaper.durations) < TICKS * tick]
+    candidates = tuple(
+        candidate for candidate in both if all(candidate is not excluded for excluded in short)
+    )
+    if not any(not candidate.follows_pose for candidate in candidates):
+        longest = max(candidate.duration for candidate in both)
+        problem = (
+            f"the shapers last {1e3 * longest:.3g} ms at most, less than two ticks of {1e3 * tick:.3g} ms"
+        )
+        raise PkmodesError(problem, "tick", "shorten the tick, or choose a longer kind")
     recommended, notes = _recommended(candidates, left, length, firmware, at)
     if firmware is not None:
         notes += _as_made(candidates, firmware)
     if short:
-        kept = {one.kind for one in candidates}
-        listed = dict.fromkeys(f"{one.kind}{_variant(one, at) if one.kind in kept else ''}" for one in short)
+        kept = {candidate.kind for candidate in candidates}
+        listed = dict.fromkeys(
+            f"{candidate.kind}{_variant(candidate, at) if candidate.kind in kept else ''}"
+            for candidate in short
+        )
         notes.append(f"{', '.join(listed)}: left out, shorter than two ticks of {1e3 * tick:.3g} ms")
     unshaped = _amplitude(at, at.unshaped)
     return Choice(at, unshaped, candidates, recommended, (*at.notes(), *notes), left, length, firmware)
@@ -101,38 +108,39 @@ def _per_cent(share: float) -> str:
     return f"{numbers.plain(100 * share, 2)} %" if share >= 1e-6 else "nothing"
 
 
-def _variant(one: Candidate, at: Ringing) -> str:
-    return f" of the {at.point_is}" if one.follows_pose else ", fixed"
+def _variant(candidate: Candidate, at: Ringing) -> str:
+    return f" of the {at.point_is}" if candidate.follows_pose else ", fixed"
 
 
-def lines_of(one: Candidate) -> dict[str, str | None]:
+def lines_of(candidate: Candidate) -> dict[str, str | None]:
     """Return the lines of a fixed shaper for the current version by firmware; None where it has no such shaper."""
-    return lines(*one.design)
+    return lines(*candidate.design)
 
 
 def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
-    """Say of which kinds a version makes impulses of its own, which are those compared."""
-    own = [
-        one.kind
-        for one in candidates
-        if not one.follows_pose and has_own(version, one.kind, one.damping_ratio)
+    """Return a note on the kinds whose impulses a version computes by its own formulas, which are those compared."""
+    with_own_impulses = [
+        candidate.kind
+        for candidate in candidates
+        if not candidate.follows_pose and has_own(version, candidate.kind, candidate.damping_ratio)
     ]
-    if not own:
+    if not with_own_impulses:
         return []
-    are = "is" if len(own) == 1 else "are"
+    are = "is" if len(with_own_impulses) == 1 else "are"
     return [
-        f"the fixed {joined(own)} {are} compared with the impulses that {name_of(version, version)} makes"
+        f"the fixed {joined(with_own_impulses)} {are} compared with the impulses that "
+        f"{name_of(version, version)} makes"
     ]
 
 
 def recommended_of(
-    candidates: Sequence[Candidate], left: float, length: float | None, firmware: str | None
+    candidates: Sequence[Candidate], share: float, length: float | None, firmware: str | None
 ) -> tuple[int | None, bool]:
     """Return the index of the shortest fixed shaper that is good enough, or else of the best one.
 
     Parameters
     ----------
-    left : float
+    share : float
         Share at the worst pose that is good enough.
     length : float or None
         Longest duration allowed [s].
@@ -148,12 +156,12 @@ def recommended_of(
     """
     allowed = [
         i
-        for i, one in enumerate(candidates)
-        if not one.follows_pose
-        and (length is None or one.duration <= length)
-        and (firmware is None or setting(firmware, *one.design) is not None)
+        for i, candidate in enumerate(candidates)
+        if not candidate.follows_pose
+        and (length is None or candidate.duration <= length)
+        and (firmware is None or setting(firmware, *candidate.design) is not None)
     ]
-    good = [i for i in allowed if candidates[i].left.worst <= left]
+    good = [i for i in allowed if candidates[i].left.worst <= share]
     if good:
         return min(good, key=lambda i: candidates[i].duration), True
     return min(allowed, key=lambda i: candidates[i].left.worst, default=None), False
@@ -161,65 +169,75 @@ def recommended_of(
 
 def _recommended(
     candidates: tuple[Candidate, ...],
-    left: float,
+    share: float,
     length: float | None,
     firmware: str | None,
     at: Ringing,
 ) -> tuple[int, list[str]]:
-    """Return the index of the recommended shaper, and what is to be said of it."""
-    best, good = recommended_of(candidates, left, length, firmware)
+    """Return the index of the recommended shaper, and notes on it."""
+    best, good = recommended_of(candidates, share, length, firmware)
     notes: list[str] = []
     if best is None:
-        fixed = [one for one in candidates if not one.follows_pose]
-        has = [one for one in fixed if firmware is None or setting(firmware, *one.design) is not None]
+        fixed = [candidate for candidate in candidates if not candidate.follows_pose]
+        has = [
+            candidate
+            for candidate in fixed
+            if firmware is None or setting(firmware, *candidate.design) is not None
+        ]
         if not has:
-            kinds = ", ".join(one.kind for one in fixed)
-            what = f"{name_of(firmware or '')} has none of the shapers compared: {kinds}"
-            raise PkmodesError(what, "firmware", "compare others, such as zv, mzv and ei")
+            kinds = ", ".join(candidate.kind for candidate in fixed)
+            problem = f"{name_of(firmware or '')} has none of the shapers compared: {kinds}"
+            raise PkmodesError(problem, "firmware", "compare others, such as zv, mzv and ei")
         of = "" if firmware is None else f" that {name_of(firmware)} has"
-        what = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
-        shortest = min(one.duration for one in has)
-        raise PkmodesError(what, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
+        problem = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
+        shortest = min(candidate.duration for candidate in has)
+        raise PkmodesError(problem, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
     if good:
         return best, notes
     of = "" if firmware is None else f" of {name_of(firmware)}"
     notes.append(
-        f"no fixed shaper{of} leaves at most {numbers.plain(100 * left, 3)} % {at.where_most}; the best one is "
+        f"no fixed shaper{of} leaves at most {numbers.plain(100 * share, 3)} % {at.where_most}; the best one is "
         "recommended"
     )
-    following = [one for one in candidates if one.follows_pose and (length is None or one.duration <= length)]
+    following = [
+        candidate
+        for candidate in candidates
+        if candidate.follows_pose and (length is None or candidate.duration <= length)
+    ]
     if following:
-        one = min(following, key=lambda each: (round(each.left.worst, 6), each.duration))
-        uncertain = one.left.rms_uncertain
+        follower = min(following, key=lambda candidate: (round(candidate.left.worst, 6), candidate.duration))
+        uncertain = follower.left.rms_uncertain
         spread = (
             ""
             if uncertain is None
             else f", {numbers.plain(100 * uncertain, 2)} % on average with uncertain frequencies"
         )
         notes.append(
-            f"following the {at.point_is}, {one.kind} leaves {_per_cent(one.left.worst)} {at.where_most}{spread}, "
-            "and more while the machine moves (pkmodes.Model.simulate)"
+            f"following the {at.point_is}, {follower.kind} leaves {_per_cent(follower.left.worst)} "
+            f"{at.where_most}{spread}, and more while the machine moves (pkmodes.Model.simulate)"
         )
     return best, notes
 
 
 def _candidate(
-    kind: str, follows: bool, frequencies: tuple[float, ...], zeta: float, one: Shaper, at: Ringing
+    kind: str, follows: bool, frequencies: tuple[float, ...], zeta: float, shaper: Shaper, at: Ringing
 ) -> Candidate:
-    shaped = shaped_by(one, at)
-    return Candidate(kind, follows, frequencies, zeta, one, relative(one, at, shaped), shaped / at.unshaped)
+    shaped = shaped_by(shaper, at)
+    return Candidate(
+        kind, follows, frequencies, zeta, shaper, relative(shaper, at, shaped), shaped / at.unshaped
+    )
 
 
-def shaped_by(one: Shaper, at: Ringing) -> Array:
+def shaped_by(shaper: Shaper, at: Ringing) -> Array:
     """Return the vibration that a shaper leaves, or one for each operating point, (N,) [s^2]."""
-    return at.shaped(residual(one, at.frequencies, at.damping_ratios))
+    return at.shaped(residual(shaper, at.frequencies, at.damping_ratios))
 
 
-def relative(one: Shaper, at: Ringing, shaped: Array) -> Amplitude:
+def relative(shaper: Shaper, at: Ringing, shaped: Array) -> Amplitude:
     """Return what a shaper leaves over all operating points, relative to no shaper."""
     amplitude, before = _amplitude(at, shaped), np.sqrt(np.mean(at.unshaped**2))
     squares = [
-        share * np.mean(at.shaped(residual(one, f, at.damping_ratios)) ** 2) for share, f in at.at_spread()
+        share * np.mean(at.shaped(residual(shaper, f, at.damping_ratios)) ** 2) for share, f in at.at_spread()
     ]
     return Amplitude(
         float(amplitude.rms / before),

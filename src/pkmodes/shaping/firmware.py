@@ -18,7 +18,7 @@ import numpy as np
 from pkmodes.shaping.shapers import Shaper
 from pkmodes_description.shapers import TOLERANCE
 
-#: Names as they are written.
+#: Official spelling of the names.
 NAMES = {"klipper": "Klipper", "marlin": "Marlin", "reprapfirmware": "RepRapFirmware"}
 
 
@@ -37,10 +37,10 @@ class Version(NamedTuple):
     since: str
 
 
-#: Versions by the name that chooses them, of each firmware the newest first, which has the name of the firmware.
+#: Versions by the name that selects them; for each firmware the newest comes first, under the name of the firmware.
 #: Klipper changed ei, 2hump_ei and 3hump_ei on 22 September 2025 (commit 5da026a33, pull request 7048;
 #: docs/Config_Changes.md dates it 20250916), and a missing comma left the terms of third order out of 3hump_ei until
-#: 31 March 2026 (commit 0d1445a72, pull request 7235).  The numbers are those of ``git describe``, as it logs them.
+#: 31 March 2026 (commit 0d1445a72, pull request 7235).  The numbers are from ``git describe``, as Klipper logs them.
 VERSIONS = {
     "klipper": Version("klipper", "31 March 2026 (v0.13.0-594)"),
     "klipper-2025-09": Version("klipper", "22 September 2025 (v0.13.0-273)"),
@@ -50,7 +50,7 @@ VERSIONS = {
     "reprapfirmware": Version("reprapfirmware", "3.6"),
     "reprapfirmware-3.5": Version("reprapfirmware", ""),
 }
-#: How a machine tells its version.
+#: How to ask a machine for its version.
 ASK = {
     "klipper": "Klipper writes its version at the start of klippy.log, and web interfaces show it; forks have their "
     "own numbers.",
@@ -59,18 +59,19 @@ ASK = {
     "older ones choose the shaper by S10 and above; there are no lines for these.",
     "reprapfirmware": "M115 reports the version of RepRapFirmware.",
 }
-#: The shapers of Klipper, and the largest damping ratio that it accepts (from 4 October 2025 on, commit 768b19e8b).
+#: The shapers of Klipper, and the largest damping ratio that it accepts for each (since 4 October 2025, commit
+#: 768b19e8b).
 KLIPPER = {"zv": 0.99, "mzv": 0.99, "zvd": 0.99, "ei": 0.4, "2hump_ei": 0.3, "3hump_ei": 0.2}
-#: Numbers of the shapers of fixed-time motion, and those that have a tolerance.
+#: Numbers of the shapers of fixed-time motion; then those that have a tolerance.
 MARLIN = {"zvd": 2, "zvdd": 3, "ei": 5, "2hump_ei": 6, "3hump_ei": 7, "mzv": 8}
 TOLERANT = ("ei", "2hump_ei", "3hump_ei")
-#: The least and the largest damping ratio, and the least frequency [Hz], that fixed-time motion accepts.
+#: Smallest and largest damping ratio, and lowest frequency [Hz], that fixed-time motion accepts.
 LEAST, MOST, LOWEST = 0.01, 0.25, 20.0
 REPRAPFIRMWARE = {"zvd": "zvd", "zvdd": "zvdd", "mzv": "mzv", "2hump_ei": "ei2", "3hump_ei": "ei3"}
-#: Damping ratio up to which RepRapFirmware makes nearly the impulses of the design of these names.  Those of its mzv
-#: are in reverse order (tags 3.5.3 and 3.6.0-beta.1): the smallest one first.
+#: Damping ratio up to which RepRapFirmware makes nearly the impulses of the design under these names.  Those of its
+#: mzv are in reverse order (tags 3.5.3 and 3.6.0-beta.1): the smallest one first.
 SAME = {"zvd": 0.99, "zvdd": 0.99, "mzv": 0.001, "2hump_ei": 0.03, "3hump_ei": 0.03}
-#: Impulses of a shaper of its own at most, and delays that it can tell apart [s].
+#: Most impulses of a custom shaper, and smallest difference of delays that is resolved [s].
 IMPULSES, APART = 5, 1e-5
 
 
@@ -85,7 +86,7 @@ def name_of(version: str, oldest: str | None = None) -> str:
         Another one of the same firmware: the name is that of all from it up to `version`.
     """
     name = VERSIONS[version].firmware
-    keys = [key for key, one in VERSIONS.items() if one.firmware == name]
+    keys = [key for key, release in VERSIONS.items() if release.firmware == name]
     newer = keys[: keys.index(version)]
     since = VERSIONS[oldest or version].since if newer or oldest else ""
     begins = f" from {since}" if since else ""

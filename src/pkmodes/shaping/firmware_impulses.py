@@ -21,9 +21,9 @@ from pkmodes.shaping.shapers import Shaper, shaper
 from pkmodes_description.shapers import SHAPERS, TOLERANCE
 
 Array = NDArray[np.float64]
-#: Samples of fixed-time motion in a second, FTM_FS: its default.
+#: Sampling rate of fixed-time motion [Hz]: the default of FTM_FS.
 SAMPLES = 1000.0
-#: Coefficients of the powers of the damping ratio, for each impulse: times, in periods of the undamped mode, and
+#: Coefficients of the powers of the damping ratio for each impulse: times, in periods of the undamped mode, and
 #: amplitudes.
 HUMPS = {
     "2hump_ei": (
@@ -100,7 +100,7 @@ def has_own(version: str, kind: str, zeta: float) -> bool:
 
 
 def settled(version: str, kind: str, frequency: float, zeta: float) -> float:
-    """Return the frequency in the middle of those of which a version makes the same impulses [Hz].
+    """Return the frequency in the middle of those for which a version makes the same impulses [Hz].
 
     Parameters
     ----------

@@ -18,18 +18,18 @@ from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.shapers import Shaper, shaper
 
 Array = NDArray[np.float64]
-#: Frequencies tried for each factor at most, and combinations of them.
+#: Most frequencies tried for each factor, and most combinations of them.
 TRIED, COMBINATIONS = 160, 20_000
-#: Modes at poses among which frequencies are looked for at most: those of poses that ring most, and of others evenly
-#: among the rest.
+#: Most modes at poses that the search considers: half from the poses that ring most, the rest spread evenly over the
+#: other poses.
 MOST = 3600
-#: Frequencies tried reach this far beyond those of the machine: robust shapers are best beside them.
+#: The frequencies tried reach beyond those of the machine by this factor: robust shapers work best slightly off them.
 BEYOND = 1.5
-#: Accuracy of the frequencies, relative: no shaper notices it.
+#: Relative accuracy of the frequencies: finer than any shaper needs.
 CLOSE = 1e-5
-#: Combinations evaluated together.
+#: Combinations evaluated at once.
 TOGETHER = 100
-#: From how many of the best the search goes on, and how many steps these are apart at least.
+#: Number of best combinations from which the search continues, and fewest steps between them.
 STARTS, APART = 5, 3
 
 
@@ -47,19 +47,19 @@ def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tupl
     """
     names, zeta = names_of(kind), at.mean_ratio
     version = None if len(names) > 1 else version
-    some = _chosen(at.unshaped, MOST // at.frequencies.shape[1])
-    modes, weights = (at.frequencies[some], at.damping_ratios[some]), at.weights[some]
+    chosen = _chosen(at.unshaped, MOST // at.frequencies.shape[1])
+    modes, weights = (at.frequencies[chosen], at.damping_ratios[chosen]), at.weights[chosen]
 
     def worst(log_frequencies: Array) -> float:
-        left = residual(_fixed(kind, np.exp(log_frequencies), zeta, version), *modes)
-        return float(np.linalg.norm(weights * left, axis=-1).max())
+        remaining = residual(_fixed(kind, np.exp(log_frequencies), zeta, version), *modes)
+        return float(np.linalg.norm(weights * remaining, axis=-1).max())
 
     low, high = modes[0].min() / BEYOND, modes[0].max() * BEYOND
     tried = np.geomspace(low, high, _resolution(names))
     tables = {name: _table(name, tried, zeta, version, *modes) for name in names}
     starts = _best_combinations([tables[name] for name in names], weights, alike=len(set(names)) == 1)
-    found = [_refined(worst, np.log(tried), start) for start in starts]
-    best = np.exp(min(found, key=worst))
+    refined = [_refined(worst, np.log(tried), start) for start in starts]
+    best = np.exp(min(refined, key=worst))
     if len(set(names)) == 1:
         best = np.sort(best)
     if version is not None:
@@ -75,13 +75,13 @@ def _fixed(kind: str, frequencies: Array, zeta: float, version: str | None) -> S
 
 
 def _chosen(unshaped: Array, count: int) -> NDArray[np.intp]:
-    """Return which poses the search looks at, at most so many."""
+    """Return the poses that the search considers, at most `count`."""
     if len(unshaped) <= count:
         return np.arange(len(unshaped))
     order = np.argsort(-unshaped)
-    most, others = order[: count // 2], order[count // 2 :]
-    even = others[np.linspace(0, len(others) - 1, count - len(most)).astype(int)]
-    return np.concatenate([most, even])
+    strongest, rest = order[: count // 2], order[count // 2 :]
+    even = rest[np.linspace(0, len(rest) - 1, count - len(strongest)).astype(int)]
+    return np.concatenate([strongest, even])
 
 
 def _resolution(names: tuple[str, ...]) -> int:
@@ -103,29 +103,31 @@ def _table(name: str, tried: Array, zeta: float, version: str | None, f: Array, 
 def _best_combinations(tables: list[Array], weights: Array, *, alike: bool) -> list[tuple[int, ...]]:
     """Return the best combinations of frequencies by index: what factors leave multiplies."""
     count, k = len(tables[0]), len(tables)
-    every = combinations_with_replacement(range(count), k) if alike else product(range(count), repeat=k)
-    indices = np.array(list(every))
+    combinations = (
+        combinations_with_replacement(range(count), k) if alike else product(range(count), repeat=k)
+    )
+    indices = np.array(list(combinations))
     worst = np.empty(len(indices))
     squares = (weights**2).astype(np.float32)
     small = [table.astype(np.float32) for table in tables]  # a start need not be exact
     for first in range(0, len(indices), TOGETHER):
-        some = indices[first : first + TOGETHER]
-        left = small[0][some[:, 0]]
-        for table, index in zip(small[1:], some.T[1:], strict=True):
-            left = left * table[index]
-        worst[first : first + TOGETHER] = np.einsum("cnm,nm->cn", left, squares).max(axis=1)
+        batch = indices[first : first + TOGETHER]
+        remaining = small[0][batch[:, 0]]
+        for table, index in zip(small[1:], batch.T[1:], strict=True):
+            remaining = remaining * table[index]
+        worst[first : first + TOGETHER] = np.einsum("cnm,nm->cn", remaining, squares).max(axis=1)
     return _apart(indices[np.argsort(worst, kind="stable")])
 
 
 def _apart(combinations: NDArray[np.intp]) -> list[tuple[int, ...]]:
     """Return the first few combinations that are not neighbours of each other."""
     chosen = [combinations[0]]
-    for one in combinations[1:]:
+    for combination in combinations[1:]:
         if len(chosen) == STARTS:
             break
-        if all(np.abs(one - other).max() >= APART for other in chosen):
-            chosen.append(one)
-    return [tuple(one.tolist()) for one in chosen]
+        if all(np.abs(combination - accepted).max() >= APART for accepted in chosen):
+            chosen.append(combination)
+    return [tuple(combination.tolist()) for combination in chosen]
 
 
 def _refined(worst: Callable[[Array], float], tried: Array, start: tuple[int, ...]) -> Array:
@@ -143,5 +145,5 @@ def _refined(worst: Callable[[Array], float], tried: Array, start: tuple[int, ..
     begin = tried[list(start)]
     simplex = np.vstack([begin, begin + 0.5 * step * np.eye(len(start))])
     options: Any = {"xatol": CLOSE, "fatol": 0.0, "maxfev": 150 * len(start), "initial_simplex": simplex}
-    found = minimize(worst, begin, method="Nelder-Mead", options=options)
-    return np.asarray(found.x)
+    minimum = minimize(worst, begin, method="Nelder-Mead", options=options)
+    return np.asarray(minimum.x)

@@ -7,7 +7,7 @@ from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes_description.shapers import SHAPERS, Kind
 
 PRODUCT = "*"
-#: Names of the kinds of shapers for one mode.
+#: Names of the kinds of shapers for a single mode.
 KINDS = tuple(SHAPERS)
 
 
@@ -23,10 +23,10 @@ def factors(kind: str) -> tuple[Kind, ...]:
     for name in names:
         if not isinstance(name, str) or name not in SHAPERS:
             of = f" in {shown(kind)}" if len(names) > 1 else ""
-            what = (
+            problem = (
                 f"expected {alternatives(KINDS)}, or a product such as zv{PRODUCT}zv, found {shown(name)}{of}"
             )
-            raise PkmodesError(what, "kind", nearest(name, KINDS))
+            raise PkmodesError(problem, "kind", nearest(name, KINDS))
     return tuple(SHAPERS[name] for name in names)
 
 

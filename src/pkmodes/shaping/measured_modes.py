@@ -26,13 +26,14 @@ from pkmodes.support.documents import Document, Size
 from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
-#: Standard deviations within which frequency and damping ratio are looked at, and places there: frequencies with the
-#: least and the largest ratio, and the mode as measured, which is the last one.
+#: Standard deviations within which frequency and damping ratio are varied, and the points evaluated: frequencies with
+#: the smallest and the largest ratio, and last the mode as measured.
 WITHIN = 2.0
 FREQUENCIES = np.repeat(np.linspace(-WITHIN, WITHIN, 5), 2)
 RATIOS = np.tile([-WITHIN, WITHIN], 5)
 PLACES = np.array([[*FREQUENCIES, 0.0], [*RATIOS, 0.0]])
-#: Least and largest damping ratio of a mode of which none is known, and the largest of all: beyond, none oscillates.
+#: Smallest and largest damping ratio assumed for a mode without one, and the largest for any mode: above it, none
+#: oscillates.
 UNKNOWN, LARGEST = (0.0, 0.1), 0.99
 RATIO = Constraint("a damping ratio from 0 to below 1", lambda value: is_number(value) and 0.0 <= value < 1.0)
 
@@ -53,7 +54,7 @@ class LeftOfModes(Document, frozen=True):
 
 @dataclass(frozen=True, eq=False)
 class MeasuredRinging(Ringing):
-    """R measured modes, each of them at K places within its errors as if it were alone: N = R K poses of one mode.
+    """R measured modes, each at K points within its errors and treated by itself: N = R K poses of one mode.
 
     Attributes
     ----------
@@ -76,28 +77,30 @@ class MeasuredRinging(Ringing):
 
     @property
     def known_between(self) -> bool:
-        """No: a table has its poses only."""
+        """No: a table only has its own poses."""
         return False
 
     @property
     def where_most(self) -> str:
-        """Where the most that a shaper leaves is looked for."""
+        """Where the largest remaining vibration is sought, in words."""
         return f"of the worst measured mode within {WITHIN:g} standard deviations"
 
-    def left_of(self, one: Candidate) -> tuple[Array, Array]:
-        """Return what a shaper leaves of each mode as measured, and at most within its errors, (R,) each."""
-        every = one.left_at.reshape(len(self.rows), -1)
-        return every[:, -1], every.max(axis=1)
+    def left_of(self, candidate: Candidate) -> tuple[Array, Array]:
+        """Return what a shaper leaves of each mode as measured, and the most within its errors, (R,) each."""
+        by_mode = candidate.left_at.reshape(len(self.rows), -1)
+        return by_mode[:, -1], by_mode.max(axis=1)
 
-    def shares(self, one: Candidate) -> LeftOfModes:
+    def shares(self, candidate: Candidate) -> LeftOfModes:
         """Return what a shaper leaves of all modes."""
-        left, most = self.left_of(one)
+        nominal, largest = self.left_of(candidate)
         return LeftOfModes(
-            rms=float(np.sqrt(np.mean(left**2))), worst=float(left.max()), worst_uncertain=float(most.max())
+            rms=float(np.sqrt(np.mean(nominal**2))),
+            worst=float(nominal.max()),
+            worst_uncertain=float(largest.max()),
         )
 
     def notes(self) -> list[str]:
-        """Return what the reader should know of these modes."""
+        """Return notes on these modes for the reader."""
         notes, data = [], self.data
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
@@ -160,11 +163,11 @@ def measured_ringing(
     counts = used[data.pose[order]] & (rank < (len(rank) if modes is None else modes))
     rows = np.sort(order[counts])
     f, sigma, zeta = data.frequency[rows], data.sigma[rows], data.damping[rows]
-    least, most = UNKNOWN if damping is None else (damping, damping)
-    middle, half = 0.5 * (least + most), 0.5 * (most - least) / WITHIN
-    known = np.isfinite(zeta)
-    ratios = np.where(known, zeta, middle)
-    spread = np.where(known, data.damping_sigma[rows], half)
+    smallest, largest = UNKNOWN if damping is None else (damping, damping)
+    middle, half = 0.5 * (smallest + largest), 0.5 * (largest - smallest) / WITHIN
+    measured = np.isfinite(zeta)
+    ratios = np.where(measured, zeta, middle)
+    spread = np.where(measured, data.damping_sigma[rows], half)
     steps, turns = PLACES
     within = f[:, None] * np.exp(steps * (sigma / f)[:, None])
     damped = np.clip(ratios[:, None] + turns * spread[:, None], 0.0, LARGEST)

@@ -13,11 +13,12 @@ from pkmodes.signals.functions import Kind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
-#: Frequencies that count, over the lowest and the highest mode.
+#: Range of frequencies considered, relative to the lowest and the highest mode.
 BELOW, ABOVE = 0.5, 1.4
-#: Relative distance of a peak from its mode at most, or else a line: damping and what drives the machine shift peaks.
+#: Largest relative distance of a peak from its mode, unless the lines are farther apart: damping and the excitation
+#: shift peaks.
 NEAR = 0.02
-#: What else a file may hold, and what to do with it.
+#: Other things that a file may hold, and what to do with them.
 OTHERS = {
     Kind.TIME: "signals in time: give their spectrum (Klipper writes one with OUTPUT=resonances)",
     Kind.FRF: "frequency responses: a spectrum has one column for each direction, such as psd_x",
@@ -56,8 +57,8 @@ class MeasuredSpectrum:
         low, high = BELOW * modes.min(), ABOVE * modes.max()
         inside = (self.frequencies >= low) & (self.frequencies <= high)
         if not self.density[inside].any():
-            what = f"expected a density around the modes, from {low:.4g} to {high:.4g} Hz, found none"
-            raise MeasurementError(what, self.source, "give the spectrum of a test that reaches the modes")
+            problem = f"expected a density around the modes, from {low:.4g} to {high:.4g} Hz, found none"
+            raise MeasurementError(problem, self.source, "give the spectrum of a test that reaches the modes")
         peak = float(self.frequencies[inside][np.argmax(self.density[inside])])
         spacing = float(np.median(np.diff(self.frequencies)))
         return peak, bool(np.abs(modes - peak).min() <= max(spacing, NEAR * peak))
@@ -79,21 +80,25 @@ def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
     """
     source = fspath(path)
     read = read_signals(path)
-    found = [one for one in read.functions if one.kind is Kind.SPECTRUM]
-    if not found:
-        kinds = [one.kind for one in read.functions]
-        other = next((OTHERS[kind] for kind in OTHERS if kind in kinds), "none")
-        what, _, remedy = other.partition(": ")
-        raise MeasurementError(f"expected power spectra, found {what}", source, remedy or "give another file")
-    first = found[0]
-    for one in found:
-        if not np.array_equal(one.abscissa, first.abscissa) or one.unit != first.unit:
-            what = f"the spectra of {first.response} and {one.response} have other frequencies or units"
-            raise MeasurementError(what, source, "give spectra that can be added")
-    total = np.sum([np.real(one.values) for one in found], axis=0)
+    spectra = [function for function in read.functions if function.kind is Kind.SPECTRUM]
+    if not spectra:
+        kinds = [function.kind for function in read.functions]
+        alternative = next((OTHERS[kind] for kind in OTHERS if kind in kinds), "none")
+        kind_found, _, remedy = alternative.partition(": ")
+        raise MeasurementError(
+            f"expected power spectra, found {kind_found}", source, remedy or "give another file"
+        )
+    first = spectra[0]
+    for spectrum in spectra:
+        if not np.array_equal(spectrum.abscissa, first.abscissa) or spectrum.unit != first.unit:
+            problem = (
+                f"the spectra of {first.response} and {spectrum.response} have other frequencies or units"
+            )
+            raise MeasurementError(problem, source, "give spectra that can be added")
+    total = np.sum([np.real(spectrum.values) for spectrum in spectra], axis=0)
     above = (first.abscissa > 0.0) & np.isfinite(total)
     if np.count_nonzero(above) < 2 or (total[above] < 0.0).any() or not total[above].any():
-        what = "expected a power spectral density that is not negative and somewhere positive, at two frequencies"
-        raise MeasurementError(what, source, "give the density itself, not its logarithm")
-    names = tuple(one.response for one in found)
+        problem = "expected a power spectral density that is not negative and somewhere positive, at two frequencies"
+        raise MeasurementError(problem, source, "give the density itself, not its logarithm")
+    names = tuple(spectrum.response for spectrum in spectra)
     return MeasuredSpectrum(source, first.abscissa[above], total[above], names)

@@ -1,4 +1,4 @@
-"""What firmware makes of a recommended shaper, and which it has instead of one that it lacks."""
+"""What firmware makes of a recommended shaper, and what it offers instead of one that it lacks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pkmodes.support.ordering import joined
 
 
 def remarks(choice: Choice) -> list[str]:
-    """Return sentences on firmware that lacks the recommended shaper, or makes another one of its lines."""
+    """Return sentences on firmware that lacks the recommended shaper, or makes a different one from its lines."""
     best = choice.candidates[choice.recommended]
     notes = _substitutes(choice, best)
     if best.kind in MARLIN and best.damping_ratio < LEAST:
@@ -24,10 +24,12 @@ def _substitutes(choice: Choice, best: Candidate) -> list[str]:
     for name in (name for name, line in lines_of(best).items() if line is None):
         index, good = recommended_of(choice.candidates, choice.left, choice.length, name)
         if index is not None:
-            one = choice.candidates[index]
-            worst = f"{plain(100 * one.left.worst, 2)} % {choice.ringing.where_most}"
+            substitute = choice.candidates[index]
+            worst = f"{plain(100 * substitute.left.worst, 2)} % {choice.ringing.where_most}"
             limit = f"{plain(100 * choice.left, 3)} %"
             which = f"is the shortest that leaves at most {limit}" if good else "leaves least"
-            instead = f"of those compared that it has, {one.kind} {which}: {worst}"
-            lacking.setdefault(f"{instead} (--shapers {one.kind} prints its lines)", []).append(NAMES[name])
+            instead = f"of those compared that it has, {substitute.kind} {which}: {worst}"
+            lacking.setdefault(f"{instead} (--shapers {substitute.kind} prints its lines)", []).append(
+                NAMES[name]
+            )
     return [f"no {best.kind} in {joined(names)}; {instead}" for instead, names in lacking.items()]

@@ -48,17 +48,17 @@ def residual(shaper: Shaper, frequencies: ArrayLike, damping_ratios: ArrayLike) 
     """
     f, zeta = checked_modes(frequencies, damping_ratios)
     amplitudes, delays = checked_impulses(shaper)
-    given, leading = f.shape, delays.shape[:-1]
-    # Of the two, one lacks axes at most: the other gets none, as (1,) times a negative number is ().
-    more = (1,) * (len(given) - len(leading))
-    amplitudes, delays = (one.reshape(leading + more + one.shape[-1:]) for one in (amplitudes, delays))
-    more = (1,) * (len(leading) - len(given))
-    f, zeta = f.reshape(given + more), zeta.reshape(given + more)
+    mode_axes, leading = f.shape, delays.shape[:-1]
+    # At most one of the two lacks axes; the other gets none, since (1,) times a negative number is ().
+    padding = (1,) * (len(mode_axes) - len(leading))
+    amplitudes, delays = (part.reshape(leading + padding + part.shape[-1:]) for part in (amplitudes, delays))
+    padding = (1,) * (len(leading) - len(mode_axes))
+    f, zeta = f.reshape(mode_axes + padding), zeta.reshape(mode_axes + padding)
     try:
         np.broadcast_shapes(f.shape, delays.shape[:-1])
     except ValueError:
-        what = f"expected frequencies for shapers {leading}, from the first axis on, found {given}"
-        raise PkmodesError(what, "frequencies", "give a frequency, or several, for each shaper") from None
+        problem = f"expected frequencies for shapers {leading}, from the first axis on, found {mode_axes}"
+        raise PkmodesError(problem, "frequencies", "give a frequency, or several, for each shaper") from None
     omega, root = 2.0 * np.pi * f, np.sqrt((1.0 - zeta) * (1.0 + zeta))
     # Time counts from the last impulse, where the factor in front of the sum is 1: nothing overflows.
     before = delays - delays[..., -1:]

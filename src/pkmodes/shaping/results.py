@@ -14,7 +14,7 @@ from pkmodes.shaping.settings import Setting, with_unit
 from pkmodes.shaping.shapers import Shaper
 
 Array = NDArray[np.float64]
-#: A fixed shaper is good enough if it leaves this share of the vibration at the worst pose.
+#: A fixed shaper is good enough if it leaves at most this share of the vibration at the worst pose.
 LEFT = 0.1
 
 
@@ -165,7 +165,7 @@ class Step:
 
     @property
     def good(self) -> bool:
-        """Whether it leaves as little as was asked for."""
+        """Whether it leaves no more than the allowed share."""
         return self.best.left.worst <= self.choice.left
 
 
@@ -202,10 +202,10 @@ class Schedule:
         version : str
             Such as ``"klipper"`` or ``"klipper-2025-08"``.
         """
-        pairs = [(one, change(version, *one.best.design)) for one in self.steps]
+        pairs = [(step, change(version, *step.best.design)) for step in self.steps]
         if any(text is None for _, text in pairs):
             return None
-        return "\n".join(f"; {self._place(one)}\n{text}" for one, text in pairs)
+        return "\n".join(f"; {self._place(step)}\n{text}" for step, text in pairs)
 
     def _place(self, step: Step) -> str:
         """Return where a command belongs: from which layer on, or for which values."""
@@ -218,6 +218,6 @@ class Schedule:
         )
 
 
-def command_of(one: Candidate) -> dict[str, str | None]:
+def command_of(candidate: Candidate) -> dict[str, str | None]:
     """Return the commands that set a fixed shaper between two moves, by firmware."""
-    return command(*one.design)
+    return command(*candidate.design)

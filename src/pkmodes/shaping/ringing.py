@@ -26,14 +26,14 @@ from pkmodes.support.motors import drives_in_use, motors_give_way, motors_in_wor
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
-#: Modes that count by default: the lowest ones.
+#: Default number of modes considered, the lowest ones.
 MODES = 3
-#: Largest amplitude over the median from which on a few poses decide everything.
+#: Ratio of the largest to the median amplitude above which a few poses decide everything.
 DOMINATING = 20.0
-#: Relative difference below which frequencies are the same.
+#: Relative difference below which frequencies count as equal.
 SAME = 1e-9
-#: Points and weights of the average over a normal distribution (Gauss and Hermite): exact for polynomials up to
-#: degree 17, and good to 1e-3 for what shapers leave of vibrations.
+#: Points and weights of the average over a normal distribution (Gauss-Hermite quadrature): exact for polynomials up
+#: to degree 17, and accurate to 1e-3 for the vibration that shapers leave.
 SPREAD, SHARE = (np.array(column) for column in np.polynomial.hermite_e.hermegauss(9))
 
 
@@ -80,9 +80,9 @@ class Ringing:
         """Amplitude of all modes together without a shaper [s^2], (N,)."""
         return np.asarray(np.linalg.norm(self.weights, axis=-1))
 
-    def shaped(self, left: Array) -> Array:
+    def shaped(self, remaining: Array) -> Array:
         """Return the same with a shaper that leaves some of each mode, (N, m), as (N,) [s^2]."""
-        return np.asarray(np.linalg.norm(self.weights * left, axis=-1))
+        return np.asarray(np.linalg.norm(self.weights * remaining, axis=-1))
 
     @property
     def modes(self) -> int:
@@ -96,7 +96,7 @@ class Ringing:
 
     @property
     def where_most(self) -> str:
-        """Where the most that a shaper leaves is looked for."""
+        """Where the largest remaining vibration is sought, in words."""
         return f"at the worst {self.point_is}"
 
     @property
@@ -106,7 +106,7 @@ class Ringing:
 
     @property
     def points_are(self) -> str:
-        """The same of all of them."""
+        """The same in the plural."""
         return "poses and settings" if len(self.settings) > 1 else "poses"
 
     def setting_of(self, point: int) -> Setting | None:
@@ -129,7 +129,7 @@ class Ringing:
         )
 
     def notes(self) -> list[str]:
-        """Return what the reader should know of these modes."""
+        """Return notes on these modes for the reader."""
         notes = []
         if self.left_out:
             are = "pose is" if self.left_out == 1 else "poses are"
@@ -167,7 +167,7 @@ class Ringing:
         return float(np.average(self.damping_ratios, weights=self.weights**2))
 
     def at_spread(self) -> list[tuple[float, Array]]:
-        """Return frequencies that differ from the declared ones as their standard deviations say, (N, m).
+        """Return frequencies offset from the declared ones according to their standard deviations, (N, m).
 
         Each comes with its share of the average over all of them; empty without standard deviations.
         """
@@ -221,13 +221,13 @@ def at_settings(
     model: Model, poses: ArrayLike, modes: int | None, settings: Sequence[Setting], drives: str | None
 ) -> Ringing:
     """Evaluate the modes at the poses of each setting: see `ringing`."""
-    models = [model.with_values(one.values) for one in settings]
+    models = [model.with_values(setting.values) for setting in settings]
     does = _common_drives(models, settings, drives)
-    count = min(_count(one, modes, does) for one in models)
+    count = min(_count(variant, modes, does) for variant in models)
     parts = []
-    for one, setting in zip(models, settings, strict=True):
+    for variant, setting in zip(models, settings, strict=True):
         try:
-            parts.append(_at_poses(one, poses, count, does, known=setting.values))
+            parts.append(_at_poses(variant, poses, count, does, fixed_paths=setting.values))
         except PoseError as error:
             raise PoseError(f"{error.what}, at {setting}", error.where, error.remedy, error.index) from None
     spread = [part.spread for part in parts if part.spread is not None]
@@ -253,35 +253,37 @@ def _common_drives(models: Sequence[Model], settings: Sequence[Setting], drives:
     PkmodesError
         If some settings have springs on the motors and others none.
     """
-    give_way = [motors_give_way(one.robot) for one in models]
+    give_way = [motors_give_way(variant.robot) for variant in models]
     if drives != HELD and len(set(give_way)) > 1:
         soft, none = (settings[give_way.index(gives)] for gives in (True, False))
-        what = f"at {soft} springs hold the motors, and at {none} none do"
-        raise PkmodesError(what, "settings", 'give values above 0 only, or take drives="held"')
+        problem = f"at {soft} springs hold the motors, and at {none} none do"
+        raise PkmodesError(problem, "settings", 'give values above 0 only, or take drives="held"')
     return drives_in_use(models[0].robot, drives)
 
 
 def _at_poses(
-    model: Model, poses: ArrayLike, count: int, drives: str, known: Collection[str] = ()
+    model: Model, poses: ArrayLike, count: int, drives: str, fixed_paths: Collection[str] = ()
 ) -> Ringing:
     """Evaluate the lowest modes at poses; frequencies are not spread by values that are known."""
     fields = ("frequencies", "damping_ratios", "vibration_amplitudes")
-    checked, found = model.fields_at(poses, "nan", fields, AUTO, drives=drives)
+    checked, values = model.fields_at(poses, "nan", fields, AUTO, drives=drives)
     f, zeta, w = (
-        found[name].reshape(len(checked.points), *found[name].shape[len(checked.batch) :])[:, :count]
+        values[name].reshape(len(checked.points), *values[name].shape[len(checked.batch) :])[:, :count]
         for name in fields
     )
     good = np.asarray((f > 0.0).all(axis=-1) & (zeta < 1.0).all(axis=-1) & np.isfinite(w).all(axis=(-2, -1)))
     if not good.any():
-        what = f"expected poses at which the machine can ring, found none among {len(good)}"
-        raise PoseError(what, "poses", "give poses in the workspace, at which the modes that count oscillate")
+        problem = f"expected poses at which the machine can ring, found none among {len(good)}"
+        raise PoseError(
+            problem, "poses", "give poses in the workspace, at which the modes that count oscillate"
+        )
     points = checked.points[good]
     return Ringing(
         points,
         f[good],
         zeta[good],
         np.linalg.norm(w[good], axis=-1),
-        _spread(model, points, f[good], drives, known),
+        _spread(model, points, f[good], drives, fixed_paths),
         int(np.count_nonzero(~good)),
         drives=drives,
         motors=motors_in_words(model.robot, drives),
@@ -291,22 +293,22 @@ def _at_poses(
 def _count(model: Model, modes: int | None, drives: str) -> int:
     held = model.solved(HELD)
     if held.rigid_modes:
-        what = (
+        problem = (
             f"with motors held the machine still has {held.rigid_modes} rigid modes: no shaper cancels these"
         )
-        raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
+        raise PkmodesError(problem, model.robot.source, "check the drives of the mechanism")
     available = number_of_modes(model.solved(drives))
     if modes is None:
         return min(MODES, available)
     check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
     if modes > available:
         doing = motors_in_words(model.robot, drives)
-        what = f"expected at most the {available} modes that the machine has with {doing}, found {modes}"
-        raise PkmodesError(what, "modes", f"give 1 to {available}")
+        problem = f"expected at most the {available} modes that the machine has with {doing}, found {modes}"
+        raise PkmodesError(problem, "modes", f"give 1 to {available}")
     return modes
 
 
-def _spread(model: Model, points: Array, f: Array, drives: str, known: Collection[str]) -> Array | None:
+def _spread(model: Model, points: Array, f: Array, drives: str, fixed_paths: Collection[str]) -> Array | None:
     """Return the relative standard deviations of frequencies: declared values err little."""
-    sigmas = spread_of(model, points, drives, known=known)
+    sigmas = spread_of(model, points, drives, known=fixed_paths)
     return None if sigmas is None else np.nan_to_num(sigmas[:, : f.shape[1]]) / f

@@ -1,7 +1,7 @@
-"""A schedule: for each setting of a machine, such as each payload, the fixed shaper that its poses ask for.
+"""A schedule: for each setting of a machine, such as each payload, the fixed shaper that suits its poses.
 
 A firmware has one shaper at a time, and cannot see a payload; but a print grows with its layers, so that the lines of
-a schedule may stand at their layers.  Each shaper serves until halfway to the next setting.
+a schedule can be placed at their layers.  Each shaper serves until halfway to the next setting.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pkmodes.support.ordering import joined, listed
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
-#: Settings that a note names at most.
+#: Most settings named in a note.
 NAMED = 4
 
 
@@ -79,8 +79,8 @@ def schedule_of(
             choices.append(choose(at.only(i), kinds, tick=tick, follow=False, **limits))
         except PkmodesError as error:
             raise type(error)(f"at {setting}: {error.what}", error.where, error.remedy) from None
-    best = [one.candidates[one.recommended].shaper for one in choices]
-    every = each_setting(best, at)
+    best = [choice.candidates[choice.recommended].shaper for choice in choices]
+    scheduled = each_setting(best, at)
     serves, ends = _between(model, poses, at, parameter, best)
     heights = _heights(serves, height)
     fixed = whole.candidates[whole.recommended].shaper
@@ -95,18 +95,18 @@ def schedule_of(
         )
         for i, (setting, choice) in enumerate(zip(at.settings, choices, strict=True))
     ]
-    return Schedule(tuple(steps), parameter, relative(every, at, shaped_by(every, at)))
+    return Schedule(tuple(steps), parameter, relative(scheduled, at, shaped_by(scheduled, at)))
 
 
 def varying(settings: Sequence[Setting]) -> str | None:
     """Return the path of the only parameter that has several values; None if there is not exactly one."""
     paths = settings[0].values if settings else ()
-    several = [path for path in paths if len({one.values[path] for one in settings}) > 1]
+    several = [path for path in paths if len({setting.values[path] for setting in settings}) > 1]
     return several[0] if len(several) == 1 else None
 
 
 def check_heights(height: Any, parameter: str | None) -> None:
-    """Refuse what are no heights of the first and last value of one parameter.
+    """Refuse anything but the heights of the first and the last value of a single parameter.
 
     Raises
     ------
@@ -114,30 +114,32 @@ def check_heights(height: Any, parameter: str | None) -> None:
     """
     check_argument(height, HEIGHTS, "height", "for example: (0.0, 0.2)")
     if parameter is None:
-        what = "layer heights belong to one parameter that takes several values, and there is not exactly one"
-        raise PkmodesError(what, "height", "give several values to one parameter, such as a payload")
+        problem = (
+            "layer heights belong to one parameter that takes several values, and there is not exactly one"
+        )
+        raise PkmodesError(problem, "height", "give several values to one parameter, such as a payload")
 
 
 def each_setting(shapers: Sequence[Shaper], at: Ringing) -> Shaper:
     """Return the shaper of each operating point, (N, n): shorter ones get impulses of nothing at their end."""
-    count = max(one.delays.shape[-1] for one in shapers)
-    more = [(0, count - one.delays.shape[-1]) for one in shapers]
-    pairs = list(zip(shapers, more, strict=True))
-    amplitudes = np.array([np.pad(one.amplitudes, pad) for one, pad in pairs])
-    delays = np.array([np.pad(one.delays, pad, mode="edge") for one, pad in pairs])
+    count = max(shaper.delays.shape[-1] for shaper in shapers)
+    padding = [(0, count - shaper.delays.shape[-1]) for shaper in shapers]
+    pairs = list(zip(shapers, padding, strict=True))
+    amplitudes = np.array([np.pad(shaper.amplitudes, pad) for shaper, pad in pairs])
+    delays = np.array([np.pad(shaper.delays, pad, mode="edge") for shaper, pad in pairs])
     return Shaper(amplitudes[at.setting], delays[at.setting])
 
 
 def _between(
     model: Model, poses: ArrayLike, at: Ringing, parameter: str | None, best: Sequence[Shaper]
 ) -> tuple[list[tuple[float, float]], list[float]]:
-    """Return between which values each shaper serves, and what it leaves at most halfway to its neighbours.
+    """Return the values between which each shaper serves, and the most that it leaves halfway to its neighbours.
 
     Both are empty where several parameters vary.
     """
     if parameter is None:
         return [], []
-    values = [one.values[parameter] for one in at.settings]
+    values = [setting.values[parameter] for setting in at.settings]
     halfway = [0.5 * (low + high) for low, high in pairwise(values)]
     first = at.settings[0]
     there = at_settings(
@@ -158,7 +160,7 @@ def _between(
 def _heights(
     serves: Sequence[tuple[float, float]], height: Sequence[float] | None
 ) -> list[tuple[float, float]]:
-    """Return between which layer heights each shaper serves."""
+    """Return the layer heights between which each shaper serves."""
     if not serves or height is None:
         return []
     values, layers = (serves[0][0], serves[-1][1]), tuple(map(float, height))
@@ -169,16 +171,16 @@ def _heights(
 
 
 def notes_of(schedule: Schedule) -> list[str]:
-    """Return what the reader should know of the schedule."""
-    notes, asked = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
-    poor = [str(one.setting) for one in schedule.steps if not one.good]
+    """Return notes on the schedule for the reader."""
+    notes, limit = [], f"{plain(100 * schedule.steps[0].choice.left, 3)} %"
+    poor = [str(step.setting) for step in schedule.steps if not step.good]
     if poor:
         notes.append(
-            f"at {listed(poor, NAMED, '; ')} no fixed shaper leaves at most {asked} at the worst pose: the best one "
+            f"at {listed(poor, NAMED, '; ')} no fixed shaper leaves at most {limit} at the worst pose: the best one "
             "is scheduled"
         )
-    ends = max((one.at_ends for one in schedule.steps if one.at_ends is not None), default=0.0)
-    if ends > max(schedule.steps[0].choice.left, *(one.best.left.worst for one in schedule.steps)):
+    ends = max((step.at_ends for step in schedule.steps if step.at_ends is not None), default=0.0)
+    if ends > max(schedule.steps[0].choice.left, *(step.best.left.worst for step in schedule.steps)):
         notes.append(
             f"halfway between two settings the schedule leaves up to {plain(100 * ends, 2)} %: give more values"
         )

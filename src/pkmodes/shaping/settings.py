@@ -15,7 +15,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.support.axes import swept_values
 
-#: Settings at most: shapers are designed anew for each.
+#: Most settings: shapers are designed anew for each.
 MOST = 200
 
 
@@ -47,7 +47,7 @@ def with_unit(text: str, unit: str) -> str:
     return text if unit == "1" else f"{text} {unit}"
 
 
-def settings_of(model: Model, given: Mapping[str, Any]) -> tuple[Setting, ...]:
+def settings_of(model: Model, swept: Mapping[str, Any]) -> tuple[Setting, ...]:
     """Return every combination of values, those of each parameter ascending, the last parameter fastest.
 
     Raises
@@ -55,15 +55,16 @@ def settings_of(model: Model, given: Mapping[str, Any]) -> tuple[Setting, ...]:
     PkmodesError
         If they are not values by path, or too many.
     """
-    values = {path: np.sort(axis) for path, axis in swept_values(given, "settings").items()}
+    values = {path: np.sort(axis) for path, axis in swept_values(swept, "settings").items()}
     count = prod(map(len, values.values()))
     if count > MOST:
-        what = f"expected at most {MOST} settings, found {count:,}"
-        raise PkmodesError(what, "settings", "give fewer values: shapers differ little between neighbours")
+        problem = f"expected at most {MOST} settings, found {count:,}"
+        raise PkmodesError(problem, "settings", "give fewer values: shapers differ little between neighbours")
     units = changeable(model.robot)
     return tuple(
         Setting(
-            dict(zip(values, map(float, one), strict=True)), {path: units.get(path, "") for path in values}
+            dict(zip(values, map(float, combination), strict=True)),
+            {path: units.get(path, "") for path in values},
         )
-        for one in product(*values.values())
+        for combination in product(*values.values())
     )

@@ -75,13 +75,13 @@ def shaper(kind: str, frequencies: ArrayLike, damping_ratios: ArrayLike) -> Shap
         frequencies
     )  # a single frequency is not repeated for all factors: it would be an oversight
     if shape[-1:] != (len(kinds),):
-        what = (
+        problem = (
             f"expected a last axis of {len(kinds)} frequencies, one for each factor of {kind}, found {shape}"
         )
-        raise PkmodesError(what, "frequencies", "give a frequency for each factor")
-    first, *others = (_single(one, f[..., j], zeta[..., j]) for j, one in enumerate(kinds))
-    for other in others:
-        first = _convolved(first, other)
+        raise PkmodesError(problem, "frequencies", "give a frequency for each factor")
+    first, *further = (_single(factor, f[..., j], zeta[..., j]) for j, factor in enumerate(kinds))
+    for design in further:
+        first = _convolved(first, design)
     return first
 
 
@@ -95,10 +95,10 @@ def _single(kind: Kind, f: Array, zeta: Array) -> Shaper:
     return Shaper(amplitudes, periods / (f[..., None] * root))
 
 
-def _convolved(one: Shaper, other: Shaper) -> Shaper:
+def _convolved(first: Shaper, second: Shaper) -> Shaper:
     """Return the convolution of shapers with the same leading axes, its impulses sorted by delay."""
-    shape = (*one.delays.shape[:-1], -1)
-    delays = (one.delays[..., :, None] + other.delays[..., None, :]).reshape(shape)
-    amplitudes = (one.amplitudes[..., :, None] * other.amplitudes[..., None, :]).reshape(shape)
+    shape = (*first.delays.shape[:-1], -1)
+    delays = (first.delays[..., :, None] + second.delays[..., None, :]).reshape(shape)
+    amplitudes = (first.amplitudes[..., :, None] * second.amplitudes[..., None, :]).reshape(shape)
     order = np.argsort(delays, axis=-1, kind="stable")
     return Shaper(np.take_along_axis(amplitudes, order, -1), np.take_along_axis(delays, order, -1))

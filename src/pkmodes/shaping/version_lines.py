@@ -16,7 +16,7 @@ from pkmodes.shaping.schedule import each_setting
 from pkmodes.shaping.shapers import Shaper
 from pkmodes.support.documents import Document, Size
 
-#: Decimal digits of amplitudes and delays [s] that tell impulses apart.
+#: Decimals of amplitudes and delays [s] to which impulses are compared.
 DIGITS = 9
 
 
@@ -56,30 +56,34 @@ def lines_by_version(choice: Choice) -> list[VersionLines]:
 
 
 def schedule_lines_by_version(choice: Choice, schedule: Schedule) -> list[VersionLines]:
-    """Return the commands of a schedule, likewise; what is left is that over all settings."""
-    every, at = [step.best for step in schedule.steps], choice.ringing
+    """Return the commands of a schedule in the same way; the remaining vibration is that over all settings."""
+    scheduled, at = [step.best for step in schedule.steps], choice.ringing
 
     def written(version: str, name: str) -> VersionLines:
         lines, worst = schedule.commands(version), None
         if lines is not None:
-            made = each_setting([made_by(version, one) for one in every], at)
+            made = each_setting([made_by(version, candidate) for candidate in scheduled], at)
             worst = relative(made, at, shaped_by(made, at)).worst
         return VersionLines(VERSIONS[version].firmware, version, name, lines, worst)
 
     return _grouped(
-        lambda version: (schedule.commands(version), *(_key(made_by(version, one)) for one in every)), written
+        lambda version: (
+            schedule.commands(version),
+            *(_key(made_by(version, candidate)) for candidate in scheduled),
+        ),
+        written,
     )
 
 
-def made_by(version: str, one: Candidate) -> Shaper:
+def made_by(version: str, candidate: Candidate) -> Shaper:
     """Return the impulses that a version of a firmware makes of the lines of a fixed shaper."""
-    if len(one.frequencies) > 1:
-        return one.shaper
-    return as_made(version, one.kind, one.frequencies[0], one.damping_ratio)
+    if len(candidate.frequencies) > 1:
+        return candidate.shaper
+    return as_made(version, candidate.kind, candidate.frequencies[0], candidate.damping_ratio)
 
 
 def _key(shaper: Shaper) -> Hashable:
-    """Return what tells impulses apart."""
+    """Return a key by which impulses are compared."""
     return tuple(map(float, np.round(np.concatenate(shaper), DIGITS)))
 
 
@@ -87,14 +91,14 @@ def _grouped(
     key: Callable[[str], Hashable], written: Callable[[str, str], VersionLines]
 ) -> list[VersionLines]:
     """Return the lines of successive versions of a firmware with the same key."""
-    found = []
+    version_lines = []
     for firmware in NAMES:
-        versions = [version for version, one in VERSIONS.items() if one.firmware == firmware]
+        versions = [version for version, release in VERSIONS.items() if release.firmware == firmware]
         groups: list[list[str]] = []
         for version in versions:
             if groups and key(groups[-1][0]) == key(version):
                 groups[-1].append(version)
             else:
                 groups.append([version])
-        found += [written(group[0], name_of(group[0], group[-1])) for group in groups]
-    return found
+        version_lines += [written(group[0], name_of(group[0], group[-1])) for group in groups]
+    return version_lines

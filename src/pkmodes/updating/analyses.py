@@ -152,12 +152,12 @@ def update(
 def _with_damping(result: Comparison, measured: MeasuredRobot) -> Comparison:
     """Return a comparison whose rows have the measured damping ratios, and those of their partners in the model."""
     data, loads = measured.data, measured.loads
-    known = np.flatnonzero(~np.isnan(data.damping))
-    if not len(known):
+    with_damping = np.flatnonzero(~np.isnan(data.damping))
+    if not len(with_damping):
         return result
     rows = list(result.rows)
     for c, case in enumerate(loads.cases):
-        mine = [int(i) for i in known if loads.of[data.pose[i]] == c]
+        mine = [int(i) for i in with_damping if loads.of[data.pose[i]] == c]
         if not mine:
             continue
         model, setups = Model(case.robot), sorted({int(data.pose[i]) for i in mine})

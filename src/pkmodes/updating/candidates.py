@@ -34,7 +34,7 @@ from pkmodes_description import Effect, EffectParameter, ParameterGroup
 
 #: Prefix of suspected values as candidates.
 PREFIX = "parameter:"
-#: Prefix of the paths of effects; as candidates, effects have their names only.
+#: Prefix of the paths of effects; effects as candidates have their bare names.
 EFFECTS = "effects."
 #: A suspected value is searched for between a third and three times the declared one: beyond that, the robot file
 #: describes another machine.
@@ -73,10 +73,10 @@ def suspects(
     moves = [resolve(robot, name) for name in dict.fromkeys([*nuisances, *of_robot])]
     joints = _joints(robot) if candidates else {}
     if loads.settings:
-        known = {move.path for move in moves if loads.always(move)}
-        moves = [move for move in moves if move.path not in known]
+        set_paths = {move.path for move in moves if loads.always(move)}
+        moves = [move for move in moves if move.path not in set_paths]
         joints = {name: move for name, move in joints.items() if not loads.always(move)}
-        candidates = _unknown(candidates, known, chosen or ())
+        candidates = _unknown(candidates, set_paths, chosen or ())
     moves += joints.values()
     named = {name for candidate in candidates for name in _released_alone(robot, candidate)}
     candidates += [
@@ -92,19 +92,19 @@ def suspects(
     return parameters, with_kinds(candidates), {move.path: move for move in moves}
 
 
-def _unknown(candidates: Sequence[Candidate], known: set[str], chosen: Sequence[str]) -> list[Candidate]:
+def _unknown(candidates: Sequence[Candidate], set_paths: set[str], chosen: Sequence[str]) -> list[Candidate]:
     """Return the candidates without the parameters that the measurements set at every pose."""
     kept = []
     for candidate in candidates:
-        left = tuple(name for name in candidate.parameters if name not in known)
-        if not left and candidate.name in chosen:
-            names, one = " and ".join(candidate.parameters), len(candidate.parameters) == 1
-            is_known, it = ("is known", "it") if one else ("are known", "them")
-            what = f"{names} {is_known}: the measurements set {it} at every pose"
-            raise PkmodesError(what, "candidates", f"leave {candidate.name} out")
-        if left == candidate.parameters or (left and not candidate.remote):
-            joints = tuple(joint for joint in candidate.joints if joint.parameter in left)
-            kept.append(replace(candidate, parameters=left, joints=joints))
+        remaining = tuple(name for name in candidate.parameters if name not in set_paths)
+        if not remaining and candidate.name in chosen:
+            names, single = " and ".join(candidate.parameters), len(candidate.parameters) == 1
+            is_known, it = ("is known", "it") if single else ("are known", "them")
+            problem = f"{names} {is_known}: the measurements set {it} at every pose"
+            raise PkmodesError(problem, "candidates", f"leave {candidate.name} out")
+        if remaining == candidate.parameters or (remaining and not candidate.remote):
+            joints = tuple(joint for joint in candidate.joints if joint.parameter in remaining)
+            kept.append(replace(candidate, parameters=remaining, joints=joints))
     return kept
 
 
@@ -114,49 +114,49 @@ def _chosen(robot: Robot, chosen: Sequence[str] | None, loads: LoadCases) -> lis
         "parameters": _suspected(robot),
         "measurement": {candidate.name: candidate for candidate in frame.suspects(robot.mechanism)[1]},
     }
-    every = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
+    available = {name: candidate for kind in kinds.values() for name, candidate in kind.items()}
     if chosen is None:
-        return list(every.values())
+        return list(available.values())
     if isinstance(chosen, str):
-        what = f"expected a list of names, found {shown(chosen)}"
-        raise PkmodesError(what, "candidates", f"write [{shown(chosen)}]")
+        problem = f"expected a list of names, found {shown(chosen)}"
+        raise PkmodesError(problem, "candidates", f"write [{shown(chosen)}]")
     candidates: dict[str, Candidate] = {}
     for name in chosen:
         if name in kinds:
             candidates |= kinds[name]
-        elif name in every:
-            candidates[name] = every[name]
+        elif name in available:
+            candidates[name] = available[name]
         else:
-            candidates[name] = _asked_for(robot, name, [*every])
+            candidates[name] = _asked_for(robot, name, [*available])
     return list(candidates.values())
 
 
 def _with_assumptions(robot: Robot, candidates: Sequence[Candidate], loads: LoadCases) -> list[Candidate]:
-    """Return candidates, with the defaults that their effects take where neither file says another value."""
+    """Return candidates, with the defaults that their effects assume where no file states a value."""
     assumed: dict[str, list[Assumption]] = {}
-    for borrowed, own in lent(robot.mechanism).items():
-        default, move = by_path(robot.mechanism)[own].key.default, resolve(robot, borrowed)
-        if default and not {own, borrowed} & robot.quantities.keys() and not loads.always(move):
-            words = f"a {own} of {with_unit(default, move.unit)}"
+    for borrowed, lender in lent(robot.mechanism).items():
+        default, move = by_path(robot.mechanism)[lender].key.default, resolve(robot, borrowed)
+        if default and not {lender, borrowed} & robot.quantities.keys() and not loads.always(move):
+            words = f"a {lender} of {with_unit(default, move.unit)}"
             for name in robot.mechanism.effects[borrowed.split(".")[1]].forms:
-                assumed.setdefault(name, []).append(Assumption(borrowed, own, words))
-    return [replace(one, assumes=tuple(assumed.get(one.name, ()))) for one in candidates]
+                assumed.setdefault(name, []).append(Assumption(borrowed, lender, words))
+    return [replace(candidate, assumes=tuple(assumed.get(candidate.name, ()))) for candidate in candidates]
 
 
 def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Return effects with a wrong declared constant, such as the mass of a moving frame: alone they would not fit."""
     with_constants = []
-    for borrowed, own in lent(robot.mechanism).items():
+    for borrowed, lender in lent(robot.mechanism).items():
         _, name, constant = borrowed.split(".")
-        declared = robot.quantities.get(own)
+        declared = robot.quantities.get(lender)
         if declared is not None and declared.sigma is not None:
             continue
         forms = robot.mechanism.effects[name].forms
-        for candidate in (one for one in candidates if one.name in forms):
+        for candidate in (candidate for candidate in candidates if candidate.name in forms):
             sentence = f"{candidate.sentence}, and its {constant} differs from the declared one"
             with_constants.append(
                 Candidate(
-                    f"{candidate.name} with another {own}",
+                    f"{candidate.name} with another {lender}",
                     (*candidate.parameters, borrowed),
                     sentence,
                     remote=True,
@@ -168,12 +168,12 @@ def _with_another_constant(robot: Robot, candidates: Sequence[Candidate]) -> lis
 
 def _varying(robot: Robot) -> list[str]:
     """Return the declared values that the robot depends on: not those that every entry overrides, lent ones once."""
-    known = set(paths(robot))
-    known -= {borrowed for borrowed, own in lent(robot.mechanism).items() if own in robot.quantities}
-    return [path for path in robot.quantities if path in known]
+    varying = set(paths(robot))
+    varying -= {borrowed for borrowed, lender in lent(robot.mechanism).items() if lender in robot.quantities}
+    return [path for path in robot.quantities if path in varying]
 
 
-def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
+def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
     """Return a candidate that is not suspected by default, such as a value of one axis."""
     path = name.removeprefix(PREFIX)
     effects = robot.mechanism.effects
@@ -181,16 +181,16 @@ def _asked_for(robot: Robot, name: str, known: list[str]) -> Candidate:
     if effect in effects and name in effects[effect].forms:
         form = effects[effect].forms[name]
         refuse_declared(f"the effect {name}", _sigmas(robot, _paths(effects[effect], form)))
-        excluding = [path for path in _excluding(effects[effect], form) if path in robot.quantities]
+        excluding = " and ".join(p for p in _excluding(effects[effect], form) if p in robot.quantities)
         if excluding:
-            what = f"{name} is not suspected: the robot file declares {' and '.join(excluding)} in its place"
-            raise PkmodesError(what, "candidates", f"leave {name} out, or remove {' and '.join(excluding)}")
+            problem = f"{name} is not suspected: the robot file declares {excluding} in its place"
+            raise PkmodesError(problem, "candidates", f"leave {name} out, or remove {excluding}")
     if name.startswith(EFFECTS) and effect in effects:
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", f'did you mean "{effect}"?')
     if name == path or path not in paths(robot):
         losses = [effect.name for effect in effects.values() if effect.dissipates]
-        every = [*known, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
-        remedy = nearest(name, every, "use the names in docs/diagnosis.md")
+        suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
+        remedy = nearest(name, suggestions, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
     whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
     refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))
@@ -215,18 +215,18 @@ def _sigmas(robot: Robot, declared: Sequence[str]) -> list[float | None]:
     return [quantity.sigma for path in declared if (quantity := robot.quantities.get(path)) is not None]
 
 
-def refuse_declared(what: str, sigmas: Sequence[float | None]) -> None:
+def refuse_declared(subject: str, sigmas: Sequence[float | None]) -> None:
     """Refuse a candidate that has a value with a standard deviation.
 
     Raises
     ------
     PkmodesError
     """
-    given = [sigma for sigma in sigmas if sigma is not None]
-    if given:
-        state = "refitted already" if any(given) else "known exactly"
+    stated = [sigma for sigma in sigmas if sigma is not None]
+    if stated:
+        state = "refitted already" if any(stated) else "known exactly"
         raise PkmodesError(
-            f"{what} is {state}: the robot file gives a sigma",
+            f"{subject} is {state}: the robot file gives a sigma",
             "candidates",
             "leave it out, or remove the sigma",
         )
@@ -250,14 +250,15 @@ def _released_alone(robot: Robot, candidate: Candidate) -> list[str]:
     """Return the joints, by the names of their own candidates, that a candidate of the catalogue releases alone."""
     effect = robot.mechanism.effects.get(candidate.name.partition(".")[0])
     form = () if effect is None or candidate.name == effect.name else effect.forms.get(candidate.name, ())
-    return [_alone(effect.name, name) for p in form for name in p.releases] if effect is not None else []
+    return [_of_joint(effect.name, name) for p in form for name in p.releases] if effect is not None else []
 
 
 def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
     """Return the effects that the file does not declare, or declares without a standard deviation."""
     candidates = {}
     robots = (robot, *(case.robot for case in loads.cases))
-    there = {path for one in robots for path, value in {**one.constants, **one.effects}.items() if value}
+    values_of = [{**variant.constants, **variant.effects} for variant in robots]
+    there = {path for values in values_of for path, value in values.items() if value}
     for effect in robot.mechanism.conservative_effects.values():
         # A parameter that is multiplied by a constant given nowhere, such as a tension, has no effect.
         constants = [p.name for p in effect.parameters if not p.fitted and p.greater_than is not None]
@@ -275,7 +276,7 @@ def _effects(robot: Robot, loads: LoadCases) -> dict[str, Candidate]:
 
 
 def _sentence(effect: Effect, name: str, form: Sequence[EffectParameter]) -> str:
-    """Return what an effect means for the machine, or one of its parameters that may stand alone."""
+    """Return what an effect means for the machine, or a parameter of it that may be suspected alone."""
     return effect.sentence if name == effect.name else f"{effect.sentence}: {form[0].description}"
 
 
@@ -292,10 +293,10 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
         if free and weights_of(robot, whole):
             suspected.append(whole.path)
     local = {path: any(part.isdigit() for part in path.split(".")) for path in suspected}
-    every = [
+    candidates = [
         Candidate(f"{PREFIX}{path}", (path,), _wrong(robot, path), local=local[path]) for path in suspected
     ]
-    return {candidate.name: candidate for candidate in every}
+    return {candidate.name: candidate for candidate in candidates}
 
 
 def _wrong(robot: Robot, path: str) -> str:
@@ -313,12 +314,12 @@ def _may_be_wrong(robot: Robot, path: str) -> bool:
 
 def _of_one_entry(robot: Robot) -> list[Candidate]:
     """Return the values of single axes for which the file gives one shared value without a sigma."""
-    candidates, known = [], paths(robot)
-    for path in known:
+    candidates, all_paths = [], paths(robot)
+    for path in all_paths:
         item = by_path(robot.mechanism).get(path)
-        if item is not None and item.shared in known and path not in robot.quantities:
+        if item is not None and item.shared in all_paths and path not in robot.quantities:
             following = [
-                own for own in takers(robot.mechanism)[item.shared] if own.path not in robot.quantities
+                taker for taker in takers(robot.mechanism)[item.shared] if taker.path not in robot.quantities
             ]
             if robot.quantities[item.shared].sigma is None and len(following) > 1:
                 sentence = f"the value of {path} differs from that of the other axes"
@@ -337,11 +338,11 @@ def _joints(robot: Robot) -> dict[str, ParameterPath]:
                 continue
             slot = (f"{name}.{q.name}", ())
             path = ParameterPath(f"{EFFECTS}{name}.{q.name}", 0.0, unit, {slot: 1.0})
-            joints[_alone(effect.name, q.name)] = path
+            joints[_of_joint(effect.name, q.name)] = path
     return joints
 
 
-def _alone(effect: str, coordinate: str) -> str:
+def _of_joint(effect: str, coordinate: str) -> str:
     return f"{effect} of {coordinate} alone"
 
 
@@ -352,11 +353,11 @@ def _unlike(
     general = []
     effects = robot.mechanism.effects
     for name in [candidate.name for candidate in candidates if candidate.name in effects]:
-        each = [joint for q in effects[name].coordinates if (joint := _alone(name, q.name)) in joints]
-        if len(each) > 1:
-            parameters = tuple(joints[joint].path for joint in each)
-            what = f"{name} with a separate value in each joint"
-            general.append(Candidate(what, parameters, general_of=name))
+        released = [joint for q in effects[name].coordinates if (joint := _of_joint(name, q.name)) in joints]
+        if len(released) > 1:
+            parameters = tuple(joints[joint].path for joint in released)
+            general_name = f"{name} with a separate value in each joint"
+            general.append(Candidate(general_name, parameters, general_of=name))
     return general
 
 

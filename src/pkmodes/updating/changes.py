@@ -28,10 +28,10 @@ from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes.updating.shared_values import deviations, in_use, of_one_machine
 
-#: Names of the states that have none: two, or more.
+#: Default names of the states; several later ones are numbered.
 BEFORE, AFTER = "before", "after"
-#: What all transmissions of a kind may differ by from one day to another, as with temperature: the standard deviation
-#: of the relative change of their stiffness.
+#: Standard deviation of the relative stiffness change that all transmissions of a kind may share from one day to
+#: another, as with temperature.
 DAY = 0.015
 #: Odds of an exchanged or moved part relative to a change in use.
 EXCHANGED = 0.1
@@ -95,40 +95,48 @@ def changed(
     first = MeasuredRobot.of(model, trusted)
     wrong = deviations(first.robot)
     common = Trusted.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
-    known = _as_trusted(first.robot, common.values)
+    baseline = _as_trusted(first.robot, common.values)
     changes = {}
     for name, data in zip(names[1:], campaigns, strict=True):
-        measured = MeasuredRobot.of(known, data).where_usable()
+        measured = MeasuredRobot.of(baseline, data).where_usable()
         if progress is not None and len(campaigns) > 1:
             progress(f"comparing {name} with {names[0]}")
-        own = _extended(measured.structure(candidates, priors), wrong)
-        structure = with_known(_with_values(own, common.values), common.values)
+        measured_structure = _extended(measured.structure(candidates, priors), wrong)
+        structure = with_known(_with_values(measured_structure, common.values), common.values)
         ask = partial(
             common.changed_to,
             name,
             data=measured.data,
-            holdout=None if holdout is None else [one for one in holdout if one in measured.data.labels],
+            holdout=None
+            if holdout is None
+            else [label for label in holdout if label in measured.data.labels],
             progress=progress,
             terms=terms,
         )
-        changes[name] = _asked(ask, _with_day(structure), everything=candidates is not None)
+        changes[name] = _explained_change(ask, _with_day(structure), everything=candidates is not None)
     return merged(names[0], changes)
 
 
-def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool) -> Change:
+def _explained_change(
+    ask: Callable[[Structure], Change], structure: RobotStructure, *, everything: bool
+) -> Change:
     """Return what changed: something that changes in use, or a part that was exchanged or moved.
 
     Such a part is less likely: it is named in the class of what explains the difference, or where nothing else does.
     """
     robot = structure.robot
-    some = [of_one_machine(one) for one in structure.candidates if everything or in_use(robot, one)]
-    first = ask(structure.extended([], {}, some))
+    chosen = [
+        of_one_machine(candidate)
+        for candidate in structure.candidates
+        if everything or in_use(robot, candidate)
+    ]
+    first = ask(structure.extended([], {}, chosen))
     settled = first.changed is False or first.verdict == AMBIGUOUS.word
     if everything or (settled and not first.explained):
         return first
     parts = list(exchanged(structure))
-    second = ask(structure.extended([], {}, [*some, *parts]))
-    if not second.claimed & {one.name for one in parts}:
+    second = ask(structure.extended([], {}, [*chosen, *parts]))
+    if not second.claimed & {part.name for part in parts}:
         return first
     if first.explained:
         return second
@@ -139,15 +147,15 @@ def _asked(ask: Callable[[Structure], Change], structure: RobotStructure, *, eve
 def exchanged(structure: RobotStructure) -> Iterator[Candidate]:
     """Yield the candidates that need an exchanged or moved part, except those that act like a change in use."""
     robot = structure.robot
-    single = [one for one in structure.candidates if len(one.parameters) == 1]
+    single = [candidate for candidate in structure.candidates if len(candidate.parameters) == 1]
     places = {p.name: i for i, p in enumerate(structure.parameters)}
     values = np.array([p.value for p in structure.parameters])
-    rates = structure.predict(values, [places[one.parameters[0]] for one in single]).rates
-    used = np.array([in_use(robot, one) for one in single])
+    rates = structure.predict(values, [places[candidate.parameters[0]] for candidate in single]).rates
+    used = np.array([in_use(robot, candidate) for candidate in single])
     same = {single[i].name for i in np.flatnonzero(parallel(rates)[:, used].any(axis=1))}
-    for one in structure.candidates:
-        if not in_use(robot, one) and one.name not in same:
-            yield replace(of_one_machine(one), odds=EXCHANGED)
+    for candidate in structure.candidates:
+        if not in_use(robot, candidate) and candidate.name not in same:
+            yield replace(of_one_machine(candidate), odds=EXCHANGED)
 
 
 def _with_values(structure: RobotStructure, values: Mapping[str, float]) -> RobotStructure:
@@ -168,43 +176,46 @@ def _extended(
 def _named(
     trusted: Measurements,
     later: Measurements | Mapping[str, Measurements] | Sequence[Measurements],
-    own: str,
+    trusted_name: str,
 ) -> tuple[list[str], list[Measurements]]:
     """Return the names of the states, the trusted one first, and the later campaigns."""
     if isinstance(later, Measurements):
         later = [later]
     if not isinstance(later, Mapping | Sequence) or isinstance(later, str) or not later:
-        what = f"expected measurements, found {shown(later)}"
-        raise PkmodesError(what, "later", "give those of one state, or a list or mapping of several")
+        problem = f"expected measurements, found {shown(later)}"
+        raise PkmodesError(problem, "later", "give those of one state, or a list or mapping of several")
     data = list(later.values()) if isinstance(later, Mapping) else list(later)
-    for place, one in {"trusted": trusted, **{f"later {i + 1}": x for i, x in enumerate(data)}}.items():
-        if not isinstance(one, Measurements):
-            what = f"expected measurements, found {shown(one)}"
-            raise PkmodesError(what, place, "read them with pkmodes.updating.read(path)")
-    first = own or trusted.state or BEFORE
+    for place, measurements in {
+        "trusted": trusted,
+        **{f"later {i + 1}": x for i, x in enumerate(data)},
+    }.items():
+        if not isinstance(measurements, Measurements):
+            problem = f"expected measurements, found {shown(measurements)}"
+            raise PkmodesError(problem, place, "read them with pkmodes.updating.read(path)")
+    first = trusted_name or trusted.state or BEFORE
     if isinstance(later, Mapping):
         names = list(map(str, later))
     else:
-        alone = [one.state or AFTER for one in data]
-        several = [one.state or f"{AFTER} {i + 1}" for i, one in enumerate(data)]
-        names = alone if len(data) == 1 else several
+        single_names = [campaign.state or AFTER for campaign in data]
+        several = [campaign.state or f"{AFTER} {i + 1}" for i, campaign in enumerate(data)]
+        names = single_names if len(data) == 1 else several
     for i, name in enumerate(names):
         if name in (first, *names[:i]):
-            what = f"two states are called {shown(name)}"
-            raise MeasurementError(what, data[i].source, "give each state another name")
+            problem = f"two states are called {shown(name)}"
+            raise MeasurementError(problem, data[i].source, "give each state another name")
     return [first, *names], data
 
 
 def _as_trusted(robot: Robot, values: Mapping[str, float]) -> Robot:
     """Return a robot with the values of the trusted state, none of which is uncertain: any may have changed."""
     uncertain = {path for path, quantity in robot.quantities.items() if quantity.sigma}
-    known = {path: {"sigma": None} for path in uncertain - values.keys()}
+    without_sigma = {path: {"sigma": None} for path in uncertain - values.keys()}
     fitted = {path: {"value": values[path], "sigma": None} for path in uncertain & values.keys()}
-    return robot.with_values({**known, **fitted})
+    return robot.with_values({**without_sigma, **fitted})
 
 
 def _with_day(structure: RobotStructure) -> RobotStructure:
-    """Return a structure in which all transmissions of a kind may differ by what one day differs from another."""
+    """Return a structure in which all transmissions of a kind may differ by the day-to-day variation."""
     mechanism, common = structure.robot.mechanism, dict[str, ParameterPath]()
     for effect in mechanism.conservative_effects.values():
         names = [f"{EFFECTS}{effect.name}.{p.name}" for p in effect.parameters]
@@ -213,7 +224,9 @@ def _with_day(structure: RobotStructure) -> RobotStructure:
             continue
         part = joints[0].words.rpartition(" ")[0]
         name = f"day.{part.replace(' ', '_')}_{STIFFNESS}"
-        slots: dict[Slot, float] = {(one.removeprefix(EFFECTS), ()): 1.0 for one in names}
+        slots: dict[Slot, float] = {(path.removeprefix(EFFECTS), ()): 1.0 for path in names}
         common[name] = ParameterPath(name, 0.0, "1", slots)
     parameters = [Parameter(name, 0.0, "1", DAY, lower=-0.5, upper=1.0) for name in common]
-    return structure.extended(parameters, common, [candidate_as_change(one) for one in structure.candidates])
+    return structure.extended(
+        parameters, common, [candidate_as_change(candidate) for candidate in structure.candidates]
+    )

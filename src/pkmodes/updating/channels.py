@@ -25,15 +25,15 @@ def sensors(mechanism: Mechanism) -> tuple[Sensor, ...]:
     """
     axes = mechanism.directions
     place = mechanism.pose_is.partition(" in ")[0].removesuffix(" centre")
-    every = tuple(component.name for component in mechanism.platform)
-    of_platform = (axes, every[: len(axes)]), (mechanism.rotations, every[len(axes) :])
-    found = [Sensor(place, channels, along) for along, channels in of_platform if len(along) > 1]
+    components = tuple(component.name for component in mechanism.platform)
+    of_platform = (axes, components[: len(axes)]), (mechanism.rotations, components[len(axes) :])
+    multi_axis = [Sensor(place, channels, along) for along, channels in of_platform if len(along) > 1]
     if len(axes) < 2:
-        return tuple(found)
+        return tuple(multi_axis)
     for effect in mechanism.effects_in_order:
         names = tuple(coordinate.name for coordinate in effect.coordinates)
         stem = names[0].removesuffix(axes[0]) if names else ""
         alike = len({coordinate.unit for coordinate in effect.coordinates}) == 1
         if alike and names == tuple(f"{stem}{axis}" for axis in axes):
-            found.append(Sensor("", names, axes))
-    return tuple(found)
+            multi_axis.append(Sensor("", names, axes))
+    return tuple(multi_axis)

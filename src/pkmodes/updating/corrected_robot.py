@@ -59,7 +59,7 @@ def corrections(robot: Robot, diagnosis: Diagnosis) -> Mapping[str, Correction]:
 
 
 def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
-    """Return how the errors of the changed values of the robot file belong together; None where none has a sigma.
+    """Return the covariance of the changed values of the robot file; None if none has a sigma.
 
     The standard deviations are those of the fit.  What an unseen candidate could have done to a value, which is in
     its own standard deviation, these data show in no frequency: the candidate and the value make up for each other.
@@ -67,7 +67,7 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
     """
     groups = groups_by_path(robot.mechanism)
     losses = {value.name for value in diagnosis.damping.corrected}
-    some = [
+    fitted_values = [
         (value, fit, place)
         for fit in (diagnosis, diagnosis.damping)
         for place, value in enumerate(fit.corrected)
@@ -76,16 +76,16 @@ def covariance(robot: Robot, diagnosis: Diagnosis) -> Covariance | None:
         and 0.0 < value.sigma < math.inf
         and (fit is diagnosis.damping or value.name not in losses)
     ]
-    if not some:
+    if not fitted_values:
         return None
     return Covariance(
-        tuple(value.name for value, _, _ in some),
+        tuple(value.name for value, _, _ in fitted_values),
         tuple(
             # Frequencies say nothing of losses, and ratios nothing else: the errors of the two fits are independent.
-            tuple(fit.correlation[i][k] if fit is other else 0.0 for _, other, k in some)
-            for _, fit, i in some
+            tuple(fit.correlation[i][k] if fit is other_fit else 0.0 for _, other_fit, k in fitted_values)
+            for _, fit, i in fitted_values
         ),
-        tuple(value.sigma for value, _, _ in some),
+        tuple(value.sigma for value, _, _ in fitted_values),
     )
 
 
@@ -150,9 +150,9 @@ def save_robot(robot: Robot | Model, found: Diagnosis, target: str | Path) -> No
     save_corrected(Path(robot.source), Path(target), changes, covariance(robot, found))
 
 
-def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
+def _correctable(robot_or_model: Robot | Model, diagnosis: Diagnosis, where: str) -> Robot:
     """Return a robot whose file a diagnosis corrects."""
-    robot = robot_of(given)
+    robot = robot_of(robot_or_model)
     if not diagnosis.settled:
         raise PkmodesError(
             f"there is no corrected robot to save: the verdict is {diagnosis.verdict}",
@@ -162,11 +162,11 @@ def _correctable(given: Robot | Model, diagnosis: Diagnosis, where: str) -> Robo
     return _from_file(robot)
 
 
-def _from_file(given: Robot | Model) -> Robot:
-    robot = robot_of(given)
+def _from_file(robot_or_model: Robot | Model) -> Robot:
+    robot = robot_of(robot_or_model)
     if not Path(robot.source).is_file():
-        what = f"expected a robot read from a file, found {shown(robot.source)}"
+        problem = f"expected a robot read from a file, found {shown(robot.source)}"
         raise PkmodesError(
-            what, "save_robot", "diagnose a robot read from a file, or write its values to one"
+            problem, "save_robot", "diagnose a robot read from a file, or write its values to one"
         )
     return robot

@@ -1,4 +1,4 @@
-"""How surely the declared values say the frequencies at the places of measurement."""
+"""Uncertainty of the declared robot's frequencies at the measured setups."""
 
 from __future__ import annotations
 
@@ -34,17 +34,17 @@ def declared_spread(robot: Robot, data: Measurements) -> Array | None:
     if not stated_sigmas(robot):
         return None
     loads = load_cases(robot, data)
-    found: dict[int, Array] = {}
+    spreads: dict[int, Array] = {}
     for c, case in enumerate(loads.cases):
         setups = np.flatnonzero(loads.of == c)
         model = Model(case.robot, MAX_CONDITION)
-        known = data.load(int(setups[0]))
-        spread = spread_of(model, data.points[setups], case.drives, "nan", known)
+        set_values = data.load(int(setups[0]))
+        spread = spread_of(model, data.points[setups], case.drives, "nan", set_values)
         rigid = model.solved(case.drives).rigid_modes
         for i, setup in enumerate(setups.tolist()):
-            found[setup] = np.empty(0) if spread is None else spread[i, rigid:]
-    most = max((len(each) for each in found.values()), default=0)
-    every = np.full((len(loads.of), most), np.nan)
-    for setup, each in found.items():
-        every[setup, : len(each)] = each
-    return every
+            spreads[setup] = np.empty(0) if spread is None else spread[i, rigid:]
+    longest = max((len(row) for row in spreads.values()), default=0)
+    padded = np.full((len(loads.of), longest), np.nan)
+    for setup, row in spreads.items():
+        padded[setup, : len(row)] = row
+    return padded

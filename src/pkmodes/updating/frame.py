@@ -18,7 +18,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.diagnosis.problem import Candidate, Parameter
 
 Array = NDArray[np.float64]
-#: Prefixes of the parameters of the measurement, and of its candidates.
+#: Prefixes of the parameters of the measurement frame and of its candidates.
 OF_MEASUREMENT, PREFIX = "measurement.", "measurement:"
 YAW = f"{OF_MEASUREMENT}yaw"
 #: The axis of the yaw.
@@ -37,13 +37,13 @@ def parameters(mechanism: Mechanism) -> dict[str, str]:
 def suspects(mechanism: Mechanism) -> tuple[list[Parameter], list[Candidate]]:
     """Return the parameters of the frame, and their candidates."""
     named = parameters(mechanism)
-    what = {
+    sentences = {
         _offset(mechanism, i): f"all poses are shifted along {mechanism.pose[i].name}"
         for i in _linear(mechanism)
     }
-    what[YAW] = "the frame of the poses is rotated about z"
+    sentences[YAW] = "the frame of the poses is rotated about z"
     candidates = [
-        Candidate(name.replace(OF_MEASUREMENT, PREFIX), (name,), what[name], sigma=(PLAUSIBLE[unit],))
+        Candidate(name.replace(OF_MEASUREMENT, PREFIX), (name,), sentences[name], sigma=(PLAUSIBLE[unit],))
         for name, unit in named.items()
     ]
     return [Parameter(name, 0.0, unit) for name, unit in named.items()], candidates

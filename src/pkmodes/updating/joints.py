@@ -15,14 +15,14 @@ from pkmodes.diagnosis.problem import Joint
 from pkmodes.support.words import ENTRY
 from pkmodes_description import EffectParameter
 
-#: The description of the parameter of an effect that changes one of several equal parts.
+#: Description of an effect's parameter that changes one of several equal parts.
 CHANGE = re.compile(r"relative change of the (\w[\w ]*) of (\w[\w ]*) (\d+)")
 
 
 def joints_of(
     mechanism: Mechanism, paths: Sequence[str], parameters: Sequence[EffectParameter], prefix: str
 ) -> tuple[Joint, ...]:
-    """Return the equal parts that the parameters of an effect change, one for each; none if they are others.
+    """Return the equal parts that the parameters of an effect change, one for each; none if they do anything else.
 
     Parameters
     ----------
@@ -31,20 +31,20 @@ def joints_of(
     prefix : str
         Of a term that is a declared value.
     """
-    found = [CHANGE.fullmatch(p.description) for p in parameters]
+    matches = [CHANGE.fullmatch(p.description) for p in parameters]
     joints = []
-    for path, parts in zip(paths, found, strict=True):
+    for path, parts in zip(paths, matches, strict=True):
         if parts is None or len(paths) < 2:
             return ()
         quantity, part, number = parts.groups()
         counted = re.compile(rf"\b{re.escape(part)} {ENTRY}\b")
-        own = [
+        declared_paths = [
             item.path
             for item in items(mechanism)
             if item.entry == int(number) - 1
             and item.key.name.split("_")[-1] == quantity.split()[-1]
             and counted.search(item.key.description)
         ]
-        term = f"{prefix}{own[0]}" if len(own) == 1 else ""
+        term = f"{prefix}{declared_paths[0]}" if len(declared_paths) == 1 else ""
         joints.append(Joint(path, f"{part} {number}", quantity, term))
     return tuple(joints)

@@ -12,7 +12,8 @@ from dataclasses import replace
 
 from pkmodes.diagnosis.problem import Candidate
 
-#: Kinds, each with the candidates of it and what they are among them; an axis or belt of its own counts like all.
+#: Kinds, each with its candidates and what they are among them; a candidate of a single axis or belt counts like that
+#: of all.
 KINDS: dict[str, dict[str, str]] = {
     "a compliance in series with the belt": {
         "clamp_compliance": "clamps",
@@ -43,12 +44,12 @@ KINDS: dict[str, dict[str, str]] = {
     },
     "a shift of all poses": {f"measurement:offset.{name}": f"along {name}" for name in "xyz"},
 }
-#: The place of a value that belongs to one entry of a repeated table: ``parameter:axis.2.`` of ``axis.2.belt.width``.
+#: Prefix of a value that belongs to one entry of a repeated table: ``parameter:axis.2.`` of ``axis.2.belt.width``.
 ENTRY = re.compile(r"^parameter:(\w+)\.(\d+)\.")
 
 
 def with_kinds(candidates: Iterable[Candidate]) -> list[Candidate]:
-    """Return candidates with the words that they share with others."""
+    """Return candidates with the words for what they share."""
     return [_with_kind(candidate) for candidate in candidates]
 
 

@@ -42,7 +42,7 @@ class LoadCase:
     """A robot with set values, the slots of the generated model that these determine, and what its motors do."""
 
     robot: Robot
-    known: Known = frozenset()
+    set_slots: Known = frozenset()
     drives: str = FREE
 
     @classmethod
@@ -57,16 +57,16 @@ class LoadCase:
         if not values:
             return cls(robot, drives=drives)
         changed = robot.with_values(values)
-        known = frozenset(slot for path in values for slot in resolve(robot, path).weights)
-        return cls(changed, known, drives)
+        set_slots = frozenset(slot for path in values for slot in resolve(robot, path).weights)
+        return cls(changed, set_slots, drives)
 
     def system(self, robot: Robot) -> ExtendedSystem:
         """Return what is solved for a robot of this case."""
         return solved_system(ExtendedSystem.of(robot), self.drives)
 
-    def left(self, path: ParameterPath) -> ParameterPath:
-        """Return a path without the slots that are known."""
-        if not self.known:
+    def reduced(self, path: ParameterPath) -> ParameterPath:
+        """Return a path without the slots that are set."""
+        if not self.set_slots:
             return path
         weights = {slot: weight for slot, weight in path.weights.items() if not self.knows(slot)}
         return replace(path, weights=weights)
@@ -74,7 +74,7 @@ class LoadCase:
     def knows(self, slot: Slot) -> bool:
         """Return whether a slot is set; a compliance is set for each of its joints."""
         field, index = slot
-        return slot in self.known or (field.rpartition(".")[0], index) in self.known
+        return slot in self.set_slots or (field.rpartition(".")[0], index) in self.set_slots
 
 
 @dataclass(frozen=True)
@@ -108,11 +108,11 @@ class LoadCases:
 
     def with_other_drives(self, setups: Sequence[int]) -> LoadCases:
         """Return the load cases with motors free instead of held, or held instead of free, in some of the setups."""
-        others = tuple(replace(case, drives=other_drives(case.drives)) for case in self.cases)
+        other_cases = tuple(replace(case, drives=other_drives(case.drives)) for case in self.cases)
         of = self.of.copy()
         of[list(setups)] += len(self.cases)
-        every = LoadCases(self.settings, (*self.cases, *others), of)
-        return every.subset(range(len(of)))
+        extended = LoadCases(self.settings, (*self.cases, *other_cases), of)
+        return extended.subset(range(len(of)))
 
     def subset(self, setups: Sequence[int]) -> LoadCases:
         """Return the load cases of some of the setups."""
@@ -121,14 +121,14 @@ class LoadCases:
 
     def always(self, path: ParameterPath) -> bool:
         """Return whether all slots of a path are set in every setup."""
-        return all(not case.left(path).weights for case in self.cases)
+        return all(not case.reduced(path).weights for case in self.cases)
 
-    def arranged(self, cases: Sequence[int], some: NDArray[np.bool_]) -> tuple[Index, list[int]]:
+    def arranged(self, cases: Sequence[int], included: NDArray[np.bool_]) -> tuple[Index, list[int]]:
         """Return the setups of some cases, ordered in blocks of equal size, one for each robot.
 
         Parameters
         ----------
-        some : ndarray of bool, shape (S,)
+        included : ndarray of bool, shape (S,)
             Mask of the setups to include.
 
         Returns
@@ -138,11 +138,11 @@ class LoadCases:
         owners : list of int, length B
             Cases of the B robots, at N / B setups each.
         """
-        rows = [np.flatnonzero((self.of == c) & some) for c in cases]
-        if len({len(each) for each in rows}) == 1 and (len(rows[0]) or len(rows) == 1):
+        rows = [np.flatnonzero((self.of == c) & included) for c in cases]
+        if len({len(block) for block in rows}) == 1 and (len(rows[0]) or len(rows) == 1):
             return np.concatenate(rows), list(cases)
-        every = np.sort(np.concatenate(rows))
-        return every, self.of[every].tolist() if len(every) else [cases[0]]
+        ordered = np.sort(np.concatenate(rows))
+        return ordered, self.of[ordered].tolist() if len(ordered) else [cases[0]]
 
 
 def settable(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]:
@@ -166,12 +166,12 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
         If the robot does not have a path, or a robot file with a set value would be refused: for the first row of
         the first such pose.
     """
-    known = settable(robot.mechanism, robot)
+    allowed = settable(robot.mechanism, robot)
     for path in data.settings:
-        if path not in known:
-            what = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
-            remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
-            raise MeasurementError(what, data.source, remedy)
+        if path not in allowed:
+            problem = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
+            remedy = nearest(path, allowed, "see docs/sensitivities.md for the paths")
+            raise MeasurementError(problem, data.source, remedy)
     cases: dict[tuple[object, ...], LoadCase] = {}
     of = []
     for pose, drives in enumerate(data.drives):
@@ -196,8 +196,8 @@ def _place(data: Measurements, pose: int, error: PkmodesError) -> str:
     """Return line and column of a refused value; all set columns if the error concerns several together."""
     values, path = data.load(pose), error.where.rpartition(": ")[2]
     line = data.lines[int(np.argmax(data.pose == pose))]
-    one = {path: values[path]} if path in values else values
-    return f"{data.source}: line {line}, {of_columns(one)}"
+    refused = {path: values[path]} if path in values else values
+    return f"{data.source}: line {line}, {of_columns(refused)}"
 
 
 def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
@@ -212,7 +212,9 @@ def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
     if platform is None:
         return []
     there = robot.effects.get(PAYLOAD_MASS.removeprefix(f"{EFFECTS}."), 0.0)
-    return [{PAYLOAD_MASS: there + float(f"{one * platform.value:.{DIGITS}g}")} for one in FRACTIONS]
+    return [
+        {PAYLOAD_MASS: there + float(f"{fraction * platform.value:.{DIGITS}g}")} for fraction in FRACTIONS
+    ]
 
 
 def _platform_mass(robot: Robot, points: Array) -> ParameterPath | None:

@@ -25,9 +25,9 @@ from pkmodes.updating.candidates import PREFIX, refuse_declared
 from pkmodes.updating.predictions import Solved
 
 Array = NDArray[np.float64]
-#: The candidate of the common ratio.
+#: Name of the common damping ratio as a candidate.
 RATIO = f"{PREFIX}{DAMPING_RATIO}"
-#: Value at which an effect is evaluated: a power of two below all bounds, so that scaling is exact.
+#: Value at which an effect is evaluated: a power of two below all bounds, which makes scaling exact.
 PART = 0.5
 
 
@@ -66,10 +66,12 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
     """Return the damping ratio that all modes have in common."""
     quantity = robot.quantities.get(DAMPING_RATIO)
     sigma = None if quantity is None else quantity.sigma
-    asked = names is not None and RATIO in names
-    if asked:
+    requested = names is not None and RATIO in names
+    if requested:
         refuse_declared(DAMPING_RATIO, [sigma])
-    wanted = names is None or bool({RATIO, "parameters"} & names) or (quantity is None and "effects" in names)
+    suspected = (
+        names is None or bool({RATIO, "parameters"} & names) or (quantity is None and "effects" in names)
+    )
     prior = priors_of(robot).get(DAMPING_RATIO, Prior())
     declared = quantity is not None
     return Loss(
@@ -82,13 +84,13 @@ def _ratio(robot: Robot, names: set[str] | None) -> Loss:
             1.0,
             correlated=prior.correlated,
         ),
-        RATIO if wanted and sigma is None else "",
+        RATIO if suspected and sigma is None else "",
         f"the declared value of {DAMPING_RATIO} is wrong"
         if declared
         else "every mode has the same damping ratio",
         declared,
         effect=False,
-        claimable=declared or asked,
+        claimable=declared or requested,
     )
 
 
@@ -104,8 +106,8 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
         sigma = None if quantity is None else quantity.sigma
         if names is not None and effect.name in names:
             refuse_declared(f"the effect {effect.name}", [sigma])
-        wanted = names is None or bool({effect.name, "effects"} & names)
-        most, prior = 1.0 if parameter.unit == "1" else np.inf, priors.get(path, Prior())
+        suspected = names is None or bool({effect.name, "effects"} & names)
+        upper, prior = 1.0 if parameter.unit == "1" else np.inf, priors.get(path, Prior())
         losses.append(
             Loss(
                 Parameter(
@@ -114,10 +116,10 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
                     parameter.unit.replace(" ", "*"),
                     prior.sigma,
                     0.0,
-                    most,
+                    upper,
                     correlated=prior.correlated,
                 ),
-                effect.name if wanted and sigma is None else "",
+                effect.name if suspected and sigma is None else "",
                 effect.sentence,
                 quantity is not None,
             )
@@ -127,19 +129,19 @@ def _effects(robot: Robot, names: set[str] | None) -> list[Loss]:
 
 def rates_of_losses(at: Solved, losses: Sequence[Loss]) -> Array:
     """Return the damping ratio of each mode per unit of each loss, (N, m, losses); NaN for rigid modes."""
-    rigid, each = at.system.rigid_modes, len(at.points) // len(at.robots)
+    rigid, count = at.system.rigid_modes, len(at.points) // len(at.robots)
     rates = np.full((*at.eigenvalues.shape, len(losses)), np.nan)
     size = at.system.joints.shape[-1]
     for b, robot in enumerate(at.robots):
-        some = slice(b * each, (b + 1) * each)
-        modes = at.eigenvalues[some], at.channels[some, :, :size]
+        part = slice(b * count, (b + 1) * count)
+        modes = at.eigenvalues[part], at.channels[part, :, :size]
         for j, loss in enumerate(losses):
             if not loss.effect:
-                rates[some, rigid:, j] = 1.0
+                rates[part, rigid:, j] = 1.0
                 continue
             lossy = _with_one(robot, loss.parameter.name)
-            viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).of_model(at.points[some])
-            rates[some, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
+            viscous, lost = Dissipation(lossy, ExtendedSystem.of(lossy)).of_model(at.points[part])
+            rates[part, :, j] = damping_ratios(*modes, viscous, lost, 0.0, rigid) / PART
     return rates
 
 

@@ -72,17 +72,17 @@ class MeasuredRobot:
         check_measurements(data, "pkmodes.updating.read(path)")
         names = tuple(component.name for component in robot.mechanism.pose)
         if data.components != names:
-            what = f"expected poses with {joined(names)}, found {joined(data.components)}"
-            raise MeasurementError(what, data.source, f"give the pose components of {robot.source}")
-        known = channels(robot.mechanism)
+            problem = f"expected poses with {joined(names)}, found {joined(data.components)}"
+            raise MeasurementError(problem, data.source, f"give the pose components of {robot.source}")
+        known_channels = channels(robot.mechanism)
         for name in data.channels:
-            if name not in known:
-                unknown = [f"{SHAPE}{one}" for one in data.channels if one not in known]
+            if name not in known_channels:
+                unknown = [f"{SHAPE}{channel}" for channel in data.channels if channel not in known_channels]
                 if whose := owners(unknown, columns_of_others(robot.mechanism)):
-                    what = f"{shown(f'{SHAPE}{name}')} is a column of another machine: {whose}"
-                    raise MeasurementError(what, data.source, OTHER_MACHINE)
-                what = f"{shown(name)} is not a coordinate of {robot.source}"
-                raise MeasurementError(what, data.source, nearest(name, known))
+                    problem = f"{shown(f'{SHAPE}{name}')} is a column of another machine: {whose}"
+                    raise MeasurementError(problem, data.source, OTHER_MACHINE)
+                problem = f"{shown(name)} is not a coordinate of {robot.source}"
+                raise MeasurementError(problem, data.source, nearest(name, known_channels))
         loads = load_cases(robot, data)
         check_reachable(robot, data, loads)
         return cls(robot, data, loads)
@@ -101,7 +101,7 @@ class MeasuredRobot:
             name = path.removeprefix(f"{USABLE}.").partition(".")[0]
             raise MeasurementError(what, stated[name].where, remedy)
 
-        raw = {name: one.value for name, one in stated.items()}
+        raw = {name: statement.value for name, statement in stated.items()}
         limits = {**self.robot.usable, **read_usable(self.robot.mechanism, raw, refuse)}
         return replace(self, robot=Robot.of(replace(self.robot, usable=limits)))
 
@@ -119,9 +119,9 @@ class MeasuredRobot:
         losses = self._losses(candidates)
         parameters, causes, moves = suspects(self.robot, without_losses(self.robot, candidates), self.loads)
         parameters = of_frame(parameters, self.data)
-        known = {cause.name for cause in causes}
+        cause_names = {cause.name for cause in causes}
         # A prior of the measurements says nothing of a candidate that is not among those chosen.
-        stated = {n: one for n, one in self.data.priors.items() if candidates is None or n in known}
+        stated = {n: prior for n, prior in self.data.priors.items() if candidates is None or n in cause_names}
         causes = _with_priors(self.robot, parameters, causes, joined_with(stated, priors or {}, "priors"))
         return ExtensibleRobot(self.robot, self.data.points, parameters, causes, moves, self.loads, losses)
 
@@ -129,41 +129,41 @@ class MeasuredRobot:
         """Return the losses to be diagnosed: none where no damping was measured."""
         if not np.isnan(self.data.damping).all():
             return losses_of(self.robot, chosen)
-        asked = [] if chosen is None or isinstance(chosen, str) else chosen
-        for name in asked:
+        requested = [] if chosen is None or isinstance(chosen, str) else chosen
+        for name in requested:
             if is_loss(self.robot, name):
-                what = f"no damping was measured, and {name} changes nothing else"
+                problem = f"no damping was measured, and {name} changes nothing else"
                 raise PkmodesError(
-                    what, "candidates", "leave it out, or add a column damping to the measurements"
+                    problem, "candidates", "leave it out, or add a column damping to the measurements"
                 )
         return ()
 
 
-def columns_of_others(own: Mechanism) -> dict[str, frozenset[str]]:
-    """Return the shape and pose columns that measurements of each other known mechanism may have, by its name."""
-    others = [mechanism(name) for name in names() if name != own.name]
+def columns_of_others(excluded: Mechanism) -> dict[str, frozenset[str]]:
+    """Return the shape and pose columns that measurements of every other mechanism may have, by its name."""
+    machines = [mechanism(name) for name in names() if name != excluded.name]
     return {
-        one.name: frozenset(
+        machine.name: frozenset(
             [
-                *(f"{SHAPE}{channel}" for channel in channels(one)),
-                *(f"{prefix}{component.name}" for component in one.pose for prefix in ("", SPREAD)),
+                *(f"{SHAPE}{channel}" for channel in channels(machine)),
+                *(f"{prefix}{component.name}" for component in machine.pose for prefix in ("", SPREAD)),
             ]
         )
-        for one in others
+        for machine in machines
     }
 
 
-def robot_of(given: Robot | Model) -> Robot:
+def robot_of(robot: Robot | Model) -> Robot:
     """Return a robot, given as such or as a model."""
-    if isinstance(given, Model):
-        return given.robot
-    if not isinstance(given, Robot):
-        path = isinstance(given, str | PathLike)
+    if isinstance(robot, Model):
+        return robot.robot
+    if not isinstance(robot, Robot):
+        path = isinstance(robot, str | PathLike)
         remedy = (
-            f"read it: pkmodes.read_robot({shown(str(given))})" if path else "give what pkmodes.load returns"
+            f"read it: pkmodes.read_robot({shown(str(robot))})" if path else "give what pkmodes.load returns"
         )
-        raise PkmodesError(f"expected a robot or a model, found {shown(given)}", "robot", remedy)
-    return given
+        raise PkmodesError(f"expected a robot or a model, found {shown(robot)}", "robot", remedy)
+    return robot
 
 
 def _with_priors(
@@ -181,27 +181,29 @@ def _with_priors(
     """
     by_name = {parameter.name: parameter for parameter in parameters}
     with_sigma = {candidate.name: candidate for candidate in candidates}
-    known = [candidate.name for candidate in candidates if candidate.claimable]
-    for name, (given, where) in priors.items():
-        if name not in known:
-            _refuse(robot, name, known, where)
-        sigmas = tuple(_deviation(given, by_name[each], where) for each in with_sigma[name].parameters)
+    claimable = [candidate.name for candidate in candidates if candidate.claimable]
+    for name, (prior, where) in priors.items():
+        if name not in claimable:
+            _refuse(robot, name, claimable, where)
+        sigmas = tuple(
+            _deviation(prior, by_name[parameter], where) for parameter in with_sigma[name].parameters
+        )
         with_sigma[name] = replace(with_sigma[name], sigma=sigmas)
     return list(with_sigma.values())
 
 
-def _refuse(robot: Robot, name: object, known: Sequence[str], where: str) -> NoReturn:
+def _refuse(robot: Robot, name: object, claimable: Sequence[str], where: str) -> NoReturn:
     """Raise an error that says why there is no such candidate."""
     path = str(name).removeprefix("parameter:")
     quantity = robot.quantities.get(path)
     if quantity is not None and quantity.sigma is not None:
         state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
-        what = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
-        raise PkmodesError(what, where, "leave it out, or remove the sigma from the robot file")
-    raise PkmodesError(f"there is no candidate {shown(name)} for a prior", where, nearest(name, known))
+        problem = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
+        raise PkmodesError(problem, where, "leave it out, or remove the sigma from the robot file")
+    raise PkmodesError(f"there is no candidate {shown(name)} for a prior", where, nearest(name, claimable))
 
 
-def _deviation(given: float | str, parameter: Parameter, where: str) -> float:
+def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:
     """Return a standard deviation in the unit of a parameter, from a number, text with a unit, or a percentage.
 
     Raises
@@ -211,33 +213,33 @@ def _deviation(given: float | str, parameter: Parameter, where: str) -> float:
     """
     example = f'"0.01 {parameter.unit}"' if parameter.unit != "1" else "0.01"
     remedy = f"write a number in {parameter.unit}, or text with a unit such as {example}"
-    value = given
-    if isinstance(given, str):
-        number, unit = NUMBER.fullmatch(given), ""
+    value = prior
+    if isinstance(prior, str):
+        number, unit = NUMBER.fullmatch(prior), ""
         if number is not None:
             value, unit = float(number[1]), number[2]
         try:
-            check_plain_number(given, f"a standard deviation in {parameter.unit}")
+            check_plain_number(prior, f"a standard deviation in {parameter.unit}")
             if number is None or not unit:
-                raise QuantityError(f"{shown(given)} is not a number with a unit")
+                raise QuantityError(f"{shown(prior)} is not a number with a unit")
             if unit == "%":
                 value = float(value) / 100.0 * abs(parameter.value)
             else:
                 factor, powers = base_units(unit)
-                own, same = base_units(parameter.unit)
+                parameter_factor, same = base_units(parameter.unit)
                 if powers != same:
-                    raise QuantityError(f"{shown(given)} has the wrong dimension")
-                value = float(Decimal(number[1]) * factor / own)
+                    raise QuantityError(f"{shown(prior)} has the wrong dimension")
+                value = float(Decimal(number[1]) * factor / parameter_factor)
         except QuantityError as error:
-            what, expected = str(error), f"expected a standard deviation in {parameter.unit}"
-            what = what if what.startswith(expected) else f"{expected}: {what}"
+            problem, expected = str(error), f"expected a standard deviation in {parameter.unit}"
+            problem = problem if problem.startswith(expected) else f"{expected}: {problem}"
             if number is not None and (meant := meant_as(unit, parameter.unit)) is not None:
                 remedy = f'write "{number[1]} {meant}"'
-            raise PkmodesError(what, where, error.remedy or remedy) from None
+            raise PkmodesError(problem, where, error.remedy or remedy) from None
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer | np.floating):
-        raise PkmodesError(f"expected a standard deviation, found {shown(given)}", where, remedy)
+        raise PkmodesError(f"expected a standard deviation, found {shown(prior)}", where, remedy)
     if not 0.0 < value < np.inf:
-        raise PkmodesError(f"expected a standard deviation above 0, found {shown(given)}", where, remedy)
+        raise PkmodesError(f"expected a standard deviation above 0, found {shown(prior)}", where, remedy)
     return float(value)
 
 
@@ -270,8 +272,8 @@ def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     except PoseError as error:
         label, place = shown(data.labels[first]), placed(robot.mechanism, data.points[first])
         set_values = " with the set values" if load else ""
-        what = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
-        raise MeasurementError(what, where, f"{error.remedy}; {remedy}") from None
+        problem = f"pose {label} at {place} cannot be reached{set_values}: {error.what}"
+        raise MeasurementError(problem, where, f"{error.remedy}; {remedy}") from None
 
 
 def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
@@ -285,8 +287,8 @@ def _refuse_another_unit(robot: Robot, data: Measurements, where: str) -> None:
                 f"{name} [mm]" if length else name
                 for name, length in zip(data.components, lengths, strict=True)
             )
-            what = f"no pose can be reached, but all can if multiplied by {factor:g}"
-            raise MeasurementError(what, where, remedy.format(columns, ",".join(data.components)))
+            problem = f"no pose can be reached, but all can if multiplied by {factor:g}"
+            raise MeasurementError(problem, where, remedy.format(columns, ",".join(data.components)))
 
 
 def _reached(robot: Robot, points: NDArray[np.float64]) -> NDArray[np.bool_]:

@@ -98,7 +98,7 @@ def _different(sets: Sequence[tuple[Any, ...]], count: int) -> dict[str, Array]:
     """Return the fields in which the named tuples differ, each value repeated `count` times along a leading axis."""
     repeated = {}
     for name in sets[0]._fields:  # type: ignore[attr-defined]
-        values = np.array([getattr(one, name) for one in sets], dtype=float)
+        values = np.array([getattr(numbers, name) for numbers in sets], dtype=float)
         if (values != values[0]).any():
             repeated[name] = np.repeat(values, count, axis=0)
     return repeated
@@ -108,8 +108,8 @@ def _flat_of_each(sets: Sequence[tuple[Any, ...]]) -> Array:
     """Return the fields of each named tuple in a row; most of them are the same objects."""
     rows = np.tile(flat(sets[0]), (len(sets), 1))
     ends = np.cumsum([np.size(value) for value in sets[0]]).tolist()
-    for row, one in zip(rows[1:], sets[1:], strict=True):
-        for value, first, end in zip(one, sets[0], ends, strict=True):
+    for row, numbers in zip(rows[1:], sets[1:], strict=True):
+        for value, first, end in zip(numbers, sets[0], ends, strict=True):
             if value is not first:
                 row[end - np.size(value) : end] = np.ravel(value)
     return rows
@@ -176,7 +176,7 @@ def _by_solvers(
 ) -> ModesOfSystems | None:
     """Evaluate all robots with one solver, or each with its own; None if NumPy has to evaluate them together."""
     backend = chosen(AUTO)
-    if any((one.massless != system.massless).any() for one in systems):
+    if any((member.massless != system.massless).any() for member in systems):
         return None
     try:
         solver = solver_of(system, MAX_CONDITION, backend).inner
@@ -185,7 +185,7 @@ def _by_solvers(
         return None
     if isinstance(solver, NumpySolver) or not (checked or solver.checks_poses):
         return None
-    n, m, each = len(system.coordinates), number_of_modes(system), len(points) // len(systems)
+    n, m, count = len(system.coordinates), number_of_modes(system), len(points) // len(systems)
     tails = {EIGENVALUES: (m,), SHAPES: (m, n), MOTIONS: (m, len(system.mechanism.platform))}
     arrays = {name: np.empty((len(points), *tail)) for name, tail in tails.items()}
     codes = np.empty(len(points), dtype=np.int8)
@@ -193,18 +193,18 @@ def _by_solvers(
     if solver.together:
         codes[:] = solver.compute(RobotAtPoses(system, points, "", {}), filled)
     else:
-        for b, (one, own) in enumerate(zip(systems, solvers, strict=True)):
-            part = slice(b * each, (b + 1) * each)
-            some = {name: array[part] for name, array in filled.items()}
-            codes[part] = own.compute(RobotAtPoses(one, points[part], "", {}), some)
+        for b, (member, member_solver) in enumerate(zip(systems, solvers, strict=True)):
+            part = slice(b * count, (b + 1) * count)
+            part_arrays = {name: array[part] for name, array in filled.items()}
+            codes[part] = member_solver.compute(RobotAtPoses(member, points[part], "", {}), part_arrays)
     if (codes > 0).any():
         return None
     if MOTIONS not in filled:
         arrays[MOTIONS] = _motions(RobotAtPoses(system, points, "", {}), arrays[SHAPES])
-    left = np.unique(np.flatnonzero(codes == UNSOLVED) // each)
-    if len(left):  # all poses of these robots
-        rows = (left[:, None] * each + np.arange(each)).ravel()
-        unsolved = RobotAtPoses(stacked([systems[b] for b in left], each), points[rows], "", {})
+    failed = np.unique(np.flatnonzero(codes == UNSOLVED) // count)
+    if len(failed):  # all poses of these robots
+        rows = (failed[:, None] * count + np.arange(count)).ravel()
+        unsolved = RobotAtPoses(stacked([systems[b] for b in failed], count), points[rows], "", {})
         try:
             eigenvalues, shapes = modes_of(unsolved)
         except np.linalg.LinAlgError:

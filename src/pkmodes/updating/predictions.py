@@ -28,9 +28,9 @@ from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reac
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Padding for robots with fewer parameters than others that are evaluated together.
+#: Padding for robots with fewer parameters than others that are evaluated with them.
 NOTHING = ParameterPath("", 0.0, "1", {})
-#: Eigenvalue of the first missing mode of a setup, far above all others, and ratio to that of the next one.
+#: Eigenvalue of the first missing mode of a setup, far above all others, and the ratio between successive ones.
 LACKING, FARTHER = 1e40, 100.0
 
 
@@ -60,8 +60,8 @@ class Solved(NamedTuple):
 
     def of(self, robot: int) -> Solved:
         """Return the modes of one robot."""
-        each = len(self.points) // len(self.robots)
-        part = slice(robot * each, (robot + 1) * each)
+        count = len(self.points) // len(self.robots)
+        part = slice(robot * count, (robot + 1) * count)
         matrices = None if self.matrices is None else (self.matrices[0][part], self.matrices[1][part])
         return Solved(
             self.robots[robot : robot + 1],
@@ -96,24 +96,27 @@ def solved(
     system, eigenvalues, shapes, motions, matrices, solver = modes
     channels = np.zeros((*shapes.shape[:2], system.joints.shape[-1] + motions.shape[-1]))
     channels[..., system.free] = shapes
-    every = slice(system.joints.shape[-1])
-    channels[..., every] = system.of_model(channels[..., every])
+    of_model = slice(system.joints.shape[-1])
+    channels[..., of_model] = system.of_model(channels[..., of_model])
     channels[..., -motions.shape[-1] :] = motions
-    given = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
-    return Solved(*given)
+    fields = tuple(robots), tuple(systems), system, points, matrices, eigenvalues, shapes, channels, solver
+    return Solved(*fields)
 
 
 def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction:
     """Return modes with their derivatives along the moves of each robot's parameters."""
-    if len(moves) > 1 and any(locked_joints(at.system, one.paths).paths for one in moves):
-        each = [derived(at.of(b), [one], shape_rates) for b, one in enumerate(moves)]
-        return concatenated(each)
-    most = max(len(one.paths) for one in moves)
-    filled = {id(one.paths): (*one.paths, *[NOTHING] * (most - len(one.paths))) for one in moves}
-    paths = [filled[id(one.paths)] for one in moves]
-    rates = np.zeros((*at.eigenvalues.shape, most))
-    along = np.zeros((*at.channels.shape, most)) if shape_rates else None
-    if most and np.isfinite(at.eigenvalues).all():
+    if len(moves) > 1 and any(locked_joints(at.system, robot_moves.paths).paths for robot_moves in moves):
+        predictions = [derived(at.of(b), [robot_moves], shape_rates) for b, robot_moves in enumerate(moves)]
+        return concatenated(predictions)
+    longest = max(len(robot_moves.paths) for robot_moves in moves)
+    filled = {
+        id(robot_moves.paths): (*robot_moves.paths, *[NOTHING] * (longest - len(robot_moves.paths)))
+        for robot_moves in moves
+    }
+    paths = [filled[id(robot_moves.paths)] for robot_moves in moves]
+    rates = np.zeros((*at.eigenvalues.shape, longest))
+    along = np.zeros((*at.channels.shape, longest)) if shape_rates else None
+    if longest and np.isfinite(at.eigenvalues).all():
         modes = at.eigenvalues, at.shapes
         terms = None if at.solver is None else terms_of_all(at.systems, paths)
         derivatives = derivatives_of(
@@ -122,8 +125,8 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
         rates = derivatives.eigenvalues(at.eigenvalues, at.shapes)
         if along is not None:
             along = _channel_rates(at, derivatives, paths)
-    if any(one.mix is not None for one in moves):
-        mix = _mixed(moves, most, len(at.points) // len(moves))
+    if any(robot_moves.mix is not None for robot_moves in moves):
+        mix = _mixed(moves, longest, len(at.points) // len(moves))
         rates, along = rates @ mix, None if along is None else along @ mix[:, None]
     return Prediction(at.eigenvalues, rates, at.channels, at.system.rigid_modes, along)
 
@@ -155,9 +158,9 @@ def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction
         eigenvalues[np.ix_(rows, np.arange(part.rigid, rigid))] = 0.0
         eigenvalues[np.ix_(rows, np.arange(rigid + elastic, count))] = lacking
         eigenvalues[np.ix_(rows, place)] = part.eigenvalues
-        for whole, some in zip(arrays, _arrays(part), strict=True):
+        for whole, values in zip(arrays, _arrays(part), strict=True):
             whole[rows] = 0.0
-            whole[np.ix_(rows, place)] = some
+            whole[np.ix_(rows, place)] = values
     rates, shapes, *along = arrays
     return Prediction(eigenvalues, rates, shapes, rigid, *along)
 
@@ -179,14 +182,17 @@ def concatenated(parts: Sequence[Prediction]) -> Prediction:
     )
 
 
-def _mixed(moves: Sequence[Moves], most: int, poses: int) -> Array:
+def _mixed(moves: Sequence[Moves], longest: int, poses: int) -> Array:
     """Return the motion of each parameter along each path, (N, T, k)."""
-    columns = max(len(one.paths) if one.mix is None else one.mix.shape[-1] for one in moves)
-    mix = np.zeros((len(moves), poses, most, columns))
-    for one, part in zip(moves, mix, strict=True):
-        each = np.eye(len(one.paths)) if one.mix is None else one.mix
-        part[:, : each.shape[-2], : each.shape[-1]] = each
-    return mix.reshape(-1, most, columns)
+    columns = max(
+        len(robot_moves.paths) if robot_moves.mix is None else robot_moves.mix.shape[-1]
+        for robot_moves in moves
+    )
+    mix = np.zeros((len(moves), poses, longest, columns))
+    for robot_moves, part in zip(moves, mix, strict=True):
+        motion = np.eye(len(robot_moves.paths)) if robot_moves.mix is None else robot_moves.mix
+        part[:, : motion.shape[-2], : motion.shape[-1]] = motion
+    return mix.reshape(-1, longest, columns)
 
 
 def _channel_rates(
@@ -204,8 +210,8 @@ def _channel_rates(
     if moved is not None:
         rates[..., -components:, :] += np.moveaxis(moved, 1, -1)
         return rates
-    for robot, some, part in _alike(at, paths):
-        for t, path in enumerate(some):
+    for robot, robot_paths, part in _alike(at, paths):
+        for t, path in enumerate(robot_paths):
             # The Jacobian of the platform also changes with the geometry and the pose.
             if any(field in geometry or field == POSE for field, _ in path.weights):
                 rate = _motion_rate(at.system, robot, at.points[part], path)[..., derivatives.free]
@@ -217,17 +223,17 @@ def _alike(
     at: Solved, paths: Sequence[tuple[ParameterPath, ...]]
 ) -> list[tuple[Robot, tuple[ParameterPath, ...], Index]]:
     """Group equal robots with equal paths, with the indices of all their poses."""
-    each = len(at.points) // len(at.robots)
+    count = len(at.points) // len(at.robots)
     groups: dict[tuple[int, int], list[int]] = {}
     for b, robot in enumerate(at.robots):
         groups.setdefault((id(robot), id(paths[b])), []).append(b)
     return [
         (
-            at.robots[some[0]],
-            paths[some[0]],
-            np.concatenate([np.arange(b * each, (b + 1) * each) for b in some]),
+            at.robots[members[0]],
+            paths[members[0]],
+            np.concatenate([np.arange(b * count, (b + 1) * count) for b in members]),
         )
-        for some in groups.values()
+        for members in groups.values()
     ]
 
 

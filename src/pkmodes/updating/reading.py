@@ -75,9 +75,9 @@ def read(
     mechanisms = [mechanism(name) for name in names()] if of is None else [of.mechanism]
     data = read_measurements(
         path,
-        {name: unit for one in mechanisms for name, unit in channels(one).items()},
-        components=[_components(one) for one in mechanisms],
-        settings={name: unit for one in mechanisms for name, unit in settable(one, of).items()},
+        {name: unit for machine in mechanisms for name, unit in channels(machine).items()},
+        components=[_components(machine) for machine in mechanisms],
+        settings={name: unit for machine in mechanisms for name, unit in settable(machine, of).items()},
         drives=None if drives is None else checked_drives(drives),
         state=state,
         others=dict if of is None else partial(columns_of_others, of.mechanism),
@@ -142,13 +142,15 @@ def read_any(
     text = read_text(Path(path), source, "the measurements", "give a CSV file with one row for each mode")
     _, cells = read_lines(text, source).header(source, "start with the names of the columns")
     machines = [mechanism(name) for name in names()]
-    known = {f"{SHAPE}{name}" for each in machines for name in channels(each)}
-    poses = {name for each in machines for name in _components(each)}
-    columns = [parted(cell, [*known, *poses])[0] for cell in cells]
-    own = [name for name in columns if name.lower().startswith(SHAPE)]
-    if set(own) <= known and poses.intersection(columns):
+    shape_columns = {f"{SHAPE}{name}" for machine in machines for name in channels(machine)}
+    poses = {name for machine in machines for name in _components(machine)}
+    columns = [parted(cell, [*shape_columns, *poses])[0] for cell in cells]
+    file_shapes = [name for name in columns if name.lower().startswith(SHAPE)]
+    if set(file_shapes) <= shape_columns and poses.intersection(columns):
         return read(path, band, drives=drives)
-    data = read_measurements(path, [name[len(SHAPE) :] for name in own], positions=False, drives=drives)
+    data = read_measurements(
+        path, [name[len(SHAPE) :] for name in file_shapes], positions=False, drives=drives
+    )
     return _within(band, data)
 
 
@@ -158,8 +160,8 @@ def _within(band: tuple[float, float] | None, data: Measurements) -> Measurement
         return data
     if data.band not in (None, band):
         stated = f"{data.band[0]:g} Hz to {data.band[1]:g} Hz"
-        what = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
-        raise MeasurementError(what, data.source, "leave the band out, or correct the file")
+        problem = f"the file states the band {stated}, not {band[0]:g} Hz to {band[1]:g} Hz"
+        raise MeasurementError(problem, data.source, "leave the band out, or correct the file")
     return replace(data, band=band)
 
 

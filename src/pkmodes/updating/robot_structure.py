@@ -33,9 +33,9 @@ from pkmodes.updating.predictions import Moves, Solved, derived, joined, solved
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Number of poses drawn around the measured ones for the next measurement, and their seed.
+#: Number of poses drawn around the measured ones for the next measurement, and the random seed.
 DRAWS, SEED = 400, 7
-#: Least angle of a rod to its singular direction there [rad].
+#: Smallest angle of a rod to its singular direction there [rad].
 LEAST_ANGLE = float(np.radians(10.0))
 #: Kinds of keys of the robot file that define a location or orientation, whatever their dimension.
 WHERE = ("direction", "choice", "signs", "pair")
@@ -87,16 +87,16 @@ class RobotStructure:
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
         self.losses: tuple[Loss, ...] = tuple(losses)
         self._mechanism = robot.mechanism
-        known = channels(self._mechanism)
-        self.channels, self.channel_units = tuple(known), tuple(known.values())
+        units = channels(self._mechanism)
+        self.channels, self.channel_units = tuple(units), tuple(units.values())
         self.shifts = tuple(
             ParameterPath(f"{POSE}.{component.name}", 0.0, component.unit, {(POSE, (i,)): 1.0})
             for i, component in enumerate(self._mechanism.pose)
         )
         self._moves = dict(moves)
         self.loads = LoadCases.none(robot, len(self.points)) if loads is None else loads
-        self._left = [
-            {name: case.left(path) for name, path in self._moves.items()} for case in self.loads.cases
+        self._free_paths = [
+            {name: case.reduced(path) for name, path in self._moves.items()} for case in self.loads.cases
         ]
         self._last: tuple[bytes, list[_Part]] | None = None
         self._latest: tuple[object, Prediction] | None = None
@@ -117,8 +117,8 @@ class RobotStructure:
 
     def at(self, points: Array, loads: LoadCases | None = None) -> RobotStructure:
         """Return the same robot at other poses, as declared, or with load cases."""
-        given = self.parameters, self.candidates, self._moves
-        return type(self)(self.robot, points, *given, loads, self.losses)
+        arguments = self.parameters, self.candidates, self._moves
+        return type(self)(self.robot, points, *arguments, loads, self.losses)
 
     def extended(
         self,
@@ -127,8 +127,8 @@ class RobotStructure:
         candidates: Sequence[Candidate],
     ) -> RobotStructure:
         """Return the same robot with further parameters, the path of each, and other candidates."""
-        given = (*self.parameters, *parameters), candidates, {**self._moves, **moves}
-        return type(self)(self.robot, self.points, *given, self.loads, self.losses)
+        arguments = (*self.parameters, *parameters), candidates, {**self._moves, **moves}
+        return type(self)(self.robot, self.points, *arguments, self.loads, self.losses)
 
     def subset(self, setups: Sequence[int]) -> RobotStructure:
         """Return the same robot at some of its poses."""
@@ -151,19 +151,19 @@ class RobotStructure:
 
     def loaded(self) -> list[tuple[dict[str, float], RobotStructure]]:
         """Return payloads (values by path), each with the robot at its poses under it."""
-        every = np.zeros(len(self.points), dtype=np.intp)
+        first = np.zeros(len(self.points), dtype=np.intp)
         cases = [
             (load, LoadCase.of(self.robot, load, self.drives)) for load in payloads(self.robot, self.points)
         ]
-        return [(load, self.at(self.points, LoadCases(tuple(load), (case,), every))) for load, case in cases]
+        return [(load, self.at(self.points, LoadCases(tuple(load), (case,), first))) for load, case in cases]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
     def predict(self, values: Array, by: Sequence[int], *, shape_rates: bool = False) -> Prediction:
         """Return the modes at all poses, with derivatives with respect to some of the parameters."""
-        asked = values.tobytes(), tuple(by), shape_rates
+        request = values.tobytes(), tuple(by), shape_rates
         if (
-            self._latest is not None and self._latest[0] == asked
-        ):  # a fit asks more than once at the same values
+            self._latest is not None and self._latest[0] == request
+        ):  # a fit evaluates the same values more than once
             return self._latest[1]
         prediction = self._joined(
             [
@@ -172,7 +172,7 @@ class RobotStructure:
             ]
         )
         if by:
-            self._latest = asked, prediction
+            self._latest = request, prediction
         return prediction
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")  # a fit may try impossible values
@@ -185,30 +185,30 @@ class RobotStructure:
         """
         machines = [self.machines(v) for v in values]
         groups: dict[object, list[int]] = {}
-        for k, (at, some) in enumerate(zip(machines, by, strict=True)):
-            apart = any(locked_joints(at.systems[c], paths).paths for c, paths in self._paths(some).items())
+        for k, (at, chosen) in enumerate(zip(machines, by, strict=True)):
+            apart = any(locked_joints(at.systems[c], paths).paths for c, paths in self._paths(chosen).items())
             groups.setdefault(k if apart else tuple(map(self._key, at.systems)), []).append(k)
         everywhere = np.ones(len(self.points), dtype=bool)
         count, batches = len(self.points), []
         for alike in groups.values():
             blocks = self._blocks(machines[alike[0]], everywhere)
-            some = alike if len(alike) > 1 else []
-            parts = _solved_blocks([machines[k] for k in some], blocks, checked=False)
+            batched = alike if len(alike) > 1 else []
+            parts = _solved_blocks([machines[k] for k in batched], blocks, checked=False)
             if parts is None:
-                some = [k for k in some if self.reachable(machines[k]).all()]
-                parts = _solved_blocks([machines[k] for k in some], blocks, checked=True)
+                batched = [k for k in batched if self.reachable(machines[k]).all()]
+                parts = _solved_blocks([machines[k] for k in batched], blocks, checked=True)
             if parts is None or not all(np.isfinite(part.eigenvalues).all() for part in parts):
-                some = []
-            for k in (k for k in alike if k not in some):
+                batched = []
+            for k in (k for k in alike if k not in batched):
                 batches.append(Batch(np.array([k]), self.predict(values[k], by[k], shape_rates=shape_rates)))
-            if some:
+            if batched:
                 assert parts is not None
-                first = count * np.arange(len(some))[:, None]
+                first = count * np.arange(len(batched))[:, None]
                 predictions = []
                 for part, (rows, owners) in zip(parts, blocks, strict=True):
-                    moves = [m for k in some for m in self.moved_by(values[k], by[k], rows, owners)]
+                    moves = [m for k in batched for m in self.moved_by(values[k], by[k], rows, owners)]
                     predictions.append(((first + rows).ravel(), derived(part, moves, shape_rates)))
-                batches.append(Batch(np.array(some), joined(predictions, count * len(some))))
+                batches.append(Batch(np.array(batched), joined(predictions, count * len(batched))))
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
@@ -231,8 +231,8 @@ class RobotStructure:
             elastic = rates_of_losses(part.at, self.losses)[:, part.at.system.rigid_modes :]
             rates[part.rows, : elastic.shape[1]] = elastic
         for c, case in enumerate(self.loads.cases):
-            known = [case.knows((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses]
-            rates[np.ix_(self.loads.of == c, np.arange(count), np.array(known, dtype=bool))] = np.nan
+            set_losses = [case.knows((loss.parameter.name.removeprefix(EFFECTS), ())) for loss in self.losses]
+            rates[np.ix_(self.loads.of == c, np.arange(count), np.array(set_losses, dtype=bool))] = np.nan
         return rates
 
     @property
@@ -260,10 +260,10 @@ class RobotStructure:
         rng = np.random.default_rng(SEED)
         low, high = self.points.min(axis=0), self.points.max(axis=0)
         margin = 0.25 * max(float((high - low).max()), 0.1)
-        least, most = limits_of(self._mechanism, self.robot.usable)
-        low, high = np.clip(low - margin, least, most), np.clip(high + margin, least, most)
-        low = np.where(low == high, np.maximum(low - margin, least), low)
-        high = np.where(high == least, np.minimum(high + margin, most), high)
+        lowest, highest = limits_of(self._mechanism, self.robot.usable)
+        low, high = np.clip(low - margin, lowest, highest), np.clip(high + margin, lowest, highest)
+        low = np.where(low == high, np.maximum(low - margin, lowest), low)
+        high = np.where(high == lowest, np.minimum(high + margin, highest), high)
         drawn = rng.uniform(low, high, (DRAWS, len(low)))
         check = check_poses(drawn, self._mechanism, self.robot.parameters, "nan", MAX_CONDITION / 1e5)
         drawn = drawn[check.valid]
@@ -278,24 +278,25 @@ class RobotStructure:
         if len(moving) == len(names):
             return [Moves(paths[c], None) for c in owners]
         # A parameter of the frame moves all poses, each according to its distance from the frame's origin.
-        known = {name: k for k, name in enumerate(moving)}
+        column_of = {name: k for k, name in enumerate(moving)}
         mix = np.zeros((len(self.points), len(moving) + len(self.shifts), len(by)))
         for column, name in enumerate(names):
-            if name in known:
-                mix[:, known[name], column] = 1.0
+            if name in column_of:
+                mix[:, column_of[name], column] = 1.0
             else:
                 mix[:, len(moving) :, column] = frame.rate(
                     self._mechanism, name, self.points, self._frame(values)
                 )
-        with_shifts = {c: (*some, *self.shifts) for c, some in paths.items()}
-        each = rows.reshape(len(owners), -1)
-        return [Moves(with_shifts[c], mix[some]) for c, some in zip(owners, each, strict=True)]
+        with_shifts = {c: (*case_paths, *self.shifts) for c, case_paths in paths.items()}
+        blocks = rows.reshape(len(owners), -1)
+        return [Moves(with_shifts[c], mix[block]) for c, block in zip(owners, blocks, strict=True)]
 
     def _paths(self, by: Sequence[int]) -> dict[int, tuple[ParameterPath, ...]]:
         """Return the paths of some parameters of the robot in each load case."""
         names = [self.parameters[i].name for i in by]
         return {
-            c: tuple(left[name] for name in names if name in self._moves) for c, left in enumerate(self._left)
+            c: tuple(free_paths[name] for name in names if name in self._moves)
+            for c, free_paths in enumerate(self._free_paths)
         }
 
     def _frame(self, values: Array) -> dict[str, float]:
@@ -316,8 +317,8 @@ class RobotStructure:
         ]
         cases = self.loads.cases
         robots = [
-            moved(case.robot, [(left[name], step) for name, step in changed])
-            for case, left in zip(cases, self._left, strict=True)
+            moved(case.robot, [(free_paths[name], step) for name, step in changed])
+            for case, free_paths in zip(cases, self._free_paths, strict=True)
         ]
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
         return Machines(robots, systems, self._where(values))
@@ -395,4 +396,4 @@ def _same_geometry(mechanism: Mechanism, a: Robot, b: Robot) -> bool:
     if of_a is of_b:
         return True
     pairs = ((getattr(of_a, name), getattr(of_b, name)) for name in _geometry(mechanism))
-    return all(one is other or np.array_equal(one, other) for one, other in pairs)
+    return all(first is second or np.array_equal(first, second) for first, second in pairs)

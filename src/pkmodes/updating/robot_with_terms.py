@@ -36,7 +36,7 @@ from pkmodes.updating.term_rates import TermRates
 from pkmodes_description import Term
 
 Array = NDArray[np.float64]
-#: Robots whose matrices are kept: a fit evaluates many terms beside the same one.
+#: Robots whose matrices are cached: a fit evaluates many terms on the same robot.
 KEPT = 4
 
 
@@ -62,7 +62,7 @@ class RobotWithTerms:
         self.parameters: tuple[Parameter, ...] = tuple(parameters)
         self.candidates: tuple[Candidate, ...] = tuple(candidates)
         self.channels, self.channel_units = robot.channels, robot.channel_units
-        self._own = len(robot.parameters)
+        self._robot_count = len(robot.parameters)
         self._owner = {i: place for place in self.terms for i in place.index}
         self._sites: OrderedDict[bytes, list[Site]] = OrderedDict()
         self._last: tuple[bytes, list[tuple[Site, TermModes | None]]] | None = None
@@ -120,7 +120,7 @@ class RobotWithTerms:
         values = np.asarray(values, dtype=float)
         present = self._present(values)
         if present is None:
-            return self.robot.position_rates(values[: self._own], shape_rates=shape_rates)
+            return self.robot.position_rates(values[: self._robot_count], shape_rates=shape_rates)
         shifts = Moves(self.robot.shifts, None)
         parts = [
             (site.setups, TermRates(site, modes, present).of_robot(shifts, shape_rates))
@@ -134,7 +134,7 @@ class RobotWithTerms:
     ) -> list[Batch]:
         """Return the modes at all poses for several sets of values; those with equally many modes form one batch."""
         values = np.asarray(values, dtype=float)
-        batches = [] if any(by) else self._together(values)
+        batches = [] if any(by) else self._batched(values)
         done = {int(k) for batch in batches for k in batch.sets}
         groups: dict[object, list[tuple[int, Prediction]]] = {}
         for k in range(len(values)):
@@ -150,20 +150,20 @@ class RobotWithTerms:
         ]
 
     @np.errstate(over="ignore", invalid="ignore", divide="ignore")
-    def _together(self, values: Array) -> list[Batch]:
+    def _batched(self, values: Array) -> list[Batch]:
         """Return the modes for sets of values that differ in their terms only, without derivatives, many at once."""
         groups: dict[tuple[object, ...], list[tuple[int, PresentTerm, list[TermMatrices]]]] = {}
         for k, row in enumerate(values):
-            present, sites = self._present(row), self._at(row[: self._own])
+            present, sites = self._present(row), self._at(row[: self._robot_count])
             if present is None or sum(len(site.setups) for site in sites) != len(self.robot.points):
                 continue
             matrices = [self._matrices(site, present) for site in sites]
-            key = (row[: self._own].tobytes(), *((m.massless.tobytes(), m.rigid) for m in matrices))
+            key = (row[: self._robot_count].tobytes(), *((m.massless.tobytes(), m.rigid) for m in matrices))
             groups.setdefault(key, []).append((k, present, matrices))
         batches = []
         for group in groups.values():
             sets = np.array([k for k, *_ in group])
-            sites = self._at(values[sets[0], : self._own])
+            sites = self._at(values[sets[0], : self._robot_count])
             terms = [present.place.term for _, present, _ in group]
             prediction = self._stacked(sites, terms, [matrices for *_, matrices in group])
             if prediction is not None:
@@ -177,7 +177,8 @@ class RobotWithTerms:
         setups, parts = len(self.robot.points), []
         for site, of_terms in zip(sites, zip(*matrices, strict=True), strict=True):
             M, K = (
-                np.concatenate(stack) for stack in zip(*(each.in_free() for each in of_terms), strict=True)
+                np.concatenate(stack)
+                for stack in zip(*(term_matrices.in_free() for term_matrices in of_terms), strict=True)
             )
             modes = eigenmodes(site.system.first, of_terms[0], M, K)
             if modes is None:
@@ -199,35 +200,35 @@ class RobotWithTerms:
         return None
 
     def _predicted(self, values: Array, by: list[int], shape_rates: bool) -> Prediction:
-        present, own = self._present(values), values[: self._own]
-        of_robot = [i for i in by if i < self._own]
-        of_terms = [i for i in by if i >= self._own]
+        present, robot_values = self._present(values), values[: self._robot_count]
+        of_robot = [i for i in by if i < self._robot_count]
+        of_terms = [i for i in by if i >= self._robot_count]
         if present is None and not of_terms:
-            return self.robot.predict(own, of_robot, shape_rates=shape_rates)
+            return self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
         if present is None:
-            sites = self._at(own)
+            sites = self._at(robot_values)
             absent = [
                 TermRates(site, modes, None) for site in sites if (modes := without_term(site)) is not None
             ]
             if not sites or len(absent) < len(sites):
                 return self._nothing(len(by))
             of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
-            prediction = self.robot.predict(own, of_robot, shape_rates=shape_rates)
-            return _in_order(prediction, joined(of_absent, len(self.robot.points)), by, self._own)
+            prediction = self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
+            return _in_order(prediction, joined(of_absent, len(self.robot.points)), by, self._robot_count)
         parts = []
         for site, modes in self._modes(values, present):
             if modes is not None:
                 at = TermRates(site, modes, present)
                 prediction = at.of_robot(self._moves(values, of_robot, site), shape_rates)
-                others = self._by_terms(at, values, of_terms, shape_rates)
-                parts.append((site.setups, _in_order(prediction, others, by, self._own)))
+                term_prediction = self._by_terms(at, values, of_terms, shape_rates)
+                parts.append((site.setups, _in_order(prediction, term_prediction, by, self._robot_count)))
         return joined(parts, len(self.robot.points)) if parts else self._nothing(len(by))
 
     def _by_terms(self, at: TermRates, values: Array, by: Sequence[int], shape_rates: bool) -> Prediction:
         """Return the modes of a site with derivatives with respect to parameters of terms."""
         places = [(self._owner[i], i) for i in by]
-        given = [(place, place.index.index(i), values[list(place.index)]) for place, i in places]
-        return at.of_terms(given, shape_rates)
+        entries = [(place, place.index.index(i), values[list(place.index)]) for place, i in places]
+        return at.of_terms(entries, shape_rates)
 
     def _nothing(self, count: int) -> Prediction:
         """Return the prediction where no pose can be evaluated."""
@@ -237,16 +238,16 @@ class RobotWithTerms:
 
     def _moves(self, values: Array, by: Sequence[int], site: Site) -> Moves:
         case = int(self.robot.loads.of[site.setups[0]])
-        (moves,) = self.robot.moved_by(values[: self._own], by, site.setups, [case])
+        (moves,) = self.robot.moved_by(values[: self._robot_count], by, site.setups, [case])
         return moves
 
     # The robot and one term ----------------------------------------------------------------------------------
 
-    def _at(self, own: Array) -> list[Site]:
+    def _at(self, robot_values: Array) -> list[Site]:
         """Return the sites of the robot with values of its parameters, at the poses that it reaches."""
-        key = own.tobytes()
+        key = robot_values.tobytes()
         if key not in self._sites:
-            machines = self.robot.machines(own)
+            machines = self.robot.machines(robot_values)
             reached, sites = self.robot.reachable(machines), []
             for c, system in enumerate(machines.systems):
                 setups = np.flatnonzero((self.robot.loads.of == c) & reached)
@@ -263,7 +264,7 @@ class RobotWithTerms:
         """Return the sites with their modes; the last ones are kept."""
         key = values.tobytes()
         if self._last is None or self._last[0] != key:
-            sites = self._at(values[: self._own])
+            sites = self._at(values[: self._robot_count])
             self._last = key, [(site, modes_of(site, self._matrices(site, present))) for site in sites]
         return self._last[1]
 
@@ -278,9 +279,9 @@ class RobotWithTerms:
         return matrices_with(site, present, self._held[key])
 
 
-def _in_order(robot: Prediction, terms: Prediction, by: Sequence[int], own: int) -> Prediction:
-    """Return a prediction whose derivatives are in the order asked for: of the robot's parameters and of terms."""
-    robot_first = np.argsort([i >= own for i in by], kind="stable")
+def _in_order(robot: Prediction, terms: Prediction, by: Sequence[int], robot_count: int) -> Prediction:
+    """Return a prediction with the derivatives by the robot's parameters and by terms in the requested order."""
+    robot_first = np.argsort([i >= robot_count for i in by], kind="stable")
     place = np.argsort(robot_first)
     rates = np.concatenate([robot.rates, terms.rates], axis=-1)[..., place]
     along = None
@@ -296,7 +297,9 @@ class ExtensibleRobot(RobotStructure):
         """Return the robot with the parameters and candidates of all its terms beside its own."""
         terms = term_candidates(self)
         placed, parameters = [], list(self.parameters)
-        for term, own in terms.terms:
-            placed.append(PlacedTerm(term, tuple(range(len(parameters), len(parameters) + len(own)))))
-            parameters += own
+        for term, term_parameters in terms.terms:
+            placed.append(
+                PlacedTerm(term, tuple(range(len(parameters), len(parameters) + len(term_parameters))))
+            )
+            parameters += term_parameters
         return RobotWithTerms(self, placed, parameters, [*terms.of_robot, *terms.candidates])

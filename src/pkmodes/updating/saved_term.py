@@ -16,7 +16,7 @@ from pkmodes.support.writing import write_file
 from pkmodes.updating import frame
 from pkmodes.updating.measured_robot import robot_of
 
-#: Significant digits of the value of an effect.
+#: Significant digits of an effect's value.
 DIGITS = 10
 
 
@@ -43,8 +43,8 @@ def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
     best, term = _best(result, where)
     form, _, place = term.partition(":")
     if best.forms[term] == DECLARED:
-        what = f"there is no effect to write: {term} is a value of the robot file"
-        raise OutputError(what, where, "write the robot with that value: --save-robot FILE.toml")
+        problem = f"there is no effect to write: {term} is a value of the robot file"
+        raise OutputError(problem, where, "write the robot with that value: --save-robot FILE.toml")
     ends, _, along = place.partition(".")
     noun = best.finding.member(term).words
     values = ", ".join(
@@ -91,18 +91,18 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
     """
     declared = robot_of(robot)
     best, term = _best(result, declared.source)
-    own = {value.name for value in best.finding.parameters}
+    term_values = {value.name for value in best.finding.parameters}
     changes: dict[str, Correction] = {}
     added: list[Corrected] = []
     for value in best.corrected:
         if value.name.startswith(frame.OF_MEASUREMENT):
             continue
-        if value.name in own and best.forms[term] != DECLARED:
+        if value.name in term_values and best.forms[term] != DECLARED:
             added.append(value)
             continue
         before = resolve(declared, value.name).value
         unit = "" if value.unit == "1" else f" {value.unit}"
-        verb = "found" if value.name in own else "refitted"
+        verb = "found" if value.name in term_values else "refitted"
         note = f"was {before:.6g}{unit}: {verb} by pkmodes diagnose"
         changes[value.name] = Correction(value.value, value.saved_sigma, note)
     text = corrected_text(Path(declared.source), changes)
@@ -134,10 +134,10 @@ def _best(result: Diagnosis, where: str) -> tuple[TermClass, str]:
         status = "terms were not tried"
         if result.beyond is not None:
             status = f"the search among terms ended with {result.beyond.status}"
-        what = f"there is nothing beyond the catalogue to write: {status}"
-        raise OutputError(what, where, "write it only where the diagnosis found one class of terms")
+        problem = f"there is nothing beyond the catalogue to write: {status}"
+        raise OutputError(problem, where, "write it only where the diagnosis found one class of terms")
     name = terms.finding.name
     if not terms.forms[name]:
-        what = f"there is no effect to write: {name} is in the catalogue"
-        raise OutputError(what, where, "add it to the robot file with --candidates and --save-robot")
+        problem = f"there is no effect to write: {name} is in the catalogue"
+        raise OutputError(problem, where, "add it to the robot file with --candidates and --save-robot")
     return terms, name

@@ -20,29 +20,30 @@ from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
 from pkmodes.updating.candidates import PREFIX
 from pkmodes.updating.frame import PREFIX as OF_MEASUREMENT
 
-#: Standard deviation of the relative error of a declared mass, inertia or stiffness of an axis.
+#: Relative standard deviation of a declared mass, inertia or stiffness of an axis.
 WRONG = 0.03
-#: Dimensions of values that are those of a part: they do not change in use.
+#: Dimensions of values that belong to a part, which do not change in use.
 OF_PARTS = ("length", "angle", "acceleration", "number", "moment of inertia")
-#: Dimensions of values that a robot file may have wrong by some per cent.
+#: Dimensions of values that a robot file may have wrong by a few per cent.
 UNCERTAIN = ("mass", "moment of inertia")
 STIFFNESS = "stiffness"
 #: Prefix of the deviations.
 SHARED = "shared."
-#: How much nearer the frames of two campaigns on one machine are than that of one campaign and the robot file.
+#: Prior deviation between the frames of two campaigns on one machine, relative to that between a campaign and the
+#: robot file.
 NEARER = 0.025
 
 
 def deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterPath]]:
     """Return the deviations of declared values from those of the machine, of each axis, and the path of each."""
-    known, parameters, moves = set(paths(robot)), [], {}
+    all_paths, parameters, moves = set(paths(robot)), [], {}
     shared = takers(robot.mechanism)
     for item in items(robot.mechanism):
-        if item.path in shared or item.path not in known or not _may_be_wrong(item):
+        if item.path in shared or item.path not in all_paths or not _may_be_wrong(item):
             continue
-        given = [robot.quantities[path] for path in (item.path, item.shared) if path in robot.quantities]
+        quantities = [robot.quantities[path] for path in (item.path, item.shared) if path in robot.quantities]
         path = resolve(robot, item.path)
-        if path.value <= 0.0 or any(quantity.sigma == 0.0 for quantity in given[:1]):
+        if path.value <= 0.0 or any(quantity.sigma == 0.0 for quantity in quantities[:1]):
             continue
         name = f"{SHARED}{item.path}"
         lower = -0.5 * path.value
@@ -64,9 +65,9 @@ def in_use(robot: Robot, candidate: Candidate) -> bool:
     """Return whether something may change while the parts of a machine stay the same and where they are."""
     if not candidate.name.startswith(PREFIX):
         return True
-    known, groups = by_path(robot.mechanism), groups_by_path(robot.mechanism)
+    items_by_path, groups = by_path(robot.mechanism), groups_by_path(robot.mechanism)
     path = candidate.name.removeprefix(PREFIX)
-    item = known.get(path) or known.get(path.rpartition(".")[0])
+    item = items_by_path.get(path) or items_by_path.get(path.rpartition(".")[0])
     return path not in groups and item is not None and item.key.dimension not in OF_PARTS
 
 
@@ -74,4 +75,4 @@ def of_one_machine(candidate: Candidate) -> Candidate:
     """Return a candidate with the prior that it has between two campaigns on one machine."""
     if not candidate.name.startswith(OF_MEASUREMENT) or candidate.sigma is None:
         return candidate
-    return replace(candidate, sigma=tuple(NEARER * one for one in candidate.sigma))
+    return replace(candidate, sigma=tuple(NEARER * sigma for sigma in candidate.sigma))

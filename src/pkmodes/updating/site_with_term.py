@@ -19,9 +19,9 @@ from pkmodes_description import Term
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: A spring strains a rigid motion if by more than this part of what it strains other motions.
+#: A spring strains a rigid motion if by more than this fraction of its strain in other motions.
 STRAINED = 1e-7
-#: Ratio of the largest eigenvalue to the lowest one up to which this has the digits that a fit needs.
+#: Ratio of the largest to the lowest eigenvalue up to which the lowest has the accuracy that a fit needs.
 LOSSY = 1e9
 
 
@@ -100,9 +100,9 @@ def matrices_with(site: Site, present: PresentTerm, held: int) -> TermMatrices:
     system = site.system
     change = change_of(present.place.term, present.values, site.around)
     M, K = (_padded(matrix, added) for matrix, added in zip(site.matrices, change, strict=True))
-    own = np.arange(site.matrices[0].shape[-1], M.shape[-1])
-    free = np.concatenate([system.free, own]).astype(np.intp)
-    massless = np.concatenate([system.massless, ~change.M[:, own].any(axis=(0, 2))])
+    term_coordinates = np.arange(site.matrices[0].shape[-1], M.shape[-1])
+    free = np.concatenate([system.free, term_coordinates]).astype(np.intp)
+    massless = np.concatenate([system.massless, ~change.M[:, term_coordinates].any(axis=(0, 2))])
     return TermMatrices(M, K, free, massless, system.rigid_modes - held)
 
 
@@ -165,17 +165,17 @@ def platform_with(term: Term | None, around: Surroundings) -> NDArray[Any]:
     """Return the motion of the platform per unit of all coordinates and that of a term, (N, components, e + a)."""
     if term is None or term.form not in ADDING:
         return around.platform
-    own = np.zeros((*around.platform.shape[:-1], 1))
+    term_motion = np.zeros((*around.platform.shape[:-1], 1))
     if term.form == "mount":
-        own = around.mounts.platform[:, term.mount][..., None]
-    return np.concatenate([around.platform, own], axis=-1)
+        term_motion = around.mounts.platform[:, term.mount][..., None]
+    return np.concatenate([around.platform, term_motion], axis=-1)
 
 
 def in_all_coordinates(matrices: TermMatrices, shapes: Array) -> Array:
     """Return shapes in the free coordinates, (..., n), in all of them, (..., e + a)."""
-    every = np.zeros((*shapes.shape[:-1], matrices.M.shape[-1]))
-    every[..., matrices.free] = shapes
-    return every
+    in_all = np.zeros((*shapes.shape[:-1], matrices.M.shape[-1]))
+    in_all[..., matrices.free] = shapes
+    return in_all
 
 
 def channels_of(system: ExtendedSystem, platform: Array, motions: Array) -> Array:
@@ -190,5 +190,5 @@ def channels_of(system: ExtendedSystem, platform: Array, motions: Array) -> Arra
     """
     across = np.swapaxes(platform, -1, -2)
     across = across.reshape(len(across), *(1,) * (motions.ndim - 3), *across.shape[1:])
-    own = system.of_model(motions[..., : len(system.mechanism.extended.COORDINATES)])
-    return np.concatenate([own, motions @ across], axis=-1)
+    coordinates = system.of_model(motions[..., : len(system.mechanism.extended.COORDINATES)])
+    return np.concatenate([coordinates, motions @ across], axis=-1)

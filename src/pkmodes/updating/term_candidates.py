@@ -21,27 +21,28 @@ from pkmodes.updating.term_changes import Surroundings, change_of, strains
 from pkmodes_description import Named, Term
 
 Array = NDArray[np.float64]
-#: A mass that a machine has without its file saying so is at most this many times what its place feels like.
+#: Largest undeclared mass, relative to the effective mass at its place.
 HEAVIEST = 2.0
-#: A spring that nobody declared, in stiffnesses of the machine at that place.
+#: Largest undeclared spring stiffness, relative to the stiffness of the machine at its place.
 STIFFEST = 10.0
-#: Masses of a resonator from which it is fitted, as parts of what its place feels like.
+#: Masses from which the fit of a resonator starts, relative to the effective mass at its place.
 PARTS = (0.03, 0.15, 0.6)
-#: Frequencies from which it is fitted, and the range of these, from the lowest and highest frequency of the machine.
+#: Number of frequencies from which its fit starts, and their range relative to the lowest and highest frequency of
+#: the machine.
 FREQUENCIES, LOWEST, HIGHEST = 20, 0.6, 1.15
-#: Frequencies above that range from which the mode of a support is fitted, as multiples of the machine's highest: the
-#: support is then hardly more than a spring in series.
+#: Frequencies above that range from which the fit of a support's mode starts, relative to the highest of the machine:
+#: the support is then hardly more than a spring in series.
 ABOVE = (1.4, 2.0, 3.0, 5.0, 8.0)
-#: Compliances of a bearing without a mass of its own, in those of the belt there.
+#: Compliances of a bearing without mass of its own, relative to that of the belt there.
 YIELDS = (0.003, 0.01, 0.03, 0.1, 0.3, 1.0, 3.0)
-#: A row of displacements below this part of the largest is none; rows that differ by less are the same.
+#: A row of displacements below this fraction of the largest counts as zero; rows that differ by less are the same.
 ZERO = 1e-9
-#: An inertia matrix, scaled to a unit diagonal, with a smaller eigenvalue is singular.
+#: An inertia matrix, scaled to a unit diagonal, is singular if it has an eigenvalue below this.
 SINGULAR = 1e-6
 
 
 class _Machine(NamedTuple):
-    """The declared machine at one of its poses: what its places feel like."""
+    """The declared machine at one of its poses: effective masses and compliances of its places."""
 
     system: ExtendedSystem
     around: Surroundings
@@ -59,7 +60,7 @@ class _Machine(NamedTuple):
         return np.asarray(self.around.motion[0][which][:, self.system.free])
 
     def has_inertia(self, term: Term) -> bool:
-        """Return whether what a mount releases moves inertia of its own: else it is a joint that the catalogue has.
+        """Return whether the motion that a mount releases has its own inertia: else the catalogue has it as a joint.
 
         A rail that yields along itself moves the same as its carriage; without any inertia it is condensed.
         """
@@ -75,7 +76,7 @@ class _Machine(NamedTuple):
         return bool(np.linalg.eigvalsh(M / np.outer(size, size))[0] > SINGULAR)
 
     def mobility(self, row: Array) -> float:
-        """Return the inverse of the mass that a displacement feels like."""
+        """Return the inverse of the effective mass of a displacement."""
         return float(((self.shapes @ row) ** 2).sum())
 
     def flexibility(self, row: Array) -> float:
@@ -85,7 +86,7 @@ class _Machine(NamedTuple):
 
     @property
     def heft(self) -> float:
-        """The smallest mass that a body feels like which is displaced [kg]."""
+        """The smallest effective mass of a displaced body [kg]."""
         heavy = [term for term in self.system.mechanism.terms if term.form == "mass" and term.rows]
         rows = [row for term in heavy if term.parameters[0].unit == "kg" for row in self.rows(term)]
         return 1.0 / max(map(self.mobility, rows))
@@ -118,7 +119,9 @@ def term_candidates(structure: RobotStructure) -> TermCandidates:
         candidates.append(
             Candidate(term.name, names, term.sentence, remote=True, form=term.form, starts=starts)
         )
-    return TermCandidates(kept, candidates, [_of_robot(structure, one) for one in structure.candidates])
+    return TermCandidates(
+        kept, candidates, [_of_robot(structure, candidate) for candidate in structure.candidates]
+    )
 
 
 def _machine(structure: RobotStructure) -> _Machine:
@@ -127,10 +130,10 @@ def _machine(structure: RobotStructure) -> _Machine:
     case = int(np.argmax(np.bincount(structure.loads.of)))
     row = int(np.flatnonzero(structure.loads.of == case)[0])
     system, point = machines.systems[case], machines.where[row : row + 1]
-    every = system.all_coordinates(point)
-    M, K = (system.free_part(a) for a in every)
+    matrices = system.all_coordinates(point)
+    M, K = (system.free_part(a) for a in matrices)
     eigenvalues, shapes = condensed_eigh(M, K, system.first, system.rigid_modes, system.massless)
-    return _Machine(system, Surroundings(system, point), every[0][0], eigenvalues[0], shapes[0])
+    return _Machine(system, Surroundings(system, point), matrices[0][0], eigenvalues[0], shapes[0])
 
 
 def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
@@ -155,7 +158,7 @@ def _different(terms: Sequence[Term], machine: _Machine) -> Iterator[Term]:
         if term.form == "spring" and len(rows) == 1:
             direction = rows[0] / np.linalg.norm(rows[0])
             between = len(term.strains[0]) == 2
-            if between and any(abs(abs(one @ direction) - 1.0) <= ZERO for one in grounded):
+            if between and any(abs(abs(earlier @ direction) - 1.0) <= ZERO for earlier in grounded):
                 continue
             if not between:
                 grounded.append(direction)
@@ -173,14 +176,14 @@ def _parameter(term: Term, named: Named, machine: _Machine) -> Parameter:
         low, *_, high = _band(machine)
         middle = float(np.sqrt(low * high))
         return Parameter(name, middle, unit, lower=0.3 * low, upper=3.0 * high)
-    most = None
+    upper = None
     if named.name in ("mass", "inertia") and len(rows):
         felt = max(machine.mobility(row) for row in rows)
-        most = HEAVIEST / felt if felt > 0.0 else None
+        upper = HEAVIEST / felt if felt > 0.0 else None
     if named.name == "stiffness":
         yields = max(machine.flexibility(row) for row in rows)
-        most = STIFFEST / yields if yields > 0.0 else None
-    return Parameter(name, 0.0, unit, lower=0.0, usual=None if most is None else (0.0, most))
+        upper = STIFFEST / yields if yields > 0.0 else None
+    return Parameter(name, 0.0, unit, lower=0.0, usual=None if upper is None else (0.0, upper))
 
 
 def _band(machine: _Machine) -> Array:
@@ -199,16 +202,16 @@ def _starts_of_mount(term: Term, machine: _Machine) -> Iterator[tuple[float, ...
         change = change_of(term, [1.0, mass][: len(term.parameters)], machine.around)
         M = change.M[0].copy()
         M[:e, :e] += machine.M
-        own = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
-        others = (mass,) if len(term.parameters) > 1 else ()
-        if e in own:
-            inertia = 1.0 / np.linalg.inv(M[np.ix_(own, own)])[-1, -1]
+        inertial = [q for q in (*machine.system.free, e) if M[q, q] > 0.0]
+        further = (mass,) if len(term.parameters) > 1 else ()
+        if e in inertial:
+            inertia = 1.0 / np.linalg.inv(M[np.ix_(inertial, inertial)])[-1, -1]
             for frequency in (*_band(machine), *(np.array(ABOVE) * machine.frequencies.max())):
-                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *others
+                yield 1.0 / (inertia * (2.0 * np.pi * float(frequency)) ** 2), *further
         else:  # no mode of its own: what it gives way beside the springs there
             stiffness = float(change.K[0, e, e]) - 1.0
             for part in YIELDS if stiffness > 0.0 else ():
-                yield part / stiffness, *others
+                yield part / stiffness, *further
 
 
 def _starts_of_resonator(term: Term, machine: _Machine) -> Iterator[tuple[float, float]]:

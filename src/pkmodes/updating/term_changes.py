@@ -33,7 +33,7 @@ Values = Sequence[Any] | Array
 ADDING = ("mount", "resonator")
 #: The generated parameter on which weights depend.
 GRAVITY = "gravity"
-#: A resonance nearer to a mode than this part of its eigenvalue counts as this far away.
+#: A resonance nearer to a mode than this fraction of its eigenvalue counts as this far away.
 NEAR = 1e-3
 
 
@@ -108,12 +108,12 @@ class Surroundings:
     @cached_property
     def mounts(self) -> Mounts:
         """The rows of all mounts."""
-        rows, own, stiff_rows, stiff_own, platform = map(
+        rows, diagonal, stiff_rows, stiff_own, platform = map(
             np.asarray, self._generated.mount_matrices(self.points)
         )
         return Mounts(
             self._rows(self._at_poses(rows, rows.shape[-2:])),
-            self._at_poses(own, own.shape[-1:]),
+            self._at_poses(diagonal, diagonal.shape[-1:]),
             self._rows(self._at_poses(stiff_rows, stiff_rows.shape[-2:])),
             self._at_poses(stiff_own, stiff_own.shape[-1:]),
             self._at_poses(platform, platform.shape[-2:]),
@@ -122,8 +122,8 @@ class Surroundings:
     @cached_property
     def of_masses(self) -> tuple[Array, Array]:
         """Derivatives of M_wq (W, e) and M_ww (W,) with respect to the mass that moves with each mount."""
-        rows, own = map(np.asarray, self._generated.mount_inertia())
-        return self._rows(rows), own
+        rows, diagonal = map(np.asarray, self._generated.mount_inertia())
+        return self._rows(rows), diagonal
 
     @cached_property
     def platform(self) -> Array:
@@ -207,12 +207,12 @@ def _mount(term: Term, values: Values, at: Surroundings) -> Change:
     return Change(_bordered(M, M_own), _bordered(mounts.K[:, w], mounts.K_own[:, w] + spring))
 
 
-def _bordered(row: Array, own: Array) -> Array:
+def _bordered(row: Array, diagonal: Array) -> Array:
     """Return symmetric matrices with a last row, (N, e) and (N,), and zeros elsewhere."""
     e = row.shape[-1]
-    matrix = np.zeros((len(row), e + 1, e + 1), dtype=np.result_type(row, own))
+    matrix = np.zeros((len(row), e + 1, e + 1), dtype=np.result_type(row, diagonal))
     matrix[:, e, :e] = matrix[:, :e, e] = row
-    matrix[:, e, e] = own
+    matrix[:, e, e] = diagonal
     return matrix
 
 
@@ -220,9 +220,9 @@ def _resonator(term: Term, values: Values, at: Surroundings) -> Change:
     m, f = values
     M, G = _inertia(term, at)
     swing = at.motion[:, term.swings]
-    own, e = np.ones(len(swing)), M.shape[-1]
-    inertia = _bordered(m * swing, m * own)
-    stiffness = _bordered(0.0 * m * G[:, 0], m * (2.0 * np.pi * f) ** 2 * own)
+    unit, e = np.ones(len(swing)), M.shape[-1]
+    inertia = _bordered(m * swing, m * unit)
+    stiffness = _bordered(0.0 * m * G[:, 0], m * (2.0 * np.pi * f) ** 2 * unit)
     inertia[:, :e, :e], stiffness[:, :e, :e] = m * M, m * G
     return Change(inertia, stiffness)
 

@@ -93,7 +93,7 @@ class TermRates:
             The term, which of its parameters, and the values of all of them.
         shape_rates : bool
         """
-        return self._prediction([self._with_parameter(*one) for one in parameters], shape_rates)
+        return self._prediction([self._with_parameter(*parameter) for parameter in parameters], shape_rates)
 
     @cached_property
     def _channels(self) -> Array:

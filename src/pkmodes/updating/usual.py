@@ -1,4 +1,4 @@
-"""What a value of a robot can be: how far the declared one may be wrong, by the kind of quantity.
+"""Plausible values of a robot: how far a declared value may be wrong, by the kind of quantity.
 
 A diagnosis searches for a wrong value between a third and three times the declared one, which is more than a person
 would believe of a length.  A claimed value outside of the range here is marked as implausible, and does not lead a
@@ -17,23 +17,23 @@ from pkmodes.diagnosis.problem import Parameter
 from pkmodes.measured.measurements import Measurements
 from pkmodes.updating import frame
 
-#: A wrong length is that of another part, some millimetres away [m], or goes to another point: some per cent of it.
-#: One of less than some millimetres, such as the travel of a screw, is wrong by some per cent.
+#: A wrong length belongs to another part, some millimetres off [m], or is measured to another point, some per cent
+#: off.  One below some millimetres, such as the lead of a screw, is some per cent off.
 LENGTH = (0.005, 0.05)
 #: Teeth and threads can be counted.
 RATIO = 0.05
-#: A mass is without its screws and cables, an inertia is that of another rotor, a stiffness is a catalogue's: each
-#: may be wrong by this factor.
+#: A mass may lack its screws and cables, an inertia may be that of another rotor, a stiffness may come from a
+#: catalogue: each may be wrong by this factor.
 FACTOR = 2.0
 BY_FACTOR = ("mass", "moment of inertia", "specific stiffness", "stiffness", "torsional stiffness")
-#: A machine may stand in any direction; gravity itself varies by less than a per cent on the ground.
+#: A machine may stand in any orientation; gravity itself varies by less than one per cent on the ground.
 ON_THE_GROUND = 1.01
-#: Standard deviations of the stated errors of the poses by which all of them may be shifted.
+#: Number of standard deviations of the stated pose errors by which all poses may be shifted together.
 SIGMAS = 3.0
 
 
 def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[float, float] | None:
-    """Return what a suspected value can be; None where nobody can say.
+    """Return the plausible range of a suspected value; None if it is unknown.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[f
 
 
 def usual_factor(value: float) -> tuple[float, float]:
-    """Return what a relative change of a stiffness can be, such as that of the belts of one axis.
+    """Return the plausible range of a relative change of a stiffness, such as that of the belts of one axis.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def usual_factor(value: float) -> tuple[float, float]:
 
 
 def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parameter]:
-    """Return parameters with what a displacement of all poses can be: by the errors of the poses that a file states.
+    """Return parameters with the plausible range of a common shift of all poses, by the pose errors stated in a file.
 
     Where it states none, it is some millimetres, as of a part.
     """
@@ -79,13 +79,13 @@ def of_frame(parameters: Sequence[Parameter], data: Measurements) -> list[Parame
     arm = float(np.linalg.norm(data.points[:, linear[:2]], axis=1).max(initial=0.0))
     plane = float(sigma[linear[:2]].max(initial=0.0))
 
-    def known(p: Parameter) -> Parameter:
+    def with_range(p: Parameter) -> Parameter:
         if p.name == frame.YAW:
-            most = (SIGMAS * plane or LENGTH[0]) / arm if arm > 0.0 else np.inf
+            bound = (SIGMAS * plane or LENGTH[0]) / arm if arm > 0.0 else np.inf
         elif p.name.startswith(frame.OF_MEASUREMENT):
-            most = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0) or LENGTH[0]
+            bound = SIGMAS * stated.get(p.name.rpartition(".")[2], 0.0) or LENGTH[0]
         else:
             return p
-        return replace(p, usual=(-most, most))
+        return replace(p, usual=(-bound, bound))
 
-    return [known(p) for p in parameters]
+    return [with_range(p) for p in parameters]

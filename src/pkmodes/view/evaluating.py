@@ -69,7 +69,7 @@ def scene(model: Model, poses: ArrayLike, chosen: int = 0, *, drives: str = FREE
 def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: str = FREE) -> Scene:
     """Evaluate what a picture shows of machines that differ in values, each at a pose.
 
-    Where some of them have joints that others lock, the modes are as many as all of them have.
+    Where some of them have joints that others lock, only as many modes are kept as all of them have.
 
     Parameters
     ----------
@@ -102,12 +102,12 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
     )
     named = tuple(dict.fromkeys(spring for part in parts for spring in part.springs.named))
     count, rigid = min(part.frequencies.shape[1] for part in parts), min(part.rigid for part in parts)
-    every = [_widened(part, coordinates, named) for part in parts]
+    widened = [_widened(part, coordinates, named) for part in parts]
     springs, index = present(
-        Springs(named, *(np.concatenate([part.springs[k] for part in every]) for k in (1, 2)))
+        Springs(named, *(np.concatenate([part.springs[k] for part in widened]) for k in (1, 2)))
     )
-    joined = {key: np.concatenate([getattr(part, key) for part in every]) for key in _Part.PLACES}
-    modal = {key: np.concatenate([getattr(part, key)[:, :count] for part in every]) for key in _Part.MODES}
+    joined = {key: np.concatenate([getattr(part, key) for part in widened]) for key in _Part.PLACES}
+    modal = {key: np.concatenate([getattr(part, key)[:, :count] for part in widened]) for key in _Part.MODES}
     strains = np.einsum("psn,pmn->pms", springs.strain, modal["shapes"])
     energies = 0.5 * springs.stiffness[:, None] * strains**2
     for i, k, part in zip(starts, ends, parts, strict=True):
@@ -180,12 +180,12 @@ def _widened(part: _Part, coordinates: tuple[str, ...], named: tuple[Named, ...]
     """Return a part with zeros for the coordinates and springs that only others have."""
     if part.coordinates == coordinates and part.springs.named == named:
         return part
-    own = [coordinates.index(name) for name in part.coordinates]
+    columns = [coordinates.index(name) for name in part.coordinates]
     rows = [named.index(spring) for spring in part.springs.named]
 
     def wide(values: Array) -> Array:
         zeros = np.zeros((*values.shape[:-1], len(coordinates)))
-        zeros[..., own] = values
+        zeros[..., columns] = values
         return zeros
 
     count = len(part.poses)

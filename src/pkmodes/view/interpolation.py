@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Steps of a slider from one evaluated state to the next, as in states.js.
+#: Slider steps between two evaluated states, as in states.js.
 FINE = 10
 
 
@@ -32,8 +32,8 @@ def mean_frequency(frequencies: Array, weights: Array | None = None) -> Array:
     positive = np.all(frequencies > 0.0, axis=-2)
     compliances = np.where(positive[..., None, :], frequencies, 1.0) ** -2.0
     mean = np.average(compliances, axis=-2, weights=weights) ** -0.5
-    found: Array = np.where(positive, mean, np.average(frequencies, axis=-2, weights=weights))
-    return found
+    interpolated: Array = np.where(positive, mean, np.average(frequencies, axis=-2, weights=weights))
+    return interpolated
 
 
 def deviations(
@@ -67,7 +67,7 @@ def deviations(
         Interpolated over computed frequency - 1 by rank, the largest of those checked, on the grid with a place
         between each two levels; NaN at the states themselves and where one of those around is missing.
     """
-    found = np.full((*(2 * size - 1 for size in places.shape), frequencies.shape[1]), np.nan)
+    errors = np.full((*(2 * size - 1 for size in places.shape), frequencies.shape[1]), np.nan)
     numbered = np.take_along_axis(frequencies, order, axis=1)
     for kind in product((0, 1), repeat=places.ndim):  # 1 along the axes on which the place is between levels
         shifts = np.array(list(product(*(range(k + 1) for k in kind))))
@@ -83,9 +83,9 @@ def deviations(
             computed = exact(np.stack([low + t * (high - low) for low, high, t in ends], axis=-1))
             with np.errstate(divide="ignore", invalid="ignore"):
                 ratios = np.sort(mean_frequency(around, weights), axis=1) / computed - 1.0
-            larger = np.isfinite(ratios) & ~(np.abs(ratios) <= np.abs(found[here]))
-            found[here] = np.where(larger, ratios, found[here])
-    return found
+            larger = np.isfinite(ratios) & ~(np.abs(ratios) <= np.abs(errors[here]))
+            errors[here] = np.where(larger, ratios, errors[here])
+    return errors
 
 
 def largest_around(deviations: Array) -> Array:

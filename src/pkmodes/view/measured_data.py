@@ -18,10 +18,10 @@ from pkmodes.view.measured_modes import MeasuredMode, scale_factor, weights_of
 from pkmodes.view.scene import Scene
 
 Array = NDArray[np.float64]
-#: Kinds of elements at which a coordinate is shown as a displacement.
+#: Kinds of elements on which a coordinate is shown as a displacement.
 MOVING = ("carriage", "arm", "gantry", "toolhead", "platform", "body")
 DIGITS = 4
-#: Units of components, for a largest displacement of 1 mm.
+#: Units of components for a largest displacement of 1 mm.
 SMALL = {"m": "mm", "rad": "mrad"}
 
 
@@ -30,40 +30,42 @@ def measured_data(scene: Scene) -> dict[str, Any] | None:
     if scene.measured is None:
         return None
     return {
-        "channels": [{"name": one.name, "unit": one.unit} for one in scene.channels],
-        "modes": [_mode(scene, one) for one in scene.measured],
+        "channels": [{"name": channel.name, "unit": channel.unit} for channel in scene.channels],
+        "modes": [_mode(scene, mode) for mode in scene.measured],
     }
 
 
 def components(scene: Scene, pose: int) -> Array:
     """Return the shapes of all modes at the channels, (m, C); 0 for a coordinate that the model locks."""
-    found = np.zeros((scene.frequencies.shape[1], len(scene.channels)))
+    shapes = np.zeros((scene.frequencies.shape[1], len(scene.channels)))
     platform = [component.name for component in scene.platform]
     for k, channel in enumerate(scene.channels):
         if channel.name in scene.coordinates:
-            found[:, k] = scene.shapes[pose, :, scene.coordinates.index(channel.name)]
+            shapes[:, k] = scene.shapes[pose, :, scene.coordinates.index(channel.name)]
         elif channel.name in platform:
-            found[:, k] = scene.platform_shapes[pose, :, platform.index(channel.name)]
-    return found
+            shapes[:, k] = scene.platform_shapes[pose, :, platform.index(channel.name)]
+    return shapes
 
 
-def _mode(scene: Scene, one: MeasuredMode) -> dict[str, Any]:
+def _mode(scene: Scene, measured_mode: MeasuredMode) -> dict[str, Any]:
     told = {
-        "pose": one.pose,
-        "mode": one.mode,
-        "name": one.name,
-        "frequency": round(one.frequency, 4),
-        "sigma": float(f"{one.sigma:.3g}"),
-        "mac": None if one.mac is None or np.isnan(one.mac) else round(one.mac, 4),
-        "shape": one.has_shape,
+        "pose": measured_mode.pose,
+        "mode": measured_mode.mode,
+        "name": measured_mode.name,
+        "frequency": round(measured_mode.frequency, 4),
+        "sigma": float(f"{measured_mode.sigma:.3g}"),
+        "mac": None
+        if measured_mode.mac is None or np.isnan(measured_mode.mac)
+        else round(measured_mode.mac, 4),
+        "shape": measured_mode.has_shape,
     }
-    if one.mode is None or not one.has_shape:
+    if measured_mode.mode is None or not measured_mode.has_shape:
         return told
-    shapes = components(scene, one.pose)
-    measured, model = np.array(one.shape), shapes[one.mode]
-    scale = scene.scale(one.pose, one.mode)
+    shapes = components(scene, measured_mode.pose)
+    measured, model = np.array(measured_mode.shape), shapes[measured_mode.mode]
+    scale = scene.scale(measured_mode.pose, measured_mode.mode)
     scaled = scale * scale_factor(measured, model, weights_of(shapes)) * measured
-    arrows, turns = _drawn(scene, one.pose, scaled)
+    arrows, turns = _drawn(scene, measured_mode.pose, scaled)
     return told | {
         "measured": [None if np.isnan(value) else round(value, DIGITS) + 0.0 for value in scaled.tolist()],
         "model": [round(value, DIGITS) + 0.0 for value in (scale * model).tolist()],
@@ -95,16 +97,18 @@ def _place(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None:
     """Return a point of a part that a coordinate moves alone, and its displacement per unit; None without one."""
     if name not in scene.coordinates:
         return None
-    own = scene.coordinates.index(name)
-    base = [k for k, other in enumerate(scene.coordinates) if other in scene.independent and k != own]
+    column = scene.coordinates.index(name)
+    base = [
+        k for k, coordinate in enumerate(scene.coordinates) if coordinate in scene.independent and k != column
+    ]
     best = None
     for element in scene.elements:
         for point in element.points if element.kind in MOVING else ():
             motion = scene.motions[pose, scene.motions_of[point]]
-            size = float(np.linalg.norm(motion[:, own]))
-            alone = size > 1e-9 and np.abs(motion[:, base]).max(initial=0.0) < 1e-9 * size
-            if alone and (best is None or size > np.linalg.norm(best[1]) * (1 + 1e-9)):
-                best = int(point), motion[:, own]
+            size = float(np.linalg.norm(motion[:, column]))
+            moves_alone = size > 1e-9 and np.abs(motion[:, base]).max(initial=0.0) < 1e-9 * size
+            if moves_alone and (best is None or size > np.linalg.norm(best[1]) * (1 + 1e-9)):
+                best = int(point), motion[:, column]
     return best
 
 
@@ -120,7 +124,7 @@ def measured_table(scene: Scene, key: str) -> str:
     if data is None or not scene.channels:
         return '<p hidden data-part="compared"></p>' if data is not None else ""
     mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
-    here = [one for one in data["modes"] if one["pose"] == scene.chosen and one["mode"] == mode]
+    here = [entry for entry in data["modes"] if entry["pose"] == scene.chosen and entry["mode"] == mode]
     rows = []
     for k, channel in enumerate(scene.channels):
         cells = "".join(
@@ -155,15 +159,23 @@ def numbers_table(name: str, caption: str, heads: str, rows: Sequence[str]) -> s
 def observed(scene: Scene) -> str:
     """Return what was measured of the mode that is shown first, in words."""
     mode = min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
-    here = [one for one in scene.measured or () if (one.pose, one.mode) == (scene.chosen, mode)]
+    here = [
+        measured
+        for measured in scene.measured or ()
+        if (measured.pose, measured.mode) == (scene.chosen, mode)
+    ]
     if not here:
         return "Not measured at this pose."
-    (one, *_) = here
-    digits = min(max(0, 1 - math.floor(math.log10(one.sigma))), 4)
-    said = f"Measured: {one.frequency:.{digits}f} \u00b1 {one.sigma:.{digits}f} Hz"
-    if not one.has_shape:
-        return f"{said}, without a shape."
-    return said + ("." if one.mac is None or math.isnan(one.mac) else f", MAC {one.mac:.3f}.")
+    (measured_mode, *_) = here
+    digits = min(max(0, 1 - math.floor(math.log10(measured_mode.sigma))), 4)
+    text = f"Measured: {measured_mode.frequency:.{digits}f} \u00b1 {measured_mode.sigma:.{digits}f} Hz"
+    if not measured_mode.has_shape:
+        return f"{text}, without a shape."
+    return text + (
+        "."
+        if measured_mode.mac is None or math.isnan(measured_mode.mac)
+        else f", MAC {measured_mode.mac:.3f}."
+    )
 
 
 def _cell(value: float | None) -> str:

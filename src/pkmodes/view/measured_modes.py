@@ -86,8 +86,8 @@ def scale_factor(measured: Array, model: Array, weights: Array) -> float:
     >>> scale_factor(np.array([1.0, np.nan, 2.0]), np.array([3.0, 9.0, 6.0]), np.ones(3))
     3.0
     """
-    known = np.isfinite(measured)
-    v, u = np.where(known, measured, 0.0) * weights, np.where(known, model, 0.0) * weights
+    finite = np.isfinite(measured)
+    v, u = np.where(finite, measured, 0.0) * weights, np.where(finite, model, 0.0) * weights
     size = float(v @ v)
     return float(u @ v) / size if size > 0.0 else 0.0
 

@@ -20,11 +20,11 @@ from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes.view.still import still
 from pkmodes_description import Named
 
-#: Parts of the program in the browser, in order.
+#: Parts of the program in the browser, in loading order.
 PROGRAM = ("palette.js", "states.js", "shapes.js", "stage.js", "panel.js", "viewer.js")
-#: Shares of the strain energy that differ by less are equal, as in panel.js.
+#: Shares of the strain energy that differ by less count as equal, as in panel.js.
 TIED = 0.0005
-#: How the title of every page ends; `pkmodes show` knows by it what it wrote.
+#: End of every page title, by which `pkmodes show` recognises its own pages.
 PAGE_MARK = b": vibration modes</title>"
 ICON = "data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg'/%3E"
 
@@ -81,7 +81,7 @@ give are drawn schematically.</p>
 
 
 def _head(scene: Scene) -> str:
-    """Return what the robot file says of the machine; nothing if it says nothing."""
+    """Return what the robot file says of the machine; empty if it says nothing."""
     lines = "".join(f"<dt>{title}</dt><dd><bdi>{escape(text)}</bdi></dd>\n" for title, text in scene.head)
     return f'<dl class="about">\n{lines}</dl>\n' if lines else ""
 
@@ -182,12 +182,14 @@ def _title(scene: Scene) -> str:
     name = f"Mode {number}" if number > 0 else f"Rigid-body motion {mode + 1}"
     held = "no spring is strained"
     if np.isfinite(shares).any():
-        most = float(np.nanmax(shares))
-        *others, last = (
-            escape(one.name) for one, share in zip(scene.springs, shares, strict=True) if share > most - TIED
+        largest = float(np.nanmax(shares))
+        *preceding, last = (
+            escape(spring.name)
+            for spring, share in zip(scene.springs, shares, strict=True)
+            if share > largest - TIED
         )
-        where = f"each of {', '.join(others)} and {last}" if others else last
-        held = f"{100 * most:.0f} % of the strain energy in {where}"
+        where = f"each of {', '.join(preceding)} and {last}" if preceding else last
+        held = f"{100 * largest:.0f} % of the strain energy in {where}"
     moves = zip(scene.moves, platform_directions(scene)[pose, mode], strict=True)
     along = ", ".join(
         f"{component} {round(move, 2) + 0.0:.2f}".replace("-", "\u2212") for component, move in moves
@@ -201,12 +203,12 @@ def _title(scene: Scene) -> str:
 
 def _about(scene: Scene) -> str:
     """Return which model moves, and what was measured."""
-    what = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
+    about = f"<p>Model {escape(scene.what)}</p>" if scene.what else ""
     if scene.varied:
-        what += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
+        about += '<p>Thin lines: as declared<span data-part="declared"></span></p>'
     if scene.measured is None:
-        return what
-    return f'{what}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
+        return about
+    return f'{about}<p class="pkview-measured"><span data-part="observed">{observed(scene)}</span></p>'
 
 
 def _modes(scene: Scene, key: str) -> str:
@@ -297,7 +299,7 @@ def _table(scene: Scene, key: str) -> str:
 
 
 def _turning(scene: Scene) -> str:
-    """Say how rotations of the platform count."""
+    """State how rotations of the platform count."""
     if not (scene.lengths != 1.0).any():
         return ""
     return f" (rotations times {1e3 * float(scene.lengths[-1]):.4g} mm)"
@@ -311,10 +313,10 @@ def _option(scene: Scene, index: int) -> str:
     """Return a pose in few characters: its label, and its components with one unit where all have the same."""
     told = [_shown(c, value).rpartition(" ") for c, value in zip(scene.pose, scene.poses[index], strict=True)]
     units = [unit for *_, unit in told]
-    one = len(set(units)) == 1
-    values = ", ".join(value if one else f"{value} {unit}" for value, _, unit in told)
+    single_unit = len(set(units)) == 1
+    values = ", ".join(value if single_unit else f"{value} {unit}" for value, _, unit in told)
     label = f"{scene.labels[index]}: " if scene.labels else ""
-    return escape(f"{label}{values} {units[0]}" if one else label + values)
+    return escape(f"{label}{values} {units[0]}" if single_unit else label + values)
 
 
 def _place(scene: Scene, index: int) -> str:

@@ -90,11 +90,11 @@ def _moves(scene: Scene, turned: list[str]) -> tuple[Array, Array]:
 
 
 def _largest_deviations(scene: Scene) -> list[float | None] | None:
-    """Return how far frequencies are off at most at the places of `interpolation.deviations`; None where unknown."""
+    """Return the largest errors of frequencies at the places of `interpolation.deviations`; None where unknown."""
     if scene.deviations is None:
         return None
     sizes = largest_around(scene.deviations).ravel().tolist()
-    return [_rounded(one, OFF) if np.isfinite(one) else None for one in sizes]
+    return [_rounded(size, OFF) if np.isfinite(size) else None for size in sizes]
 
 
 def _levels(scene: Scene, values: Array) -> Any:

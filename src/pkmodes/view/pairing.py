@@ -39,6 +39,6 @@ def paired_modes(shapes: Array, masses: Array, places: Index, rigid: int) -> Ind
         return order
     states, there = np.maximum(places.ravel(), 0), places.ravel() >= 0
     arrays = {"shape": shapes[states, rigid:], "code": np.where(there, 0, 1)}
-    found = track(arrays, places.shape, (True,) * places.ndim, lambda rows: masses[states[rows]])
-    order[states[there], rigid:] = rigid + found.order[there]
+    tracked = track(arrays, places.shape, (True,) * places.ndim, lambda rows: masses[states[rows]])
+    order[states[there], rigid:] = rigid + tracked.order[there]
     return order

@@ -41,11 +41,11 @@ class Grid(NamedTuple):
     where: str = ""
 
 
-#: Grids by the number of components: a page holds some hundred poses.  At all stops of six components a large
+#: Grids by the number of components: a page holds a few hundred poses.  At all stops of six components a large
 #: workspace has 16 million poses, which take five minutes.
 GRIDS = {1: Grid(41), 2: Grid(11), 3: Grid(7)}
 OF_MORE = Grid(3, STOPS[1::3], "at three stops in nine of each slider")
-#: Regular poses that are looked for.
+#: Number of regular poses searched for.
 SEEDS = 200
 
 

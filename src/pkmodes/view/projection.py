@@ -11,7 +11,7 @@ from pkmodes_description import Element
 Array = NDArray[np.float64]
 #: Shapes of elements whose outlines enclose an area.
 AREAS = ("wheel", "plate")
-#: Direction from which a robot in space and a planar one are seen [deg].
+#: Viewing directions of a spatial and of a planar robot [deg].
 AZIMUTH, ELEVATION, ABOVE = -60.0, 18.0, 50.0
 
 
@@ -74,8 +74,8 @@ def rim(centre: Array, axis: Array, angle: float, corners: int = 48) -> Array:
     """
     radius = float(np.linalg.norm(axis))
     unit = axis / radius
-    other = np.array([0.0, 0.0, 1.0]) if abs(unit[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
-    first = np.cross(unit, other)
+    helper = np.array([0.0, 0.0, 1.0]) if abs(unit[2]) < 0.9 else np.array([1.0, 0.0, 0.0])
+    first = np.cross(unit, helper)
     first /= np.linalg.norm(first)
     turns = np.linspace(0.0, 2.0 * np.pi, corners + 1)[:, None] + angle
     around: Array = centre + radius * (np.cos(turns) * first + np.sin(turns) * np.cross(unit, first))

@@ -14,7 +14,7 @@ from pkmodes.core.system.evaluation import ExtendedSystem
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: Below this sine of the angle to the vertical, a direction is vertical, and upright means outwards.
+#: A direction counts as vertical below this sine of its angle to the vertical; upright then means outwards.
 VERTICAL = 0.3
 Z = (0.0, 0.0, 1.0)
 
@@ -67,17 +67,19 @@ class RobotDrawing:
             _joint(next(c for c in released if c.name == name)) for name in self.coordinates[first:]
         )
         unit = np.broadcast_to(np.eye(len(free))[first:], (len(p), len(joints), len(free)))
-        given = np.broadcast_to(self._system.joints[joints], (len(p), len(joints)))
+        joint_stiffness = np.broadcast_to(self._system.joints[joints], (len(p), len(joints)))
         return Springs(
             (*self.drawing.springs, *named),
-            np.concatenate([stiffness, given], axis=1),
+            np.concatenate([stiffness, joint_stiffness], axis=1),
             np.concatenate([strain[..., free], unit], axis=1),
         )
 
     def motors(self, p: Array) -> Array:
         """Return the centres of the wheels that motors drive, (N, motors, 3) [m]."""
         driven = np.asarray(self._generated.driven()).ravel() > 0.5
-        names = {q.name for q, one in zip(self._mechanism.coordinates, driven, strict=True) if one}
+        names = {
+            q.name for q, is_driven in zip(self._mechanism.coordinates, driven, strict=True) if is_driven
+        }
         wheels = [e.points[0] for e in self.drawing.elements if e.shape == "wheel" and e.turns in names]
         return self.points(p)[:, wheels]
 
@@ -85,10 +87,10 @@ class RobotDrawing:
         """Return the argument `up` of the generated functions, none if the robot leaves no direction open."""
         if not self.drawing.uprights:
             return ()
-        given = np.asarray(self._generated.drawing_directions(p), dtype=float)
+        generated = np.asarray(self._generated.drawing_directions(p), dtype=float)
         uprights = [
             upright(directions, places, self.vertical)
-            for directions, places in zip(given[:, :, 0], given[:, :, 1], strict=True)
+            for directions, places in zip(generated[:, :, 0], generated[:, :, 1], strict=True)
         ]
         return (np.array(uprights).reshape(len(p), -1),)
 
@@ -109,8 +111,8 @@ def upright(directions: Array, places: Array, vertical: Array) -> Array:
     outwards = places - places.mean(axis=0)
     uprights = []
     for n, out in zip(directions, outwards, strict=True):
-        wanted = (vertical, out, *np.eye(3))
-        across = [w - (w @ n) * n for w in wanted]
+        preferences = (vertical, out, *np.eye(3))
+        across = [w - (w @ n) * n for w in preferences]
         sizes = [float(np.linalg.norm(a)) for a in across]
         least = [VERTICAL, 1e-9, *([VERTICAL] * 3)]
         chosen = next(i for i, size in enumerate(sizes) if size > least[i])

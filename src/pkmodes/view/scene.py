@@ -17,7 +17,7 @@ from pkmodes.view.workspace import Surface
 from pkmodes_description import Element, Named
 
 Array = NDArray[np.float64]
-#: Amplitude of a displayed mode as a share of the robot's size.
+#: Amplitude of a displayed mode relative to the size of the robot.
 AMPLITUDE = 0.06
 
 
@@ -162,7 +162,10 @@ class Scene:
     @property
     def moves(self) -> tuple[str, ...]:
         """What the platform does along each component of its motion, after "along": "x", or "about x"."""
-        return tuple(f"about {one.name[-1]}" if one.unit == "rad" else one.name[-1] for one in self.platform)
+        return tuple(
+            f"about {component.name[-1]}" if component.unit == "rad" else component.name[-1]
+            for component in self.platform
+        )
 
     def displacements(self, pose: int, mode: int) -> Array:
         """Return the displacements of the points in a mode.

@@ -18,12 +18,12 @@ from pkmodes.view.scene import AMPLITUDE, Scene
 from pkmodes_description import Element
 
 Array = NDArray[np.float64]
-#: Width of the picture in its own units; its height follows, within the limits given as shares of the width.
+#: Width of the picture in its own units; limits of the height and the margin, as fractions of the width.
 WIDTH, FLAT, TALL, ROOM = 800.0, 0.4, 0.9, 0.05
-#: Widths of lines by kind of element as shares of the picture, and of all others.
+#: Line widths by kind of element, as fractions of the picture, then those of all others.
 WIDTHS = {"rail": 0.006, "frame": 0.006, "belt": 0.0055, "arm": 0.012, "gantry": 0.012, "link": 0.006}
 THIN, BLOCK, BALL, CORNERS = 0.005, 0.02, 0.009, 24
-#: Colours of shares of the strain energy from 0 to 100 %, those of palette.js.
+#: Colours of strain energy shares from 0 to 100 %, as in palette.js.
 LIGHT = ("#c5cdd6", "#f0b340", "#d9570d", "#7d0d0d")
 DARK = ("#4a5663", "#a34d12", "#f2902c", "#ffe89a")
 
@@ -53,7 +53,7 @@ def still(scene: Scene) -> str:
     height = max((high[1] - low[1]) * scale + 2.0 * ROOM * WIDTH, FLAT * WIDTH)
     middle = 0.5 * (low + high)
 
-    def seen(points: Array) -> Array:
+    def projected(points: Array) -> Array:
         turned = points @ view.T
         return np.stack(
             [
@@ -65,7 +65,9 @@ def still(scene: Scene) -> str:
 
     shares = np.nan_to_num(scene.shares[pose, mode])
     turns = {name: factor * scene.shapes[pose, mode, k] for k, name in enumerate(scene.coordinates)}
-    drawn = [_line(seen(rest[list(e.points)]), "ghost", 0.0015) for e in scene.elements if e.shape == "line"]
+    drawn = [
+        _line(projected(rest[list(e.points)]), "ghost", 0.0015) for e in scene.elements if e.shape == "line"
+    ]
     depths = [float((moved[list(e.points)] @ view[2]).mean()) for e in scene.elements]
     for i in np.argsort(depths, kind="stable"):
         element = scene.elements[int(i)]
@@ -73,21 +75,21 @@ def still(scene: Scene) -> str:
         if element.shape == "wheel":
             axis = at[1] - at[0]
             if axis.any():
-                edge = seen(rim(at[0], axis, turns.get(element.turns, 0.0), CORNERS))
+                edge = projected(rim(at[0], axis, turns.get(element.turns, 0.0), CORNERS))
                 drawn.append(_area(edge, "wheel", colour))
                 half = CORNERS // 2
                 drawn += [_line(edge[[k, k + half]], "spoke", 0.002) for k in (0, half // 2) if element.turns]
         elif element.shape == "plate":
-            drawn.append(_area(hull(seen(at)), "plate", colour))
+            drawn.append(_area(hull(projected(at)), "plate", colour))
         elif element.shape == "ball":
-            drawn.append(_dot(seen(at[:1])[0], "plate", BALL, colour))
+            drawn.append(_dot(projected(at[:1])[0], "plate", BALL, colour))
         elif element.shape == "block":
-            drawn.append(_line(seen(np.stack([2.0 * at[0] - at[1], at[1]])), "block", BLOCK))
+            drawn.append(_line(projected(np.stack([2.0 * at[0] - at[1], at[1]])), "block", BLOCK))
         else:
-            drawn.append(_line(seen(at), "line", WIDTHS.get(element.kind, THIN), colour))
+            drawn.append(_line(projected(at), "line", WIDTHS.get(element.kind, THIN), colour))
     if reach.any():
-        drawn.append(_line(seen(arrow), "trace", 0.003))
-    drawn += _measured(scene, seen, pose, mode)
+        drawn.append(_line(projected(arrow), "trace", 0.003))
+    drawn += _measured(scene, projected, pose, mode)
     number = mode - scene.rigid_modes + 1
     title = f"{scene.robot}, mode {number} at its largest displacement; thin lines: at rest"
     return (
@@ -96,16 +98,16 @@ def still(scene: Scene) -> str:
     )
 
 
-def _measured(scene: Scene, seen: Callable[[Array], Array], pose: int, mode: int) -> list[str]:
+def _measured(scene: Scene, projected: Callable[[Array], Array], pose: int, mode: int) -> list[str]:
     """Return marks of the measured components of a mode, none without them."""
-    found = measured_data(scene)
+    measured = measured_data(scene)
     drawn = []
-    for one in () if found is None else found["modes"]:
-        if (one["pose"], one["mode"]) != (pose, mode):
+    for entry in () if measured is None else measured["modes"]:
+        if (entry["pose"], entry["mode"]) != (pose, mode):
             continue
-        for point, *by in one.get("arrows", ()):
+        for point, *by in entry.get("arrows", ()):
             at, far = scene.points[pose, point], AMPLITUDE * scene.size * np.array(by)
-            ends = seen(np.stack([at - far, at + far]))
+            ends = projected(np.stack([at - far, at + far]))
             drawn += [_line(ends, "measured", 0.004), _dot(ends[1], "measured", 0.008)]
     return drawn
 
@@ -122,7 +124,7 @@ def on_scale(scale: tuple[str, ...], share: float) -> str:
     """Return the colour of a share from 0 to 1 on a scale, as the viewer does."""
     at = min(max(share, 0.0), 1.0) * (len(scale) - 1)
     i = min(int(at), len(scale) - 2)
-    ends = [[int(one[k : k + 2], 16) for k in (1, 3, 5)] for one in scale[i : i + 2]]
+    ends = [[int(colour[k : k + 2], 16) for k in (1, 3, 5)] for colour in scale[i : i + 2]]
     mixed = (round(a + (at - i) * (b - a)) for a, b in zip(*ends, strict=True))
     return "#" + "".join(f"{value:02x}" for value in mixed)
 

@@ -21,9 +21,9 @@ from pkmodes.view.scene import Scene
 from pkmodes_description import Named
 
 Array = NDArray[np.float64]
-#: Most parameters that vary at once, and machines of a page.
+#: Most parameters varied at once, and most machines on a page.
 PARAMETERS, MACHINES = 3, 600
-#: Values of each parameter where no count is given, by their number.
+#: Values of each parameter if no count is given, by the number of parameters.
 COUNTS = {1: 21, 2: 9, 3: 5}
 
 
@@ -56,19 +56,22 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
         If the declared robot cannot be at the pose.
     """
     if not 1 <= len(values) <= PARAMETERS:
-        what = f"expected 1 to {PARAMETERS} parameters that vary, found {len(values)}"
-        raise PkmodesError(what, "values", "vary the others on another page")
+        problem = f"expected 1 to {PARAMETERS} parameters that vary, found {len(values)}"
+        raise PkmodesError(problem, "values", "vary the others on another page")
     point = model.modes(pose, drives=drives).poses
     paths = [resolve(model.robot, path) for path in values]
     levels = tuple(
-        np.unique(np.append(np.asarray(given, dtype=float).ravel(), path.value))
-        for path, given in zip(paths, values.values(), strict=True)
+        np.unique(np.append(np.asarray(stated, dtype=float).ravel(), path.value))
+        for path, stated in zip(paths, values.values(), strict=True)
     )
     count = int(np.prod([len(level) for level in levels]))
     if count > MACHINES:
-        each = " x ".join(str(len(level)) for level in levels)
-        what = f"expected at most {MACHINES} combinations of values, found {count} ({each}, declared values included)"
-        raise PkmodesError(what, "values", "give smaller counts: the page interpolates between the values")
+        sizes = " x ".join(str(len(level)) for level in levels)
+        problem = (
+            f"expected at most {MACHINES} combinations of values, found {count} "
+            f"({sizes}, declared values included)"
+        )
+        raise PkmodesError(problem, "values", "give smaller counts: the page interpolates between the values")
 
     def machine(combination: tuple[float, ...]) -> Model:
         changes = {
@@ -82,26 +85,26 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
         for end in (level[0], level[-1]):
             machine(tuple(end if k == axis else path.value for k, path in enumerate(paths)))
     combinations = list(product(*(level.tolist() for level in levels)))
-    machines = [machine(one) for one in combinations]
-    there = np.array([bool(one.check(point).valid) for one in machines])
+    machines = [machine(combination) for combination in combinations]
+    there = np.array([bool(variant.check(point).valid) for variant in machines])
     shape = tuple(len(level) for level in levels)
     for axis, path in enumerate(paths):
         reached = np.moveaxis(there.reshape(shape), axis, 0).reshape(shape[axis], -1).any(axis=1)
         if np.count_nonzero(reached) == 1 < shape[axis]:
-            what = f"the pose is out of reach with every value of {path.path} but the declared one"
-            raise PkmodesError(what, "values", "give values nearer to it, or another pose")
+            problem = f"the pose is out of reach with every value of {path.path} but the declared one"
+            raise PkmodesError(problem, "values", "give values nearer to it, or another pose")
     places = np.where(there, np.cumsum(there) - 1, -1).reshape(shape)
     declared = int(
         places[tuple(int(np.flatnonzero(v == p.value)[0]) for p, v in zip(paths, levels, strict=True))]
     )
-    kept = [one for one, valid in zip(machines, there, strict=True) if valid]
+    kept = [variant for variant, valid in zip(machines, there, strict=True) if valid]
     shown = scene_of(kept, np.tile(point, (len(kept), 1)), declared, drives=drives)
     order = paired_modes(shown.shapes, _masses(shown, kept, point), places, shown.rigid_modes)
     rigid, modes = shown.rigid_modes, shown.frequencies.shape[1]
 
     def exact(middles: Array) -> Array:
-        found = [_frequencies(machine(tuple(row)), point, drives, "nan") for row in middles.tolist()]
-        return np.array([one[rigid:modes] for one in found])
+        spectra = [_frequencies(machine(tuple(row)), point, drives, "nan") for row in middles.tolist()]
+        return np.array([spectrum[rigid:modes] for spectrum in spectra])
 
     vibrations = shown.frequencies[:, rigid:]
     return replace(
@@ -127,6 +130,6 @@ def _masses(shown: Scene, machines: list[Model], point: Array) -> Array:
     size = len(shown.coordinates)
     masses = np.zeros((len(machines), size, size))
     for k, model in enumerate(machines):
-        own = [shown.coordinates.index(name) for name in model.coordinates]
-        masses[k][np.ix_(own, own)] = model.matrices(point)[0]
+        columns = [shown.coordinates.index(name) for name in model.coordinates]
+        masses[k][np.ix_(columns, columns)] = model.matrices(point)[0]
     return masses

@@ -17,10 +17,10 @@ from pkmodes.core.model import Model
 from pkmodes.maps.workspace import Inside, on_branch, resting
 
 Array = NDArray[np.float64]
-#: Cells of the grid along each component, and part of the box by which the grid extends beyond it on each side.
+#: Grid cells along each component, and fraction by which the grid extends beyond the box on each side.
 CELLS, AROUND = {2: 48, 3: 30}, 0.05
 BISECTIONS = 7
-#: Steps of smoothing, each halfway to the mean of the neighbours: creases would be ragged otherwise.
+#: Smoothing steps, each half-way to the mean of the neighbours: creases would be ragged otherwise.
 SMOOTHING = 5
 
 
@@ -62,12 +62,12 @@ def workspace(
     moving = [i for i in range(len(pose)) if i not in resting(model, pose)]
     if len(moving) not in CELLS or any(model.mechanism.pose[i].unit != "m" for i in moving):
         return None
-    every = on_branch(model, pose) if inside is None else inside
+    belongs = on_branch(model, pose) if inside is None else inside
 
     def within(points: Array) -> NDArray[np.bool_]:
         poses = np.tile(pose, (len(points), 1))
         poses[:, moving] = points
-        return every(poses)
+        return belongs(poses)
 
     low, high = (end[moving] for end in box)
     room = AROUND * (high - low)
@@ -141,14 +141,14 @@ def _smoothed(vertices: Array, faces: NDArray[np.intp]) -> Array:
 
 def _around(d: int, axis: int) -> list[NDArray[np.intp]]:
     """Return the offsets of the cells around an edge along an axis, in order around it."""
-    others = [(axis + k) % d for k in range(1, d)]
+    across_axes = [(axis + k) % d for k in range(1, d)]
     turns = list(product((-1, 0), repeat=d - 1))
     if d == 3:
         turns = [(-1, -1), (0, -1), (0, 0), (-1, 0)]
     offsets = []
     for turn in turns:
         offset = np.zeros(d, dtype=np.intp)
-        offset[others] = turn
+        offset[across_axes] = turn
         offsets.append(offset)
     return offsets
 
