@@ -353,3 +353,7 @@ def test_threads_that_share_a_model_do_not_disturb_each_other(model: pkmodes.Mod
     for i, (shapes, frequencies) in enumerate(found):
         np.testing.assert_array_equal(shapes, expected.shapes[i])
         np.testing.assert_array_equal(frequencies, expected.frequencies[i])
+
+
+def test_a_mechanism_is_shown_in_a_line(model: pkmodes.Model) -> None:
+    assert repr(model.mechanism) == "Mechanism('linear_delta', pose (x, y, z), 9 coordinates)"

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 import math
+import os
 import re
+import subprocess
+import sys
 from decimal import Decimal
+from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pkmodes.core.robot import units
 from pkmodes.core.robot.units import DIMENSIONS, QuantityError, parse
 
+ROOT = Path(__file__).parents[2]
 CONVERSIONS = [
     ("400 mm", "length", 0.4),
     ("35 mm", "length", 0.035),
@@ -208,3 +214,30 @@ def test_any_text_is_a_finite_number_or_a_clear_error(text: str, dimension: str)
         assert math.isfinite(parse(text, dimension))
     except QuantityError as error:
         assert str(error).startswith(("expected a ", "expected an "))
+
+
+@given(
+    st.sampled_from([(si_unit, unit) for si_unit, factors in units.COMMON.items() for unit in factors]),
+    st.decimals(-100_000, 100_000, places=6),
+)
+def test_common_units_have_the_same_bits_as_by_pint(names: tuple[str, str], number: Decimal) -> None:
+    si_unit, unit = names
+    found = units._convert(number, unit, si_unit)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(units, "COMMON", {})
+        assert found == units._convert(number, unit, si_unit)
+
+
+def test_the_first_frequency_of_a_process_needs_no_pint() -> None:
+    code = "import sys, pkmodes; model = pkmodes.load('robots/linear-delta-2022.toml')"
+    code += "; model.frequencies([0.6, 0.0, -0.245]); print('pint' in sys.modules)"
+    path = os.pathsep.join(str(ROOT / part) for part in ("src", "generated"))
+    run = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": path},
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert run.stdout == "False\n"

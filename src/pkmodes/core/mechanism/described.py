@@ -47,6 +47,10 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
 
     package: str
 
+    def __repr__(self) -> str:
+        pose = ", ".join(component.name for component in self.pose)
+        return f"Mechanism({self.name!r}, pose ({pose}), {len(self.coordinates)} coordinates)"
+
     @cached_property
     def effects(self) -> dict[str, Effect]:
         """The effects that apply by name, in the order of the generated model."""

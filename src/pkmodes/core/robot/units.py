@@ -65,6 +65,32 @@ KINDS = {
     **{"torque": "N*m", "time": "s"},
 }
 
+#: Factors to SI of the units in most robot files; pint, which takes longer to load than a model to evaluate, converts
+#: the others.
+COMMON = {
+    si_unit: {unit: Decimal(factor) for unit, factor in units.items()}
+    for si_unit, units in {
+        "m": {"m": "1", "cm": "1e-2", "mm": "1e-3", "um": "1e-6"},
+        "kg": {"kg": "1", "g": "1e-3"},
+        "kg m^2": {
+            **{"kg*m^2": "1", "kg m^2": "1", "kg*cm^2": "1e-4", "kg*mm^2": "1e-6"},
+            **{"g*cm^2": "1e-7", "g*mm^2": "1e-9"},
+        },
+        "m/s^2": {"m/s^2": "1", "mm/s^2": "1e-3"},
+        "N/m": {"N/m": "1", "N/mm": "1e3", "kN/m": "1e3", "kN/mm": "1e6", "N/um": "1e6"},
+        "N m/rad": {"N*m/rad": "1", "N m/rad": "1", "kN*m/rad": "1e3"},
+        "m/N": {"m/N": "1", "mm/N": "1e-3", "um/N": "1e-6"},
+        "rad/(N m)": {"rad/(N*m)": "1", "rad/(N m)": "1"},
+        "kg/m": {"kg/m": "1", "g/m": "1e-3"},
+        "rad": {"rad": "1", "mrad": "1e-3", "deg": "0.01745329251994329576923690768488612713"},
+        "N": {"N": "1", "kN": "1e3"},
+        "N s/m": {"N*s/m": "1", "N s/m": "1"},
+        "N m s/rad": {"N*m*s/rad": "1", "N m s/rad": "1"},
+        "Hz": {"Hz": "1", "kHz": "1e3"},
+        "s": {"s": "1", "ms": "1e-3"},
+    }.items()
+}
+
 #: Units of lengths and angles of a pose as people read them, with the factor from SI.
 SHOWN = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi)}
 
@@ -236,6 +262,8 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
     _UnitError
         With the reason as a relative clause.
     """
+    if (factor := COMMON.get(si_unit, {}).get(unit)) is not None:
+        return float(number * factor)
     import pint
 
     if (other := confused(unit)) is not None:
