@@ -113,7 +113,7 @@ class Asked:
         """Return the fields of `Channels` at poses."""
         return {
             "codes": checked.codes.reshape(checked.batch),
-            "known": checked.known,
+            "known": checked.reasons,
             "poses": checked.points.reshape((*checked.batch, -1)),
             "inputs": tuple(port.name for port in self.inputs),
             "outputs": tuple(port.name for port in self.outputs),

@@ -146,7 +146,7 @@ def rates_job(
     tail = (len(terms.first) - 1, modes)
     return Job(
         tails=dict.fromkeys(asked, (tail, "f8")),
-        known=codes_of(system.mechanism),
+        reasons=codes_of(system.mechanism),
         compute=compute,
         by_numpy=by_numpy,
         checks_poses=True,

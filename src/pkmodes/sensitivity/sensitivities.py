@@ -254,7 +254,7 @@ def sensitivities_at(
         arrays = of_poses.finish()
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
-        known=checked.known,
+        known=checked.reasons,
         arrays=arrays,
         parameters=resolved.names,
         units=resolved.units,

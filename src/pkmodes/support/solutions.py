@@ -31,7 +31,7 @@ def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
     arrays = _arrays(solver, at.system, len(at.points), names)
     if arrays:
         solver.compute(at, arrays)
-        at.known.update(arrays)
+        at.quantities.update(arrays)
     return at
 
 
@@ -53,7 +53,7 @@ def with_all_coordinates(solver: Solver, at: RobotAtPoses) -> RobotAtPoses:
         along = solver.along(at, of_no_mode, no_paths(flat(system.effects)), fields)
         if along is not None:
             M, K = (along[name] for name in ALL_COORDINATES)
-            at.known["all_coordinates"] = system.of_generated(M, K)
+            at.quantities["all_coordinates"] = system.of_generated(M, K)
     return at
 
 
@@ -86,7 +86,7 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *others: s
     """
     at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
     if isinstance(solver, NumpySolver) or not len(p):  # the layout decides how products of shapes round
-        at.known.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
+        at.quantities.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
         return at
     arrays = {EIGENVALUES: np.empty((len(p), number_of_modes(system)))}
     arrays |= _arrays(solver, system, len(p), (SHAPES, *others))
@@ -98,5 +98,5 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *others: s
         NumpySolver.init(system, MAX_CONDITION).compute(RobotAtPoses(system, p[left], source, {}), some)
         for name, array in some.items():
             arrays[name][left] = array
-    at.known.update(arrays)
+    at.quantities.update(arrays)
     return at
