@@ -474,19 +474,17 @@ class Model:
             raise PoseError(
                 f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
             )
-        label = self.mechanism.independent_are
+        kind = self.mechanism.independent_are
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         units = {q.name: q.unit for q in self.mechanism.coordinates}
-        ordered = by_name(positions, {name: units[name] for name in self.mechanism.independent}, label)
-        q, batch = as_points(ordered, label, size, lambda: f"give {names} in SI units")
+        ordered = by_name(positions, {name: units[name] for name in self.mechanism.independent}, kind)
+        q, batch = as_points(ordered, kind, size, lambda: f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)
         if bad.any():
             index = int(np.argmax(bad))
-            raise PoseError(
-                "the links do not meet", f"{label} {index}", f"choose {label} that assemble", index
-            )
+            raise PoseError("the links do not meet", f"{kind} {index}", f"choose {kind} that assemble", index)
         return p.reshape((*batch, -1))
 
     @property
@@ -604,10 +602,8 @@ class Model:
         fields = None if extra else self._fields_of.get(key)
         if fields is None:
             lengths = lengths_of(self.mechanism, self.robot.parameters)
-            quantities = {"dissipation": self.dissipation, "lengths": lengths, **(extra or {})}
-            fields = ModeFields(
-                solver, self.system, self.solved(drives), self.robot.source, names, quantities
-            )
+            needs = {"dissipation": self.dissipation, "lengths": lengths, **(extra or {})}
+            fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, needs)
             if not extra:
                 self._fields_of[key] = fields
         return fields

@@ -381,11 +381,9 @@ def _of_shapes(
     if len(stiff):
         evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked)
         for i, dM, dK in zip(stiff.tolist(), *derivatives.dense(stiff), strict=True):
-            mode_pair = eigenvalues[i], shapes[i]
-            stiff_change = derivatives.stiff_change(i, *mode_pair, dM, dK)[evaluated]
-            _, again = mode_derivatives(
-                M[i], K[i], *mode_pair, stiff_change, norm[i, evaluated], group[i], sizes[i]
-            )
+            mode = eigenvalues[i], shapes[i]
+            forces = derivatives.stiff_change(i, *mode, dM, dK)[evaluated]
+            _, again = mode_derivatives(M[i], K[i], *mode, forces, norm[i, evaluated], group[i], sizes[i])
             turned[i, evaluated, first:] = again[:, first:]
     return rates, turned
 

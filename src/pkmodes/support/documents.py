@@ -42,7 +42,7 @@ class Document(Struct, frozen=True):
         ----------
         source : object
             The result.
-        **others : Any
+        **overrides : Any
             The fields that differ from its attributes.
         """
         names = [name for name in cls.__struct_fields__ if name not in overrides]

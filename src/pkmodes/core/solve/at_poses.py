@@ -26,7 +26,7 @@ class RobotAtPoses:
     points : ndarray, shape (N, d)
     source : str
         The robot, for messages.
-    known : mapping of str to object
+    quantities : mapping of str to object
         Quantities that need not be evaluated, such as ``eigenvalues`` and ``shapes`` from a solver.
     """
 

@@ -46,7 +46,7 @@ class ModeFields:
         The robot, for messages.
     names : iterable of str
         Of `pkmodes.core.solve.fields.FIELDS`.
-    given : mapping of str to object
+    quantities : mapping of str to object
         Quantities that fields need and a robot does not have, such as the normal of a plane.
 
     Attributes
