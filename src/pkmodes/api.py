@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Model", "load", "read_robot"]
 
-#: The methods of applications: where each function is.  The class below says the same to type checkers.
+#: The methods of applications: where each function is.  The class below declares the same for type checkers.
 APPLICATIONS = {
     "sensitivities": "pkmodes.sensitivity.sensitivities:sensitivities_at",
     "frequency_sigmas": "pkmodes.sensitivity.spread:frequency_sigmas",

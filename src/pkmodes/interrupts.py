@@ -7,8 +7,8 @@ import signal
 import sys
 
 INTERRUPTED = 130
-#: Names of the program while the command starts: what Python calls it before it has found the package that it is told
-#: to run, and that of the installed script.
+#: Names of the program while the command starts: Python's own, until it has found the package that it has to run, and
+#: that of the installed script.
 STARTING = ("-m", "pkmodes")
 
 

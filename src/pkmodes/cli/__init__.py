@@ -40,7 +40,7 @@ from pkmodes.core.base.errors import PkmodesError
 DONE, DOES_NOT_HOLD, BAD_INPUT, INTERRUPTED = 0, 1, 2, 130
 
 
-#: The commands, by what one does with them, and what each does.
+#: The commands by task, with what each does.
 WORKFLOW: dict[str, dict[click.Command, str]] = {
     "Describe a machine": {
         examples: "List the examples of the documentation, or write them.",

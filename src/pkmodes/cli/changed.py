@@ -128,12 +128,12 @@ def changed(
         )
     data = campaigns[later[0]]
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    most = None if everything else MOST
+    limit = None if everything else MOST
 
     def show() -> None:
         from pkmodes.cli.changed_tables import show_changes
 
-        show_changes(declared, result, most)
+        show_changes(declared, result, limit)
 
     deliver(json_file, result.as_json(), show, report)
     return 1 if result.verdict in failures else 0
@@ -156,11 +156,11 @@ def _campaigns(
         for state, data in read_states(file, band, robot, drives=drives).items():
             name = state or file.stem
             if name in campaigns:
-                what = f"two states are called {shown(name)}: in {campaigns[name].source} and in {file}"
-                raise PkmodesError(what, "pkmodes changed", 'name them in the files: "# state: before"')
+                problem = f"two states are called {shown(name)}: in {campaigns[name].source} and in {file}"
+                raise PkmodesError(problem, "pkmodes changed", 'name them in the files: "# state: before"')
             campaigns[name] = data
     if len(campaigns) < 2:
-        what = f"expected two states or more, found {shown(next(iter(campaigns)))} only"
+        problem = f"expected two states or more, found {shown(next(iter(campaigns)))} only"
         remedy = "give the measurement of another state after it: TRUSTED.csv LATER.csv"
-        raise PkmodesError(what, str(files[0]), remedy)
+        raise PkmodesError(problem, str(files[0]), remedy)
     return campaigns

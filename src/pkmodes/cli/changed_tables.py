@@ -11,24 +11,24 @@ from pkmodes.report.numbers import errors
 from pkmodes.report.setting import Setting
 
 
-def show_changes(robot: Robot, result: Change, most: int | None) -> None:
+def show_changes(robot: Robot, result: Change, limit: int | None) -> None:
     """Print what changed.
 
     Parameters
     ----------
-    most : int or None
+    limit : int or None
         Modes that are printed, those that changed most; None for all.
     """
     terminal, setting = Terminal(), Setting(robot.name, robot, None, (), None)
     head = summary(result, setting)
     terminal.summary(head)
-    for name, one in result.by_state.items() or [(result.states[-1], result)]:
+    for name, change in result.by_state.items() or [(result.states[-1], result)]:
         if result.by_state:
             terminal.line()
             terminal.line(f"{name}:")
-            terminal.line(one.reason, "  ")
-        terminal.show(what_to_do(one, setting))
-        diagnosis_tables.show_causes(terminal, one, setting)
-        terminal.show(changes(one, most))
+            terminal.line(change.reason, "  ")
+        terminal.show(what_to_do(change, setting))
+        diagnosis_tables.show_causes(terminal, change, setting)
+        terminal.show(changes(change, limit))
     terminal.show(*errors(result))
     terminal.notes(head)

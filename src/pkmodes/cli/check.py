@@ -168,8 +168,8 @@ def _brief(report: Report) -> Iterator[str]:
     if not reasons:
         yield f"{report.target}: {_verdict(report)}"
         return
-    more = f"; and {len(reasons) - 1} more" if len(reasons) > 1 else ""
-    yield f"{report.target}: {reasons[0]}{more}"
+    suffix = f"; and {len(reasons) - 1} more" if len(reasons) > 1 else ""
+    yield f"{report.target}: {reasons[0]}{suffix}"
 
 
 def _failed(report: Report) -> list[str]:

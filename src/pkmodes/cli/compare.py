@@ -98,11 +98,11 @@ def compare(
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
-    content, most = result.as_json(declared.name), len(result.rows) if everything else WORST
-    deliver(json_file, content, lambda: show(declared, data, result, most), report)
+    content, limit = result.as_json(declared.name), len(result.rows) if everything else WORST
+    deliver(json_file, content, lambda: show(declared, data, result, limit), report)
 
 
-def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
+def show(robot: Robot, data: Measurements, result: Comparison, limit: int) -> None:
     """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
     from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
@@ -115,15 +115,15 @@ def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> Non
     head = summary(result, setting)
     terminal.summary(head)
     terminal.show(*by_mode(result))
-    if result.unpaired and most < len(result.rows):
+    if result.unpaired and limit < len(result.rows):
         terminal.line()
         terminal.line(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
-    terminal.show(mode_table(result, Evidence.of(result, data), setting, most, paired=True))
-    if most < len(result.rows):
+    terminal.show(mode_table(result, Evidence.of(result, data), setting, limit, paired=True))
+    if limit < len(result.rows):
         terminal.line("--all prints every row.")
-    if given := settings_in_words(setting, result.rows):
+    if settings := settings_in_words(setting, result.rows):
         terminal.line()
-        terminal.line(given)
+        terminal.line(settings)
     for note in result.notes:  # verbatim: it may name what the file names
         terminal.line()
         terminal.line(f"note: {note}")

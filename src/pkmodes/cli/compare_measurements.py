@@ -28,9 +28,9 @@ def compare_measurement_files(
     result = compare_measurements(first, second)
 
     def show() -> None:
-        terminal, most, head = Terminal(), None if everything else MOST, summary(result)
+        terminal, limit, head = Terminal(), None if everything else MOST, summary(result)
         terminal.summary(head)
-        terminal.show(*changes(result, most), *shape_tables(result, most))
+        terminal.show(*changes(result, limit), *shape_tables(result, limit))
         terminal.notes(head)
 
     deliver(to, result.as_json(), show)

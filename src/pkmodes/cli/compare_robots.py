@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pkmodes.maps.poses import Grid, Places
     from pkmodes.report.sources import Source
 
-#: Poses of the workspace, about, and poses at most: all of them are held at once.
+#: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
 POSES, MOST = 20_000, 1_000_000
 #: Values that are printed without ``--all``.
 LARGEST = 10
@@ -50,8 +50,8 @@ def compare_robot_files(
         document = compare_robots(first, second, _points(first, second, places), drives or FREE)
     content = document.as_json()
     report = report_file(report_to, lambda: _page(first, second, content, sources, _plane(places)))
-    most = None if everything else LARGEST
-    deliver(json_file, content, lambda: _print(files, (first, second), content, most), report)
+    limit = None if everything else LARGEST
+    deliver(json_file, content, lambda: _print(files, (first, second), content, limit), report)
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
@@ -86,7 +86,7 @@ def _page(
 
 
 def _print(
-    files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], most: int | None
+    files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], limit: int | None
 ) -> None:
     from pkmodes.cli.terminal import Terminal
     from pkmodes.report.robot_values import frequencies, summary, values
@@ -96,5 +96,5 @@ def _print(
     terminal.heading(f"second: {content['second']} ({files[1]})")
     terminal.line()
     terminal.summary(head)
-    terminal.show(*values(models[0], content, most), *frequencies(content))
+    terminal.show(*values(models[0], content, limit), *frequencies(content))
     terminal.notes(head)

@@ -19,7 +19,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.support.replacing import check_replaced
 from pkmodes.support.writing import write_all
 
-#: Characters that JSON may hold and a terminal obeys: controls, and those that turn the direction.  Bytes of a file
+#: Characters that JSON may hold and a terminal obeys: controls, and marks of text direction.  Bytes of a file
 #: name that are not UTF-8 are surrogates, which JSON can hold only as escapes.
 UNSEEN = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
 
@@ -31,11 +31,11 @@ class ResultFile:
     Attributes
     ----------
     file : Path or None
-        None if it is not wanted.
+        None if it is not requested.
     content : callable
         Returns what is written.
     lines : callable
-        What to say when it was written; by default that it was.
+        Messages once it is written; by default that it was.
     """
 
     file: Path | None
@@ -72,13 +72,13 @@ def deliver(
     written: list[str] = []
     if json_file is not None and not to_stdout:
         files = (ResultFile(Path(json_file), lambda: as_file(content), lambda _: ()), *files)
-    wanted = [(each, each.file) for each in files if each.file is not None]
+    requested = [(result_file, result_file.file) for result_file in files if result_file.file is not None]
     try:
-        write_all({file: each.content() for each, file in wanted})
+        write_all({file: result_file.content() for result_file, file in requested})
     except PkmodesError as error:
         problem = error
     else:
-        written = [line for each, file in reversed(wanted) for line in each.lines(file)]
+        written = [line for result_file, file in reversed(requested) for line in result_file.lines(file)]
     end_progress()
     try:
         if to_stdout:
@@ -115,11 +115,11 @@ def unlike(
     OutputError
         If there is one and it is not.
     """
-    wanted = {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
-    found = {name: (folder / name).read_bytes() for name in wanted if (folder / name).is_file()}
-    other = [folder / name for name, content in found.items() if content != wanted[name]]
-    check_replaced(other, option, overwrite, what="the file exists with another content")
-    return {name: content for name, content in wanted.items() if found.get(name) != content}
+    encoded = {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
+    existing = {name: (folder / name).read_bytes() for name in encoded if (folder / name).is_file()}
+    different = [folder / name for name, content in existing.items() if content != encoded[name]]
+    check_replaced(different, option, overwrite, what="the file exists with another content")
+    return {name: content for name, content in encoded.items() if existing.get(name) != content}
 
 
 def as_file(content: dict[str, Any]) -> str:

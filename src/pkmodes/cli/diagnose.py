@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.terms import TermClass
 
 
-#: Largest number of values listed whose standard deviations are larger in a saved file than in the fit.
+#: Most values listed whose standard deviations are larger in a saved file than in the fit.
 MOST_WIDENED = 3
 
 
@@ -143,8 +143,10 @@ def diagnose(
     from pkmodes.updating.corrected_robot import corrected_robot
     from pkmodes.updating.saved_term import effect_text, robot_with_term, term_to_save
 
-    plausible = dict(parse_prior(one, "--prior", "write --prior measurement:offset.z=2mm") for one in priors)
-    limits = dict(parse_usable(one, "--usable", "write --usable z=40mm,300mm") for one in usable)
+    plausible = dict(
+        parse_prior(text, "--prior", "write --prior measurement:offset.z=2mm") for text in priors
+    )
+    limits = dict(parse_usable(text, "--usable", "write --usable z=40mm,300mm") for text in usable)
     declared = read_robot(robot)
     data = updating.read(modes, band_of(band), declared, drives=drives, priors=plausible, usable=limits)
     sources = sources_of(report_to, {"robot file": robot, "measurement file": modes})
@@ -212,8 +214,8 @@ def _with_term(file: Path, effect: Path | None, terms: TermClass) -> list[str]:
 
     if is_declared(terms):
         return [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --out DIR"]
-    given = "FILE.py" if effect is None else pasted(effect)
-    lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {given} --out DIR"]
+    argument = "FILE.py" if effect is None else pasted(effect)
+    lines = [f"\nwrote {file}; next: pkmodes generate {pasted(file)} --effect {argument} --out DIR"]
     if effect is None:
         lines.append("FILE.py is the effect itself: write it with --save-effect FILE.py")
     return [*lines, "then give other commands --mechanism DIR/<mechanism>"]
@@ -230,10 +232,10 @@ def _widened(result: Diagnosis) -> list[str]:
         for value in values
         if value.unseen is not None
     ]
-    what = (
+    explanation = (
         "the sigmas in it include what a candidate that these data do not show could have done to the values"
     )
-    return [f"{what}: {listed(shown, MOST_WIDENED, last=', and ')}"] if shown else []
+    return [f"{explanation}: {listed(shown, MOST_WIDENED, last=', and ')}"] if shown else []
 
 
 def _chosen(result: Diagnosis) -> list[str]:

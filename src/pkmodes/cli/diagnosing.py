@@ -13,7 +13,7 @@ from pkmodes.cli.progress import on_terminal
 from pkmodes.core.base.errors import PkmodesError, nearest, shown
 from pkmodes.support.progress import say
 
-#: Stands for every verdict that is a failure by itself: all except adequate.
+#: The word for all verdicts that are failures: all except adequate.
 ANY = "any"
 #: Seconds between progress lines if stderr is not a terminal.
 SECONDS = 5.0
@@ -27,8 +27,8 @@ def names_of(text: str, option: str) -> list[str]:
         cells = []
     names = [cell.strip() for cell in cells if cell.strip()]
     if not names:
-        what = f"expected names separated by commas, found {shown(text)}"
-        raise PkmodesError(what, option, "give at least one name, or omit the option")
+        problem = f"expected names separated by commas, found {shown(text)}"
+        raise PkmodesError(problem, option, "give at least one name, or omit the option")
     return names
 
 
@@ -64,10 +64,10 @@ def failing(names: Sequence[str]) -> frozenset[str]:
     """
     from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
 
-    known, failures = (*VERDICTS, ANY), set[str]()
+    choices, failures = (*VERDICTS, ANY), set[str]()
     for name in names:
-        if name not in known:
-            remedy = nearest(name, known, f"choose from {', '.join(known)}")
+        if name not in choices:
+            remedy = nearest(name, choices, f"choose from {', '.join(choices)}")
             raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
         failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
     return frozenset(failures)

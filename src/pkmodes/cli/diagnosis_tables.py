@@ -44,8 +44,8 @@ def show(robot: Robot, result: Diagnosis) -> None:
     _beyond(terminal, result, setting)
     _damping(terminal, result, setting)
     _counts(terminal, robot, result)
-    if given := settings_in_words(setting, result.rows):
-        terminal.line(given)
+    if settings := settings_in_words(setting, result.rows):
+        terminal.line(settings)
     terminal.show(*values(result, setting))
     _remarks(terminal, setting, result)
 
@@ -86,8 +86,8 @@ def _causes(terminal: Terminal, effects: Sequence[Finding], corrected: Sequence[
 
 def _class(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected]) -> None:
     """Print a class: what its members have in common, and each with its value and whether that is implausible."""
-    what = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
-    terminal.line(f"cause: {what}: {naming.of_class(effect)}")
+    label = f"one of {naming.count(len(effect.members))} ({p_in_words(effect.p_value)})"
+    terminal.line(f"cause: {label}: {naming.of_class(effect)}")
     for place, member in enumerate(effect.members):
         if place == 1:
             terminal.line("these data cannot distinguish it from", "  ")
@@ -120,8 +120,8 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     if effect.alone is not None:
         joint = effect.alone.joint
         term = f" ({joint.term})" if joint.term else ""
-        alone = rounded(100.0 * effect.alone.change, 100.0 * effect.alone.sigma)
-        terminal.line(f"{joint.words} alone: its {joint.quantity} changes by {alone} %{term}", "  ")
+        joint_change = rounded(100.0 * effect.alone.change, 100.0 * effect.alone.sigma)
+        terminal.line(f"{joint.words} alone: its {joint.quantity} changes by {joint_change} %{term}", "  ")
     if relative:
         terminal.line("relative to their mean:", "  ")
     for value in relative or effect.parameters:
@@ -132,9 +132,9 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
     if why := effect.member(effect.name).implausible:
         terminal.line(f"implausible: {why}", "  ")
     if relative:
-        each = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
+        with_mean = ", ".join(_with_sigma(believed(value, corrected)) for value in effect.parameters)
         terminal.line("with their mean, which is less certain:", "  ")
-        terminal.line(each, "    ")
+        terminal.line(with_mean, "    ")
         reasons = dict.fromkeys(why_larger(value, corrected) for value in effect.parameters)
         for why in filter(None, reasons):
             terminal.line(why, "    ")
@@ -142,15 +142,15 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
 
 def _damping(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
     """Print what the damping says, which changes nothing above."""
-    found = result.damping
-    if not found.measured:
+    damping = result.damping
+    if not damping.measured:
         return
     terminal.line()
-    terminal.line(f"damping: {found.verdict}")
-    terminal.line(found.reason, "  ")
-    _explained(terminal, found)
-    terminal.show(*factors(result), *refitted(found, setting))
-    for note in found.notes:
+    terminal.line(f"damping: {damping.verdict}")
+    terminal.line(damping.reason, "  ")
+    _explained(terminal, damping)
+    terminal.show(*factors(result), *refitted(damping, setting))
+    for note in damping.notes:
         terminal.line()
         terminal.line(f"note on the damping: {note}")
 

@@ -42,11 +42,11 @@ class ExamplesDocument(Document, frozen=True):
 
 def _example(name: str, text: str, page: str, command: str, *places: str) -> Example:
     # Every example brings the robot files: pages and commands compare with them.
-    own = places or (f"{EXAMPLES}/{name}",)
-    return Example(name, text, f"docs/{page}.md", command, [*dict.fromkeys((ROBOTS, *own))])
+    folders = places or (f"{EXAMPLES}/{name}",)
+    return Example(name, text, f"docs/{page}.md", command, [*dict.fromkeys((ROBOTS, *folders))])
 
 
-#: The examples, in the order in which one meets them.
+#: The examples, in the order in which a user meets them.
 CATALOGUE = (
     _example(
         "robots",
@@ -145,7 +145,7 @@ CATALOGUE = (
     "name",
     metavar="[NAME]",
     required=False,
-    type=click.Choice([*(one.name for one in CATALOGUE), EVERYTHING]),
+    type=click.Choice([*(example.name for example in CATALOGUE), EVERYTHING]),
 )
 @click.option(
     "--out",
@@ -163,23 +163,25 @@ def examples(name: str | None, out: Path, overwrite: bool, json_file: str | None
     Files that are there already and are the same are left; of those that differ none is replaced without --overwrite.
     """
     check_targets(json_file, [])
-    chosen = [one for one in CATALOGUE if name in (one.name, EVERYTHING, None)]
+    chosen = [example for example in CATALOGUE if name in (example.name, EVERYTHING, None)]
     if name is None:
         document = ExamplesDocument(chosen, None, [], [])
         deliver(json_file, document.as_json(), lambda: _list(chosen))
         return
-    contents = supplied(*(place for one in chosen for place in one.places))
+    contents = supplied(*(place for example in chosen for place in example.places))
     new = unlike(out, contents, f"--out {out}", overwrite)
     write_files(out, new)
-    document = ExamplesDocument(chosen, str(out), list(new), [one for one in contents if one not in new])
+    document = ExamplesDocument(
+        chosen, str(out), list(new), [file_name for file_name in contents if file_name not in new]
+    )
     deliver(json_file, document.as_json(), lambda: _say(document, out, chosen))
 
 
 def _list(chosen: Sequence[Example]) -> None:
-    width = max(len(one.name) for one in chosen)
-    for one in chosen:
-        echo(f"{one.name:{width}}  {one.text}")
-        echo(f"{'':{width}}  {one.page}")
+    width = max(len(example.name) for example in chosen)
+    for example in chosen:
+        echo(f"{example.name:{width}}  {example.text}")
+        echo(f"{'':{width}}  {example.page}")
     echo(
         "\npkmodes examples NAME writes one of them, with the robot files; pkmodes examples all writes everything."
     )
@@ -191,5 +193,5 @@ def _say(document: ExamplesDocument, out: Path, chosen: Sequence[Example]) -> No
     if document.unchanged:
         echo(f"files that were there already: {len(document.unchanged)}")
     place = "" if out == Path() else f" in {pasted(out)}"
-    for one in chosen:
-        echo(f"next{place}: {one.command} ({one.page})")
+    for example in chosen:
+        echo(f"next{place}: {example.command} ({example.page})")

@@ -84,19 +84,19 @@ def figures(
 
     places = None if grid is None else parse_grid(grid, model.mechanism, "--grid")
     with named_as_options("grid", folder="--out"):
-        written, said = written_pictures(
+        written, sentences = written_pictures(
             model, folder, places, tuple(dict.fromkeys(formats)), drives=drives, overwrite=overwrite
         )
     document = FiguresDocument(
-        robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=said
+        robot=str(robot), out=out, files=[path.name for path in written], same_everywhere=sentences
     )
-    deliver(json_file, document.as_json(), lambda: _print(written, said))
+    deliver(json_file, document.as_json(), lambda: _print(written, sentences))
 
 
-def _print(written: list[Path], said: dict[str, str]) -> None:
+def _print(written: list[Path], sentences: dict[str, str]) -> None:
     """Print the files, and apart from them which of them hold a sentence."""
     for path in written:
         echo(path)
-    for name, sentence in said.items():
+    for name, sentence in sentences.items():
         for line in Terminal().wrapped(f"note: {name} holds a sentence instead of a picture: {sentence}"):
             echo(line, err=True)

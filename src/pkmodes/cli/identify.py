@@ -59,64 +59,68 @@ def identify(
     robot = None if declared.model is None else Path(declared.model.robot.source)
     check_targets(json_file, [campaign, *inputs, robot], *targets)
     sources = sources_of(report_to, {"campaign file": campaign, "robot file": robot})
-    found = identified(declared, keep_going=keep_going, inspect=report_to is not None)
-    for message in _said(found):
+    identification = identified(declared, keep_going=keep_going, inspect=report_to is not None)
+    for message in _notes(identification):
         echo(message, err=True)
-    content = found.as_json()
-    text = as_csv(found.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
-    rows = len(found.measurements.frequency)
+    content = identification.as_json()
+    text = as_csv(identification.measurements, [f"modes identified by pkmodes identify from {campaign.name}"])
+    rows = len(identification.measurements.frequency)
     file = ResultFile(
         out,
         lambda: text,
         lambda path: (f"wrote {path}: {rows} mode{'' if rows == 1 else 's'}",),
     )
-    report = report_file(report_to, lambda: _page(found, declared, content, sources))
+    report = report_file(report_to, lambda: _page(identification, declared, content, sources))
     try:
-        deliver(json_file, content, lambda: _print(found, declared, content), file, report)
+        deliver(json_file, content, lambda: _print(identification, declared, content), file, report)
     finally:
-        for line in _left_out(found):
+        for line in _left_out(identification):
             echo(line, err=True)
 
 
 def _page(
-    found: Identification, declared: Campaign, content: dict[str, Any], sources: Sequence[Source]
+    identification: Identification, declared: Campaign, content: dict[str, Any], sources: Sequence[Source]
 ) -> str:
     from pkmodes.report.identification import identification_report
 
-    return identification_report(found, declared, content, sources)
+    return identification_report(identification, declared, content, sources)
 
 
-def _said(found: Identification) -> list[str]:
-    every = [message for one in found.records for message in one.messages]
-    return [f"note: {message}" for message in (*every, *found.messages)]
+def _notes(identification: Identification) -> list[str]:
+    messages = [message for identified in identification.records for message in identified.messages]
+    return [f"note: {message}" for message in (*messages, *identification.messages)]
 
 
-def _left_out(found: Identification) -> list[str]:
+def _left_out(identification: Identification) -> list[str]:
     lines = []
-    for one in found.records:
-        lines += [f"left out: {each.file}: {each.reason}" for each in one.left_out]
-        lines += [f"left out: {one.record.pose}, as no file of it is left"] if one.is_left_out else []
+    for identified in identification.records:
+        lines += [f"left out: {omission.file}: {omission.reason}" for omission in identified.left_out]
+        lines += (
+            [f"left out: {identified.record.pose}, as no file of it is left"]
+            if identified.is_left_out
+            else []
+        )
     return lines
 
 
-def _print(found: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
+def _print(identification: Identification, campaign: Campaign, content: dict[str, Any]) -> None:
     from pkmodes.cli.terminal import Terminal
     from pkmodes.report.identified_record import meanings, modes_table
 
     terminal = Terminal()
-    for index, one in enumerate(found.records):
-        drives, model = one.record.drives, campaign.model
+    for index, identified in enumerate(identification.records):
+        drives, model = identified.record.drives, campaign.model
         doing = motors([drives]) if model is None else motors_in_words(model.robot, drives)
-        terminal.heading(f"{one.record.pose}, {one.record.kind}, {doing}")
+        terminal.heading(f"{identified.record.pose}, {identified.record.kind}, {doing}")
         found_modes = content["records"][index]["modes"]
         if found_modes:
             terminal.block(replace(modes_table(index, found_modes), caption=""))
         else:
-            terminal.line("left out" if one.is_left_out else "no mode was found")
+            terminal.line("left out" if identified.is_left_out else "no mode was found")
         terminal.line()
-    repeatability = f"{plain(100.0 * found.repeatability, 2)} %"
+    repeatability = f"{plain(100.0 * identification.repeatability, 2)} %"
     terminal.line(
         f"+-: one standard deviation; that of a frequency includes a repeatability of {repeatability}"
     )
-    for text in meanings([mode for one in content["records"] for mode in one["modes"]]):
+    for text in meanings([mode for record in content["records"] for mode in record["modes"]]):
         terminal.line(text)

@@ -19,11 +19,11 @@ from pkmodes.report.blocks import Cell, Facts, Lines, Listing, Paragraph, Table
 
 Shown = Paragraph | Listing | Facts | Lines | Table
 INDENT = "  "
-#: Spaces between two columns, and between those of a table that fits the terminal only with them.
+#: Spaces between two columns, and where a table fits the terminal only with fewer.
 GAP, NARROW_GAP = 2, 1
-#: A first column may take this share of the width of a table that does not fit.
+#: Largest share of the width that the first column of a table takes where the table does not fit.
 WIDE = 0.3
-#: What our own titles and sentences have on a page, and how it is typed.
+#: Characters that our own titles and sentences have on a page, and how they are typed on a terminal.
 TYPED = {
     "chi\u00b2": "chi2",
     "\u00b2": "^2",
@@ -48,8 +48,8 @@ UPRIGHT = {raised: digit for digit, raised in RAISED.items()}
 
 def typed(text: str) -> str:
     """Return a title or sentence of a page in characters that every terminal has."""
-    powers = POWER.sub(lambda found: f"{'' if found[1] else '1'}e{found[2].translate(UPRIGHT)}", text)
-    return SYMBOL.sub(lambda found: TYPED[found[0]], powers)
+    powers = POWER.sub(lambda match: f"{'' if match[1] else '1'}e{match[2].translate(UPRIGHT)}", text)
+    return SYMBOL.sub(lambda match: TYPED[match[0]], powers)
 
 
 def wrapped(text: str, width: int, indent: str = "") -> list[str]:
@@ -117,8 +117,8 @@ class _Grid:
     def widths(self) -> list[int]:
         """Characters of each column."""
         first = max(map(cell_len, (self.titles[0], *(line for name in self.names for line in name))))
-        others = range(1, len(self.titles))
-        return [first, *(max(cell_len(row[c]) for row in (self.titles, *self.rows)) for c in others)]
+        later_columns = range(1, len(self.titles))
+        return [first, *(max(cell_len(row[c]) for row in (self.titles, *self.rows)) for c in later_columns)]
 
     @property
     def gap(self) -> int:
@@ -149,16 +149,16 @@ class _Grid:
 
     def parts(self, begin: list[int]) -> list[list[int]]:
         """Return the columns of each part: some with which all begin, and about as many of the others in each."""
-        others = [c for c in range(1, len(self.widths)) if c not in begin]
-        parts = self._filled(begin, others, len(others))
-        alike = self._filled(begin, others, -(-len(others) // len(parts)))
+        remaining = [c for c in range(1, len(self.widths)) if c not in begin]
+        parts = self._filled(begin, remaining, len(remaining))
+        alike = self._filled(begin, remaining, -(-len(remaining) // len(parts)))
         return alike if len(alike) == len(parts) else parts
 
-    def _filled(self, begin: list[int], others: Sequence[int], most: int) -> list[list[int]]:
+    def _filled(self, begin: list[int], remaining: Sequence[int], limit: int) -> list[list[int]]:
         """Fill one part after the other with at most so many columns beside those with which it begins."""
         parts, added = [[*begin]], 0
-        for c in others:
-            if added and (added == most or not self._fits([*parts[-1], c])):
+        for c in remaining:
+            if added and (added == limit or not self._fits([*parts[-1], c])):
                 # A very wide column has only the first one beside it.
                 parts.append([*(begin if self._fits([*begin, c]) else begin[:1])])
                 added = 0
@@ -199,7 +199,7 @@ def _table(table: Table, width: int) -> Iterator[str]:
             yield grid.over(part)
         yield grid.printed(grid.titles, part)
         before = ""
-        for row, (name, *more) in zip(rows, grid.names, strict=True):
+        for row, (name, *continuation) in zip(rows, grid.names, strict=True):
             if above:
                 if row[0] != before:
                     yield from wrapped(row[0], width)
@@ -207,7 +207,7 @@ def _table(table: Table, width: int) -> Iterator[str]:
                 yield grid.printed(row, part)
             else:
                 yield grid.printed([name, *row[1:]], part)
-                yield from more
+                yield from continuation
 
 
 def _aligned(text: str, width: int, *, left: bool) -> str:

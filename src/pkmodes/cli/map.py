@@ -155,8 +155,8 @@ def _counted() -> Callable[[int, int], None]:
         begin.append((time.monotonic(), done))
         (first, before), (now, _) = begin[0], begin[-1]
         rate = (done - before) / (now - first) if now > first else 0.0
-        left = f", about {duration((total - done) / rate)} left" if 0 < done < total and rate else ""
-        say(f"{done:,} of {total:,} poses{left}")
+        remaining = f", about {duration((total - done) / rate)} left" if 0 < done < total and rate else ""
+        say(f"{done:,} of {total:,} poses{remaining}")
 
     return told
 

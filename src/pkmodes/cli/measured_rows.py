@@ -9,7 +9,7 @@ from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.report.setting import Setting
 from pkmodes.support.ordering import listed, sorted_labels
 
-#: Most rows, poses or settings of a line; the JSON has all of them.
+#: Most rows, poses or settings named in a line; the JSON has all of them.
 MOST = 8
 Rows = Sequence[Row | ComparedRow]
 

@@ -31,13 +31,14 @@ from pkmodes.support.documents import Count, Document
 from pkmodes.support.motors import motors_give_way, motors_in_words
 
 Array = NDArray[np.float64]
-#: Components smaller than this are rounding; of frequencies, whose squares are computed, this part of the largest.
+#: Components below the first are rounding; so are frequencies, whose squares are computed, below the second times the
+#: largest.
 ZERO, ZERO_FREQUENCY = 1e-9, 1e-6
 #: Standard deviations below this would be rounded to zero [Hz].
 SMALLEST_SIGMA = 0.0005
-#: First frequencies that differ by less, relative to them, are the same.
+#: First frequencies that differ by less than this fraction count as the same.
 SAME = 1e-3
-#: Numbers from here on are written with an exponent.
+#: Numbers of at least this size are written with an exponent.
 LARGE = 99_999.9995
 
 
@@ -60,7 +61,7 @@ class _AtPose(Document, frozen=True):
 
 
 _literal: Any = Literal
-#: What follows the fields of `pkmodes.Modes`.
+#: Keys of the document after the fields of `pkmodes.Modes`.
 _AFTER: tuple[tuple[str, Any, str], ...] = (
     (
         "static_torques",
@@ -217,13 +218,20 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
 def _of_motors(model: Model, result: Modes) -> Iterator[str]:
     """Say what the motors of these numbers do, and the first frequency otherwise; nothing if it is the same."""
     drives = other_drives(result.drives)
-    others = model.frequencies(result.poses, "nan", drives=drives)[model.solved(drives).rigid_modes :]
-    first, other = (_lowest(f) for f in (result.frequencies[result.rigid_modes :], others))
-    if first is None or other is None or abs(other - first) <= SAME * abs(first):
+    frequencies_otherwise = model.frequencies(result.poses, "nan", drives=drives)[
+        model.solved(drives).rigid_modes :
+    ]
+    first, first_otherwise = (
+        _lowest(f) for f in (result.frequencies[result.rigid_modes :], frequencies_otherwise)
+    )
+    if first is None or first_otherwise is None or abs(first_otherwise - first) <= SAME * abs(first):
         return
     doing = motors_in_words(model.robot, drives).removeprefix("motors ")
     doing = {FREE: "turning freely", HELD: "with their shafts held"}.get(doing, doing)
-    yield f"{motors_in_words(model.robot, result.drives)}; {doing} the first mode of vibration is at {other:.4g} Hz"
+    yield (
+        f"{motors_in_words(model.robot, result.drives)}; {doing} the first mode of vibration "
+        f"is at {first_otherwise:.4g} Hz"
+    )
 
 
 def _lowest(frequencies: Array) -> float | None:

@@ -29,8 +29,8 @@ def new(name: str | None, out: Path | None, overwrite: bool, mechanism: Path | N
     """
     check_targets(None, [], Target("--out", out, "the robot file", (".toml",)))
     if name is None:
-        for known in registry.names():
-            echo(f"{known}: {registry.mechanism(known).title}")
+        for mechanism_name in registry.names():
+            echo(f"{mechanism_name}: {registry.mechanism(mechanism_name).title}")
         return
     text = _text(registry.mechanism(name), mechanism)
     if out is None:

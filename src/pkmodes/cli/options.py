@@ -65,7 +65,7 @@ drives_option = click.option(
     help="What the motors do: turn freely, or be held by position loops far stiffer than the machine.",
 )
 
-#: The same for a command that takes measurements, which may say it themselves.
+#: The same for a command that takes measurements, which may state it themselves.
 measured_drives_option = click.option(
     "--drives",
     type=click.Choice(DRIVES),
@@ -94,14 +94,14 @@ def band_of(text: str | None) -> tuple[float, float] | None:
     return parse_band(text, "--band", "write --band 10,400")
 
 
-def comma_list(text: str, option: str, example: str, what: str = "names") -> list[str]:
+def comma_list(text: str, option: str, example: str, noun: str = "names") -> list[str]:
     """Return names that are separated by commas, each once.
 
     Parameters
     ----------
     example : str
         The option as it should be written, for messages.
-    what : str
+    noun : str
         What they are names of, for messages.
 
     Raises
@@ -112,7 +112,7 @@ def comma_list(text: str, option: str, example: str, what: str = "names") -> lis
     names = [name.strip() for name in text.split(",")]
     if not all(names):
         raise PkmodesError(
-            f"expected {what} separated by commas, found {shown(text)}", option, f"for example: {example}"
+            f"expected {noun} separated by commas, found {shown(text)}", option, f"for example: {example}"
         )
     return list(dict.fromkeys(names))
 
@@ -145,14 +145,14 @@ def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Call
 def check_order(robot: Path, modes: Path, command: str) -> None:
     """Reject swapped robot and measurement files, recognised by their names."""
     if modes.suffix.lower() == ".toml" and robot.suffix.lower() != ".toml":
-        what = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
+        problem = f"expected ROBOT.toml before MODES.csv, found {robot} before {modes}"
         raise PkmodesError(
-            what, command, f"the robot file comes first: {command} {pasted(modes)} {pasted(robot)}"
+            problem, command, f"the robot file comes first: {command} {pasted(modes)} {pasted(robot)}"
         )
 
 
 @contextmanager
-def named_as_options(*same: str, **others: str) -> Iterator[None]:
+def named_as_options(*same: str, **renamed: str) -> Iterator[None]:
     """Replace the name of a function argument in an error by that of the option.
 
     The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.  A remedy may give an
@@ -162,10 +162,10 @@ def named_as_options(*same: str, **others: str) -> Iterator[None]:
     ----------
     same : str
         Arguments that have the names of their options.
-    others : str
+    renamed : str
         Options by argument.
     """
-    options = {name: f"--{name}" for name in same} | others
+    options = {name: f"--{name}" for name in same} | renamed
     try:
         yield
     except PkmodesError as error:
@@ -174,7 +174,7 @@ def named_as_options(*same: str, **others: str) -> Iterator[None]:
             raise
         remedy = re.sub(
             r'\b(\w+)="(\w+)"',
-            lambda found: f"{options[found[1]]} {found[2]}" if found[1] in options else found[0],
+            lambda match: f"{options[match[1]]} {match[2]}" if match[1] in options else match[0],
             error.remedy,
         )
         raise type(error)(error.what, f"{options[argument]} {rest}".rstrip(), remedy) from None

@@ -52,9 +52,9 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
 
     parts, names = text.split(","), ",".join(component.name for component in mechanism.pose).upper()
     if len(parts) != len(mechanism.pose):
-        what = f"expected {len(mechanism.pose)} components {names}, found {len(parts)}"
+        problem = f"expected {len(mechanism.pose)} components {names}, found {len(parts)}"
         remedy = f"write --pose {names}, decimals with a point: {mechanism.pose_is}"
-        raise PoseError(what, "--pose", remedy)
+        raise PoseError(problem, "--pose", remedy)
     point = []
     for part, component in zip(parts, mechanism.pose, strict=True):
         try:
@@ -98,12 +98,12 @@ def _check_units(model: Model, text: str, point: list[float]) -> None:
     smaller = [c * MEANT[unit].factor if unit in large else c for c, unit in zip(point, units, strict=True)]
     if large and model.check(smaller).valid:
         parts = [part.strip() for part in text.split(",")]
-        given = ",".join(
+        with_units = ",".join(
             f"{part} {MEANT[unit].unit}" if unit in large else part
             for part, unit in zip(parts, units, strict=True)
         )
         looks = " and ".join(MEANT[unit].plural for unit in MEANT if unit in large)
-        remedy = f'the numbers look like {looks}: write --pose "{given}"'
+        remedy = f'the numbers look like {looks}: write --pose "{with_units}"'
         raise PoseError(str(model.check(point).sentences).partition(";")[0], "--pose", remedy)
 
 

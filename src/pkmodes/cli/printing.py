@@ -14,7 +14,7 @@ def echo(text: object = "", *, err: bool = False) -> None:
     Parameters
     ----------
     text : object
-        A line break at its begin leaves a line empty.
+        A line break at its beginning leaves a line empty.
     err : bool
         Whether it goes to stderr.
     """

@@ -16,17 +16,17 @@ from typing import TextIO
 from pkmodes.core.base.errors import printable
 from pkmodes.support.progress import told
 
-#: Seconds after which a command says what it does, and between two changes of the line.
+#: Seconds before a command shows its progress, and between two updates of the line.
 DELAY, STEP = 0.3, 0.2
-#: Columns of a terminal that does not tell.
+#: Columns of a terminal that does not report them.
 COLUMNS = 80
 
 
 def duration(seconds: float) -> str:
     """Return a time in words: 12 s, 3 min 20 s, 2 h 5 min."""
     minutes, rest = divmod(round(seconds), 60)
-    hours, more = divmod(minutes, 60)
-    return f"{hours} h {more} min" if hours else f"{minutes} min {rest} s" if minutes else f"{rest} s"
+    hours, minutes_past = divmod(minutes, 60)
+    return f"{hours} h {minutes_past} min" if hours else f"{minutes} min {rest} s" if minutes else f"{rest} s"
 
 
 class ProgressLine:

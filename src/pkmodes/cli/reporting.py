@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequence[Source]:
-    """Return the input files of a report by their roles, such as "robot file"; none if no report is wanted.
+    """Return the input files of a report by their roles, such as "robot file"; none if no report is requested.
 
     They are taken when the files were read, but before anything is computed: missing libraries are reported at once,
     and the digests are those of the files as they were read.

@@ -160,45 +160,47 @@ def response(
         report_target(report_to),
     )
     check_targets(json_file, [robot, measured, before], *targets)
-    given = _frequencies(frequencies, log)
+    frequency_values = _frequencies(frequencies, log)
     if modes is not None and model_file is None:
-        what = "--modes is for the state space model, which is not written"
-        raise PkmodesError(what, "--modes", "add --state-space FILE.mat, or leave --modes out")
+        problem = "--modes is for the state space model, which is not written"
+        raise PkmodesError(problem, "--modes", "add --state-space FILE.mat, or leave --modes out")
     for option, file in (("--measured", measured), ("--before", before)):
         if file is not None and figure is None and report_to is None:
-            what = f"{option} is for the picture and the report, which are not written"
+            problem = f"{option} is for the picture and the report, which are not written"
             raise PkmodesError(
-                what, option, f"add --report FILE.html or --figure FILE.svg, or leave {option} out"
+                problem, option, f"add --report FILE.html or --figure FILE.svg, or leave {option} out"
             )
     inputs_read = {"robot file": robot, "robot file before": before, "measured responses": measured}
     sources = sources_of(report_to, inputs_read)
-    model, other = load(robot), None if before is None else load(before)
-    if before is not None and other is not None:
-        _check_alike(model, other, before)
+    model, model_before = load(robot), None if before is None else load(before)
+    if before is not None and model_before is not None:
+        _check_alike(model, model_before, before)
     point = pose_of(model, pose)
     into = comma_list(inputs, "--inputs", "--inputs torque_1,force_x")
     shown_by = [_output(name) for name in comma_list(outputs, "--outputs", "--outputs p_x,nozzle=1:1:0")]
     say("computing the responses")
     with named_as_options("inputs", "outputs", "frequencies", "quantity", "modes", "drives"):
-        found = model.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
+        result = model.frf(point, frequency_values, into, shown_by, drives=drives, quantity=quantity)
         first = None
-        if other is not None:
-            first = other.frf(point, given, into, shown_by, drives=drives, quantity=quantity)
+        if model_before is not None:
+            first = model_before.frf(
+                point, frequency_values, into, shown_by, drives=drives, quantity=quantity
+            )
         system = None
         if model_file is not None:
             system = model.state_space(point, into, shown_by, drives=drives, modes=modes, quantity=quantity)
     document = ResponseDocument.of(
-        found,
+        result,
         robot=model.robot.name,
-        pose=found.poses.tolist(),
-        frequencies_hz=found.frequencies.tolist(),
-        real=found.values.real.tolist(),
-        imaginary=found.values.imag.tolist(),
+        pose=result.poses.tolist(),
+        frequencies_hz=result.frequencies.tolist(),
+        real=result.values.real.tolist(),
+        imaginary=result.values.imag.tolist(),
     )
     over = _measured(measured)
-    picture = b"" if figure is None else _picture(found, figure, over, first)
+    picture = b"" if figure is None else _picture(result, figure, over, first)
     files = [
-        ResultFile(out, found.as_csv),
+        ResultFile(out, result.as_csv),
         ResultFile(figure, lambda: picture),
     ]
     if system is not None:
@@ -207,9 +209,9 @@ def response(
         from pkmodes.report.response import response_report
 
         say("drawing the report")
-        page = response_report(model, found, over, sources, first)  # drawn before anything is written
+        page = response_report(model, result, over, sources, first)  # drawn before anything is written
         files.append(report_file(report_to, lambda: page))
-    deliver(json_file, document.as_json(), lambda: _print(model, found, over), *files)
+    deliver(json_file, document.as_json(), lambda: _print(model, result, over), *files)
 
 
 def _measured(file: Path | None) -> MeasuredResponse | None:
@@ -218,18 +220,18 @@ def _measured(file: Path | None) -> MeasuredResponse | None:
     return None if file is None else read_response(file)
 
 
-def _check_alike(model: Model, other: Model, file: Path) -> None:
+def _check_alike(model: Model, before: Model, file: Path) -> None:
     """Refuse another robot of another mechanism."""
-    ours, theirs = (one.robot.mechanism_name for one in (model, other))
+    ours, theirs = (compared.robot.mechanism_name for compared in (model, before))
     if ours != theirs:
-        what = f"expected a {ours} like the robot that is drawn, found a {theirs}"
+        problem = f"expected a {ours} like the robot that is drawn, found a {theirs}"
         raise PkmodesError(
-            what, f"--before {file}", "give the file of the same machine before it was corrected"
+            problem, f"--before {file}", "give the file of the same machine before it was corrected"
         )
 
 
 def _picture(
-    found: FrequencyResponse,
+    result: FrequencyResponse,
     figure: Path,
     measured: MeasuredResponse | None,
     before: FrequencyResponse | None,
@@ -238,7 +240,7 @@ def _picture(
     from pkmodes.figures.files import rendered
     from pkmodes.figures.response_picture import response_picture
 
-    return rendered(response_picture(found, measured, before=before), figure.suffix[1:].lower())
+    return rendered(response_picture(result, measured, before=before), figure.suffix[1:].lower())
 
 
 def _output(name: str) -> str | Mapping[str, Sequence[float]]:
@@ -249,8 +251,8 @@ def _output(name: str) -> str | Mapping[str, Sequence[float]]:
     try:
         return {label: [float(part) for part in direction.split(":")]}
     except ValueError:
-        what = f"expected the components of a direction, found {shown(direction)}"
-        raise PkmodesError(what, f"--outputs {label}", "for example: nozzle=1:1:0") from None
+        problem = f"expected the components of a direction, found {shown(direction)}"
+        raise PkmodesError(problem, f"--outputs {label}", "for example: nozzle=1:1:0") from None
 
 
 def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
@@ -266,8 +268,8 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
     values = parse_range(text, "1", "--frequencies")
     first, last = float(values[0]), float(values[-1])
     if first < 0.0:
-        what = f"expected frequencies of at least 0 Hz, found {shown(text)}"
-        raise PkmodesError(what, "--frequencies", "for example: --frequencies 1:400:1000")
+        problem = f"expected frequencies of at least 0 Hz, found {shown(text)}"
+        raise PkmodesError(problem, "--frequencies", "for example: --frequencies 1:400:1000")
     if log and first == 0.0:
         raise PkmodesError(
             "equal ratios cannot begin at 0 Hz", "--log", "begin above 0 Hz, or leave --log out"
@@ -275,13 +277,13 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
     return np.geomspace(first, last, len(values)) if log else values
 
 
-def _print(model: Model, found: FrequencyResponse, over: MeasuredResponse | None) -> None:
+def _print(model: Model, result: FrequencyResponse, over: MeasuredResponse | None) -> None:
     from pkmodes.cli.terminal import Terminal
     from pkmodes.report.response import largest, summary
     from pkmodes.response.drawn_channels import DrawnChannels
 
-    terminal, drawn = Terminal(), DrawnChannels.of(found, over)
-    head = summary(model, found, drawn)
+    terminal, drawn = Terminal(), DrawnChannels.of(result, over)
+    head = summary(model, result, drawn)
     terminal.summary(head)
     terminal.show(largest(drawn))
     terminal.notes(head)

@@ -25,8 +25,8 @@ from pkmodes.measured.comparison import MeasurementsCompared
 from pkmodes.support.documents import Document, schema_of
 from pkmodes.support.writing import write_files
 
-#: What each command writes; `compare` writes the second of two robots, the third of two measurements; `shaper` the
-#: second of measured modes.
+#: The documents of each command; `compare` writes the second for two robots, the third for two measurement files, and
+#: `shaper` the second for measured modes.
 DOCUMENTS: dict[str, type[Document]] = {
     "examples": ExamplesDocument,
     "generate": GenerateDocument,

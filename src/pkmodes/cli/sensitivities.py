@@ -36,9 +36,9 @@ if TYPE_CHECKING:
     from pkmodes.report.sources import Source
 
 Array = NDArray[np.float64]
-#: Of --parameters, for messages.
+#: An example of --parameters, for messages.
 EXAMPLE = "--parameters platform.mass,axis.span; or omit the option"
-#: Quantities that are printed without a choice, and what is then left out.
+#: Most quantities printed by default, and a note on what is then left out.
 MOST = 10
 ALL = (
     "--all prints everything: also coordinates, of which a per cent depends on where the origin lies, effects that "
@@ -153,11 +153,11 @@ def sensitivities(
         relative_derivatives=relative.tolist(),
         eigenvalue_derivatives=derivatives.eigenvalues.tolist(),
     ).as_json()
-    asked = paths is not None
+    by_name = paths is not None
     deliver(
         json_file,
         content,
-        lambda: _print(model, content, asked, everything),
+        lambda: _print(model, content, by_name, everything),
         report_file(report_to, lambda: _page(model, content, sources)),
     )
 
@@ -168,28 +168,28 @@ def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> s
     return sensitivities_report(model, content, sources)
 
 
-def _print(model: Model, content: dict[str, Any], asked: bool, everything: bool) -> None:
+def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
     from pkmodes.cli.terminal import Terminal
     from pkmodes.report.sensitivity_tables import acting, per_cent, per_sigma, per_unit, summary
     from pkmodes.sensitivity.changes import PERCENT, SIGMA, changes_at
 
     terminal, pose, drives = Terminal(), content["pose"], content["drives"]
     depends, paths = acting(content), content["parameters"]
-    every = asked or everything
-    chosen = [paths[t] for t in depends if content["values"][t]] if every else None
+    full = by_name or everything
+    chosen = [paths[t] for t in depends if content["values"][t]] if full else None
     percent = changes_at(model, pose, drives, PERCENT, chosen or None)
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
-    head = summary(model, percent, sigma, content, chosen_only=asked and bool(chosen))
+    head = summary(model, percent, sigma, content, chosen_only=by_name and bool(chosen))
     terminal.summary(head)
-    if percent.largest_of_all() and (chosen or not every):
-        terminal.show(per_cent(model, percent, content, None if every else MOST))
-    if sigma is not None and not asked:
+    if percent.largest_of_all() and (chosen or not full):
+        terminal.show(per_cent(model, percent, content, None if full else MOST))
+    if sigma is not None and not by_name:
         terminal.show(per_sigma(model, sigma))
-    if depends and every:
+    if depends and full:
         terminal.show(per_unit(model, content))
-    if every and len(depends) < len(paths):
+    if full and len(depends) < len(paths):
         still = [path for t, path in enumerate(paths) if t not in depends]
         terminal.show(Paragraph(f"No frequency depends on {', '.join(still)}."))
-    if not every:
+    if not full:
         terminal.show(Paragraph(ALL))
     terminal.notes(head)

@@ -62,9 +62,9 @@ def height_given(
         return None
     ranges = {path: values for path, values in (settings or {}).items() if len(values) > 1}
     if len(ranges) != 1:
-        what = f"expected --set with one range for the heights, found {len(ranges)} of them"
+        problem = f"expected --set with one range for the heights, found {len(ranges)} of them"
         raise PkmodesError(
-            what, "--height", "for example: --set effects.payload.mass=0:1.2kg:7 --height 0:200mm"
+            problem, "--height", "for example: --set effects.payload.mass=0:1.2kg:7 --height 0:200mm"
         )
     from pkmodes.maps.ranges import parse_value
 
@@ -72,14 +72,14 @@ def height_given(
     if len(ends) == 2:
         low, high = (parse_value(end, "m", "--height") for end in ends)
         if not 0.0 <= low < high:
-            what = f"expected two heights, the lower one first, found {shown(text)}"
-            raise PkmodesError(what, "--height", f"a number without a unit is in m: {HEIGHT_EXAMPLE}")
+            problem = f"expected two heights, the lower one first, found {shown(text)}"
+            raise PkmodesError(problem, "--height", f"a number without a unit is in m: {HEIGHT_EXAMPLE}")
         return low, high
     ((path, values),) = ranges.items()
     unit = changeable(model.robot)[path]
     if unit != "kg":
-        what = f"expected two heights, as {path} is no mass that a print could have, found {shown(text)}"
-        raise PkmodesError(what, "--height", "write --height 0:200mm")
+        problem = f"expected two heights, as {path} is no mass that a print could have, found {shown(text)}"
+        raise PkmodesError(problem, "--height", "write --height 0:200mm")
     return 0.0, float(values.max() - values.min()) / _mass_per_height(text)
 
 
@@ -95,17 +95,17 @@ def _mass_per_height(text: str) -> float:
         except QuantityError as error:
             raise PkmodesError(str(error), "--height", error.remedy) from None
     parts = [NUMBER.fullmatch(factor) for factor in factors]
-    what = f"expected two heights, or a density times an area, found {shown(text)}"
+    problem = f"expected two heights, or a density times an area, found {shown(text)}"
     if len(parts) != 2 or not all(part is not None and part[2] for part in parts):
-        raise PkmodesError(what, "--height", HEIGHT_EXAMPLE)
+        raise PkmodesError(problem, "--height", HEIGHT_EXAMPLE)
     (first, of_first), (second, of_second) = ((part[1], part[2]) for part in parts if part is not None)
     try:
         number = float(first) * float(second)
-        found = parse(f"{number!r} ({of_first})*({of_second})", "linear density")
+        linear_density = parse(f"{number!r} ({of_first})*({of_second})", "linear density")
     except QuantityError:
-        raise PkmodesError(what, "--height", HEIGHT_EXAMPLE) from None
-    if not found > 0.0:
+        raise PkmodesError(problem, "--height", HEIGHT_EXAMPLE) from None
+    if not linear_density > 0.0:
         raise PkmodesError(
             f"expected a positive density and area, found {shown(text)}", "--height", HEIGHT_EXAMPLE
         )
-    return found
+    return linear_density

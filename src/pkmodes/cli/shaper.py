@@ -40,9 +40,9 @@ if TYPE_CHECKING:
     from pkmodes.shaping.measured_spectrum import MeasuredSpectrum
     from pkmodes.shaping.results import Choice
 
-#: Measured modes that are printed at most.
+#: Most measured modes printed.
 MOST = 10
-#: Poses that are compared at most: all of them are held at once.
+#: Most poses compared: all are held in memory at once.
 POSES = 1_000_000
 #: Arguments of `pkmodes.Model.shapers` that have the names of their options.
 ARGUMENTS = ("modes", "left", "length", "tick", "firmware", "grid", "damping", "height", "drives")
@@ -200,13 +200,13 @@ def shaper(
     sources = sources_of(
         report_to, {"robot file": robot, "measurement file": measured, "measured spectrum": spectrum}
     )
-    seen = None
+    measured_spectrum = None
     if spectrum is not None:
         from pkmodes.shaping.measured_spectrum import read_spectrum
 
-        seen = read_spectrum(spectrum)
+        measured_spectrum = read_spectrum(spectrum)
     names = None if kinds is None else comma_list(kinds, "--shapers", "--shapers zv,mzv,zv*zv")
-    asked: dict[str, Any] = {
+    criteria: dict[str, Any] = {
         "modes": modes,
         "left": left,
         "length": length,
@@ -224,20 +224,20 @@ def shaper(
             from pkmodes.shaping.measured_modes import measured_shapers
             from pkmodes.updating.reading import read_any
 
-            choice = measured_shapers(read_any(measured, drives=drives), names, damping=damping, **asked)
-            result = _of_measured(choice, seen, sources)
+            choice = measured_shapers(read_any(measured, drives=drives), names, damping=damping, **criteria)
+            result = _of_measured(choice, measured_spectrum, sources)
         else:
             model = load(cast("Path", robot))
             swept = settings_given(model, settings)
             layers = height_given(model, height, swept)
             points = _points(model, grid, poses, swept)
-            choice = model.shapers(points, names, settings=swept, height=layers, drives=drives, **asked)
-            result = _of_robot(model, choice, seen, sources)
+            choice = model.shapers(points, names, settings=swept, height=layers, drives=drives, **criteria)
+            result = _of_robot(model, choice, measured_spectrum, sources)
     from pkmodes.report.shaper_curves import curves_csv
 
-    picture = b"" if figure is None else _picture(choice, seen, figure)
+    picture = b"" if figure is None else _picture(choice, measured_spectrum, figure)
     files = [
-        ResultFile(out, lambda: curves_csv(choice, seen)),
+        ResultFile(out, lambda: curves_csv(choice, measured_spectrum)),
         ResultFile(figure, lambda: picture),
         report_file(report_to, result.page),
     ]
@@ -255,9 +255,9 @@ def _points(
     count = 0 if places is None else math.prod(places.shape) * times
     if count > POSES:
         of = "poses" if times == 1 else "poses times values"
-        what = f"expected at most {POSES:,} {of}, found {count:,}"
+        problem = f"expected at most {POSES:,} {of}, found {count:,}"
         raise PkmodesError(
-            what, "--grid" if grid else "--poses", "give fewer: shapers differ little between neighbours"
+            problem, "--grid" if grid else "--poses", "give fewer: shapers differ little between neighbours"
         )
     if places is not None:
         return np.asarray(places.points(np.arange(int(np.prod(places.shape)))))
@@ -270,11 +270,11 @@ def _check_source(robot: Path | None, measured: Path | None, foreign: Mapping[st
     """Refuse two sources of modes or none, and options that are of the other one."""
     context = click.get_current_context()
     if (robot is None) == (measured is None):
-        what = "--measured takes the place of ROBOT.toml: give one of them"
-        raise click.UsageError(what if robot else "give ROBOT.toml, or --measured MODES.csv", context)
+        problem = "--measured takes the place of ROBOT.toml: give one of them"
+        raise click.UsageError(problem if robot else "give ROBOT.toml, or --measured MODES.csv", context)
     if robot is not None and robot.suffix.lower() == ".csv":
-        what = f"expected ROBOT.toml, found {shown(str(robot))}: measured modes are given by --measured"
-        raise click.UsageError(what, context)
+        problem = f"expected ROBOT.toml, found {shown(str(robot))}: measured modes are given by --measured"
+        raise click.UsageError(problem, context)
     of = "measured modes" if measured is None else "a robot file"
     for option in (name for name, value in foreign.items() if value is not None):
         raise click.UsageError(f"{option} is for {of}", context)

@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from pkmodes.shaping.results import Amplitude, Candidate, Choice, Schedule
 
 
-#: Of an operating point.
+#: Settings of an operating point.
 SettingsOf = Annotated[
     dict[str, float],
     Meta(description="Values of --set there, by path, in SI units; present only with --set."),
 ]
-#: Beside the lines for the current versions.
+#: Lines by version of the firmware, beside those for the current versions.
 VersionsOf = Annotated[
     list[VersionLines],
     Meta(
@@ -177,13 +177,15 @@ class SpectrumDocument(Document, frozen=True):
         from pkmodes.shaping.residual_vibration import residual
 
         best = choice.candidates[choice.recommended]
-        peak, known = spectrum.peak(choice.ringing.frequencies)
-        left = float(residual(best.shaper, peak, best.damping_ratio))
+        peak, at_mode = spectrum.peak(choice.ringing.frequencies)
+        share = float(residual(best.shaper, peak, best.damping_ratio))
         missing = (
             f"the highest peak of the spectrum, at {peak:.4g} Hz, is at none of the modes: one may be missing or "
-            f"wrong; of a mode there the recommended shaper leaves {plain(100.0 * left, 2)} %"
+            f"wrong; of a mode there the recommended shaper leaves {plain(100.0 * share, 2)} %"
         )
-        return cls(file=spectrum.source, peak_hz=peak, at_mode=known, left=left), [] if known else [missing]
+        return cls(file=spectrum.source, peak_hz=peak, at_mode=at_mode, left=share), [] if at_mode else [
+            missing
+        ]
 
 
 class ShaperDocument(Document, frozen=True):
@@ -277,20 +279,20 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
     from pkmodes.shaping.remarks import remarks
 
     best = choice.candidates[choice.recommended]
-    seen, said = SpectrumDocument.seen(spectrum, choice)
+    spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
     return ShaperDocument(
         robot=model.robot.name,
         drives=cast("Drives", choice.ringing.drives),
         poses=len(choice.ringing.poses),
         modes=choice.ringing.frequencies.shape[1],
         unshaped=UnshapedDocument.of(choice.unshaped, settings=_settings(choice.unshaped)),
-        shapers=[_candidate(one) for one in choice.candidates],
+        shapers=[_candidate(candidate) for candidate in choice.candidates],
         recommended=choice.recommended,
-        spectrum=seen,
+        spectrum=spectrum_part,
         firmware=lines_of(best),
         firmware_versions=lines_by_version(choice),
         schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
-        notes=[*choice.notes, *remarks(choice), *said],
+        notes=[*choice.notes, *remarks(choice), *spectrum_notes],
     )
 
 
@@ -299,20 +301,20 @@ def _schedule(choice: Choice, schedule: Schedule) -> ScheduleDocument:
 
     steps = [
         StepDocument(
-            settings=dict(one.setting.values),
-            serves=None if one.serves is None else list(one.serves),
-            heights_m=None if one.heights is None else list(one.heights),
-            poses=len(one.choice.ringing.poses),
-            kind=one.best.kind,
-            **_design(one.best),
-            duration_s=one.best.duration,
-            rounding_s2=one.best.rounding,
-            left=_left(one.best.left),
-            left_at_ends=one.at_ends,
-            left_by_fixed=one.fixed,
-            firmware=command_of(one.best),
+            settings=dict(step.setting.values),
+            serves=None if step.serves is None else list(step.serves),
+            heights_m=None if step.heights is None else list(step.heights),
+            poses=len(step.choice.ringing.poses),
+            kind=step.best.kind,
+            **_design(step.best),
+            duration_s=step.best.duration,
+            rounding_s2=step.best.rounding,
+            left=_left(step.best.left),
+            left_at_ends=step.at_ends,
+            left_by_fixed=step.fixed,
+            firmware=command_of(step.best),
         )
-        for one in schedule.steps
+        for step in schedule.steps
     ]
     return ScheduleDocument(
         units=dict(schedule.steps[0].setting.units),
@@ -331,18 +333,20 @@ def _left(amplitude: Amplitude) -> LeftDocument:
     return LeftDocument.of(amplitude, settings=_settings(amplitude))
 
 
-def _candidate(one: Candidate) -> CandidateDocument:
-    design = None if one.follows_pose else _design(one)
+def _candidate(candidate: Candidate) -> CandidateDocument:
+    design = None if candidate.follows_pose else _design(candidate)
     empty = dict.fromkeys(("frequencies_hz", "damping_ratios", "amplitudes", "delays_s"))
-    return CandidateDocument.of(one, **(design or empty), duration_s=one.duration, left=_left(one.left))
+    return CandidateDocument.of(
+        candidate, **(design or empty), duration_s=candidate.duration, left=_left(candidate.left)
+    )
 
 
-def _design(one: Candidate) -> dict[str, list[float]]:
+def _design(candidate: Candidate) -> dict[str, list[float]]:
     return {
-        "frequencies_hz": list(one.frequencies),
-        "damping_ratios": [one.damping_ratio] * len(one.frequencies),
-        "amplitudes": one.shaper.amplitudes.tolist(),
-        "delays_s": one.shaper.delays.tolist(),
+        "frequencies_hz": list(candidate.frequencies),
+        "damping_ratios": [candidate.damping_ratio] * len(candidate.frequencies),
+        "amplitudes": candidate.shaper.amplitudes.tolist(),
+        "delays_s": candidate.shaper.delays.tolist(),
     }
 
 
@@ -353,30 +357,30 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
 
     at = of_measured(choice)
     data, best = at.data, choice.candidates[choice.recommended]
-    seen, said = SpectrumDocument.seen(spectrum, choice)
+    spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
     shapers = []
-    for one in choice.candidates:
+    for candidate in choice.candidates:
         shapers.append(
             MeasuredCandidateDocument(
-                kind=one.kind,
-                **_design(one),
-                duration_s=one.duration,
-                rounding_s2=one.rounding,
-                left=at.shares(one),
+                kind=candidate.kind,
+                **_design(candidate),
+                duration_s=candidate.duration,
+                rounding_s2=candidate.rounding,
+                left=at.shares(candidate),
             )
         )
     modes = []
-    for row, left, most in zip(at.rows, *at.left_of(best), strict=True):
-        known = np.isfinite(data.damping[row])
+    for row, share, largest_share in zip(at.rows, *at.left_of(best), strict=True):
+        has_damping = np.isfinite(data.damping[row])
         modes.append(
             MeasuredModeDocument(
                 pose=data.labels[data.pose[row]],
                 line=int(data.lines[row]),
                 frequency_hz=float(data.frequency[row]),
                 sigma_hz=float(data.sigma[row]),
-                damping_ratio=float(data.damping[row]) if known else at.assumed,
-                left=float(left),
-                left_uncertain=float(most),
+                damping_ratio=float(data.damping[row]) if has_damping else at.assumed,
+                left=float(share),
+                left_uncertain=float(largest_share),
             )
         )
     return MeasuredShaperDocument(
@@ -387,8 +391,8 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
         shapers=shapers,
         recommended=choice.recommended,
         measured_modes=modes,
-        spectrum=seen,
+        spectrum=spectrum_part,
         firmware=lines_of(best),
         firmware_versions=lines_by_version(choice),
-        notes=[*choice.notes, *remarks(choice), *said],
+        notes=[*choice.notes, *remarks(choice), *spectrum_notes],
     )

@@ -101,9 +101,9 @@ def show(
     target = f"{robot.stem}.html" if out is None else out
     check_targets(json_file, [robot], Target("--out", target, "the page", (".html", ".gif")))
     if out is None:
-        what = "the file exists, and is no page of pkmodes show"
+        problem = "the file exists, and is no page of pkmodes show"
         remedy = "name the page with --out FILE.html, or replace what is there with --overwrite"
-        check_replaced([Path(target)], "--out", overwrite, holds(PAGE_MARK), what=what, remedy=remedy)
+        check_replaced([Path(target)], "--out", overwrite, holds(PAGE_MARK), what=problem, remedy=remedy)
     moving = Path(target).suffix.lower() == ".gif"
     if mode is not None and not moving:
         remedy = "choose the mode on the page, or name FILE.gif"
@@ -117,13 +117,13 @@ def show(
     if moving:
         from pkmodes.plots.animation import animation
 
-        one, mode = scene_of(model, point, drives=drives), mode or 1
-        if one.rigid_modes + mode > one.shapes.shape[1]:
-            known = one.shapes.shape[1] - one.rigid_modes
+        scene, mode = scene_of(model, point, drives=drives), mode or 1
+        if scene.rigid_modes + mode > scene.shapes.shape[1]:
+            highest_mode = scene.shapes.shape[1] - scene.rigid_modes
             raise PkmodesError(
-                f"expected a vibration mode up to {known}, found {mode}", "--mode", "choose another"
+                f"expected a vibration mode up to {highest_mode}, found {mode}", "--mode", "choose another"
             )
-        content: str | bytes = animation(one, one.rigid_modes + mode - 1)
+        content: str | bytes = animation(scene, scene.rigid_modes + mode - 1)
     elif ranges is not None:
         with named_as_options(values=VARY):
             content = page(varied(model, point, ranges, drives=drives))
@@ -163,9 +163,9 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
 
     parts = [part.strip() for part in text.split(",")]
     if len(parts) > PARAMETERS:
-        what = f"expected at most {PARAMETERS} parameters, found {len(parts)}"
-        raise PkmodesError(what, VARY, "vary the others on another page")
-    units, found = changeable(robot), dict[str, NDArray[np.float64]]()
+        problem = f"expected at most {PARAMETERS} parameters, found {len(parts)}"
+        raise PkmodesError(problem, VARY, "vary the others on another page")
+    units, ranges = changeable(robot), dict[str, NDArray[np.float64]]()
     for part in parts:
         path, equals, span = (piece.strip() for piece in part.partition("="))
         if not equals or not path or not span:
@@ -173,17 +173,17 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
         if path not in units:
             remedy = nearest(path, units, "see docs/sensitivities.md for the paths")
             raise PkmodesError(f"unknown parameter path {shown(path)}", VARY, remedy)
-        if path in found:
+        if path in ranges:
             raise PkmodesError(f"{path} is given twice", VARY, "give its range once")
         if span.count(":") not in (1, 2):
-            what = f"expected start:stop or start:stop:count, found {shown(span)}"
-            raise PkmodesError(what, f"{VARY} {path}", EXAMPLE)
+            problem = f"expected start:stop or start:stop:count, found {shown(span)}"
+            raise PkmodesError(problem, f"{VARY} {path}", EXAMPLE)
         start, stop, *count = (piece.strip() for piece in span.split(":"))
         if start == stop or count == ["1"]:
-            what = f"a slider needs several values, found {shown(span)}"
+            problem = f"a slider needs several values, found {shown(span)}"
             raise PkmodesError(
-                what, f"{VARY} {path}", "give two different ends and a count of at least 2, or none"
+                problem, f"{VARY} {path}", "give two different ends and a count of at least 2, or none"
             )
         whole = span if span.count(":") == 2 else f"{span}:{COUNTS[len(parts)]}"
-        found[path] = parse_range(whole, units[path], f"{VARY} {path}")
-    return found
+        ranges[path] = parse_range(whole, units[path], f"{VARY} {path}")
+    return ranges

@@ -20,8 +20,8 @@ class Target:
     option : str
         The option that names it.
     file : str, Path or None
-        As given; None if it is not wanted.
-    what : str
+        As given; None if it is not requested.
+    label : str
         What it will be, such as "the report".
     endings : tuple of str
         If not empty, its name ends in one of them.
@@ -31,7 +31,7 @@ class Target:
 
     option: str
     file: str | Path | None
-    what: str
+    label: str
     endings: tuple[str, ...] = ()
     anywhere: bool = False
 
@@ -41,7 +41,7 @@ def report_target(file: Path | None) -> Target:
     return Target("--report", file, "the report", (".html",))
 
 
-def check_targets(json_file: str | None, inputs: Sequence[Path | None], *others: Target) -> None:
+def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_targets: Target) -> None:
     """Check the target of ``--json`` and those of other options.
 
     Parameters
@@ -56,29 +56,29 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *others:
     """
     result = Target("--json", None if json_file == "-" else json_file, "the result")
     taken: dict[Path, str] = {}
-    for targets in ([result], others):  # of several mistakes, that of --json is told first
+    for targets in ([result], other_targets):  # of several mistakes, that of --json is told first
         for target in targets:
             if target.file is not None and not target.anywhere:
                 _check_place("" if target.file == Path() else str(target.file), target.option)
         for target in targets:
             if target.file is not None:
                 _check_distinct(target, inputs, taken)
-    for target in others:
+    for target in other_targets:
         if target.file is not None and target.endings:
             _check_ending(target, Path(target.file))
 
 
 def _check_distinct(target: Target, inputs: Sequence[Path | None], taken: dict[Path, str]) -> None:
-    """Reject a target that is an input or one of those taken, and take it."""
+    """Reject a target that is an input or already taken, and add it to those taken."""
     path = Path(str(target.file))
     real = resolved(path, target.option)
     where = f"{target.option} {target.file if target.option == '--json' else path}"
     if real in taken:
-        what = f"{taken[real]} and {target.what} would be the same file"
-        raise OutputError(what, where, "choose another file")
-    if any(given and given.exists() and path.exists() and given.samefile(path) for given in inputs):
-        raise OutputError(f"{target.what} would replace its own input", where, "choose another file")
-    taken[real] = target.what
+        problem = f"{taken[real]} and {target.label} would be the same file"
+        raise OutputError(problem, where, "choose another file")
+    if any(source and source.exists() and path.exists() and source.samefile(path) for source in inputs):
+        raise OutputError(f"{target.label} would replace its own input", where, "choose another file")
+    taken[real] = target.label
 
 
 def _check_place(file: str, option: str) -> None:
@@ -101,8 +101,8 @@ def _check_ending(target: Target, path: Path) -> None:
     special = path.exists() and not path.is_file()
     also = (".htm",) if ".html" in target.endings else ()
     if not special and path.suffix.lower() not in (*also, *target.endings):
-        what = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
-        given = target.file if isinstance(target.file, Path) else shown(target.file)
+        problem = f"expected a name that ends in {' or '.join(target.endings)}, found {shown(path.name)}"
+        shown_name = target.file if isinstance(target.file, Path) else shown(target.file)
         raise OutputError(
-            what, f"{target.option} {given}", f"write {pasted(path.with_suffix(target.endings[0]))}"
+            problem, f"{target.option} {shown_name}", f"write {pasted(path.with_suffix(target.endings[0]))}"
         )

@@ -10,7 +10,7 @@ from pkmodes.report.blocks import Facts, Paragraph, Summary
 
 #: Sentences are never wrapped to lines shorter than this.
 NARROWEST = 40
-#: Characters in a line where nobody says how many there are.
+#: Characters in a line where the width is unknown.
 UNKNOWN = 80
 
 

@@ -26,13 +26,13 @@ INSTRUCTIONS = {
     ("aarch64", 2): "NEON",
 }
 
-#: Extras on which no result of a user depends.
+#: Extras for development: no result of a user depends on them.
 FOR_DEVELOPERS = ("test", "dev", "docs", "benchmark")
 
 
-def print_version(ctx: click.Context, _: click.Parameter, asked: bool) -> None:
+def print_version(ctx: click.Context, _: click.Parameter, requested: bool) -> None:
     """Print the version, with ``--verbose`` the rest, and end."""
-    if not asked:
+    if not requested:
         if ctx.params.get("verbose") and not ctx.resilient_parsing:
             raise click.UsageError("--verbose belongs to --version", ctx)
         return
@@ -56,7 +56,7 @@ def facts() -> Iterator[tuple[str, str]]:
     for name in registry.supplied():
         yield f"compiled {name}", _compiled(name)
     cc = build.compiler()
-    yield "C compiler", "none" if cc is None else f"{' '.join(cc)}{_said(cc)}"
+    yield "C compiler", "none" if cc is None else f"{' '.join(cc)}{_version_of(cc)}"
     try:
         yield "compiled libraries are kept in", str(loader.cache_folder())
     except loader.UnavailableError as error:
@@ -90,12 +90,12 @@ def _compiled(name: str) -> str:
     return f"{library.width} poses at once{f' ({instructions})' if instructions else ''}, {library.path}"
 
 
-def _said(cc: tuple[str, ...]) -> str:
-    """Return the first line of what a compiler says of its version."""
+def _version_of(cc: tuple[str, ...]) -> str:
+    """Return the first line of a compiler's version text."""
     try:
-        said = subprocess.run(
+        output = subprocess.run(
             [*cc, "--version"], capture_output=True, timeout=60, check=False, text=True
         ).stdout
     except (OSError, subprocess.TimeoutExpired):
         return ""
-    return f", {said.splitlines()[0]}" if said else ""
+    return f", {output.splitlines()[0]}" if output else ""

@@ -97,8 +97,8 @@ def python_text(file: Path, noun: str, remedy: str) -> str:
             raise PkmodesError(f"cannot read the {noun}: it is larger than 1 MB", str(file), remedy)
         return file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
-        what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
-        raise PkmodesError(what, str(file), "save the file as UTF-8") from None
+        problem = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
+        raise PkmodesError(problem, str(file), "save the file as UTF-8") from None
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = (getattr(error, "strerror", None) or str(error)).lower()
         raise PkmodesError(f"cannot read the {noun}: {reason}", str(file), remedy) from None
@@ -122,10 +122,10 @@ def definition_of(mechanism: Mechanism) -> Definition | None:
         return None
     file = Path(str(files(mechanism.package))) / DEFINITION
     if not file.is_file():
-        what = (
+        problem = (
             f"expected {DEFINITION}, from which the mechanism {mechanism.name} is derived, found no such file"
         )
-        raise PkmodesError(what, str(file.parent), GIVE)
+        raise PkmodesError(problem, str(file.parent), GIVE)
     return read_definition(file, mechanism.name)
 
 
@@ -148,7 +148,7 @@ def add_effects(name: str, files: Sequence[Definition]) -> None:
         If one is invalid; the message gives the line.
     """
     with as_pkmodes_errors():
-        derivation("mechanisms").add_effects(name, [(one.text, str(one.file)) for one in files])
+        derivation("mechanisms").add_effects(name, [(effect.text, str(effect.file)) for effect in files])
 
 
 def effects_of(mechanism: Mechanism) -> list[Definition]:
@@ -158,9 +158,11 @@ def effects_of(mechanism: Mechanism) -> list[Definition]:
 
 def with_stored_effects(mechanism: Mechanism, effects: Sequence[Definition]) -> list[Definition]:
     """Return effects of one's own after those stored with a mechanism's code, without stored ones of equal name."""
-    own = derivation("effect_file")
+    effect_file = derivation("effect_file")
     with as_pkmodes_errors():
-        replaced = {own.file_name(own.read(effect.text, str(effect.file))) for effect in effects}
+        replaced = {
+            effect_file.file_name(effect_file.read(effect.text, str(effect.file))) for effect in effects
+        }
     return [*(stored for stored in effects_of(mechanism) if stored.file.name not in replaced), *effects]
 
 

@@ -51,9 +51,9 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     robot_file, definition : str
         References to the robot file and to the mechanism's definition, as the generated files state them.
     """
-    own = definition_of(robot.mechanism)
-    if own is not None:
-        define(own)
+    stored_definition = definition_of(robot.mechanism)
+    if stored_definition is not None:
+        define(stored_definition)
     add_effects(robot.mechanism_name, effects_of(robot.mechanism))
     return derivation("emit.specification").Specification(
         name=robot.name,
@@ -106,8 +106,8 @@ class _Folder:
         """Refuse a folder that another process has changed meanwhile, unless it wrote the same."""
         now = _recorded(self.place)
         if now not in (self.recorded, json.loads(texts[MANIFEST])):
-            what = "another process has generated into the folder meanwhile"
-            raise OutputError(what, str(self.place), "choose another folder, or run the command again")
+            problem = "another process has generated into the folder meanwhile"
+            raise OutputError(problem, str(self.place), "choose another folder, or run the command again")
         check_place(self.place, self.beside, now)
         for name in texts:
             check_no_link(self.place / name)
@@ -157,15 +157,15 @@ def generate(
     PkmodesError
         If the definition or an effect is invalid.
     """
-    own = [read_effect(file) for file in effects]
+    new_effects = [read_effect(file) for file in effects]
     if mechanism is not None and not mechanism.is_dir():
         definition = read_definition(mechanism)
-        return _generate_both(robot_file, out, definition.name, definition, own)
+        return _generate_both(robot_file, out, definition.name, definition, new_effects)
     added = None if mechanism is None else registry.add_folder(mechanism)
-    if own:
+    if new_effects:
         bare = added or registry.mechanism(_mechanism_name(robot_file))
-        every = with_stored_effects(bare, own)
-        return _generate_both(robot_file, out, bare.name, definition_of(bare), every)
+        all_effects = with_stored_effects(bare, new_effects)
+        return _generate_both(robot_file, out, bare.name, definition_of(bare), all_effects)
     robot = read_robot(robot_file)
     folder = _Folder.checked(out, robot_file)
     folder_of_mechanism = folder_of(robot.mechanism.package)
@@ -192,8 +192,8 @@ def _generate_both(
 ) -> list[Path]:
     """Generate the code of a mechanism and the model of a robot; write nothing unless both succeed."""
     package = out / name
-    given = [source.file for source in (definition, *effects) if source is not None]
-    outer = _Folder.checked(out, robot_file, *given, package)
+    source_files = [source.file for source in (definition, *effects) if source is not None]
+    outer = _Folder.checked(out, robot_file, *source_files, package)
     check_no_link(package)
     inner = _Folder.checked(package)
     check_mechanism(package, inner.recorded, name)
@@ -203,9 +203,9 @@ def _generate_both(
     with staged(name, of_mechanism):
         robot = read_robot(robot_file)
         if robot.mechanism_name != name:
-            what = f"the robot is a {robot.mechanism_name}, not a {name}"
+            problem = f"the robot is a {robot.mechanism_name}, not a {name}"
             remedy = f'write mechanism = "{name}", or leave --mechanism out'
-            raise PkmodesError(what, f"{robot_file}: mechanism", remedy)
+            raise PkmodesError(problem, f"{robot_file}: mechanism", remedy)
         # The folder of the mechanism has its definition and its effects; a definition alone is named itself.
         source = package if definition is None or effects else definition.file
         of_robot = _texts(robot, robot_file, outer, relative(source, out))

@@ -16,9 +16,9 @@ from pkmodes.support.places import resolved
 from pkmodes.support.writing import refusal
 
 MANIFEST = "manifest.json"
-#: Hidden, and removed at the end.
+#: The lock file: hidden, and removed at the end.
 LOCK = ".pkmodes-generate.lock"
-#: Seconds for which another process may write.
+#: Seconds to wait for another process that is writing.
 PATIENCE = 60
 ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
 
@@ -102,8 +102,8 @@ def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str)
     OutputError
     """
     if recorded is not None and ("robot" in recorded or recorded.get("product") != name):
-        what = f"the folder holds generated files other than the code of the mechanism {name}"
-        raise OutputError(what, str(folder), "choose another folder, or remove that one")
+        problem = f"the folder holds generated files other than the code of the mechanism {name}"
+        raise OutputError(problem, str(folder), "choose another folder, or remove that one")
 
 
 def check_no_link(path: Path) -> None:
@@ -114,8 +114,8 @@ def check_no_link(path: Path) -> None:
     OutputError
     """
     if path.is_symlink():
-        what = f"expected a file or folder, found that {shown(path.name)} is a symbolic link"
-        raise OutputError(what, str(path.parent), "remove the link, or choose another folder")
+        problem = f"expected a file or folder, found that {shown(path.name)} is a symbolic link"
+        raise OutputError(problem, str(path.parent), "remove the link, or choose another folder")
 
 
 def stale_outputs(
@@ -168,8 +168,8 @@ def alone(folder: Path) -> Iterator[None]:
         folder.mkdir(parents=True, exist_ok=True)
         lock.acquire()
     except Timeout:
-        what = f"another process has been generating into the folder for {PATIENCE} s"
-        raise OutputError(what, str(folder), "end it, or choose another folder") from None
+        problem = f"another process has been generating into the folder for {PATIENCE} s"
+        raise OutputError(problem, str(folder), "end it, or choose another folder") from None
     except OSError as error:
         raise refusal(error, folder) from None
     except NotImplementedError:  # a file system without locks

@@ -78,7 +78,7 @@ class Model:
         self._solved: dict[str, Evaluation] = {}
         self._fields_of: dict[tuple[object, ...], ModeFields] = {}
         self._plans: dict[tuple[object, ...], Plan] = {}
-        #: What an application keeps from call to call, by a key of its own.
+        #: Results that applications keep between calls, each under a key of its own.
         self.kept: dict[object, Any] = {}
 
     def __repr__(self) -> str:
@@ -185,11 +185,11 @@ class Model:
         >>> modes.reason
         array(['', 'limits'], dtype='<U9')
         """
-        asked = None
+        requested = None
         if fields is not None or out is not None:
-            asked = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
+            requested = chosen_fields(fields, out, Modes.fields_of(self.robot.mechanism))
         number = checked_threads(threads)
-        plan = self._plan(asked, out, backend, drives)
+        plan = self._plan(requested, out, backend, drives)
         checked, arrays = self._run(plan.fields, poses, on_error, out, number)
         for name, same in plan.shared.items():
             arrays[name] = arrays[same]
@@ -198,7 +198,7 @@ class Model:
             later = Later(plan, self.robot, self.max_condition, checked, number)
         return Modes(
             codes=checked.codes.reshape(checked.batch),
-            known=checked.known,
+            known=checked.reasons,
             arrays=arrays,
             poses=checked.points.reshape((*checked.batch, -1)),
             coordinates=self.coordinates,
@@ -241,13 +241,13 @@ class Model:
         ndarray, shape (..., m)
             In Hz: sqrt(abs(lambda)) / (2 pi) with the sign of lambda, the rigid-body modes first.
         """
-        given = None if out is None else {"frequencies": out}
-        asked: tuple[str, ...] = ("frequencies",)
-        if given:
-            asked = chosen_fields(asked, given, Modes.fields_of(self.robot.mechanism))
+        out_arrays = None if out is None else {"frequencies": out}
+        requested: tuple[str, ...] = ("frequencies",)
+        if out_arrays:
+            requested = chosen_fields(requested, out_arrays, Modes.fields_of(self.robot.mechanism))
         number = checked_threads(threads)
-        plan = self._plan(asked, given, backend, drives)
-        _, arrays = self._run(plan.fields, poses, on_error, given, number)
+        plan = self._plan(requested, out_arrays, backend, drives)
+        _, arrays = self._run(plan.fields, poses, on_error, out_arrays, number)
         return arrays["frequencies"]
 
     def matrices(
@@ -348,7 +348,7 @@ class Model:
         poses = checked.points.reshape((*checked.batch, -1))
         codes = checked.codes.reshape(checked.batch)
         torques, rotations = arrays["static_torque"], arrays["static_rotation"]
-        return Statics(codes, checked.known, poses, torques, rotations, self.robot)
+        return Statics(codes, checked.reasons, poses, torques, rotations, self.robot)
 
     @property
     def reasons(self) -> dict[str, str]:
@@ -379,7 +379,7 @@ class Model:
         checked = self.checked(poses, "nan")
         return PoseCheck(
             codes=checked.codes.reshape(checked.batch),
-            known=checked.known,
+            known=checked.reasons,
             poses=checked.points.reshape((*checked.batch, -1)),
             robot=self.robot,
         )
@@ -474,17 +474,17 @@ class Model:
             raise PoseError(
                 f"expected assembly 1 or -1, found {shown(assembly)}", "assembly", "choose a branch"
             )
-        what = self.mechanism.independent_are
+        kind = self.mechanism.independent_are
         size, names = len(self.mechanism.independent), ", ".join(self.mechanism.independent)
         units = {q.name: q.unit for q in self.mechanism.coordinates}
-        given = by_name(positions, {name: units[name] for name in self.mechanism.independent}, what)
-        q, batch = as_points(given, what, size, lambda: f"give {names} in SI units")
+        ordered = by_name(positions, {name: units[name] for name in self.mechanism.independent}, kind)
+        q, batch = as_points(ordered, kind, size, lambda: f"give {names} in SI units")
         with np.errstate(all="ignore"):
             p: Array = function(q, assembly)
         bad = ~np.isfinite(p).all(axis=-1)
         if bad.any():
             index = int(np.argmax(bad))
-            raise PoseError("the links do not meet", f"{what} {index}", f"choose {what} that assemble", index)
+            raise PoseError("the links do not meet", f"{kind} {index}", f"choose {kind} that assemble", index)
         return p.reshape((*batch, -1))
 
     @property
@@ -595,34 +595,34 @@ class Model:
         return run(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
 
     def _fields(
-        self, names: Sequence[str], solver: Solver, drives: str, given: Mapping[str, Any] | None = None
+        self, names: Sequence[str], solver: Solver, drives: str, extra: Mapping[str, Any] | None = None
     ) -> ModeFields:
         """Return how a solver evaluates fields; kept unless something is given."""
         key = (solver, *names)
-        fields = None if given else self._fields_of.get(key)
+        fields = None if extra else self._fields_of.get(key)
         if fields is None:
             lengths = lengths_of(self.mechanism, self.robot.parameters)
-            known = {"dissipation": self.dissipation, "lengths": lengths, **(given or {})}
-            fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, known)
-            if not given:
+            needs = {"dissipation": self.dissipation, "lengths": lengths, **(extra or {})}
+            fields = ModeFields(solver, self.system, self.solved(drives), self.robot.source, names, needs)
+            if not extra:
                 self._fields_of[key] = fields
         return fields
 
-    def _plan(self, asked: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
+    def _plan(self, requested: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
         """Return what a call does; kept, so that a call of a pose takes microseconds.
 
         Parameters
         ----------
-        asked : tuple of str, optional
+        requested : tuple of str, optional
             Fields, in their order; None for all, of which some are evaluated when they are read.
         """
-        apart = tuple(name for name in asked or () if out and name in out and FIELDS[name].same_as)
-        key = asked, apart, chosen(backend), drives, len(FIELDS)
+        apart = tuple(name for name in requested or () if out and name in out and FIELDS[name].same_as)
+        key = requested, apart, chosen(backend), drives, len(FIELDS)
         try:
             return self._plans[key]
         except (KeyError, TypeError):  # a new one, or drives that cannot be a key
             solver = self.solver(backend, drives)
-        names = Modes.fields_of(self.robot.mechanism) if asked is None else asked
+        names = Modes.fields_of(self.robot.mechanism) if requested is None else requested
         # Two names of the same values share one array unless the caller passes a second one.
         shared = {
             name: FIELDS[name].same_as
@@ -630,14 +630,16 @@ class Model:
             if FIELDS[name].same_as in names and name not in apart
         }
         later = [
-            name for name in names if asked is None and FIELDS[name].on_demand and name not in solver.at_hand
+            name
+            for name in names
+            if requested is None and FIELDS[name].on_demand and name not in solver.at_hand
         ]
         at_once = [name for name in names if name not in shared and name not in later]
         plan = self._plans[key] = Plan(
             fields=self._fields(at_once, solver, drives),
             shared=shared,
             later={name: self._fields([name], solver, drives) for name in later},
-            together={
+            paired={
                 name: self._fields(sorted({name, FIELDS[name].read_with} & set(later)), solver, drives)
                 for name in later
             },
@@ -704,10 +706,10 @@ class Model:
     def _function(self, name: str) -> Callable[..., Any]:
         """Return a function of the base model that not every mechanism has."""
         if not self._generated.has(name):
-            what = (
+            problem = (
                 f"the mechanism {self.mechanism.name} has no {name.replace('_', ' ')} with assembly branches"
             )
-            raise PkmodesError(what, self.robot.source, "start from poses: Model.inverse_kinematics")
+            raise PkmodesError(problem, self.robot.source, "start from poses: Model.inverse_kinematics")
         return getattr(self._generated, name)  # type: ignore[no-any-return]
 
     @staticmethod

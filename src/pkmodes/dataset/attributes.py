@@ -58,8 +58,8 @@ def _component_of(mechanism: Mechanism) -> str:
     return f"{'component' if mechanism.rotations else 'direction'} of the platform's motion"
 
 
-def _named(what: str) -> dict[str, str]:
-    return {"units": "1", "long_name": what}
+def _named(long_name: str) -> dict[str, str]:
+    return {"units": "1", "long_name": long_name}
 
 
 def attributes_of(robot: Robot, rigid_modes: int, drives: str = FREE) -> dict[str, Any]:

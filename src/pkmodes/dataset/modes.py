@@ -55,11 +55,11 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
         if field.dims[:1] == (MODE,):
             values[field.name] = arrays[field.name][vibrations]
     # The others that follow from those at hand, such as the parts of the platform's motion.
-    known = {**values, "directions": mechanism.directions, "normal": normal}
+    available = {**values, "directions": mechanism.directions, "normal": normal}
     for field in of_maps(conditions):
-        if not field.in_modes and known.keys() >= {*field.needs}:
+        if not field.in_modes and available.keys() >= {*field.needs}:
             fields.append(field)
-            values[field.name] = field.of(*(known[name] for name in field.needs))
+            values[field.name] = field.of(*(available[name] for name in field.needs))
     shown = modes.coordinates if "shapes" in values else mechanism.independent
     named = {name: arrays[name] for name in ("valid", "reason")}
     named |= {field.variable: _along(field, values[field.name], mechanism, shown) for field in fields}
@@ -117,8 +117,8 @@ def _along(field: Field, values: NDArray[Any], mechanism: Mechanism, shown: Sequ
     if not {INDEPENDENT, LINEAR} & {*field.dims}:
         return values
     of_coordinates = INDEPENDENT in field.dims
-    every = shown if of_coordinates else mechanism.components
-    own = mechanism.independent if of_coordinates else mechanism.directions
-    spread = np.full((*values.shape[:-1], len(every)), np.nan)
-    spread[..., [every.index(name) for name in own]] = values
+    axis_names = shown if of_coordinates else mechanism.components
+    field_names = mechanism.independent if of_coordinates else mechanism.directions
+    spread = np.full((*values.shape[:-1], len(axis_names)), np.nan)
+    spread[..., [axis_names.index(name) for name in field_names]] = values
     return spread

@@ -18,7 +18,7 @@ from pkmodes.core.solve.fields import (
 
 #: The axis of poses that are not on a grid.
 LIST = "pose"
-#: Marks of a mode at a pose, for any step to a neighbour, as bits.
+#: Flags of a mode at a pose, for steps to any neighbour, as bits.
 EVENTS = {"crossing": 1, "veering": 2, "uncertain": 4}
 #: Mode numbers start at the first vibration mode.
 FIRST = 1

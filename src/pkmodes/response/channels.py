@@ -57,15 +57,15 @@ class Channels(AtPoses):
         chosen = index if isinstance(index, tuple) else (index,)
         try:
             where: tuple[int, ...] = tuple(operator.index(i) for i in chosen)
-            found = self.poses[where] if len(where) == len(shape) else None
+            pose = self.poses[where] if len(where) == len(shape) else None
         except (TypeError, IndexError):
-            found = None
-        if found is None:
-            what = f"expected the index of one of the poses, an array of shape {shape}, found {index!r}"
-            raise PkmodesError(what, "index", "give one integer for each axis of the poses")
+            pose = None
+        if pose is None:
+            problem = f"expected the index of one of the poses, an array of shape {shape}, found {index!r}"
+            raise PkmodesError(problem, "index", "give one integer for each axis of the poses")
         if not self.valid[where]:
-            what = f"the pose {where} could not be evaluated: {self.reason[where]}"
-            raise PkmodesError(what, "index", "choose another pose")
+            problem = f"the pose {where} could not be evaluated: {self.reason[where]}"
+            raise PkmodesError(problem, "index", "choose another pose")
         return where
 
 
@@ -113,7 +113,7 @@ class Asked:
         """Return the fields of `Channels` at poses."""
         return {
             "codes": checked.codes.reshape(checked.batch),
-            "known": checked.known,
+            "known": checked.reasons,
             "poses": checked.points.reshape((*checked.batch, -1)),
             "inputs": tuple(port.name for port in self.inputs),
             "outputs": tuple(port.name for port in self.outputs),

@@ -51,8 +51,8 @@ def compliance(model: Model, poses: ArrayLike, on_error: OnError = "raise") -> A
             model.robot.source,
             "check the drives of the mechanism",
         )
-    (found,) = model.evaluated(partial(_at_points, model), model.checked(poses, on_error))
-    return np.asarray(found)
+    (values,) = model.evaluated(partial(_at_points, model), model.checked(poses, on_error))
+    return np.asarray(values)
 
 
 def _at_points(model: Model, points: Array) -> Array:

@@ -12,13 +12,13 @@ from pkmodes.core.base.errors import PkmodesError, shown
 
 
 def unit_direction(
-    given: Any, directions: Collection[str], where: str, error: type[PkmodesError] = PkmodesError
+    direction: Any, directions: Collection[str], where: str, error: type[PkmodesError] = PkmodesError
 ) -> NDArray[np.float64]:
     """Return a unit vector, (d,).
 
     Parameters
     ----------
-    given : Any
+    direction : Any
         As the user gives it: a number for each of the directions, not all of them 0.
     directions : collection of str
         Linear components of the pose.
@@ -33,12 +33,12 @@ def unit_direction(
         If it is not a direction.
     """
     try:
-        vector = np.array(given, dtype=float)
+        vector = np.array(direction, dtype=float)
     except (TypeError, ValueError):
         vector = np.empty(0)
     if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
-        what = f"expected a direction along {', '.join(directions)}, found {_as_given(given)}"
-        raise error(what, where, f"give {len(directions)} numbers, not all of them 0")
+        problem = f"expected a direction along {', '.join(directions)}, found {_as_given(direction)}"
+        raise error(problem, where, f"give {len(directions)} numbers, not all of them 0")
     vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers are not numbers
     return np.asarray(vector / np.linalg.norm(vector))
 

@@ -88,11 +88,11 @@ class DrawnChannels:
             measured.check(stated | {f"unit {name}": unit for name, unit in units.items()})
         over = None if measured is None else (measured.frequencies, measured.among(list(model)))
         silent = without_response(model, units)
-        if over is not None:  # these first: only so many are drawn
+        if over is not None:  # these first: the number of drawn channels is limited
             model = {**{name: model[name] for name in over[1]}, **model}
             silent = [name for name in silent if name not in over[1]]
         over_names = () if over is None else tuple(over[1])
-        prescribed = [f"{one}/{one}" for one in response.outputs if one in response.inputs]
+        prescribed = [f"{port}/{port}" for port in response.outputs if port in response.inputs]
         prescribed = [name for name in prescribed if name not in over_names]
         if len(prescribed) + len(silent) < len(model):
             model = {name: values for name, values in model.items() if name not in prescribed}
@@ -116,7 +116,7 @@ class DrawnChannels:
 
 
 def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> list[str]:
-    """Return the channels in which nothing but rounding is seen, beside the others of the same unit.
+    """Return the channels that show only rounding, compared with the others of the same unit.
 
     Parameters
     ----------

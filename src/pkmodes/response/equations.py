@@ -27,9 +27,9 @@ from pkmodes.response.linearised import LinearisedRobot
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Entries off the diagonal below this fraction of the geometric mean of those on it couple nothing.
+#: Off-diagonal entries below this fraction of the geometric mean of their diagonal entries couple nothing.
 COUPLED = 1e-13
-#: Largest condition number of the vectors of the poles.
+#: Largest condition number of the matrix of the poles' vectors.
 INDEPENDENT = 1e4
 #: A mode follows statically if omega^2 is below this fraction of its eigenvalue, and damping is a small correction,
 STATIC = 1e-14
@@ -37,7 +37,7 @@ STATIC = 1e-14
 NEARLY_STATIC = 1e-8
 #: Ratio of the fastest to the slowest mode from which the responses are refined.
 WIDE = 500.0
-#: Steps of refinement.
+#: Steps of iterative refinement.
 REFINED = 1
 
 
@@ -146,24 +146,24 @@ def equations(
     outputs : ndarray, shape (outputs, n)
         What each output shows of the n coordinates.
     """
-    T, own = at.kept, at.own_shapes[pose]
-    M, K, C, loss = (matrix.own[pose] for matrix in (*at.matrices, *at.dissipation))
+    T, shapes = at.kept, at.own_shapes[pose]
+    M, K, C, loss = (matrix.solved[pose] for matrix in (*at.matrices, *at.dissipation))
     M_u, K_u, C_u, loss_u = (matrix.prescribed[pose] @ motors for matrix in (*at.matrices, *at.dissipation))
     rates = at.rates[pose]
-    momenta = (M @ own.T) * rates
+    momenta = (M @ shapes.T) * rates
     return EquationsOfMotion(
         M=M,
         C=C,
         K=K + 1j * loss,
-        modal=momenta @ (own @ M),
+        modal=momenta @ (shapes @ M),
         forces=(
             T.T @ inputs - K_u - 1j * loss_u,
-            -(C_u + momenta @ (own @ M_u)).astype(complex),
+            -(C_u + momenta @ (shapes @ M_u)).astype(complex),
             -M_u.astype(complex),
         ),
         motion=outputs @ T,
         prescribed=outputs @ at.prescribed @ motors,
-        shapes=own,
+        shapes=shapes,
         eigenvalues=at.eigenvalues[pose],
         rates=rates,
         massless=at.massless,
@@ -285,13 +285,13 @@ def _of_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Compl
     X = _through(shapes, gain, (begin @ b)[:, :, None])  # m, inputs, F
     for _ in range(REFINED):
         flat = X.reshape(m, -1)
-        left = (
+        residual = (
             b[:, :, None]
             - (Z @ flat).reshape(X.shape)
             - 1j * omega * (D @ flat).reshape(X.shape)
             + omega**2 * X
         )
-        X = X + _through(shapes, gain, (begin @ left.reshape(m, -1)).reshape(2 * m, *X.shape[1:]))
+        X = X + _through(shapes, gain, (begin @ residual.reshape(m, -1)).reshape(2 * m, *X.shape[1:]))
     H = (l @ X.reshape(m, -1)).reshape(len(l), *X.shape[1:])
     return np.ascontiguousarray(np.moveaxis(H, -1, 0))
 
@@ -299,8 +299,8 @@ def _of_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Compl
 def _through(shapes: Complex, gain: Complex, driven: Complex) -> Complex:
     """Return how the modes answer forces on the poles, (m, inputs, F)."""
     answers = gain * driven
-    found: Complex = (shapes @ answers.reshape(len(answers), -1)).reshape(len(shapes), *answers.shape[1:])
-    return found
+    response: Complex = (shapes @ answers.reshape(len(answers), -1)).reshape(len(shapes), *answers.shape[1:])
+    return response
 
 
 def _eig(A: Complex) -> tuple[Complex, Complex]:

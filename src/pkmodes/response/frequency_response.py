@@ -232,20 +232,20 @@ def frequency_response(
     >>> float(found.frequencies[abs(found.values[:, 0, 0]).argmax()].round(1))
     36.2
     """
-    asked = Asked.of(model, inputs, outputs, quantity, drives)
-    given = checked_frequencies(frequencies, model.solved(drives).rigid_modes, drives)
-    omega = 2.0 * np.pi * given
+    request = Asked.of(model, inputs, outputs, quantity, drives)
+    hertz = checked_frequencies(frequencies, model.solved(drives).rigid_modes, drives)
+    omega = 2.0 * np.pi * hertz
     checked = model.checked(poses, on_error)
 
     def at(points: Array) -> Complex:
         linearised = LinearisedRobot(model, points, drives, backend)
-        return responses(linearised, asked.inputs, asked.outputs, omega, quantity)
+        return responses(linearised, request.inputs, request.outputs, omega, quantity)
 
     (values,) = model.evaluated(at, checked)
     return FrequencyResponse(
-        **asked.fields(checked),
+        **request.fields(checked),
         values=nan_in_both_parts(np.asarray(values, dtype=complex)),
-        frequencies=given,
+        frequencies=hertz,
     )
 
 
@@ -272,17 +272,17 @@ def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Arra
         If they are not finite numbers of at least 0, or 0 although the robot has rigid modes.
     """
     example = "for example: numpy.linspace(1, 400, 1000)"
-    given = np.atleast_1d(real_numbers(frequencies, "frequencies in Hz", "frequencies", example))
-    if given.ndim != 1 or not given.size:
-        what = f"expected a list of frequencies in Hz, found an array of shape {given.shape}"
-        raise PkmodesError(what, "frequencies", example)
-    bad = ~(np.isfinite(given) & (given >= 0.0))
+    hertz = np.atleast_1d(real_numbers(frequencies, "frequencies in Hz", "frequencies", example))
+    if hertz.ndim != 1 or not hertz.size:
+        problem = f"expected a list of frequencies in Hz, found an array of shape {hertz.shape}"
+        raise PkmodesError(problem, "frequencies", example)
+    bad = ~(np.isfinite(hertz) & (hertz >= 0.0))
     if bad.any():
-        what = f"expected frequencies of at least 0 Hz, found {given[int(np.argmax(bad))]:g}"
-        raise PkmodesError(what, "frequencies", "give finite numbers in Hz")
-    if rigid and (given == 0.0).any():
-        what = (
+        problem = f"expected frequencies of at least 0 Hz, found {hertz[int(np.argmax(bad))]:g}"
+        raise PkmodesError(problem, "frequencies", "give finite numbers in Hz")
+    if rigid and (hertz == 0.0).any():
+        problem = (
             f"found 0 Hz, but with motors {drives} the machine has {rigid} rigid modes: it moves without end"
         )
-        raise PkmodesError(what, "frequencies", 'begin above 0 Hz, or use drives="held"')
-    return given
+        raise PkmodesError(problem, "frequencies", 'begin above 0 Hz, or use drives="held"')
+    return hertz

@@ -30,12 +30,12 @@ class Blocks(NamedTuple):
 
     Attributes
     ----------
-    own : ndarray, shape (N, k, k)
+    solved : ndarray, shape (N, k, k)
     prescribed : ndarray, shape (N, k, drives)
         Forces on these coordinates per unit of each prescribed motor angle; 0 where motors are free.
     """
 
-    own: Array
+    solved: Array
     prescribed: Array
 
 
@@ -132,7 +132,9 @@ class LinearisedRobot:
         """Damping in modal coordinates."""
         viscous, loss = self.dissipation
         ratio = self.model.dissipation.ratio
-        return modal_damping(self.eigenvalues, self.own_shapes, viscous.own, loss.own, ratio, self.rigid)
+        return modal_damping(
+            self.eigenvalues, self.own_shapes, viscous.solved, loss.solved, ratio, self.rigid
+        )
 
     @cached_property
     def motors(self) -> Array:

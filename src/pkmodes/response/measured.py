@@ -38,12 +38,12 @@ class MeasuredResponse:
     channels: dict[str, NDArray[np.complex128]]
     stated: Mapping[str, str] = field(default_factory=dict)
 
-    def check(self, known: Mapping[str, str]) -> None:
-        """Refuse a table that says itself that it is of something else.
+    def check(self, expected: Mapping[str, str]) -> None:
+        """Refuse a table that states that it is of something else.
 
         Parameters
         ----------
-        known : mapping of str to str
+        expected : mapping of str to str
             What the model's response is, by the words of `stated`.
 
         Raises
@@ -52,11 +52,11 @@ class MeasuredResponse:
             If the table states another unit, quantity or state of the motors.
         """
         for name, value in self.stated.items():
-            if name in known and value != known[name]:
-                what = f"expected {name} {known[name]} as in the model's response, found {shown(value)}"
-                raise PkmodesError(what, self.source, "ask the model for the same, or convert the table")
+            if name in expected and value != expected[name]:
+                problem = f"expected {name} {expected[name]} as in the model's response, found {shown(value)}"
+                raise PkmodesError(problem, self.source, "ask the model for the same, or convert the table")
 
-    def among(self, known: list[str]) -> dict[str, NDArray[np.complex128]]:
+    def among(self, names: list[str]) -> dict[str, NDArray[np.complex128]]:
         """Return the channels that a response of the model has too.
 
         Raises
@@ -64,10 +64,10 @@ class MeasuredResponse:
         PkmodesError
             If it has none of them.
         """
-        common = {name: values for name, values in self.channels.items() if name in known}
+        common = {name: values for name, values in self.channels.items() if name in names}
         if not common:
-            what = f"expected a channel of {', '.join(known)}, found {', '.join(self.channels)}"
-            raise PkmodesError(what, self.source, nearest(next(iter(self.channels)), known))
+            problem = f"expected a channel of {', '.join(names)}, found {', '.join(self.channels)}"
+            raise PkmodesError(problem, self.source, nearest(next(iter(self.channels)), names))
         return common
 
 
@@ -93,14 +93,14 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     """
     source = fspath(path)
     read = read_signals(path)
-    functions = [one for one in read.functions if one.kind is Kind.FRF]
+    functions = [function for function in read.functions if function.kind is Kind.FRF]
     if not functions:
         raise MeasurementError("expected frequency response functions, found none", source, REMEDY)
     f, channels = functions[0].abscissa, {}
-    for one in functions:
-        name = f"{one.response}/{one.reference}"
-        if not np.array_equal(one.abscissa, f):
-            what = f"the frequencies of {shown(name)} differ from those of the first function"
-            raise MeasurementError(what, source, "give functions of the same frequencies")
-        channels[name] = np.asarray(one.values, dtype=complex)
+    for function in functions:
+        name = f"{function.response}/{function.reference}"
+        if not np.array_equal(function.abscissa, f):
+            problem = f"the frequencies of {shown(name)} differ from those of the first function"
+            raise MeasurementError(problem, source, "give functions of the same frequencies")
+        channels[name] = np.asarray(function.values, dtype=complex)
     return MeasuredResponse(source, f, channels, read.stated)

@@ -124,14 +124,14 @@ def simulate(
     t = _times(time)
     command = _command(model, poses, t)
     shaped = command if shaper is None else shaped_command(t, command, shaper)
-    fine, path, given = _refined(t, shaped, model)
+    fine, path, indices = _refined(t, shaped, model)
     _check_path(model, fine, path)
     if damping is not None:
         model = _with_ratio(model, damping)
     if rigid := model.solved(HELD).rigid_modes:
-        what = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
-        raise PkmodesError(what, model.robot.source, "check the drives of the mechanism")
-    return Move(t, shaped, deviation_along(model, fine, path, does)[given], model.robot, does)
+        problem = f"with motors held the machine still has {rigid} rigid modes: they would drift away"
+        raise PkmodesError(problem, model.robot.source, "check the drives of the mechanism")
+    return Move(t, shaped, deviation_along(model, fine, path, does)[indices], model.robot, does)
 
 
 def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
@@ -159,8 +159,8 @@ def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
     arrival = time[:, None] + delays
     overtaken = np.flatnonzero((np.diff(arrival, axis=0) < 0.0).any(axis=1))
     if len(overtaken):
-        what = f"the delays shorten faster than time passes at {time[overtaken[0]]:.6g} s"
-        raise PkmodesError(what, "shaper", "move more slowly, or sample the command more finely")
+        problem = f"the delays shorten faster than time passes at {time[overtaken[0]]:.6g} s"
+        raise PkmodesError(problem, "shaper", "move more slowly, or sample the command more finely")
     increments = np.diff(command, axis=0, prepend=command[:1])
     parts = np.cumsum(amplitudes[..., None] * increments[:, None, :], axis=0)  # T, n, d
     shaped = np.repeat(command[:1], len(time), axis=0)
@@ -173,8 +173,8 @@ def _impulses(shaper: Shaper, count: int) -> tuple[Array, Array]:
     """Return amplitudes (n,) or (T, n), and delays (T, n), of one shaper, or of one for each of so many times."""
     amplitudes, delays = checked_impulses(shaper)
     if delays.ndim > 2 or (delays.ndim == 2 and len(delays) != count):
-        what = f"expected impulses of shape (n,), or ({count}, n) for as many times, found {delays.shape}"
-        raise PkmodesError(what, "shaper", "design one shaper, or one for each time")
+        problem = f"expected impulses of shape (n,), or ({count}, n) for as many times, found {delays.shape}"
+        raise PkmodesError(problem, "shaper", "design one shaper, or one for each time")
     return amplitudes, np.broadcast_to(delays, (count, delays.shape[-1]))
 
 
@@ -189,8 +189,8 @@ def _times(time: ArrayLike) -> Array:
     late = np.flatnonzero(np.diff(t) <= 0.0)
     if len(late):
         k = int(late[0])
-        what = f"expected ascending times, found {t[k + 1]:.9g} s after {t[k]:.9g} s, at index {k + 1}"
-        raise PkmodesError(what, "time", "sort the samples, and give each time once")
+        problem = f"expected ascending times, found {t[k + 1]:.9g} s after {t[k]:.9g} s, at index {k + 1}"
+        raise PkmodesError(problem, "time", "sort the samples, and give each time once")
     return t
 
 
@@ -202,12 +202,12 @@ def _command(model: Model, poses: ArrayLike, time: Array) -> Array:
         poses_by_name(poses, mechanism), f"a pose {', '.join(names)} for each time", "poses", remedy
     )
     if p.shape != (len(time), len(names)):
-        what = f"expected poses of shape ({len(time)}, {len(names)}), one for each time, found {p.shape}"
-        raise PkmodesError(what, "poses", remedy)
+        problem = f"expected poses of shape ({len(time)}, {len(names)}), one for each time, found {p.shape}"
+        raise PkmodesError(problem, "poses", remedy)
     still = [i for i, name in enumerate(names) if name not in mechanism.components]
     if still and np.ptp(p[:, still], axis=0).any():
-        what = f"{names[still[0]]} changes along the move; only {', '.join(mechanism.components)} may"
-        raise PkmodesError(what, "poses", "keep the other components constant")
+        problem = f"{names[still[0]]} changes along the move; only {', '.join(mechanism.components)} may"
+        raise PkmodesError(problem, "poses", "keep the other components constant")
     return p
 
 
@@ -217,13 +217,13 @@ def _refined(time: Array, poses: Array, model: Model) -> tuple[Array, Array, NDA
     lengths = [length if component.unit == "rad" else 1.0 for component in model.mechanism.pose]
     distance = np.linalg.norm(np.diff(poses * lengths, axis=0), axis=1)
     pieces = np.maximum(1, np.ceil(distance / STEP)).astype(np.intp)
-    given = np.concatenate([[0], np.cumsum(pieces)])
-    at = np.arange(given[-1] + 1)
+    indices = np.concatenate([[0], np.cumsum(pieces)])
+    at = np.arange(indices[-1] + 1)
     if len(at) == len(time):
-        return time, poses, given
-    fine = np.interp(at, given, time)
-    path = np.stack([np.interp(at, given, component) for component in poses.T], axis=-1)
-    return fine, path, given
+        return time, poses, indices
+    fine = np.interp(at, indices, time)
+    path = np.stack([np.interp(at, indices, component) for component in poses.T], axis=-1)
+    return fine, path, indices
 
 
 def _check_path(model: Model, time: Array, poses: Array) -> None:
@@ -243,8 +243,8 @@ def _check_path(model: Model, time: Array, poses: Array) -> None:
         model.checked(poses[k], "raise")
     except PoseError as error:
         at = placed(model.robot.mechanism, poses[k], ".6g")
-        what = f"the path leaves the workspace at {time[k]:.6g} s, {at}: {error.what}"
-        raise PoseError(what, "poses", error.remedy) from None
+        problem = f"the path leaves the workspace at {time[k]:.6g} s, {at}: {error.what}"
+        raise PoseError(problem, "poses", error.remedy) from None
 
 
 def _with_ratio(model: Model, damping: float) -> Model:

@@ -36,7 +36,7 @@ from pkmodes.core.system.strain_free import strain_free_motions
 from pkmodes.response.linearised import LinearisedRobot
 
 Array = NDArray[np.float64]
-#: Samples whose matrices are kept at a time.
+#: Samples whose matrices are held in memory at a time.
 PART = 2000
 #: Angle between two samples [rad], and frequency [rad/s], above which a mode is so fast that it follows without
 #: vibrating.
@@ -75,12 +75,12 @@ def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Arr
         kicks = np.einsum("smj,sj->sm", at.kick, jumps[first:stop])
         if state is None:
             state = np.concatenate([np.zeros(at.modes), kicks[0]])
-        seen = np.zeros((stop - first, at.modes))
+        displacements = np.zeros((stop - first, at.modes))
         for i, (step, drag) in enumerate(zip(*onward, strict=True), start=1):
             state = step @ state + drag
-            seen[i] = state[: at.modes]
+            displacements[i] = state[: at.modes]
             state[at.modes :] += kicks[i]
-        deviation[first + 1 : stop, moving] = np.einsum("sdm,sm->sd", at.seen[1:], seen[1:])
+        deviation[first + 1 : stop, moving] = np.einsum("sdm,sm->sd", at.platform[1:], displacements[1:])
     return deviation
 
 
@@ -130,7 +130,7 @@ class _Vibration:
     ----------
     kick : ndarray, shape (S, m, j)
         Change of the rates per change of the velocity of the command.
-    seen : ndarray, shape (S, j, m)
+    platform : ndarray, shape (S, j, m)
         Motion of the platform per displacement of the modes.
     """
 
@@ -140,15 +140,18 @@ class _Vibration:
         shapes, M, viscous = at.own_shapes, at.matrices[0], at.dissipation[0]
         names = model.system.coordinates
         moved = strain_free_motions(model.system, points)
-        own, motors = moved[:, [names.index(name) for name in at.system.coordinates]], at.motors @ moved
+        solved_motion, motors = (
+            moved[:, [names.index(name) for name in at.system.coordinates]],
+            at.motors @ moved,
+        )
         self.modes = shapes.shape[1]
-        self._drag = -shapes @ (viscous.own @ own + viscous.prescribed @ motors)
+        self._drag = -shapes @ (viscous.solved @ solved_motion + viscous.prescribed @ motors)
         self._rates(at, step)
-        every = self._of
-        self.kick = -(shapes @ (M.own @ own + M.prescribed @ motors))[every]
-        self.seen = (at.platform @ at.kept @ np.swapaxes(shapes, -1, -2))[every]
-        behind, ahead = shapes[every[:-1]], shapes[every[1:]]
-        inertia = M.own[every]
+        index = self._of
+        self.kick = -(shapes @ (M.solved @ solved_motion + M.prescribed @ motors))[index]
+        self.platform = (at.platform @ at.kept @ np.swapaxes(shapes, -1, -2))[index]
+        behind, ahead = shapes[index[:-1]], shapes[index[1:]]
+        inertia = M.solved[index]
         self._positions = ahead @ inertia[1:] @ np.swapaxes(behind, -1, -2)
         self._momenta = ahead @ inertia[:-1] @ np.swapaxes(behind, -1, -2)
 

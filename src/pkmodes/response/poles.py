@@ -21,11 +21,11 @@ from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-#: Modes whose eigenvalues exceed those of all lower ones by this factor may be solved for apart from these,
+#: Modes whose eigenvalues exceed those of all lower ones by this factor may be solved for separately from these,
 FAR = 1e6
 #: if what damping couples of them, D_ij^2 / lambda_j, is below this.
 UNCOUPLED = 1e-12
-#: A ratio that differs from that of its pole by more than this fraction is named.
+#: A note names ratios that differ from that of their pole by more than this fraction.
 DIFFERENT = 0.1
 
 
@@ -133,7 +133,7 @@ def _of_single_modes(damping: ModalDamping) -> Complex:
 
 
 def _apart(damping: ModalDamping) -> Iterator[tuple[int, list[ModalDamping]]]:
-    """Yield the poses with modes far above the others, with these and the others apart.
+    """Yield the poses with modes far above the others, with the modes in separate parts.
 
     Rounding of the fastest modes would take digits from the slow ones.  What damping couples between them changes
     their poles by a fraction D_ij^2 / lambda_j.
@@ -165,9 +165,9 @@ def _ratios_of_poles(damping: ModalDamping) -> Array:
     part = np.abs(vectors[:, :m]) ** 2 + np.abs(vectors[:, m:]) ** 2
     ahead = (values.imag >= 0.0)[:, None]
     best = np.where(ahead, part, -1.0).argmax(axis=2)
-    own = np.take_along_axis(values, best, axis=1)
+    pole = np.take_along_axis(values, best, axis=1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray(-own.real / np.abs(own))
+        return np.asarray(-pole.real / np.abs(pole))
 
 
 def _first_order(damping: ModalDamping) -> Array:

@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 TORQUE, MOTOR, FORCE, MOMENT = "torque_", "motor_", "force_", "moment_"
 #: An output as the caller gives it: a name, or directions of the platform, ``{"name": [dx, dy, dz]}``.
 Output = str | Mapping[str, Sequence[float]]
-#: What a quantity multiplies a displacement by: powers of i omega.
+#: Powers of i omega by which the displacement is multiplied.
 QUANTITIES = {"displacement": 0, "velocity": 1, "acceleration": 2}
 
 
@@ -61,25 +61,25 @@ def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ..
         If a name is unknown or repeated, a torque is given to a held motor, or the angle of a free one is prescribed.
     """
     mechanism = model.robot.mechanism
-    known: dict[str, Port] = {}
+    ports: dict[str, Port] = {}
     for j, drive in enumerate(mechanism.drives):
-        known[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", drive.unit, "torque", j)
-        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
+        ports[f"{TORQUE}{drive.name}"] = Port(f"{TORQUE}{drive.name}", drive.unit, "torque", j)
+        ports[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
     for k, axis in enumerate((*mechanism.directions, *mechanism.rotations)):
         turns = k >= len(mechanism.directions)
         name = f"{MOMENT if turns else FORCE}{axis}"
-        known[name] = Port(name, "N m" if turns else "N", "force", k)
-    chosen = _chosen("inputs", names, known)
+        ports[name] = Port(name, "N m" if turns else "N", "force", k)
+    chosen = _chosen("inputs", names, ports)
     for port in chosen:
         if port.kind == "torque" and drives == HELD:
-            what = f"{port.name} is the torque of a motor, but the motors are held"
+            problem = f"{port.name} is the torque of a motor, but the motors are held"
             raise PkmodesError(
-                what, "inputs", f'use motor_{port.name.removeprefix(TORQUE)}, or drives="free"'
+                problem, "inputs", f'use motor_{port.name.removeprefix(TORQUE)}, or drives="free"'
             )
         if port.kind == "motor" and drives == FREE:
-            what = f"{port.name} is a prescribed angle, but the motors are free"
+            problem = f"{port.name} is a prescribed angle, but the motors are free"
             raise PkmodesError(
-                what, "inputs", f'use torque_{port.name.removeprefix(MOTOR)}, or drives="held"'
+                problem, "inputs", f'use torque_{port.name.removeprefix(MOTOR)}, or drives="held"'
             )
     return chosen
 
@@ -93,41 +93,41 @@ def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[
         If a name is unknown or repeated, or a direction is not one.
     """
     mechanism, system = model.robot.mechanism, model.system
-    known: dict[str, Port] = {}
+    ports: dict[str, Port] = {}
     for component, axis in zip(mechanism.platform, np.eye(len(mechanism.platform)), strict=True):
-        known[component.name] = Port(
+        ports[component.name] = Port(
             component.name, component.unit, "platform", direction=tuple(axis.tolist())
         )
     for j, drive in enumerate(mechanism.drives):
-        known[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
+        ports[f"{MOTOR}{drive.name}"] = Port(f"{MOTOR}{drive.name}", _driven(drive), "motor", j)
     extended = mechanism.extended
-    every = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
+    units = dict(zip(extended.COORDINATES, extended.COORDINATE_UNITS, strict=True))
     for i, name in enumerate(system.coordinates):
-        known.setdefault(name, Port(name, every[name], "coordinate", i))
-    given: list[Any] = []
-    for one in _several("outputs", names):
-        if isinstance(one, Mapping):
-            for name, direction in one.items():
-                _check_name(name, known)
-                known[name] = _direction(name, direction, mechanism)
-                given.append(name)
+        ports.setdefault(name, Port(name, units[name], "coordinate", i))
+    selection: list[Any] = []
+    for output in _several("outputs", names):
+        if isinstance(output, Mapping):
+            for name, direction in output.items():
+                _check_name(name, ports)
+                ports[name] = _direction(name, direction, mechanism)
+                selection.append(name)
         else:
-            given.append(one)
-    return _chosen("outputs", given, known)
+            selection.append(output)
+    return _chosen("outputs", selection, ports)
 
 
-def _check_name(name: Any, known: Mapping[str, Port]) -> None:
+def _check_name(name: Any, ports: Mapping[str, Port]) -> None:
     """Refuse a name of a direction that tables of responses could not have in the names of their columns."""
-    if name in known:
-        what = f"the direction {shown(name)} has the name of another output"
-        raise PkmodesError(what, "outputs", "choose another name")
+    if name in ports:
+        problem = f"the direction {shown(name)} has the name of another output"
+        raise PkmodesError(problem, "outputs", "choose another name")
     if not isinstance(name, str) or re.fullmatch(r"[\w. +-]*\w[\w. +-]*", name) is None:
-        what = f"expected the name of a direction, found {shown(name)}"
-        raise PkmodesError(what, "outputs", "use letters, digits, and any of _ . + -")
+        problem = f"expected the name of a direction, found {shown(name)}"
+        raise PkmodesError(problem, "outputs", "use letters, digits, and any of _ . + -")
 
 
-def _direction(name: str, given: Any, mechanism: Mechanism) -> Port:
-    unit = unit_direction(given, mechanism.directions, f"outputs: {name}")
+def _direction(name: str, direction: Any, mechanism: Mechanism) -> Port:
+    unit = unit_direction(direction, mechanism.directions, f"outputs: {name}")
     still = (0.0,) * len(mechanism.rotations)
     return Port(name, mechanism.platform[0].unit, "platform", direction=(*unit.tolist(), *still))
 
@@ -146,18 +146,18 @@ def _several(where: str, names: Any) -> list[Any]:
     return list(names)
 
 
-def _chosen(where: str, names: Any, known: Mapping[str, Port]) -> tuple[Port, ...]:
+def _chosen(where: str, names: Any, ports: Mapping[str, Port]) -> tuple[Port, ...]:
     listed = _several(where, names)
     if not listed:
         raise PkmodesError(
-            f"expected at least one of the {where}, found none", where, f"known: {', '.join(known)}"
+            f"expected at least one of the {where}, found none", where, f"known: {', '.join(ports)}"
         )
     for i, name in enumerate(listed):
-        if not isinstance(name, str) or name not in known:
-            raise PkmodesError(f"unknown name {shown(name)}", where, nearest(str(name), known))
+        if not isinstance(name, str) or name not in ports:
+            raise PkmodesError(f"unknown name {shown(name)}", where, nearest(str(name), ports))
         if name in listed[:i]:
             raise PkmodesError(f"{shown(name)} is given twice", where, "give each name once")
-    return tuple(known[name] for name in listed)
+    return tuple(ports[name] for name in listed)
 
 
 def input_vectors(at: LinearisedRobot, ports: Sequence[Port]) -> Array:

@@ -193,17 +193,17 @@ class StateSpace(Channels):
             sampling rate: leave it out with ``modes``.
         """
         if self.tick is not None:
-            what = f"these models are discrete already, every {self.tick:g} s"
-            raise PkmodesError(what, "tick", "discretise the continuous models")
+            problem = f"these models are discrete already, every {self.tick:g} s"
+            raise PkmodesError(problem, "tick", "discretise the continuous models")
         if not isinstance(tick, int | float | np.number) or not np.isfinite(tick) or tick <= 0.0:
             raise PkmodesError(f"expected a period in s, found {shown(tick)}", "tick", "for example: 0.001")
         highest = float(np.nanmax(np.abs(self.frequencies), initial=0.0))
         if highest > 0.5 / tick:
-            what = (
+            problem = (
                 f"a mode at {highest:.4g} Hz is above half the sampling rate, {0.5 / tick:.4g} Hz: samples "
                 "every {:g} s do not show it".format(tick)
             )
-            raise PkmodesError(what, "tick", "keep fewer modes (modes=), or take a shorter period")
+            raise PkmodesError(problem, "tick", "keep fewer modes (modes=), or take a shorter period")
         states, inputs = self.B.shape[-2:]
         both = np.zeros((*self.A.shape[:-2], states + inputs, states + inputs))
         both[..., :states, :states], both[..., :states, states:] = self.A, self.B
@@ -273,8 +273,8 @@ def state_space(
     >>> system.discretized(0.001).at().dt
     0.001
     """
-    asked = Asked.of(model, inputs, outputs, quantity, drives)
-    into, out = asked.inputs, asked.outputs
+    request = Asked.of(model, inputs, outputs, quantity, drives)
+    into, out = request.inputs, request.outputs
     system = model.solved(drives)
     count = number_of_modes(system)
     kept = _checked_modes(modes, count, system.rigid_modes)
@@ -287,7 +287,7 @@ def state_space(
 
     A, B, C, D, frequencies = model.evaluated(at, checked)
     return StateSpace(
-        **asked.fields(checked),
+        **request.fields(checked),
         A=A,
         B=B,
         C=C,
@@ -303,9 +303,9 @@ def _checked_modes(modes: int | None, count: int, rigid: int) -> int:
     if modes is None:
         return count
     if isinstance(modes, bool) or not isinstance(modes, int | np.integer) or not least <= modes <= count:
-        what = f"expected a number of modes from {least} to {count}, found {shown(modes)}"
+        problem = f"expected a number of modes from {least} to {count}, found {shown(modes)}"
         which = f"; the {rigid} rigid ones are counted and kept" if rigid else ""
-        raise PkmodesError(what, "modes", f"give the number of the lowest modes that are kept{which}")
+        raise PkmodesError(problem, "modes", f"give the number of the lowest modes that are kept{which}")
     return int(modes)
 
 
@@ -313,19 +313,19 @@ def _matrices(
     at: LinearisedRobot, inputs: Sequence[Port], outputs: Sequence[Port], kept: int, residual: bool
 ) -> tuple[Array, ...]:
     """Return A, B, C, D and the frequencies of the modes kept, at N poses."""
-    own, eigenvalues, N = at.own_shapes, at.eigenvalues, len(at.points)  # own: N, m, k
+    shapes, eigenvalues, N = at.own_shapes, at.eigenvalues, len(at.points)  # shapes: N, m, k
     damping, rigid = at.damping.matrix, at.rigid
     forces, L = at.kept.T @ input_vectors(at, inputs), output_vectors(at, outputs) @ at.kept
     motors = prescribed(inputs, at.prescribed.shape[1])
     M, K, viscous, loss = (block.prescribed @ motors for block in (*at.matrices, *at.dissipation))
     omega = np.sqrt(np.abs(eigenvalues))
-    g, k, c = own @ M, own @ K, own @ viscous
+    g, k, c = shapes @ M, shapes @ K, shapes @ viscous
     c += at.rates[..., None] * g
     if loss.any():
-        c[:, rigid:] += (own[:, rigid:] @ loss) / omega[:, rigid:, None]
-    shown_by = L @ np.swapaxes(own, -1, -2)  # N, outputs, m
+        c[:, rigid:] += (shapes[:, rigid:] @ loss) / omega[:, rigid:, None]
+    shown_by = L @ np.swapaxes(shapes, -1, -2)  # N, outputs, m
     D = output_vectors(at, outputs) @ at.prescribed @ motors + _massless(at, forces - K, L)
-    push, use = own @ forces, slice(0, kept)
+    push, use = shapes @ forces, slice(0, kept)
     if residual:
         omitted = (push - k)[:, kept:] / eigenvalues[:, kept:, None]
         D = D + shown_by[:, :, kept:] @ omitted
@@ -345,28 +345,28 @@ def _matrices(
 
 
 def _massless(at: LinearisedRobot, forces: Array, L: Array) -> Array:
-    """Return how far coordinates without inertia give way to the inputs themselves, as the outputs show it."""
+    """Return the outputs' direct response by coordinates without inertia, which give way to the inputs at once."""
     r = at.massless
     if not r.any():
         return np.zeros((len(L), L.shape[1], forces.shape[-1]))
-    K = at.matrices[1].own[:, r][:, :, r]
+    K = at.matrices[1].solved[:, r][:, :, r]
     return np.asarray(L[..., r] @ np.linalg.solve(K, forces[:, r]))
 
 
 def _differentiated(
     parts: tuple[Array, ...], times: int, inputs: Sequence[Port], outputs: Sequence[Port], quantity: str
 ) -> tuple[Array, ...]:
-    """Differentiate the outputs in time, which nothing that follows the inputs at once allows."""
+    """Differentiate the outputs in time, which is impossible where an output follows an input at once."""
     A, B, C, D, frequencies = parts
     for _ in range(times):
         scale = np.abs(C) @ np.abs(B) / np.maximum(np.abs(A).max(axis=(1, 2)), 1.0)[:, None, None]
         direct = np.abs(D) > NOTHING * np.maximum(scale, np.finfo(float).tiny)
         if direct.any():
             _, o, i = np.argwhere(direct)[0]
-            what = (
+            problem = (
                 f"the displacement of {outputs[o].name} follows {inputs[i].name} at once, so that its {quantity} "
                 "contains a derivative of the input, which no proper system has"
             )
-            raise PkmodesError(what, "quantity", 'take "displacement", or the frequency responses (frf)')
+            raise PkmodesError(problem, "quantity", 'take "displacement", or the frequency responses (frf)')
         C, D = C @ A, C @ B
     return A, B, C, D, frequencies

@@ -65,25 +65,25 @@ class Differences:
 
 
 def check_one_mechanism(first: Declaration, second: Declaration) -> None:
-    """Refuse robots of different mechanisms, of which no value and no pose means the same.
+    """Refuse robots of different mechanisms, whose values and poses cannot be compared.
 
     Raises
     ------
     PkmodesError
     """
     if first.mechanism_name != second.mechanism_name:
-        what = (
+        problem = (
             f"expected two robots of one mechanism, found {first.mechanism_name} and {second.mechanism_name}"
         )
         raise PkmodesError(
-            what, f"{first.source}, {second.source}", "compare two files of the same mechanism"
+            problem, f"{first.source}, {second.source}", "compare two files of the same mechanism"
         )
 
 
 def differences(first: Declaration, second: Declaration) -> Differences:
     """Compare the declarations of two robots.
 
-    A value that an axis has of its own is compared with the shared one where the other robot has no own.
+    An axis's own value is compared with the shared one where the other robot has none of its own.
 
     Raises
     ------
@@ -96,15 +96,19 @@ def differences(first: Declaration, second: Declaration) -> Differences:
         for path in dict.fromkeys([*first.quantities, *second.quantities])
         if _compared(path, first, second)
     ]
-    found = [_difference(path, first, second) for path in paths]
-    some = [*found, *_usable(first, second)]
+    of_values = [_difference(path, first, second) for path in paths]
+    compared = [*of_values, *_usable(first, second)]
     ours, theirs = _effects(first), _effects(second)
     return Differences(
-        tuple(one for one in some if (one.first, one.first_sigma) != (one.second, one.second_sigma)),
+        tuple(
+            difference
+            for difference in compared
+            if (difference.first, difference.first_sigma) != (difference.second, difference.second_sigma)
+        ),
         (*_choices(first, second), *_correlations(first, second)),
         tuple(name for name in theirs if name not in ours),
         tuple(name for name in ours if name not in theirs),
-        len(some),
+        len(compared),
     )
 
 
@@ -112,16 +116,16 @@ def _compared(path: str, first: Declaration, second: Declaration) -> bool:
     """Return whether a value is compared by itself: not a shared one where the other robot's axes have their own."""
     if path in first.quantities and path in second.quantities:
         return True
-    own = [item.path for item in takers(first.mechanism).get(path, ())]
-    return not any(name in robot.quantities for robot in (first, second) for name in own)
+    overrides = [item.path for item in takers(first.mechanism).get(path, ())]
+    return not any(name in robot.quantities for robot in (first, second) for name in overrides)
 
 
 def _difference(path: str, first: Declaration, second: Declaration) -> ValueDifference:
     ours, theirs = (_quantity(path, robot) for robot in (first, second))
-    unit = next(one.unit for one in (ours, theirs) if one is not None)
-    before, after = (None if one is None else one.value for one in (ours, theirs))
-    known, others = (None if one is None else one.sigma for one in (ours, theirs))
-    return ValueDifference(path, unit, before, after, known, others, _relative(before, after))
+    unit = next(quantity.unit for quantity in (ours, theirs) if quantity is not None)
+    before, after = (None if quantity is None else quantity.value for quantity in (ours, theirs))
+    sigma_before, sigma_after = (None if quantity is None else quantity.sigma for quantity in (ours, theirs))
+    return ValueDifference(path, unit, before, after, sigma_before, sigma_after, _relative(before, after))
 
 
 def _relative(first: float | None, second: float | None) -> float | None:
@@ -138,8 +142,8 @@ def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference
     ours, theirs = (numbers_of(robot.mechanism, robot.usable) for robot in (first, second))
     for path in dict.fromkeys([*ours, *theirs]):
         unit = (ours.get(path) or theirs[path])[1]
-        mine, other = (of[path][0] if path in of else None for of in (ours, theirs))
-        yield ValueDifference(path, unit, mine, other, None, None, _relative(mine, other))
+        before, after = (of[path][0] if path in of else None for of in (ours, theirs))
+        yield ValueDifference(path, unit, before, after, None, None, _relative(before, after))
 
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:

@@ -108,7 +108,7 @@ class TomlText:
         self._appended += "\n".join(lines) + "\n"
 
     def rewrite(self, keys: Keys, values: dict[str, str]) -> None:
-        """Give a table other values, keeping its comments; keys that are not among them go."""
+        """Give a table other values, keeping its comments; other keys are removed."""
         table = self.find(keys)
         for key in [key for key in table if key not in values]:
             table.remove(key)

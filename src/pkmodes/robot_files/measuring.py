@@ -1,6 +1,6 @@
-"""What to find the values of a robot file with, and how sure they usually are then.
+"""How to find the values of a robot file, and their usual uncertainty.
 
-One table by path, for what can be said of that value alone; another by dimension, for all others.
+One table by path, for values with a description of their own; another by dimension, for all others.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ class Way(NamedTuple):
     sigma: str = ""
 
 
-#: By the path in a robot file, without the number of an entry.
+#: How to find a value, by its path in a robot file without the number of an entry.
 BY_PATH = {
     "gravity": Way("choose the frame; where z points up, gravity is -9.81 m/s^2 along z"),
     "platform.mass": Way("weigh it with its tool and half of the cables and hoses that hang from it", "2 %"),
@@ -64,7 +64,7 @@ BY_PATH = {
     ),
     "effects.payload.mass": Way("weigh what the platform carries"),
 }
-#: By dimension (`pkmodes_description.UNITS`).
+#: How to find other values, by dimension (`pkmodes_description.UNITS`).
 BY_DIMENSION = {
     "length": Way("take it from the drawing, or measure it"),
     "mass": Way("weigh it", "2 %"),

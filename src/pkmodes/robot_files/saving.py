@@ -106,8 +106,8 @@ def _check_numbers(path: str, correction: Correction, robot: Declaration) -> Non
 
 def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str, Correction]:
     """Return the values of the file that a correction changes."""
-    if path in (known := groups_by_path(robot.mechanism)):
-        return _of_group(known[path], correction, robot)
+    if path in (groups := groups_by_path(robot.mechanism)):
+        return _of_group(groups[path], correction, robot)
     if path not in changeable(robot):
         remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")
         _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
@@ -222,16 +222,16 @@ def _correlate(
     """Write a table of correlations, and return all tables of the text."""
     tables = list(robot.covariance)
     touched = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
-    others = [left for i in touched if (left := tables[i].without(new.paths)).paths]
-    own = {**uncertain(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
-    merged = joined([new, *others], own)
+    reduced = [rest for i in touched if (rest := tables[i].without(new.paths)).paths]
+    sigmas = {**uncertain(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
+    merged = joined([new, *reduced], sigmas)
     values = {
         PATHS: _listed(f'"{path}"' for path in merged.paths),
         **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
         CORRELATION: _listed(
             # Rounded, what is 0 but for the rounding of a fit is written as 0.
             (
-                f"[{', '.join(f'{round(one, DIGITS) + 0.0:.{DIGITS}g}' for one in row)}]"
+                f"[{', '.join(f'{round(coefficient, DIGITS) + 0.0:.{DIGITS}g}' for coefficient in row)}]"
                 for row in merged.correlation
             ),
             apart=True,
@@ -312,9 +312,9 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Seq
     sigmas = {path: quantity.sigma for path, quantity in robot.quantities.items()}
     sigmas.update({path: edit.sigma for path, edit in edits.items() if edit.sigma is not None})
     changed = set(edits)
-    for borrowed, own in lent(robot.mechanism).items():
-        if own in edits and borrowed in expected:  # the effect takes the value from the table
-            expected[borrowed], sigmas[borrowed] = expected[own], sigmas.get(own)
+    for borrowed, table_path in lent(robot.mechanism).items():
+        if table_path in edits and borrowed in expected:  # the effect takes the value from the table
+            expected[borrowed], sigmas[borrowed] = expected[table_path], sigmas.get(table_path)
             changed.add(borrowed)
     # A new effect has all its parameters; those not given are at their defaults.
     added = tuple(path.rpartition(".")[0] + "." for path in edits if path.startswith(EFFECTS))
@@ -324,29 +324,29 @@ def _check(text: str, robot: Robot, edits: Mapping[str, Correction], tables: Seq
         if path in expected or not path.startswith(added)
     }
     for path in {**expected, **declared}:
-        value, wanted = declared.get(path), expected.get(path)
+        value, intended = declared.get(path), expected.get(path)
         sigma = after.quantities[path].sigma if path in after.quantities else None
-        same = _close(value, wanted, CLOSE) if path in changed else value == wanted
+        same = _close(value, intended, CLOSE) if path in changed else value == intended
         if not same or not _close(sigma, sigmas.get(path), CLOSE_SIGMA):
-            what = f"the corrected value does not read back: expected {wanted} with sigma {sigmas.get(path)}, found "
-            _refuse(f"{what}{value} with {sigma}", f"{robot.source}: {path}", BY_HAND)
+            problem = f"expected {intended} with sigma {sigmas.get(path)}, found {value} with {sigma}"
+            _refuse(f"the corrected value does not read back: {problem}", f"{robot.source}: {path}", BY_HAND)
 
     if not _alike(after.covariance, tables):
-        what = "the correlations do not read back"
-        _refuse(what, f"{robot.source}: {COVARIANCE}", BY_HAND)
+        problem = "the correlations do not read back"
+        _refuse(problem, f"{robot.source}: {COVARIANCE}", BY_HAND)
 
 
-def _alike(found: Sequence[Covariance], wanted: Sequence[Covariance]) -> bool:
+def _alike(actual: Sequence[Covariance], expected: Sequence[Covariance]) -> bool:
     """Return whether tables are the same, to the digits written."""
-    return [table.paths for table in found] == [table.paths for table in wanted] and all(
-        np.allclose(one.correlation, other.correlation, rtol=0.0, atol=CLOSE)
-        and (one.sigmas is None) == (other.sigmas is None)
-        and np.allclose(one.sigmas or (), other.sigmas or (), rtol=10.0 ** (1 - SIGMA_DIGITS), atol=0.0)
-        for one, other in zip(found, wanted, strict=True)
+    return [table.paths for table in actual] == [table.paths for table in expected] and all(
+        np.allclose(first.correlation, second.correlation, rtol=0.0, atol=CLOSE)
+        and (first.sigmas is None) == (second.sigmas is None)
+        and np.allclose(first.sigmas or (), second.sigmas or (), rtol=10.0 ** (1 - SIGMA_DIGITS), atol=0.0)
+        for first, second in zip(actual, expected, strict=True)
     )
 
 
-def _close(value: object, wanted: object, tolerance: float) -> bool:
-    if isinstance(value, float) and isinstance(wanted, float):
-        return abs(value - wanted) <= tolerance * abs(wanted)
-    return value == wanted
+def _close(value: object, expected: object, tolerance: float) -> bool:
+    if isinstance(value, float) and isinstance(expected, float):
+        return abs(value - expected) <= tolerance * abs(expected)
+    return value == expected

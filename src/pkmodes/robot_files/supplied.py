@@ -28,10 +28,10 @@ def supplied(*places: str) -> dict[str, bytes]:
     """
     root = next((root for root in PLACES if (root / ROBOTS).is_dir()), None)
     if root is None:
-        what = "found no robot files and examples beside the installed program"
-        raise PkmodesError(what, str(PLACES[0]), "install pkmodes again, from its wheel")
-    found = (file for place in places for file in (root / place, *(root / place).rglob("*")))
-    names = {file.relative_to(root): file for file in found if file.is_file()}
+        problem = "found no robot files and examples beside the installed program"
+        raise PkmodesError(problem, str(PLACES[0]), "install pkmodes again, from its wheel")
+    paths = (file for place in places for file in (root / place, *(root / place).rglob("*")))
+    names = {file.relative_to(root): file for file in paths if file.is_file()}
     return {
         name.as_posix(): names[name].read_bytes()
         for name in sorted(names)
@@ -45,5 +45,5 @@ def robot_of(mechanism: str) -> dict[str, Any] | None:
     Of several, that with the shortest name: it is the plain one.
     """
     parsed = {name: tomllib.loads(content.decode()) for name, content in supplied(ROBOTS).items()}
-    own = [name for name, document in parsed.items() if document["mechanism"] == mechanism]
-    return parsed[min(own, key=len)] if own else None
+    matching = [name for name, document in parsed.items() if document["mechanism"] == mechanism]
+    return parsed[min(matching, key=len)] if matching else None

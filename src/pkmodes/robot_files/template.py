@@ -1,7 +1,7 @@
-"""The commented robot file to begin with: every key that the reader accepts, its unit, and what to find it with.
+"""The commented robot file to begin with: every key that the reader accepts, its unit, and how to find it.
 
 It follows from the description of the mechanism.  What is required has the value of an example.  Everything else
-stands behind a ``#`` without a space, so that removing the ``#`` makes it part of the file.
+follows a ``#`` without a space, so that removing the ``#`` makes it part of the file.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from pkmodes.support.ordering import joined
 from pkmodes_description import Effect, Key, Table
 
 WIDTH = 110
-#: What a reader should know of the notation, before the first key.
+#: Notes on the notation, before the first key.
 NOTATION = (
     "Replace the values of the example by your own, a table at a time.  How to find a value stands after the "
     "brackets of its comment.",
@@ -41,7 +41,7 @@ NOTATION = (
     "or 0 for what is exact.  Each sigma below is a usual one: state your own.",
     "docs/writing-a-robot-file.md says in which order to proceed, docs/robot-file.md defines every key.",
 )
-#: Sections that no table of a mechanism describes.
+#: Texts of sections that no table of a mechanism describes.
 OVERRIDES = "Where this {} differs from the tables that all share:"
 IN_USE = "where the machine is used; without limits, wherever it can go"
 LIMITS = {
@@ -84,9 +84,9 @@ def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
 def example_document(mechanism: Mechanism) -> dict[str, Any]:
     """Return a robot file, parsed: one that comes with pkmodes, or the sample that the checks of a mechanism use."""
     name = f"my-{mechanism.name.replace('_', '-')}"
-    given = robot_of(mechanism.name)
-    if given is not None:
-        return {**given, "name": name}
+    supplied = robot_of(mechanism.name)
+    if supplied is not None:
+        return {**supplied, "name": name}
     values: dict[str, Any] = {}
     parameters = sample(mechanism)
     for item in items(mechanism):
@@ -104,10 +104,12 @@ def _sampled(item: Item, field: Any) -> Any:
     if item.key.kind == "one_of":
         return item.key.choices[int(np.argmax(numbers))]
     if item.key.kind in ("choice", "signs"):
-        return [int(one) for one in numbers] if isinstance(numbers, list) else int(numbers)
+        return [int(number) for number in numbers] if isinstance(numbers, list) else int(numbers)
     if item.key.kind not in OF_QUANTITIES:
         return numbers
-    return [_si(one, item.key) for one in numbers] if isinstance(numbers, list) else _si(numbers, item.key)
+    return (
+        [_si(number, item.key) for number in numbers] if isinstance(numbers, list) else _si(numbers, item.key)
+    )
 
 
 def _si(value: float, key: Key) -> Any:
@@ -118,16 +120,16 @@ def _si(value: float, key: Key) -> Any:
 
 def _with_usual_sigmas(mechanism: Mechanism, document: Mapping[str, Any]) -> dict[str, Any]:
     """Return the document with a standard deviation of each quantity that usually has one and is not 0."""
-    found = deepcopy(dict(document))
+    completed = deepcopy(dict(document))
     for item in items(mechanism):
-        raw, key = _at(found, item), item.key
+        raw, key = _at(completed, item), item.key
         path = item.shared or ".".join(part for part in item.place if isinstance(part, str))
         sigma = way_of(path, key.dimension).sigma
         if raw is None or isinstance(raw, Mapping) or key.kind != "quantity" or not sigma:
             continue
         if schema.quantity(raw, key.dimension).value:
-            _at(found, item, up=1)[key.name] = {"value": raw, "sigma": sigma}
-    return found
+            _at(completed, item, up=1)[key.name] = {"value": raw, "sigma": sigma}
+    return completed
 
 
 def _at(document: Mapping[str, Any], item: Item, up: int = 0) -> Any:
@@ -141,12 +143,12 @@ def _at(document: Mapping[str, Any], item: Item, up: int = 0) -> Any:
 
 
 def _single(table: Table, document: Mapping[str, Any]) -> Iterator[str]:
-    given = document.get(table.name)
+    section = document.get(table.name)
     yield ""
     of = f"; of each [[{table.shared_by}]] without its own" if table.shared_by else ""
-    yield f"{'' if given else '#'}[{table.name}]  # {table.description}{of}"
+    yield f"{'' if section else '#'}[{table.name}]  # {table.description}{of}"
     for key in table.keys:
-        yield from _key(key, f"{table.name}.{key.name}", given or {}, table.description)
+        yield from _key(key, f"{table.name}.{key.name}", section or {}, table.description)
 
 
 def _repeated(mechanism: Mechanism, table: Table, document: Mapping[str, Any]) -> Iterator[str]:
@@ -157,30 +159,30 @@ def _repeated(mechanism: Mechanism, table: Table, document: Mapping[str, Any]) -
         for key in table.keys:
             lines = list(_key(key, f"{table.name}.{key.name}", entry, table.description))
             yield from lines if j == 0 else lines[-1:]
-        own = [other for other in mechanism.tables if other.shared_by == table.name]
-        if own and j == 0:
+        overriding = [candidate for candidate in mechanism.tables if candidate.shared_by == table.name]
+        if overriding and j == 0:
             yield from _prose(OVERRIDES.format(table.name.replace("_", " ")))
-        for other in own:
-            given, shared = entry.get(other.name, {}), document.get(other.name, {})
-            if given or j == 0:
-                yield f"{'' if given else '#'}[{table.name}.{other.name}]"
-                for key in other.keys:
-                    if given.get(key.name) is not None or j == 0:
-                        yield _line(key, given.get(key.name), shared.get(key.name))
+        for shared_table in overriding:
+            override, shared = entry.get(shared_table.name, {}), document.get(shared_table.name, {})
+            if override or j == 0:
+                yield f"{'' if override else '#'}[{table.name}.{shared_table.name}]"
+                for key in shared_table.keys:
+                    if override.get(key.name) is not None or j == 0:
+                        yield _line(key, override.get(key.name), shared.get(key.name))
 
 
-def _key(key: Key, path: str, given: Mapping[str, Any], known: str = "") -> Iterator[str]:
-    """Yield the comment of a key and its line; `known` is what the comment of its table says already."""
-    what = key.name if key.description == known else key.description
+def _key(key: Key, path: str, section: Mapping[str, Any], table_description: str = "") -> Iterator[str]:
+    """Yield the comment of a key and its line; `table_description` is what the comment of its table says already."""
+    description = key.name if key.description == table_description else key.description
     how = way_of(path, key.dimension).how
-    what += f"; by default the middle of {key.middle_of}" if key.middle_of else ""
-    both = f"{what} [{_accepted(key)}]" + (f"; {how}" if how else "")
+    description += f"; by default the middle of {key.middle_of}" if key.middle_of else ""
+    both = f"{description} [{_accepted(key)}]" + (f"; {how}" if how else "")
     yield from (
         _prose(both)
         if len(both) <= WIDTH - 2
-        else [*_prose(f"{what} [{_accepted(key)}];"), *_prose(how, "#   ")]
+        else [*_prose(f"{description} [{_accepted(key)}];"), *_prose(how, "#   ")]
     )
-    yield _line(key, given.get(key.name))
+    yield _line(key, section.get(key.name))
 
 
 def _accepted(key: Key) -> str:
@@ -203,26 +205,29 @@ def _accepted(key: Key) -> str:
 
 
 def _line(key: Key, raw: Any, default: Any = None) -> str:
-    """Return the line of a key; behind a # if its value is not given."""
+    """Return the line of a key, commented out if its value is not given."""
     if raw is not None:
         return f"{key.name} = {_toml(raw)}"
     if default is None:
         # The inertia of a beam has the default 0, with which it cannot turn: no value that a file may give.
-        given = None if key.middle_of or (key.effect and key.default == key.above) else key.default
-        default = DIMENSIONS[key.dimension][1] if given is None else _si(given, key)
+        default_value = None if key.middle_of or (key.effect and key.default == key.above) else key.default
+        default = DIMENSIONS[key.dimension][1] if default_value is None else _si(default_value, key)
         default = [default] * len(key.elements) if key.kind == "vector" else default
     return f"#{key.name} = {_toml(default)}"
 
 
-def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> Iterator[str]:
+def _effect(mechanism: Mechanism, effect: Effect, section: Mapping[str, Any]) -> Iterator[str]:
     """Yield the table of an effect, without a parameter that another table declares or that replaces another."""
-    name, values = f"{EFFECTS}.{effect.name}", given.get(effect.name)
+    name, values = f"{EFFECTS}.{effect.name}", section.get(effect.name)
     present: Mapping[str, Any] = values or {}
     yield ""
     yield f"{'#' if values is None else ''}[{name}]  # {effect.sentence}"
     for parameter in effect.parameters:
-        path, others = f"{name}.{parameter.name}", [one.name for one in effect.excluded(parameter.name)]
-        replaced = parameter.in_place_of or not present.keys().isdisjoint(others)
+        path, excluded = (
+            f"{name}.{parameter.name}",
+            [alternative.name for alternative in effect.excluded(parameter.name)],
+        )
+        replaced = parameter.in_place_of or not present.keys().isdisjoint(excluded)
         if replaced and parameter.name not in present:
             continue
         if path in lent(mechanism):
@@ -233,7 +238,7 @@ def _effect(mechanism: Mechanism, effect: Effect, given: Mapping[str, Any]) -> I
             "quantity",
             "",
             dimension_of_effect(parameter.unit),
-            parameter.description + (f"; in its place, {joined(others)}" if others else ""),
+            parameter.description + (f"; in its place, {joined(excluded)}" if excluded else ""),
             above=parameter.greater_than,
             below=parameter.less_than,
             default=0.0,
@@ -248,14 +253,14 @@ def _common(mechanism: Mechanism, document: Mapping[str, Any]) -> Iterator[str]:
         f"[{REPORT}]": (HEAD_OF_REPORTS, (f'{name} = "..."' for name in TITLES)),
         f"[[{COVARIANCE}]]": (TOGETHER, _covariance(mechanism, document)),
     }
-    for head, (what, lines) in tables.items():
+    for head, (description, lines) in tables.items():
         if head.strip("[]") not in [table.name for table in mechanism.tables]:
-            yield from ("", f"#{head}  # {what}", *(f"#{line}" for line in lines))
+            yield from ("", f"#{head}  # {description}", *(f"#{line}" for line in lines))
 
 
 def _usable(mechanism: Mechanism) -> Iterator[str]:
-    what = LIMITS | {component.name: component.description for component in mechanism.pose}
-    return (f"{line}  # {what[name]}" for name, line in limits_written(mechanism).items())
+    descriptions = LIMITS | {component.name: component.description for component in mechanism.pose}
+    return (f"{line}  # {descriptions[name]}" for name, line in limits_written(mechanism).items())
 
 
 def _covariance(mechanism: Mechanism, document: Mapping[str, Any]) -> list[str]:

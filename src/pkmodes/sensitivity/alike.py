@@ -5,7 +5,7 @@ width, one per cent of the one does what one per cent of the other does.  No mea
 them, and which of them "has the larger influence" is rounding.  So they are one in tables and figures.
 
 Parameters whose relative influences differ by another constant factor, such as the inertia of a motor and its gear
-ratio, which enters squared, stay apart: a per cent of the one is worth two of the other, and the tables tell this.
+ratio, which enters squared, stay apart: a per cent of the one is worth two of the other, and the tables show this.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 #: Both are phi^T A phi with the same phi, and the same A up to the last digits of its entries: over the workspaces of
 #: the robots here they agree to 1e-14, also where modes nearly coincide.  All other pairs differ by more than 1e-2.
 SAME = 1e-9
-#: Relative influences below this are rounding of zero: such a parameter acts on nothing, like no other.
+#: Relative influences below this are rounding of zero: such a parameter acts on nothing, and is like no other.
 NOTHING = 1e-9
 
 
@@ -70,9 +70,9 @@ def alike(relative: Array) -> list[Alike]:
     poses = poses[np.isfinite(poses).all(axis=(1, 2))]
     size = np.abs(poses).max(axis=2, initial=0.0)  # (N, T), over the modes
     acts = size.max(axis=0, initial=0.0) > NOTHING
-    found: list[tuple[list[int], list[int]]] = []
+    groups: list[tuple[list[int], list[int]]] = []
     for i in range(relative.shape[-2]):
-        for members, signs in found:
+        for members, signs in groups:
             first = members[0]
             sign = _sign(poses[:, first], poses[:, i], size[:, [first, i]]) if acts[i] and acts[first] else 0
             if sign:
@@ -80,14 +80,14 @@ def alike(relative: Array) -> list[Alike]:
                 signs.append(sign)
                 break
         else:
-            found.append(([i], [1]))
-    return [Alike(tuple(members), tuple(signs)) for members, signs in found]
+            groups.append(([i], [1]))
+    return [Alike(tuple(members), tuple(signs)) for members, signs in groups]
 
 
-def _sign(one: Array, other: Array, size: Array) -> int:
+def _sign(first: Array, second: Array, size: Array) -> int:
     """Return 1 if two influences, (N, m), are equal, -1 if they are opposite, 0 if they are neither."""
     rounding = SAME * size.max(axis=1)[:, None]
     for sign in (1, -1):
-        if (np.abs(other - sign * one) <= rounding).all():
+        if (np.abs(second - sign * first) <= rounding).all():
             return sign
     return 0

@@ -21,7 +21,7 @@ from pkmodes.sensitivity.spread import frequency_sigmas, stated_sigmas
 Array = NDArray[np.float64]
 #: By how much each quantity changes: one per cent of its value, or the standard deviation that the robot file states.
 PERCENT, SIGMA = "percent", "sigma"
-#: What the standard deviation from all quantities is where the robot file has tables of correlations.
+#: Note on the standard deviation from all quantities where the robot file has tables of correlations.
 CORRELATED = (
     "with the [[covariance]] of the robot file, so that it may be less than what one value does alone"
 )
@@ -29,7 +29,7 @@ CORRELATED = (
 ROUNDING = 1e-11
 
 
-def coinciding(groups: Sequence[int], rigid: int, what: str) -> list[str]:
+def coinciding(groups: Sequence[int], rigid: int, noun: str) -> list[str]:
     """Say which modes of vibration coincide, and what their numbers then are.
 
     Parameters
@@ -38,16 +38,16 @@ def coinciding(groups: Sequence[int], rigid: int, what: str) -> list[str]:
         A number for each mode, the same for the members of a group.
     rigid : int
         Number of rigid-body modes, which come first.
-    what : str
+    noun : str
         The numbers: derivatives, or changes.
     """
-    together = dict[int, list[str]]()
+    by_group = dict[int, list[str]]()
     for number, group in enumerate(groups[rigid:], start=1):
-        together.setdefault(group, []).append(str(number))
+        by_group.setdefault(group, []).append(str(number))
     return [
-        f"modes {', '.join(members)} coincide: the {what} are those of the branches into which they split, in "
+        f"modes {', '.join(members)} coincide: the {noun} are those of the branches into which they split, in "
         "ascending order"
-        for members in together.values()
+        for members in by_group.values()
         if len(members) > 1
     ]
 
@@ -79,21 +79,21 @@ class Changes:
     changes: Array
     together: Array | None
 
-    def largest(self, mode: int, most: int | None = None) -> list[int]:
+    def largest(self, mode: int, limit: int | None = None) -> list[int]:
         """Return the quantities that change a mode (counted from 0), the largest change first."""
         size = np.abs(self.changes[:, mode])
         acting = size > ROUNDING * abs(self.frequencies[mode])
         # Equal to six digits counts as equal: rounding does not order them.
         rounded = [float(f"{value:.6g}") for value in size.tolist()]
         order = sorted(np.flatnonzero(acting).tolist(), key=lambda i: -rounded[i])
-        return order[:most]
+        return order[:limit]
 
-    def largest_of_all(self, most: int | None = None) -> list[int]:
+    def largest_of_all(self, limit: int | None = None) -> list[int]:
         """Return the quantities by their largest relative change in any mode."""
         size = np.nanmax(np.abs(self.changes / self.frequencies), axis=1, initial=0.0)
         rounded = [float(f"{value:.6g}") for value in size.tolist()]
         order = sorted(np.flatnonzero(size > ROUNDING).tolist(), key=lambda i: -rounded[i])
-        return order[:most]
+        return order[:limit]
 
 
 def changes_at(
@@ -117,14 +117,14 @@ def changes_at(
     """
     rigid = model.solved(drives).rigid_modes
     if by == PERCENT:
-        every, together = scalable(model.robot) if paths is None else list(paths), None
-        found = alike_around(model, pose, every, drives)
-        members = tuple(tuple(every[i] for i in one.members) for one in found)
-        names = tuple(tuple(one.names(every)) for one in found)
-        values = resolve_all(model.robot, [one[0] for one in members])
+        candidates, combined = scalable(model.robot) if paths is None else list(paths), None
+        alike_groups = alike_around(model, pose, candidates, drives)
+        members = tuple(tuple(candidates[i] for i in group.members) for group in alike_groups)
+        names = tuple(tuple(group.names(candidates)) for group in alike_groups)
+        values = resolve_all(model.robot, [group[0] for group in members])
         steps = [0.01 * path.value for path in values]
     elif by == SIGMA:
-        together = frequency_sigmas(model, pose, drives=drives)[rigid:]
+        combined = frequency_sigmas(model, pose, drives=drives)[rigid:]
         sigmas = stated_sigmas(model.robot)
         steps = list(sigmas.values())
         names = members = tuple((path,) for path in sigmas)
@@ -132,6 +132,6 @@ def changes_at(
         raise PkmodesError(
             f'expected "{PERCENT}" or "{SIGMA}", found {by!r}', "by", f'for example: by="{SIGMA}"'
         )
-    rates = rates_of(model, pose, [one[0] for one in members], drives, "raise")[:, rigid:]
+    rates = rates_of(model, pose, [group[0] for group in members], drives, "raise")[:, rigid:]
     frequencies = model.frequencies(pose, drives=drives)[rigid:]
-    return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], together)
+    return Changes(by, members, names, frequencies, rates * np.array(steps)[:, None], combined)

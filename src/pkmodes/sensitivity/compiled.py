@@ -52,19 +52,19 @@ def terms_of_all(systems: Sequence[ExtendedSystem], paths: Sequence[Sequence[Par
     pose = len(values)
     joints, free = pose + len(system.mechanism.pose), frozenset(system.free.tolist())
     of_paths = [
-        list(_terms(one, path, values, free))
-        for one, some in zip(systems, paths, strict=True)
-        for path in some
+        list(_terms(robot_system, path, values, free))
+        for robot_system, robot_paths in zip(systems, paths, strict=True)
+        for path in robot_paths
     ]
-    given = [place for terms in of_paths for place, _ in terms]
+    places = [place for terms in of_paths for place, _ in terms]
     count, ends = len(paths[0]), np.cumsum([0, *map(len, of_paths)], dtype=np.int32)
     return Terms(
         first=ends[np.arange(len(systems))[:, None] * count + np.arange(count + 1)],
-        places=np.array(given, dtype=np.int32),
+        places=np.array(places, dtype=np.int32),
         weights=np.array([weight for terms in of_paths for _, weight in terms], dtype=float),
-        effects=np.array([flat(one.effects) for one in systems]),
-        all_coordinates=any(parameters <= place < pose or place >= joints for place in given),
-        locked_joints=any(place >= joints and place - joints not in free for place in given),
+        effects=np.array([flat(robot_system.effects) for robot_system in systems]),
+        all_coordinates=any(parameters <= place < pose or place >= joints for place in places),
+        locked_joints=any(place >= joints and place - joints not in free for place in places),
     )
 
 
@@ -106,7 +106,7 @@ def rates_job(
     source: str,
     terms: Terms,
     close: float,
-    asked: Sequence[str],
+    requested: Sequence[str],
     by_numpy: Callable[[Array], Mapping[str, Array]],
 ) -> Job:
     """Return the job that evaluates derivatives of eigenvalues and frequencies.
@@ -123,7 +123,7 @@ def rates_job(
         Of T paths.
     close : float
         As for `pkmodes.Model.sensitivities`.
-    asked : sequence of str
+    requested : sequence of str
         Fields.
     by_numpy : callable
         Evaluates the fields at some poses, (n, d).
@@ -139,14 +139,14 @@ def rates_job(
         codes = solver.rates(at, {**written, EIGENVALUES: eigenvalues}, terms, threads)
         for start in range(0, len(codes), CHUNK):
             part = slice(start, start + CHUNK)
-            together = _coincide(eigenvalues[part], system, close, "eigenvalues" in asked)
-            codes[part][(codes[part] == 0) & together] = UNSOLVED
+            coincident = _coincide(eigenvalues[part], system, close, "eigenvalues" in requested)
+            codes[part][(codes[part] == 0) & coincident] = UNSOLVED
         return codes
 
     tail = (len(terms.first) - 1, modes)
     return Job(
-        tails=dict.fromkeys(asked, (tail, "f8")),
-        known=codes_of(system.mechanism),
+        tails=dict.fromkeys(requested, (tail, "f8")),
+        reasons=codes_of(system.mechanism),
         compute=compute,
         by_numpy=by_numpy,
         checks_poses=True,
@@ -157,11 +157,11 @@ def rates_job(
 def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: bool) -> NDArray[np.bool_]:
     """Return where modes form a group; with `of_zero` also of those whose frequency is zero to rounding."""
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
-    together = ~separate(eigenvalues, close, sizes)
+    coincident = ~separate(eigenvalues, close, sizes)
     if not of_zero:
         moving = np.abs(eigenvalues) > ROUNDING * sizes
-        together &= moving[:, 1:] | moving[:, :-1]
-    return np.asarray(together.any(axis=1))
+        coincident &= moving[:, 1:] | moving[:, :-1]
+    return np.asarray(coincident.any(axis=1))
 
 
 class CompiledDerivatives(MatrixDerivatives):

@@ -37,8 +37,8 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
                 joints[f"{effect.name}.{parameter.name}", ()] = tuple(
                     place[name] for name in parameter.releases
                 )
-        for name, one in place.items():
-            joints[f"{effect.name}.{effect.parameters[0].name}.{name}", ()] = (one,)
+        for name, coordinate in place.items():
+            joints[f"{effect.name}.{effect.parameters[0].name}.{name}", ()] = (coordinate,)
     return joints
 
 

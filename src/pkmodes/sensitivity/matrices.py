@@ -59,7 +59,7 @@ def _entries(mechanism: Mechanism, matrix: int) -> Entries:
 def geometry_of(mechanism: Mechanism) -> frozenset[str]:
     """Return the generated parameters and effects that change the platform's motion with the coordinates."""
     fields = {field for field, *_ in mechanism.extended.GEOMETRY_SENSITIVITIES}
-    fields |= {field for field, other in mechanism.differences.items() if other in fields}
+    fields |= {field for field, counterpart in mechanism.differences.items() if counterpart in fields}
     return frozenset(fields | set(_motion_moves(mechanism)))
 
 
@@ -176,7 +176,7 @@ class MatrixDerivatives:
         if self._directions[1][:, len(extended.VALUE_SENSITIVITIES) :].any():
             geometry = self.system.single("geometry_sensitivities", self._p)
         else:
-            counts = (sum(len(one[k]) for one in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
+            counts = (sum(len(entry[k]) for entry in extended.GEOMETRY_SENSITIVITIES) for k in (2, 3))
             geometry = tuple(np.zeros((len(self._p), count)) for count in counts)
         of_M, of_K = (np.hstack(both) for both in zip(values, geometry, strict=True))
         return of_M, of_K
@@ -259,11 +259,11 @@ class MatrixDerivatives:
         parts = []
         for matrix in (0, 1):
             # The entries that change along any path.
-            some = np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
-            _, row, column = (each[some] for each in _entries(self.system.mechanism, matrix))
+            changing = np.flatnonzero(self._along[matrix].any(axis=(0, 2)))
+            _, row, column = (indices[changing] for indices in _entries(self.system.mechanism, matrix))
             both = phi[..., row] * phi[..., column] * np.where(row == column, 1.0, 2.0)
-            both *= self._values[matrix][:, None, some]
-            part = self._of_each(both) @ self._along[matrix][:, some]
+            both *= self._values[matrix][:, None, changing]
+            part = self._of_each(both) @ self._along[matrix][:, changing]
             if self._by_pose is not None:
                 moved = np.einsum("nia,ndab,nib->nid", phi, self._by_pose[matrix], phi, optimize=True)
                 part += self._of_each(moved) @ np.swapaxes(self._shift, 1, 2)
@@ -287,15 +287,15 @@ class MatrixDerivatives:
         ----------
         eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
         poses : ndarray of int, optional
-            Those wanted, by default all.
+            Those requested, by default all.
         """
         dM, dK = self.dense(poses)
-        some = slice(None) if poses is None else poses
-        modes = np.swapaxes(shapes[some], -1, -2)[:, None]
+        chosen = slice(None) if poses is None else poses
+        modes = np.swapaxes(shapes[chosen], -1, -2)[:, None]
         inertia = dM @ modes
-        change = np.swapaxes(dK @ modes - inertia * eigenvalues[some, None, None], -1, -2)
-        norm = np.einsum("nia,ntai->nti", shapes[some], inertia)
-        return self._with_locked(change, norm, eigenvalues, shapes, some)
+        change = np.swapaxes(dK @ modes - inertia * eigenvalues[chosen, None, None], -1, -2)
+        norm = np.einsum("nia,ntai->nti", shapes[chosen], inertia)
+        return self._with_locked(change, norm, eigenvalues, shapes, chosen)
 
     def _with_locked(
         self,
@@ -364,15 +364,15 @@ class MatrixDerivatives:
         springs, joints = self._springs[0][:, free], self.system.joints[free]
         _, K = self.system.without_springs(self._p[pose : pose + 1])
         rest = shapes @ K[0][np.ix_(free, free)]
-        others = dK.copy()
-        others[:, diagonal, diagonal] -= springs
+        without_springs = dK.copy()
+        without_springs[:, diagonal, diagonal] -= springs
         strained = shapes**2 @ joints
         factor = -(shapes**2 @ springs.T) / np.where(strained > 0.0, strained, 1.0)[:, None]
-        left = springs[:, None] + factor.T[..., None] * joints
-        left[np.abs(left) < TAKEN_OUT * np.abs(springs[:, None])] = 0.0
-        change = np.einsum("tab,ib->tia", others, shapes)
+        remainder = springs[:, None] + factor.T[..., None] * joints
+        remainder[np.abs(remainder) < TAKEN_OUT * np.abs(springs[:, None])] = 0.0
+        change = np.einsum("tab,ib->tia", without_springs, shapes)
         change -= eigenvalues[:, None] * np.einsum("tab,ib->tia", dM, shapes)
-        return np.asarray(change + left * shapes + factor.T[..., None] * rest)
+        return np.asarray(change + remainder * shapes + factor.T[..., None] * rest)
 
     def _of_each(self, values: Array) -> Array:
         """Reshape (N, m, ...) to (B, N m / B, ...), one block for each robot."""

@@ -46,7 +46,7 @@ class ParameterPath:
 
 def paths(robot: Robot) -> tuple[str, ...]:
     """Return every path that `resolve` accepts for this robot: shared quantities, those of each entry, effects."""
-    return tuple(_known(robot))
+    return tuple(_available(robot))
 
 
 def resolve(robot: Robot, path: str) -> ParameterPath:
@@ -67,31 +67,33 @@ def resolve(robot: Robot, path: str) -> ParameterPath:
     return resolve_all(robot, [path])[0]
 
 
-def resolve_all(robot: Robot, wanted: Iterable[str | ParameterPath]) -> list[ParameterPath]:
+def resolve_all(robot: Robot, requested: Iterable[str | ParameterPath]) -> list[ParameterPath]:
     """Resolve several paths, as `resolve` does; those that are resolved already stay as they are."""
-    known = _known(robot)
-    return [path if isinstance(path, ParameterPath) else _resolved(robot, path, known) for path in wanted]
+    available = _available(robot)
+    return [
+        path if isinstance(path, ParameterPath) else _resolved(robot, path, available) for path in requested
+    ]
 
 
-def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterPath:
+def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> ParameterPath:
     if not isinstance(path, str):
         raise PkmodesError(f"expected a parameter path, found {shown(path)}", "parameters", "give strings")
-    if path not in known and path in changeable(robot):
-        what = f"no frequency and no mode shape depends on {path}"
-        own = [
-            one for one in known if one.endswith(f".{path}")
+    if path not in available and path in changeable(robot):
+        problem = f"no frequency and no mode shape depends on {path}"
+        alternatives = [
+            candidate for candidate in available if candidate.endswith(f".{path}")
         ]  # of every axis, in place of the shared value
-        remedy = nearest(path, own, "choose a quantity that changes masses or stiffnesses")
-        raise PkmodesError(what, robot.source, remedy)
-    if path not in known:
-        remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
+        remedy = nearest(path, alternatives, "choose a quantity that changes masses or stiffnesses")
+        raise PkmodesError(problem, robot.source, remedy)
+    if path not in available:
+        remedy = nearest(path, available, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
-    unit, weights = known[path]
+    unit, weights = available[path]
     group = groups_by_path(robot.mechanism).get(path)
     if group is not None and not weights:
         item = items_of(robot.mechanism, group)[0]
-        what = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
-        raise PkmodesError(what, robot.source, f"use elements such as {item.numbers[0].path}")
+        problem = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
+        raise PkmodesError(problem, robot.source, f"use elements such as {item.numbers[0].path}")
     value = _value(robot, next(iter(weights))) if group is None else value_of(robot, group)
     return ParameterPath(path, value, unit, weights)
 
@@ -126,7 +128,7 @@ def _value(robot: Robot, slot: Slot) -> float:
     return float(np.asarray(getattr(robot.parameters, field))[index])
 
 
-def _known(robot: Robot) -> dict[str, Moves]:
+def _available(robot: Robot) -> dict[str, Moves]:
     groups = {g.path: (g.unit, weights_of(robot, g)) for g in robot.mechanism.parameter_groups}
     common = _common(robot)
     return {**common, **_with_middles(robot, common), **groups, **_of_entries(robot), **_of_effects(robot)}
@@ -135,9 +137,9 @@ def _known(robot: Robot) -> dict[str, Moves]:
 def _with_middles(robot: Robot, moves: Mapping[str, Moves]) -> dict[str, Moves]:
     """Return the ends of pairs whose middle is the value of a key that the file does not give: it moves with them."""
     changed: dict[str, Moves] = {}
-    for borrowed, own in lent(robot.mechanism).items():
-        pair = by_path(robot.mechanism)[own].key.middle_of
-        if pair and not {own, borrowed} & robot.quantities.keys():
+    for borrowed, table_path in lent(robot.mechanism).items():
+        pair = by_path(robot.mechanism)[table_path].key.middle_of
+        if pair and not {table_path, borrowed} & robot.quantities.keys():
             for end in by_path(robot.mechanism)[pair].numbers:
                 unit, weights = {**moves, **changed}[end.path]
                 changed[end.path] = unit, {**weights, (borrowed.removeprefix(f"{EFFECTS}."), ()): 0.5}
@@ -150,8 +152,8 @@ def _common(robot: Robot) -> dict[str, Moves]:
     shared = takers(robot.mechanism)
     for item in items(robot.mechanism):
         if item.path in shared:
-            following = [own for own in shared[item.path] if own.path not in robot.quantities]
-            slots = [number.slot for own in following for number in own.numbers]
+            following = [taker for taker in shared[item.path] if taker.path not in robot.quantities]
+            slots = [number.slot for taker in following for number in taker.numbers]
             if slots and (item.path in robot.quantities or item.key.default is not None):
                 moves[item.path] = (item.numbers[0].unit, {slot: 1.0 for slot in slots if slot is not None})
         elif item.entry is None:

@@ -41,15 +41,15 @@ def scalable(robot: Robot) -> list[str]:
         path for path in effect_parameters(mechanism) if path.split(".")[1] in mechanism.conservative_effects
     }
     declared, varying = robot.quantities, set(paths(robot))
-    known = [path for path in declared if path in varying and _scales(declared[path].value)]
-    effects = [path for path in known if path in conservative and path not in single]
+    nonzero = [path for path in declared if path in varying and _scales(declared[path].value)]
+    effects = [path for path in nonzero if path in conservative and path not in single]
     # A whole with a vector of zero has no direction in which it could change.
     wholes = [
         path
         for path, whole in groups_by_path(mechanism).items()
         if weights_of(robot, whole) and _scales(value_of(robot, whole))
     ]
-    return [*(path for path in known if path in single), *effects, *wholes]
+    return [*(path for path in nonzero if path in single), *effects, *wholes]
 
 
 def _scales(value: float) -> bool:
@@ -60,7 +60,7 @@ def rates_of(
     model: Model, poses: ArrayLike, paths: Sequence[str | ParameterPath], drives: str, on_error: str
 ) -> Array:
     """Return the derivatives of all frequencies, (..., T, m) [Hz per unit]: see `pkmodes.Model.sensitivities`."""
-    found = sensitivities_at(
+    derivatives = sensitivities_at(
         model,
         poses,
         paths,
@@ -70,7 +70,7 @@ def rates_of(
         drives=drives,
         threads=1,
     )
-    return found.frequencies
+    return derivatives.frequencies
 
 
 def relative_of(rates: Array, values: Array, frequencies: Array) -> Array:
@@ -82,9 +82,9 @@ def relative_of(rates: Array, values: Array, frequencies: Array) -> Array:
     values : ndarray, shape (T,)
     frequencies : ndarray, shape (..., m)
     """
-    known = np.where(values == 0.0, np.nan, values)
+    nonzero = np.where(values == 0.0, np.nan, values)
     sizes = np.where(frequencies == 0.0, np.nan, frequencies)
-    relative: Array = rates * known[:, None] / sizes[..., None, :]
+    relative: Array = rates * nonzero[:, None] / sizes[..., None, :]
     return relative
 
 

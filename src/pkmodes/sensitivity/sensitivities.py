@@ -38,7 +38,7 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 #: Number of poses differentiated together: the matrices of one pose take a few hundred kilobytes.
 TOGETHER = 64
-#: The fields that no mode takes part in.
+#: The fields that do not depend on modes.
 MATRICES = frozenset({"mass_matrix", "stiffness_matrix"})
 
 
@@ -231,17 +231,17 @@ def sensitivities_at(
     robot, system = resolved.robot, resolved.system
     if not (isinstance(close, int | float | np.integer | np.floating) and 0.0 <= close < 1.0):
         raise PkmodesError(f"expected a fraction below 1, found {shown(close)}", "close", "for example: 1e-6")
-    asked = chosen_fields(fields, out, Sensitivities.FIELDS)
+    requested = chosen_fields(fields, out, Sensitivities.FIELDS)
     limit = float(close)
-    if solver.differentiates and set(asked) <= RATES.keys():
+    if solver.differentiates and set(requested) <= RATES.keys():
         job = rates_job(
             solver,
             system,
             robot.source,
             resolved.terms,
             limit,
-            asked,
-            lambda p: _in_parts(lambda part: _at(resolved, part, limit, asked, solvers), p),
+            requested,
+            lambda p: _in_parts(lambda part: _at(resolved, part, limit, requested, solvers), p),
         )
         checked, arrays = run(job, robot, model.max_condition, poses, on_error, out, count)
     else:
@@ -250,11 +250,11 @@ def sensitivities_at(
         of_poses = FieldArrays(checked.batch, out, aside=aside, blank=bool(checked.codes.any()))
         # In parts of equal size: a single pose is evaluated differently, which gives repeated modes another basis.
         for where, p in checked.parts(TOGETHER, even=True):
-            of_poses.put(where, _at(resolved, p, limit, asked, solvers))
+            of_poses.put(where, _at(resolved, p, limit, requested, solvers))
         arrays = of_poses.finish()
     return Sensitivities(
         codes=checked.codes.reshape(checked.batch),
-        known=checked.known,
+        known=checked.reasons,
         arrays=arrays,
         parameters=resolved.names,
         units=resolved.units,
@@ -296,22 +296,22 @@ def _chosen(robot: Robot, parameters: Sequence[str | ParameterPath] | None) -> l
         dissipating = mechanism.effects.keys() - mechanism.conservative_effects.keys()
         still |= {path for path in effect_parameters(mechanism) if path.split(".")[1] in dissipating}
         return resolve_all(robot, [path for path in paths(robot) if path not in still])
-    wanted = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
-    return resolve_all(robot, wanted)
+    requested = listed(parameters, "parameter paths", "parameters", '"platform.mass"')
+    return resolve_all(robot, requested)
 
 
 def _at(
-    resolved: ResolvedPaths, p: Array, close: float, asked: Collection[str], solvers: _Solvers
+    resolved: ResolvedPaths, p: Array, close: float, requested: Collection[str], solvers: _Solvers
 ) -> dict[str, NDArray[Any]]:
     """Compute the requested fields at some poses."""
     derivatives, fields = None, dict[str, NDArray[Any]]()
-    if not MATRICES.issuperset(asked):
-        derivatives, fields = _of_modes(resolved, p, close, asked, solvers.solved)
-    if not MATRICES.isdisjoint(asked):
+    if not MATRICES.issuperset(requested):
+        derivatives, fields = _of_modes(resolved, p, close, requested, solvers.solved)
+    if not MATRICES.isdisjoint(requested):
         if derivatives is None or isinstance(resolved.extended, MotorsHeld):
             derivatives = _of_matrices(resolved, p, solvers.free)
         fields["mass_matrix"], fields["stiffness_matrix"] = derivatives.dense()
-    return {name: fields[name] for name in asked}
+    return {name: fields[name] for name in requested}
 
 
 def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDerivatives:
@@ -324,19 +324,19 @@ def _of_matrices(resolved: ResolvedPaths, p: Array, solver: Solver) -> MatrixDer
 
 
 def _of_modes(
-    resolved: ResolvedPaths, p: Array, close: float, asked: Collection[str], solver: Solver
+    resolved: ResolvedPaths, p: Array, close: float, requested: Collection[str], solver: Solver
 ) -> tuple[MatrixDerivatives, dict[str, NDArray[Any]]]:
     """Return the derivatives of M and K at the modes, and the fields that follow from them."""
     robot, system, extended = resolved.robot, resolved.system, resolved.extended
-    shapes_asked = "shapes" in asked
+    with_shapes = "shapes" in requested
     # Bitwise the matrices of `Model.modes`, so that repeated modes have the same basis.
-    at = solved(solver, system, p, robot.source, *(sorted(MATRICES) if shapes_asked else ()))
+    at = solved(solver, system, p, robot.source, *(sorted(MATRICES) if with_shapes else ()))
     eigenvalues, shapes = at["eigenvalues"], at["shapes"]
-    wanted = list[str]()
-    if shapes_asked:
-        wanted += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
-        if not (isinstance(extended, MotorsHeld) or MATRICES.isdisjoint(asked)):
-            wanted += RATES_OF_MATRICES
+    along_fields = list[str]()
+    if with_shapes:
+        along_fields += ["changes", "norms", *(ALL_COORDINATES if resolved.terms.locked_joints else ())]
+        if not (isinstance(extended, MotorsHeld) or MATRICES.isdisjoint(requested)):
+            along_fields += RATES_OF_MATRICES
     derivatives = derivatives_of(
         solver,
         extended,
@@ -344,20 +344,20 @@ def _of_modes(
         [resolved.paths],
         (eigenvalues, shapes),
         resolved.terms,
-        wanted,
+        along_fields,
         matrices=at.evaluated("all_coordinates") if extended is system else None,
         locked=resolved.locked,
     )
     sizes = magnitude(eigenvalues, system.first, system.rigid_modes, system.loose_motions)
     group = groups(eigenvalues, close, sizes)
     fields: dict[str, NDArray[Any]] = {"groups": group}
-    if shapes_asked:
+    if with_shapes:
         fields["eigenvalues"], fields["shapes"] = _of_shapes(derivatives, at, group, sizes)
         if isinstance(extended, MotorsHeld):
             fields["shapes"] = extended.part_with_free_motors(fields["shapes"])
-    elif {"eigenvalues", "frequencies"} & set(asked):
+    elif {"eigenvalues", "frequencies"} & set(requested):
         fields["eigenvalues"] = _rates(derivatives, eigenvalues, shapes, group)
-    if "frequencies" in asked:
+    if "frequencies" in requested:
         size = np.abs(eigenvalues)
         nothing = size <= ROUNDING * sizes  # sqrt has no derivative at 0
         twice = 4.0 * np.pi * np.sqrt(np.where(nothing, np.nan, size))
@@ -374,16 +374,16 @@ def _of_shapes(
     )
     change, norm = derivatives.changes(eigenvalues, shapes)
     rates, turned = np.empty(norm.shape), np.empty(change.shape)
-    for i, one in enumerate(zip(*modes, change, norm, group, sizes, strict=True)):
-        rates[i], turned[i] = mode_derivatives(*one)
+    for i, arguments in enumerate(zip(*modes, change, norm, group, sizes, strict=True)):
+        rates[i], turned[i] = mode_derivatives(*arguments)
     first = at.system.first
     stiff = np.flatnonzero(has_stiff_joint(eigenvalues, first, at.system.rigid_modes))
     if len(stiff):
         evaluated = np.setdiff1d(np.arange(norm.shape[1]), derivatives.locked)
         for i, dM, dK in zip(stiff.tolist(), *derivatives.dense(stiff), strict=True):
-            given = eigenvalues[i], shapes[i]
-            other = derivatives.stiff_change(i, *given, dM, dK)[evaluated]
-            _, again = mode_derivatives(M[i], K[i], *given, other, norm[i, evaluated], group[i], sizes[i])
+            mode = eigenvalues[i], shapes[i]
+            forces = derivatives.stiff_change(i, *mode, dM, dK)[evaluated]
+            _, again = mode_derivatives(M[i], K[i], *mode, forces, norm[i, evaluated], group[i], sizes[i])
             turned[i, evaluated, first:] = again[:, first:]
     return rates, turned
 

@@ -38,8 +38,8 @@ Array = NDArray[np.float64]
 def stated_sigmas(robot: Robot) -> dict[str, float]:
     """Return the standard deviations of a robot file by path [SI], of those values that can change a frequency."""
     stated = uncertain(robot)
-    known = set(paths(robot)) if stated else set()  # damping ratios and loss factors change none
-    return {path: sigma for path, sigma in stated.items() if path in known}
+    varying = set(paths(robot)) if stated else set()  # damping ratios and loss factors change none
+    return {path: sigma for path, sigma in stated.items() if path in varying}
 
 
 def spread_of(
@@ -58,7 +58,7 @@ def spread_of(
     known : collection of str
         Paths of values that are known exactly all the same, such as those that a sweep sets.
     """
-    owners = {own for path, own in lent(model.robot.mechanism).items() if path in known}
+    owners = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in known}
     names = [path for path in stated_sigmas(model.robot) if path not in known and path not in owners]
     if not names:
         return None
@@ -81,7 +81,10 @@ def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[
         return names, root
     resolved = ResolvedPaths(robot, names, drives)
     if resolved.locked.paths:
-        return names, root  # derivatives of a group know no line that releases a locked joint and does more
+        return (
+            names,
+            root,
+        )  # derivatives of a group allow no line that both releases a locked joint and changes other values
     lines: list[ParameterPath] = []
     for column in root.T:
         weights: dict[Slot, float] = {}
@@ -132,9 +135,9 @@ def frequency_sigmas(
     """
     spread = spread_of(model, poses, checked_drives(drives), on_error)
     if spread is None:
-        what = "no value of the robot that changes a frequency has a standard deviation"
+        problem = "no value of the robot that changes a frequency has a standard deviation"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'
-        raise PkmodesError(what, model.robot.source, remedy)
+        raise PkmodesError(problem, model.robot.source, remedy)
     return spread
 
 

@@ -17,7 +17,7 @@ EXAMPLE = 'for example: {"platform.mass": [1.0, 1.5, 2.0]}'
 
 
 def ascending(
-    given: Any,
+    points: Any,
     name: str,
     where: str,
     example: str,
@@ -48,10 +48,10 @@ def ascending(
     ------
     PkmodesError
     """
-    if isinstance(given, np.ndarray) and given.ndim == 0:
-        given = given.item()
+    if isinstance(points, np.ndarray) and points.ndim == 0:
+        points = points.item()
     values = listed(
-        [given] if isinstance(given, int | float | np.number) else given, f"values of {name}", where, "0.1"
+        [points] if isinstance(points, int | float | np.number) else points, f"values of {name}", where, "0.1"
     )
     if not all(map(is_number, values)):
         raise error(f"expected numbers in SI units, found {shown(values[0])}", where, example)
@@ -70,12 +70,12 @@ def ascending(
     return axis
 
 
-def swept_values(given: Any, where: str) -> dict[str, Array]:
+def swept_values(sweep: Any, where: str) -> dict[str, Array]:
     """Check the values of swept parameters, which only have to differ.
 
     Parameters
     ----------
-    given : mapping of str to array_like
+    sweep : mapping of str to array_like
         Values in SI units by path; one number is a single value.
     where : str
         Of the argument, for messages.
@@ -90,8 +90,8 @@ def swept_values(given: Any, where: str) -> dict[str, Array]:
     PkmodesError
         If it is none.  Whether there is such a parameter is left to `pkmodes.Robot.with_values`.
     """
-    check_argument(given, VALUES_BY_PATH, where, EXAMPLE)
+    check_argument(sweep, VALUES_BY_PATH, where, EXAMPLE)
     return {
         path: ascending(values, str(path), f"{where}: {path}", EXAMPLE, strictly=False)
-        for path, values in given.items()
+        for path, values in sweep.items()
     }

@@ -17,24 +17,26 @@ Array = NDArray[np.float64]
 
 def uncertain(robot: Robot) -> dict[str, float]:
     """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes counts once."""
-    twice = {path for path, own in lent(robot.mechanism).items() if own in robot.quantities}
+    twice = {path for path, table_path in lent(robot.mechanism).items() if table_path in robot.quantities}
     return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
 
 
 def covariance_of(robot: Robot, paths: Sequence[str]) -> Array:
     """Return the covariance of uncertain values as the frequencies have it, (k, k) [SI].
 
-    That of some values is that of all without the others: those may have any value.
+    The covariance of some values is that of all, without the others' rows and columns: those may have any value.
     """
     sigmas = uncertain(robot)
-    found = np.diag([sigmas[path] ** 2 for path in paths])
+    matrix = np.diag([sigmas[path] ** 2 for path in paths])
     place = {path: i for i, path in enumerate(paths)}
     for table in robot.covariance:
         stated = _sigmas(table, sigmas)
-        some = [k for k, path in enumerate(table.paths) if path in place]
-        at = [place[table.paths[k]] for k in some]
-        found[np.ix_(at, at)] = (np.array(table.correlation) * np.outer(stated, stated))[np.ix_(some, some)]
-    return found
+        members = [k for k, path in enumerate(table.paths) if path in place]
+        at = [place[table.paths[k]] for k in members]
+        matrix[np.ix_(at, at)] = (np.array(table.correlation) * np.outer(stated, stated))[
+            np.ix_(members, members)
+        ]
+    return matrix
 
 
 class Prior(NamedTuple):
@@ -50,20 +52,20 @@ def priors_of(robot: Robot) -> dict[str, Prior]:
     A value and its table of correlations may state one standard deviation with different numbers of digits: that of
     the table counts, because small differences of strongly correlated values depend on its digits.
     """
-    own, correlated = uncertain(robot), {}
-    tables = [(table, _sigmas(table, own)) for table in robot.covariance]
-    sigmas = own | {
+    declared, correlated = uncertain(robot), {}
+    tables = [(table, _sigmas(table, declared)) for table in robot.covariance]
+    sigmas = declared | {
         path: sigma
         for table, stated in tables
         for path, sigma in zip(table.paths, stated, strict=True)
-        if abs(own[path] - sigma) <= DIGITS * sigma
+        if abs(declared[path] - sigma) <= DIGITS * sigma
     }
     for table, stated in tables:
         part = np.array(stated) / [sigmas[path] for path in table.paths]
         rates = np.array(table.correlation) * np.outer(part, part)
         for i, path in enumerate(table.paths):
-            others = [(other, float(rates[i, k])) for k, other in enumerate(table.paths) if k != i]
-            correlated[path] = tuple((other, rate) for other, rate in others if rate)
+            correlations = [(partner, float(rates[i, k])) for k, partner in enumerate(table.paths) if k != i]
+            correlated[path] = tuple((partner, rate) for partner, rate in correlations if rate)
     return {path: Prior(sigma, correlated.get(path, ())) for path, sigma in sigmas.items()}
 
 
@@ -77,28 +79,28 @@ def root_of(covariance: Array) -> Array:
         return np.diag(size)
     scale = np.where(size > 0.0, size, 1.0)
     values, vectors = np.linalg.eigh(covariance / np.outer(scale, scale))
-    some = values > len(values) * np.finfo(float).eps
-    root: Array = scale[:, None] * vectors[:, some] * np.sqrt(values[some])
+    significant = values > len(values) * np.finfo(float).eps
+    root: Array = scale[:, None] * vectors[:, significant] * np.sqrt(values[significant])
     return root
 
 
-def _sigmas(table: Covariance, own: Mapping[str, float]) -> list[float]:
-    return [own[path] for path in table.paths] if table.sigmas is None else list(table.sigmas)
+def _sigmas(table: Covariance, value_sigmas: Mapping[str, float]) -> list[float]:
+    return [value_sigmas[path] for path in table.paths] if table.sigmas is None else list(table.sigmas)
 
 
-def joined(tables: Sequence[Covariance], own: Mapping[str, float]) -> Covariance:
+def joined(tables: Sequence[Covariance], value_sigmas: Mapping[str, float]) -> Covariance:
     """Return one table of the values of several, which stay independent of each other.
 
     Parameters
     ----------
-    own : mapping of str to float
+    value_sigmas : mapping of str to float
         Standard deviations of the values themselves, by path, for tables that have none of their own.
     """
     if len(tables) == 1:
         return tables[0]
     sigmas = None
     if any(table.sigmas is not None for table in tables):
-        sigmas = tuple(one for table in tables for one in _sigmas(table, own))
+        sigmas = tuple(sigma for table in tables for sigma in _sigmas(table, value_sigmas))
     ends = np.cumsum([0, *(len(table.paths) for table in tables)])
     blocks = np.zeros((ends[-1], ends[-1]))
     for table, start, end in zip(tables, ends, ends[1:], strict=False):

@@ -17,7 +17,7 @@ Number = Annotated[int, Meta(ge=1)]
 Size = Annotated[float, Meta(ge=0)]
 Probability = Annotated[float, Meta(ge=0, le=1)]
 Matrix = list[list[float]]
-#: Of a measured row.
+#: Settings of a measured row.
 Settings = Annotated[
     dict[str, float],
     Meta(
@@ -35,18 +35,18 @@ class Document(Struct, frozen=True):
     """
 
     @classmethod
-    def of(cls, source: object, **others: Any) -> Self:
+    def of(cls, source: object, **overrides: Any) -> Self:
         """Fill the fields from the attributes of a result with the same names.
 
         Parameters
         ----------
         source : object
             The result.
-        **others : Any
+        **overrides : Any
             The fields that differ from its attributes.
         """
-        names = [name for name in cls.__struct_fields__ if name not in others]
-        return cls(**{name: getattr(source, name) for name in names}, **others)
+        names = [name for name in cls.__struct_fields__ if name not in overrides]
+        return cls(**{name: getattr(source, name) for name in names}, **overrides)
 
     def as_json(self) -> dict[str, Any]:
         """Return the object as JSON has it; numbers that are not finite are None."""
@@ -74,5 +74,5 @@ def schema_of(document: type[Document], title: str) -> dict[str, Any]:
         document.__name__,
         msgspec.json.schema_components([document], ref_template="#/$defs/{name}")[1],
     )
-    own = {**definitions.pop(name), "title": title}
-    return {"$schema": DIALECT, **own, **({"$defs": definitions} if definitions else {})}
+    root = {**definitions.pop(name), "title": title}
+    return {"$schema": DIALECT, **root, **({"$defs": definitions} if definitions else {})}

@@ -7,12 +7,12 @@ from importlib.util import find_spec
 from pkmodes.core.base.errors import MissingExtraError
 
 
-def require(what: str, extra: str, *libraries: str) -> None:
+def require(features: str, extra: str, *libraries: str) -> None:
     """Check, before anything is computed, that libraries are installed.
 
     Parameters
     ----------
-    what : str
+    features : str
         What needs them, in the plural.
     extra : str
         The extra that brings them.
@@ -27,7 +27,7 @@ def require(what: str, extra: str, *libraries: str) -> None:
     for library in libraries:
         if find_spec(library) is None:
             raise MissingExtraError(
-                f"{library} is not installed; {what} need it",
+                f"{library} is not installed; {features} need it",
                 "optional dependency",
                 f"install it with: pip install 'pkmodes[{extra}]'",
             )

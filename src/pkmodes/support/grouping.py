@@ -8,21 +8,25 @@ from typing import TypeVar
 T = TypeVar("T")
 
 
-def grouped(some: Iterable[T], alike: Callable[[T, T], bool], compared: int | None = None) -> list[list[T]]:
-    """Return groups in the order of their first members: each thing joins the first group with one that is like it.
+def grouped(
+    elements: Iterable[T], alike: Callable[[T, T], bool], compared: int | None = None
+) -> list[list[T]]:
+    """Return groups in the order of their first members: each element joins the first group with a member like it.
 
     Parameters
     ----------
     alike : callable
-        Whether a member of a group and a further thing are alike.
+        Whether a member of a group and a further element are alike.
     compared : int, optional
         Number of members of each group that are compared, the first ones; by default all.
     """
     groups: list[list[T]] = []
-    for one in some:
-        home = next((group for group in groups if any(alike(each, one) for each in group[:compared])), None)
+    for element in elements:
+        home = next(
+            (group for group in groups if any(alike(member, element) for member in group[:compared])), None
+        )
         if home is None:
-            groups.append([one])
+            groups.append([element])
         else:
-            home.append(one)
+            home.append(element)
     return groups

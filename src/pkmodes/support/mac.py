@@ -53,10 +53,10 @@ def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
     lengths = (shapes**2).sum(axis=-1)
     sizes = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
     along = (shapes @ np.swapaxes(model, -1, -2)) ** 2
-    known = (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
+    comparable = (measured.sum(axis=-1) >= 2) & (lengths > 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
         likeness = along / (np.where(sizes > 0.0, sizes, 1.0) * lengths[..., None])
-    return np.where(known[..., None], likeness, np.nan)
+    return np.where(comparable[..., None], likeness, np.nan)
 
 
 def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
@@ -95,11 +95,11 @@ def subspace_mac(
         Modes that span the subspace.
     measured : ndarray of bool, shape (B, C)
     """
-    most = int(members.sum(axis=1).max(initial=1))
-    order = np.argsort(~members, axis=1, kind="stable")[:, :most]
+    largest_group = int(members.sum(axis=1).max(initial=1))
+    order = np.argsort(~members, axis=1, kind="stable")[:, :largest_group]
     batch = np.arange(len(shapes))[:, None]
-    some = model[batch, order] * measured[:, None] * members[batch, order][..., None]
-    basis, _ = space(some)
+    selected = model[batch, order] * measured[:, None] * members[batch, order][..., None]
+    basis, _ = space(selected)
     lengths = (shapes**2).sum(axis=-1)
     comparable = (
         (measured.sum(axis=-1) > members.sum(axis=-1)) & (measured.sum(axis=-1) >= 2) & (lengths > 0.0)

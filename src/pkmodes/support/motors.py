@@ -51,9 +51,11 @@ def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
     if drives is None:
         return FREE if motors_give_way(robot) else HELD
     if checked_drives(drives) == FREE and not motors_give_way(robot):
-        what = "motors that turn freely follow no command, and the robot file has no spring that holds them"
+        problem = (
+            "motors that turn freely follow no command, and the robot file has no spring that holds them"
+        )
         remedy = 'take drives="held", or give the stiffness of the motors as [effects.servo_stiffness]'
-        raise PkmodesError(what, "drives", remedy)
+        raise PkmodesError(problem, "drives", remedy)
     return drives
 
 

@@ -1,8 +1,8 @@
 """Numbers as people read them: values with their standard deviations, and p-values.
 
-A standard deviation has two significant digits, and its value is rounded to the same place: digits below that say
-nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  A value that a fit knows better than its
-standard deviation says, which also has what was not seen, keeps the digits of the fit.  Both have the same power of
+A standard deviation has two significant digits, and its value is rounded to the same place: digits below that mean
+nothing, and a single digit would round 0.15 to 0.2 (JCGM 100:2008, 7.2.6).  A value whose fit is surer than its
+standard deviation, which includes what was not observed, keeps the digits of the fit.  Both have the same power of
 ten, which is left out where all their digits can be read without it.  Programs read the exact numbers in the JSON.
 
 The text is ASCII, ``(1.92 +- 0.13)e-4``; `pkmodes.plots.labels.typeset` sets it as in print.
@@ -18,13 +18,13 @@ from decimal import Decimal
 PLAIN = range(-3, 6)
 #: Most zeros that stand for digits below the last significant one: 730 +- 210 has one.
 MOST_ZEROS = 1
-#: Most decimals: beyond that, a value does not hold the digits that its standard deviation asks for.
+#: Most decimals: a float does not hold more digits, even if its standard deviation requires them.
 MOST_DECIMALS = 12
-#: Frequencies [Hz] below the first and from the second on have another format than those between.
+#: Frequencies [Hz] below the first and from the second on are formatted differently from those between.
 SMALL_FREQUENCY, LARGE_FREQUENCY = 0.01, 1e5
-#: A larger factor is not told apart: whatever it is, something else is meant.
+#: Largest factor that is stated: a larger one is only called more than this.
 MOST_TIMES = 1_000_000
-#: p-values below this are not told apart: what is left then depends on tails that nobody has checked.
+#: Smallest p-value that is stated: smaller ones depend on tails of distributions that nobody has checked.
 LEAST_P = 1e-6
 
 

@@ -21,7 +21,7 @@ def in_order(labels: Sequence[str]) -> list[int]:
     """
     places = list(range(len(labels)))
     whole = [QUANTITY.fullmatch(label) for label in labels]
-    quantities = [(found[1], found[2]) for found in whole if found is not None]
+    quantities = [(match[1], match[2]) for match in whole if match is not None]
     if len(quantities) == len(labels) and len({unit for _, unit in quantities}) == 1:
         values = [float(digits.replace("\u2212", "-")) for digits, _ in quantities]
         return sorted(places, key=lambda i: values[i])
@@ -32,11 +32,11 @@ def in_order(labels: Sequence[str]) -> list[int]:
 
 def sorted_labels(labels: Iterable[str]) -> list[str]:
     """Return labels in their natural order."""
-    given = list(labels)
-    return [given[i] for i in in_order(given)]
+    sequence = list(labels)
+    return [sequence[i] for i in in_order(sequence)]
 
 
-def listed(names: Sequence[str], most: int, between: str = ", ", last: str = " and ") -> str:
+def listed(names: Sequence[str], limit: int, between: str = ", ", last: str = " and ") -> str:
     """Return the first names in a sentence, and how many more there are.
 
     Parameters
@@ -44,8 +44,8 @@ def listed(names: Sequence[str], most: int, between: str = ", ", last: str = " a
     between, last : str
         What stands between two names, and before the number of the others.
     """
-    more = len(names) - most
-    return between.join(names[:most]) + (f"{last}{more} more" if more > 0 else "")
+    surplus = len(names) - limit
+    return between.join(names[:limit]) + (f"{last}{surplus} more" if surplus > 0 else "")
 
 
 def joined(names: Collection[str], last: str = "and") -> str:
@@ -56,8 +56,8 @@ def joined(names: Collection[str], last: str = "and") -> str:
     last : str
         The word before the last name.
     """
-    *others, end = [*names] or [""]
-    return f"{', '.join(others)} {last} {end}" if others else end
+    *leading, end = [*names] or [""]
+    return f"{', '.join(leading)} {last} {end}" if leading else end
 
 
 def _key(label: str) -> list[tuple[float, str]]:

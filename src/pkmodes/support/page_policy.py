@@ -6,7 +6,7 @@ import re
 from base64 import b64encode
 from hashlib import sha256
 
-#: Programs of a page: elements without attributes.  Data have a type, and text from files is escaped.
+#: Programs of a page are elements without attributes; data have a type, and text from files is escaped.
 PROGRAM = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 AFTER = '<meta charset="utf-8">\n'
 

@@ -26,6 +26,6 @@ def resolved(path: Path, option: str = "") -> Path:
     except OSError as error:
         if error.errno == errno.ELOOP:
             where = f"{option} {shown(str(path))}".lstrip()
-            what = "expected a file or folder, found symbolic links that lead back to themselves"
-            raise OutputError(what, where, "remove the link, or choose another place") from None
+            problem = "expected a file or folder, found symbolic links that lead back to themselves"
+            raise OutputError(problem, where, "remove the link, or choose another place") from None
     return path.resolve()

@@ -45,14 +45,14 @@ def check_replaced(
     """
     if overwrite:
         return
-    other = [path for path in files if path.exists() and not (path.is_file() and replaceable(path))]
-    if other:
-        more = f" and {len(other) - 1} more" if other[1:] else ""
-        raise OutputError(f"{other[0]}{more}: {what}", where, remedy)
+    blocked = [path for path in files if path.exists() and not (path.is_file() and replaceable(path))]
+    if blocked:
+        suffix = f" and {len(blocked) - 1} more" if blocked[1:] else ""
+        raise OutputError(f"{blocked[0]}{suffix}: {what}", where, remedy)
 
 
 def holds(mark: bytes) -> Callable[[Path], bool]:
-    """Return what says whether a file holds a mark, by which a command knows what it wrote itself."""
+    """Return a test whether a file holds a mark, by which a command recognises its own files."""
 
     def held(path: Path) -> bool:
         try:

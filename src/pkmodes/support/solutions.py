@@ -31,7 +31,7 @@ def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
     arrays = _arrays(solver, at.system, len(at.points), names)
     if arrays:
         solver.compute(at, arrays)
-        at.known.update(arrays)
+        at.quantities.update(arrays)
     return at
 
 
@@ -53,7 +53,7 @@ def with_all_coordinates(solver: Solver, at: RobotAtPoses) -> RobotAtPoses:
         along = solver.along(at, of_no_mode, no_paths(flat(system.effects)), fields)
         if along is not None:
             M, K = (along[name] for name in ALL_COORDINATES)
-            at.known["all_coordinates"] = system.of_generated(M, K)
+            at.quantities["all_coordinates"] = system.of_generated(M, K)
     return at
 
 
@@ -63,7 +63,7 @@ def _arrays(solver: Solver, system: Evaluation, poses: int, names: Sequence[str]
     return {name: np.empty((poses, *tail(FIELDS[name], sizes))) for name in names if name in solver.fields}
 
 
-def solved(solver: Solver, system: Evaluation, p: Array, source: str, *others: str) -> RobotAtPoses:
+def solved(solver: Solver, system: Evaluation, p: Array, source: str, *further_fields: str) -> RobotAtPoses:
     """Return a robot at poses with its ``eigenvalues``, (N, m), and ``shapes``, (N, m, n): those of `Model.modes`.
 
     Where a compiled solver solves, it evaluates other fields in the same call.
@@ -76,7 +76,7 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *others: s
         Poses that can be evaluated; N may be 0.
     source : str
         The robot, for messages.
-    others : str
+    further_fields : str
         Further fields that will be read, of `pkmodes.core.solve.fields.FIELDS`.
 
     Raises
@@ -86,17 +86,19 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *others: s
     """
     at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
     if isinstance(solver, NumpySolver) or not len(p):  # the layout decides how products of shapes round
-        at.known.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
+        at.quantities.update(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
         return at
     arrays = {EIGENVALUES: np.empty((len(p), number_of_modes(system)))}
-    arrays |= _arrays(solver, system, len(p), (SHAPES, *others))
+    arrays |= _arrays(solver, system, len(p), (SHAPES, *further_fields))
     codes = solver.compute(at, arrays)
-    left = np.flatnonzero(codes == UNSOLVED)
-    if len(left):
+    unsolved = np.flatnonzero(codes == UNSOLVED)
+    if len(unsolved):
         arrays = {name: arrays[name] for name in (EIGENVALUES, SHAPES)}
-        some = {name: array[left] for name, array in arrays.items()}
-        NumpySolver.init(system, MAX_CONDITION).compute(RobotAtPoses(system, p[left], source, {}), some)
-        for name, array in some.items():
-            arrays[name][left] = array
-    at.known.update(arrays)
+        solutions = {name: array[unsolved] for name, array in arrays.items()}
+        NumpySolver.init(system, MAX_CONDITION).compute(
+            RobotAtPoses(system, p[unsolved], source, {}), solutions
+        )
+        for name, array in solutions.items():
+            arrays[name][unsolved] = array
+    at.quantities.update(arrays)
     return at

@@ -12,7 +12,7 @@ from pkmodes.core.mechanism.described import DAMPING_RATIO, Mechanism
 from pkmodes.core.robot.layout import EFFECTS, Item, by_path
 from pkmodes.core.robot.parameter_groups import groups_by_path
 
-#: Of a description, what follows is a formula.
+#: In a description, what follows this is a formula.
 FORMULA = ":"
 #: The letters by which descriptions count the entries of a repeated table, and the elements within one.
 ENTRY, ELEMENT = "j", "k"
@@ -46,8 +46,8 @@ def _of_item(item: Item, path: str) -> str:
     element = path.removeprefix(item.path).lstrip(".")
     if element.isdigit():
         return _counted(words, ELEMENT, int(element) - 1)
-    own = [part for part in words.split(", ") if element and part.startswith(f"{element}(")]
-    return own[0] if own else f"{words} ({element})" if element else words
+    matching = [part for part in words.split(", ") if element and part.startswith(f"{element}(")]
+    return matching[0] if matching else f"{words} ({element})" if element else words
 
 
 def _counted(words: str, letter: str, entry: int | None) -> str:

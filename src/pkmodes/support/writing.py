@@ -32,8 +32,8 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
     for name, path in zip(texts, files, strict=True):
         if not resolved(path).is_relative_to(resolved(folder)):
             link = "is" if path.is_symlink() else "is below"
-            what = f"{name} {link} a symbolic link that leads out of the folder"
-            raise OutputError(what, str(folder), "remove the link, or choose another folder")
+            problem = f"{name} {link} a symbolic link that leads out of the folder"
+            raise OutputError(problem, str(folder), "remove the link, or choose another folder")
     _write(files, folder)
     return list(files)
 
@@ -75,8 +75,8 @@ def write_all(contents: Mapping[Path, str | bytes]) -> None:
     except OutputError as error:
         if len(contents) == 1:
             raise
-        what = f"{error.what}; none of the {len(contents)} files is written"
-        raise OutputError(what, error.where, error.remedy) from None
+        problem = f"{error.what}; none of the {len(contents)} files is written"
+        raise OutputError(problem, error.where, error.remedy) from None
 
 
 def _write(

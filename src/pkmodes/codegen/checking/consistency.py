@@ -24,7 +24,7 @@ from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
 
-#: Relations of one mechanism only are in the module of its name here.
+#: Package of relations that hold for one mechanism only, in the module of its name.
 OWN = "pkmodes.codegen.mechanisms"
 #: Complex step: rounding only, some 1e-14 per unit of the condition number.
 COMPLEX_STEP_BOUND = 1e-10
@@ -116,9 +116,9 @@ def _relative(value: Array, expected: Array, weight: float) -> float:
 def _all(at: State) -> Iterator[Relation]:
     """Yield the relations of every mechanism, and those of this one alone."""
     yield from relations(at)
-    own = f"{OWN}.{at.mechanism.name}"
-    if find_spec(own) is not None:
-        yield from import_module(own).relations(at)
+    module_name = f"{OWN}.{at.mechanism.name}"
+    if find_spec(module_name) is not None:
+        yield from import_module(module_name).relations(at)
 
 
 def _complex_step(function: Callable[[Array], Array], at: Array, step: float) -> Array:

@@ -1,4 +1,4 @@
-"""Whether the files of one's own, from which a mechanism was derived, have changed since."""
+"""Whether a user's own files, from which a mechanism was derived, have changed since."""
 
 from __future__ import annotations
 

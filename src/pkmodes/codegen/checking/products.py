@@ -119,9 +119,9 @@ def check_folder(folder: Path) -> Report:
         return _check_model(folder, recorded)
     inner = folder / str(name)
     if not inner.is_dir():
-        what = f"the model's mechanism {shown(name)} is unknown, and its code is not in this folder"
+        problem = f"the model's mechanism {shown(name)} is unknown, and its code is not in this folder"
         remedy = "give the folder with the code of the mechanism: --mechanism DIR/<mechanism>"
-        raise PkmodesError(what, str(folder), remedy)
+        raise PkmodesError(problem, str(folder), remedy)
     with registry.temporarily_registered(inner):
         return _check_model(folder, recorded)
 
@@ -179,10 +179,10 @@ def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     definition = read_definition(folder / DEFINITION, name) if reference else None
     copies = {path: read_effect(folder / str(copy)) for path, copy in of_effects.items()}
     fresh = parametric(name, definition, reference, copies)
-    given = [(reference, f"{name}.py", "definition", "--mechanism")] if reference else []
-    given += [(path, copy.file.name, "effect", "--effect") for path, copy in copies.items()]
+    sources = [(reference, f"{name}.py", "definition", "--mechanism")] if reference else []
+    sources += [(path, copy.file.name, "effect", "--effect") for path, copy in copies.items()]
     findings, unchecked, options = _findings_of(folder, fresh), list[str](), list[str]()
-    for path, source, noun, option in given:
+    for path, source, noun, option in sources:
         changed, unreadable = check_given_file(folder, path, source, noun)
         findings, unchecked = [*findings, *changed], [*unchecked, *unreadable]
         options.append(f"{option} {'FILE.py' if unreadable else pasted(folder / path)}")
@@ -236,8 +236,8 @@ def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
     except (OSError, ValueError):  # not a valid file name
         regular_file = False
     if not regular_file:
-        what = f"the manifest names {shown(reference)}, which cannot be a robot file"
-        raise PkmodesError(what, str(folder / MANIFEST), remedy)
+        problem = f"the manifest names {shown(reference)}, which cannot be a robot file"
+        raise PkmodesError(problem, str(folder / MANIFEST), remedy)
     return reference, True
 
 
@@ -342,30 +342,30 @@ def _equality(module: types.ModuleType, robot: Robot) -> list[Check]:
     M, K = matrices(expected, p)
     kept = [expected.coordinates.index(name) for name in module.COORDINATES]
     massless = [i for i in range(M.shape[-1]) if i not in kept]
-    every = np.zeros((len(p), M.shape[-1], len(kept)))
-    every[:, kept, range(len(kept))] = 1.0
-    wanted_M, wanted_K = M[:, kept][..., kept], K[:, kept][..., kept]
-    size = _sizes(wanted_K)
+    expansion = np.zeros((len(p), M.shape[-1], len(kept)))
+    expansion[:, kept, range(len(kept))] = 1.0
+    expected_M, expected_K = M[:, kept][..., kept], K[:, kept][..., kept]
+    size = _sizes(expected_K)
     pairs: list[tuple[str, Array, Array, Array | float]] = []
     if massless:
         follow = -np.linalg.solve(K[:, massless][..., massless], K[:, massless][..., kept])
-        every[:, massless] = follow
-        wanted_K = wanted_K + K[:, kept][..., massless] @ follow
+        expansion[:, massless] = follow
+        expected_K = expected_K + K[:, kept][..., massless] @ follow
         all_M, all_K = module.uncondensed_matrices(p)
         pairs = [
             ("uncondensed M", all_M, M, _sizes(M)),
             ("uncondensed K", all_K, K, _sizes(K)),
-            ("condensation", module.condensation(p), every, 0.0),
+            ("condensation", module.condensation(p), expansion, 0.0),
         ]
-    found_M, found_K = module.modal_matrices(p)
-    pairs = [("M", found_M, wanted_M, _sizes(wanted_M)), ("K", found_K, wanted_K, size), *pairs]
+    actual_M, actual_K = module.modal_matrices(p)
+    pairs = [("M", actual_M, expected_M, _sizes(expected_M)), ("K", actual_K, expected_K, size), *pairs]
     pairs.append(("torques", module.static_equilibrium(p)[0], expected.statics(p)[0], 0.0))
     if hasattr(module, "platform_motion"):
-        motion = expected.platform_motion(p) @ every
+        motion = expected.platform_motion(p) @ expansion
         pairs.append(("platform motion", module.platform_motion(p), motion, 0.0))
     return [
-        Check(f"{name} of the parametric model", _relative(value, wanted, scale), 1e-12)
-        for name, value, wanted, scale in pairs
+        Check(f"{name} of the parametric model", _relative(value, reference, scale), 1e-12)
+        for name, value, reference, scale in pairs
     ]
 
 

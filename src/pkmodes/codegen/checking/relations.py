@@ -126,11 +126,13 @@ class State:
 
     def unstrained(self, pose: Array) -> Array:
         """Return the motion of all coordinates with the independent ones in unstrained motion, (n, k)."""
-        others = [i for i in range(self.base) if i not in self.places]
+        dependent = [i for i in range(self.base) if i not in self.places]
         H = Generated(self.mechanism.model, self.parameters).elastic_hessian(pose)
         motion = np.zeros((self.generated.coordinates, len(self.places)), dtype=H.dtype)
         motion[self.places] = np.eye(len(self.places))
-        motion[others] = -np.linalg.solve(H[np.ix_(others, others)], H[np.ix_(others, self.places)])
+        motion[dependent] = -np.linalg.solve(
+            H[np.ix_(dependent, dependent)], H[np.ix_(dependent, self.places)]
+        )
         return motion
 
 
@@ -236,18 +238,18 @@ def _statics(at: State) -> Iterator[Relation]:
     if at.effects or not g.has("static_equilibrium", "elastic_gradient", "gravity_gradient"):
         return
     torques, values = g.static_equilibrium(p)
-    others = [i for i in range(at.base) if i not in at.places]
+    dependent = [i for i in range(at.base) if i not in at.places]
     displaced = np.zeros(at.base)
-    displaced[others] = values
+    displaced[dependent] = values
     carried, gradient = g.elastic_gradient(p, displaced), g.gravity_gradient(p)
     yield "static equilibrium", carried[at.places], -gradient, float(np.abs(gradient).max())
     # Only the drives carry torques.
     size = float(np.abs(torques).max())
-    order = np.argsort(-np.abs(carried[others]))
+    order = np.argsort(-np.abs(carried[dependent]))
     driven, free = order[: len(torques)], order[len(torques) :]
-    yield "static torques", np.sort(torques), np.sort(carried[others][driven]), size
+    yield "static torques", np.sort(torques), np.sort(carried[dependent][driven]), size
     if len(free):
-        yield "torques of the drives only", carried[others][free], np.zeros(len(free)), size
+        yield "torques of the drives only", carried[dependent][free], np.zeros(len(free)), size
 
 
 def _velocities(at: State) -> Array:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.core.base.errors import PkmodesError, shown
 
-#: What stands for every name where names are listed.
+#: The word that stands for all names where names are listed.
 ALL = "all"
 
 
@@ -65,12 +65,12 @@ def is_number(value: object) -> bool:
     return is_integer(value) or isinstance(value, float | np.floating)
 
 
-def real_numbers(given: ArrayLike, what: str, where: str, remedy: str) -> NDArray[np.float64]:
+def real_numbers(values: ArrayLike, expected: str, where: str, remedy: str) -> NDArray[np.float64]:
     """Return real numbers as an array of any shape, NaN where masked; texts and truth values are none.
 
     Parameters
     ----------
-    what : str
+    expected : str
         What is expected, in words.
     where, remedy : str
         As for `check_argument`.
@@ -81,25 +81,27 @@ def real_numbers(given: ArrayLike, what: str, where: str, remedy: str) -> NDArra
         "expected ..., found ..."
     """
     try:
-        array = np.asarray(given)
+        array = np.asarray(values)
     except ValueError:  # rows of different lengths
         array = np.asarray(None)
     if array.dtype.kind not in "iuf":
-        raise PkmodesError(f"expected {what}, found {shown(given)}", where, remedy)
+        raise PkmodesError(f"expected {expected}, found {shown(values)}", where, remedy)
     numbers = array.astype(float)
-    return np.ma.filled(np.ma.asanyarray(given).astype(float), np.nan) if np.ma.is_masked(given) else numbers
+    return (
+        np.ma.filled(np.ma.asanyarray(values).astype(float), np.nan) if np.ma.is_masked(values) else numbers
+    )
 
 
 def alternatives(words: Iterable[str]) -> str:
     """Return words as text: "svg, png or pdf"."""
-    *others, last = words
-    return f"{', '.join(others)} or {last}" if others else last
+    *leading, last = words
+    return f"{', '.join(leading)} or {last}" if leading else last
 
 
 def one_of(words: Iterable[str]) -> Constraint:
     """Return the constraint to one of a few words."""
-    known = tuple(words)
-    return Constraint(alternatives(known), lambda value: isinstance(value, str) and value in known)
+    choices = tuple(words)
+    return Constraint(alternatives(choices), lambda value: isinstance(value, str) and value in choices)
 
 
 POSITIVE_INTEGER = Constraint("a positive integer", lambda value: is_integer(value) and value >= 1)

@@ -38,7 +38,7 @@ def motors_to_be(drives: Iterable[str | None]) -> str:
 
 
 def checked_drives(drives: str) -> str:
-    """Check what the caller says of the motors.
+    """Check the state of the motors that the caller gives.
 
     Raises
     ------

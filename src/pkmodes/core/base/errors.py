@@ -29,14 +29,14 @@ def shown(value: object) -> str:
 
 
 def printable(text: str) -> str:
-    """Write characters that are not visible, such as line breaks and those that turn the direction, as escapes."""
+    """Write characters that are not visible, such as line breaks and marks of text direction, as escapes."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
-def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
+def nearest(name: object, candidates: Iterable[str], otherwise: str = "") -> str:
     """Return the remedy for an unknown name: the nearest known name, `otherwise`, or all known names."""
-    names = list(known)
-    by_lower = {known.lower(): known for known in reversed(names)}
+    names = list(candidates)
+    by_lower = {candidate.lower(): candidate for candidate in reversed(names)}
     near = difflib.get_close_matches(name.lower(), by_lower, n=1, cutoff=0.5) if isinstance(name, str) else []
     matches = [by_lower[lower] for lower in near]
     return f'did you mean "{matches[0]}"?' if matches else otherwise or f"known: {', '.join(names)}"
@@ -131,8 +131,8 @@ class MeasurementError(PkmodesError):
 
 
 def listed(
-    given: Iterable[Any],
-    what: str,
+    values: Iterable[Any],
+    plural: str,
     where: str,
     example: str,
     kind: type | tuple[type, ...] = object,
@@ -142,7 +142,7 @@ def listed(
 
     Parameters
     ----------
-    what : str
+    plural : str
         Name of the elements, in the plural.
     where : str
         Name of the argument.
@@ -154,14 +154,14 @@ def listed(
         The error to raise.
     """
     try:
-        elements = None if isinstance(given, str | bytes | bytearray) else list(given)
+        elements = None if isinstance(values, str | bytes | bytearray) else list(values)
     except TypeError:
         elements = None
     if elements is None:
-        accepted = isinstance(given, str) and isinstance(given, kind)
-        remedy = f"write [{shown(given)}]" if accepted else f"for example: [{example}]"
-        raise error(f"expected a list of {what}, found {shown(given)}", where, remedy)
-    for one in elements:
-        if not isinstance(one, kind):
-            raise error(f"expected {what}, found {shown(one)}", where, f"for example: [{example}]")
+        accepted = isinstance(values, str) and isinstance(values, kind)
+        remedy = f"write [{shown(values)}]" if accepted else f"for example: [{example}]"
+        raise error(f"expected a list of {plural}, found {shown(values)}", where, remedy)
+    for element in elements:
+        if not isinstance(element, kind):
+            raise error(f"expected {plural}, found {shown(element)}", where, f"for example: [{example}]")
     return elements

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-#: Parts of a key.  The memory for a key grows with the square of their number.
+#: Most parts of a key: the memory for a key grows with the square of their number.
 MOST_PARTS = 100
-#: A part of a key, and a key of more parts than that.
+#: Patterns of a part of a key, and of a key with more parts than that.
 PART = r"""(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')"""
 LONG_KEY = re.compile(rf"(?<![\w-]){PART}(?:[ \t]*+\.[ \t]*+{PART}){{{MOST_PARTS}}}")
 
@@ -19,5 +19,5 @@ def long_key(text: str) -> int | None:
     text : str
         Of a TOML file.
     """
-    found = LONG_KEY.search(text)
-    return None if found is None else text.count("\n", 0, found.start()) + 1
+    match = LONG_KEY.search(text)
+    return None if match is None else text.count("\n", 0, match.start()) + 1

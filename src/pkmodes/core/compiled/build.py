@@ -33,7 +33,7 @@ SOURCES = (
     "tangent.h",
 )
 #: No contraction: every processor computes the same digits.  The loops over poses are vectors already, and the others
-#: are too short to be made into vectors.  The three passes after that cost GCC a fifth of its time and gain nothing.
+#: are too short to vectorise.  The next three passes take a fifth of GCC's time and gain nothing.
 #: The parameter makes GCC allocate the registers of huge functions, such as the gradients of machines with six legs,
 #: by its simpler method, which saves a quarter of its time at the same speed of the code.  Clang ignores all four.
 FLAGS = (
@@ -51,7 +51,7 @@ FLAGS = (
     "-fno-unswitch-loops",
     "--param=ira-max-conflict-table-size=10",
 )
-#: Lanes and what they need of the compiler; 2 is for every processor.
+#: Compiler options by number of lanes; 2 is for every processor.
 WIDTHS = {
     "x86_64": {
         8: ("-mavx512f", "-mavx512dq", "-mavx512vl", "-mprefer-vector-width=512"),
@@ -59,11 +59,11 @@ WIDTHS = {
         2: (),
     }
 }
-#: A program that ends with the widest lanes of its processor as its status.
+#: A program whose exit status is the largest number of lanes of its processor.
 WIDEST = '#include "processor.h"\nint main(void) { return processor_lanes(); }\n'
 #: Why nothing is compiled on Windows: GCC's code would end the process at a misaligned vector.
 WINDOWS = "GCC does not align vectors on the stack there (its bug 54412)"
-#: Seconds after which a compiler that says nothing is given up.
+#: Seconds after which a compiler is stopped.
 PATIENCE = 600
 
 
@@ -73,8 +73,8 @@ class BuildError(Exception):
 
 def machine() -> str:
     """Name of the processor's architecture: that of the platform for which Python is told to build, or this one."""
-    wanted = os.environ.get("_PYTHON_HOST_PLATFORM", "").rpartition("-")[2]
-    name = (wanted or platform.machine()).lower()
+    target = os.environ.get("_PYTHON_HOST_PLATFORM", "").rpartition("-")[2]
+    name = (target or platform.machine()).lower()
     return {"amd64": "x86_64", "arm64": "aarch64"}.get(name, name)
 
 
@@ -89,11 +89,11 @@ def compiler() -> tuple[str, ...] | None:
     """
     if sys.platform == "win32":
         return None
-    own = os.environ.get("CC", "")
+    command_line = os.environ.get("CC", "")
     try:
-        words = shlex.split(own)
-    except ValueError:  # a quotation mark without the other
-        words = [own]
+        words = shlex.split(command_line)
+    except ValueError:  # an unbalanced quotation mark
+        words = [command_line]
     for command in [words] if words else [["cc"], ["gcc"], ["clang"]]:
         path = shutil.which(command[0])
         if path:
@@ -144,7 +144,7 @@ def widths_here(cc: Sequence[str]) -> tuple[int, ...]:
     tuple of int
         Of `WIDTHS`; all of this architecture where a program cannot be compiled or run.
     """
-    every = tuple(WIDTHS.get(machine(), {2: ()}))
+    all_widths = tuple(WIDTHS.get(machine(), {2: ()}))
     with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
         place = Path(name)
         (place / "widest.c").write_text(WIDEST, encoding="utf-8")
@@ -153,8 +153,8 @@ def widths_here(cc: Sequence[str]) -> tuple[int, ...]:
             _run([*cc, "widest.c", "-o", "widest"], place)
             widest = subprocess.run([place / "widest"], timeout=PATIENCE, check=False).returncode
         except (BuildError, OSError, subprocess.TimeoutExpired):
-            return every
-    return tuple(sorted({widest_of(widest), 2}, reverse=True)) if widest > 1 else every
+            return all_widths
+    return tuple(sorted({widest_of(widest), 2}, reverse=True)) if widest > 1 else all_widths
 
 
 def widest_of(lanes: int) -> int:
@@ -174,7 +174,7 @@ def build(
     folder : Path
         Where the library will be; it exists.
     stem : str
-        Begin of the library's name; the checksum of the library and ``.so`` follow.
+        Beginning of the library's name; the checksum of the library and ``.so`` follow.
     cc : sequence of str
         The compiler, from `compiler`.
     widths : sequence of int, optional
@@ -188,7 +188,7 @@ def build(
     Raises
     ------
     BuildError
-        If the compiler fails, with what it says.
+        If the compiler fails, with its message.
     OSError
         If the library cannot be written.
     """
@@ -226,7 +226,7 @@ def build(
             with part.open("wb") as written, (place / "library.so").open("rb") as built:
                 shutil.copyfileobj(built, written)
                 written.flush()
-                os.fsync(written.fileno())  # else its name may outlive a power failure, and its bytes not
+                os.fsync(written.fileno())  # else its name may survive a power failure, but not its bytes
             part.chmod(0o755)
             part.replace(library)
         except OSError:
@@ -251,5 +251,7 @@ def _run(command: Sequence[str], folder: Path) -> None:
     if not run.returncode and not (folder / command[command.index("-o") + 1]).is_file():
         raise BuildError(f"{command[0]} reports success, but has built nothing")
     if run.returncode:
-        said = next((line for line in run.stderr.splitlines() if "error" in line), run.stderr.strip()[:300])
-        raise BuildError(f"{command[0]} failed: {said}")
+        message = next(
+            (line for line in run.stderr.splitlines() if "error" in line), run.stderr.strip()[:300]
+        )
+        raise BuildError(f"{command[0]} failed: {message}")

@@ -20,7 +20,7 @@ from pkmodes.core.compiled.loader import Library, Request
 Array = NDArray[np.float64]
 #: Poses that a thread takes at a time, a multiple of those in a block.
 SHARE = 4800
-#: Lanes for one pose: every processor has so many, more take longer, and the results are the same.
+#: Lanes for a single pose: every processor has this many, more are slower, and the results are the same.
 NARROWEST = 2
 
 
@@ -90,7 +90,7 @@ class Evaluator:
         Parameters
         ----------
         points : ndarray, shape (N, d)
-            Contiguous; of several robots the same number for each, robot by robot.
+            Contiguous; for several robots the same number for each, robot by robot.
         arrays : mapping of str to ndarray, (N, ...)
             Contiguous arrays to fill, by field of `pkmodes.core.compiled.lanes.FIELDS`, or of `RATES` with `terms`;
             NaN where a pose cannot be evaluated.
@@ -123,14 +123,14 @@ class Evaluator:
                 if start is None:
                     return
                 part = slice(start, start + SHARE)
-                some = {name: array[part] for name, array in arrays.items()}
-                self._part(request, points[part], some, codes[part], width)
+                share_arrays = {name: array[part] for name, array in arrays.items()}
+                self._part(request, points[part], share_arrays, codes[part], width)
 
         with ThreadPoolExecutor(helpers) as pool:
-            others = [pool.submit(work) for _ in range(helpers)]
+            futures = [pool.submit(work) for _ in range(helpers)]
             work()
-            for other in others:
-                other.result()
+            for future in futures:
+                future.result()
         return codes
 
     def room(self, size: int, tails: Mapping[str, tuple[int, ...]]) -> Room:
@@ -140,7 +140,7 @@ class Evaluator:
     def along(
         self, points: Array, modes: tuple[Array, Array], terms: Terms, fields: Sequence[str]
     ) -> dict[str, Array] | None:
-        """Evaluate along paths what the derivatives of given modes need.
+        """Evaluate what the derivatives of given modes along paths need.
 
         Parameters
         ----------
@@ -161,11 +161,11 @@ class Evaluator:
         """
         count, m, n = modes[1].shape
         request = Request.from_buffer_copy(self._with(terms))
-        given = [np.ascontiguousarray(array) for array in modes]
-        request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in given)
+        contiguous = [np.ascontiguousarray(array) for array in modes]
+        request.given_eigenvalues, request.given_shapes = (array.ctypes.data for array in contiguous)
         request.modes, request.path_count = m, terms.first.shape[-1] - 1
         request.term_count = terms.first.shape[-1] if terms.first.ndim > 1 else 0
-        paths, every = (count, request.path_count), (count, self._size, self._size)
+        paths, full = (count, request.path_count), (count, self._size, self._size)
         of_all = {
             "changes": (*paths, m, n),
             "mode_rates": (*paths, m),
@@ -173,8 +173,8 @@ class Evaluator:
             "motions": (*paths, m, self._components),
             "mass_rates": (*paths, n, n),
             "stiffness_rates": (*paths, n, n),
-            "mass_of_all": every,
-            "stiffness_of_all": every,
+            "mass_of_all": full,
+            "stiffness_of_all": full,
         }
         arrays = {name: np.empty(of_all[name]) for name in fields}
         codes = np.empty(count, dtype=np.int8)
@@ -219,7 +219,7 @@ class Room:
     size : int
         Components of a pose.
     tails : mapping of str to tuple of int
-        Shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is wanted.
+        Shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is requested.
 
     Attributes
     ----------

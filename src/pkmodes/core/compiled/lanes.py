@@ -30,9 +30,9 @@ RATES = ("eigenvalue_rates", "frequency_rates")
 #: locked joints; phi^T (dK - lambda dM) phi and phi^T dM phi, (N, T, m); dJ phi, (N, T, m, components), J the motion
 #: of the platform.
 ALONG_OF_MODES = ("changes", "mode_rates", "norms", "motions")
-#: What else it writes along paths: dM and dK, (N, T, n, n), without terms of locked joints.
+#: Further results along paths: dM and dK, (N, T, n, n), without terms of locked joints.
 RATES_OF_MATRICES = ("mass_rates", "stiffness_rates")
-#: What it writes besides: M and K in all coordinates, (N, e, e), without the springs of released joints.
+#: Further results: M and K in all coordinates, (N, e, e), without the springs of released joints.
 ALL_COORDINATES = ("mass_of_all", "stiffness_of_all")
 #: The code of a pose whose eigenproblem needs another solver.
 UNSOLVED = -1

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-#: Modes whose eigenvalues differ by less than this fraction are one group, in which damping chooses the basis.
+#: Modes whose eigenvalues differ by less than this fraction form a group, whose basis the damping chooses.
 REPEATED = 1e-9
 
 

@@ -22,11 +22,11 @@ TIE = 1e-6
 #: Ratio of the largest eigenvalue to the lowest vibration eigenvalue up to which the latter has eleven correct
 #: digits: the symmetric solver's error is 1e-15 of the largest.
 GRADED = 1e4
-#: Below this ratio of the lowest to the largest eigenvalue, motions that springs hold to ground have hardly nine
+#: Below this ratio of the lowest to the largest eigenvalue, motions that springs hold to ground have barely nine
 #: digits: random robots with frames and links have errors of up to 2e-15 of the largest.  Their springs are solved
-#: apart from the others (`pkmodes.core.solve.held_motions`).
+#: separately (`pkmodes.core.solve.held_motions`).
 HELD = 3e-6
-#: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds those of the base coordinates this much.
+#: The ratio is attributed to a stiff joint if the largest eigenvalue exceeds this multiple of the base coordinates'.
 STIFFER = 10.0
 
 

@@ -18,8 +18,8 @@ def compliance(stiffness: Array, motion: Array) -> Array:
     motion : ndarray, shape (N, d, r)
         L, the outputs per unit of the coordinates.
     """
-    found = motion @ np.linalg.solve(stiffness, np.swapaxes(motion, -1, -2))
-    return np.asarray(0.5 * (found + np.swapaxes(found, -1, -2)))
+    flexibility = motion @ np.linalg.solve(stiffness, np.swapaxes(motion, -1, -2))
+    return np.asarray(0.5 * (flexibility + np.swapaxes(flexibility, -1, -2)))
 
 
 def softest(stiffness: Array, motion: Array) -> Array:

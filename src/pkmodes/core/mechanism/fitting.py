@@ -35,8 +35,8 @@ def check_code(mechanism: Mechanism) -> None:
     except Exception as error:  # the code is not the one that was described
         problem = f"{type(error).__name__}: {error}"
     if problem:
-        what = f"the description of the mechanism does not fit its code: {problem}"
-        raise PkmodesError(what, place_of(mechanism.package), "generate it again")
+        message = f"the description of the mechanism does not fit its code: {problem}"
+        raise PkmodesError(message, place_of(mechanism.package), "generate it again")
 
 
 def _problems(mechanism: Mechanism) -> Iterator[str]:
@@ -44,8 +44,8 @@ def _problems(mechanism: Mechanism) -> Iterator[str]:
     yield from _differ("the fields of the sample", shapes, mechanism.model.Parameters._fields)
     yield from _keys(mechanism, shapes)
     yield from _coordinates(mechanism)
-    for field, other in mechanism.differences.items():
-        yield from _wrong(f"the shape of {field} and {other}", shapes[field], shapes[other])
+    for field, counterpart in mechanism.differences.items():
+        yield from _wrong(f"the shape of {field} and {counterpart}", shapes[field], shapes[counterpart])
     for scale in mechanism.scales:
         yield from _wrong(
             f"the shape of {scale.field}", np.shape(np.zeros(shapes[scale.field])[scale.index]), ()
@@ -61,14 +61,14 @@ def _shape(value: Any) -> Shape:
     return array.shape
 
 
-def _differ(what: str, given: Sequence[str] | dict[str, Any], wanted: Sequence[str]) -> Iterator[str]:
-    if set(given) != set(wanted):
-        yield f"{what} are {', '.join(given)}; expected {', '.join(wanted)}"
+def _differ(subject: str, actual: Sequence[str] | dict[str, Any], expected: Sequence[str]) -> Iterator[str]:
+    if set(actual) != set(expected):
+        yield f"{subject} are {', '.join(actual)}; expected {', '.join(expected)}"
 
 
-def _wrong(what: str, given: object, wanted: object) -> Iterator[str]:
-    if given != wanted:
-        yield f"{what} is {given}, expected {wanted}"
+def _wrong(subject: str, actual: object, expected: object) -> Iterator[str]:
+    if actual != expected:
+        yield f"{subject} is {actual}, expected {expected}"
 
 
 def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
@@ -99,8 +99,11 @@ def _entries(mechanism: Mechanism, table: Table) -> Shape:
 
 def _coordinates(mechanism: Mechanism) -> Iterator[str]:
     effects = mechanism.effects.values()
-    every = (*mechanism.coordinates, *(q for effect in effects for q in effect.coordinates))
-    for module, coordinates in ((mechanism.model, mechanism.coordinates), (mechanism.extended, every)):
+    all_coordinates = (*mechanism.coordinates, *(q for effect in effects for q in effect.coordinates))
+    for module, coordinates in (
+        (mechanism.model, mechanism.coordinates),
+        (mechanism.extended, all_coordinates),
+    ):
         yield from _wrong(
             "the order of coordinates", tuple(q.name for q in coordinates), tuple(module.COORDINATES)
         )
@@ -118,21 +121,23 @@ def _functions(mechanism: Mechanism) -> Iterator[str]:
     yield from _wrong("the number of independent coordinates", len(mechanism.independent), len(positions))
     yield from _wrong("the shape of the platform Jacobian", (len(pose), len(positions)), np.shape(jacobian))
     motion = np.shape(effects.extended_platform_motion(pose))
-    what = "the number of directions and rotations" if mechanism.rotations else "the number of directions"
-    yield from _wrong(what, len(mechanism.platform), motion[0])
+    subject = "the number of directions and rotations" if mechanism.rotations else "the number of directions"
+    yield from _wrong(subject, len(mechanism.platform), motion[0])
     torques = model.static_equilibrium(pose)[0]
     yield from _wrong("the number of drives", len(mechanism.drives), len(torques))
     motors = np.shape(effects.motor_motion())
-    what = "the shape of the motors' angles"
-    yield from _wrong(what, (len(mechanism.drives), len(mechanism.extended.COORDINATES)), motors)
+    subject = "the shape of the motors' angles"
+    yield from _wrong(subject, (len(mechanism.drives), len(mechanism.extended.COORDINATES)), motors)
     for margin in mechanism.margins:
         results = getattr(model, margin.function)(pose)
         shape = np.shape(results[margin.output] if isinstance(results, tuple) else (results,)[margin.output])
         yield from _wrong(
             f"the shape of the names of {margin.function}", tuple(map(len, margin.names)), shape
         )
-    requirements = [(model, one) for one in mechanism.requirements]
-    requirements += [(effects, one) for effect in mechanism.effects.values() for one in effect.requirements]
+    requirements = [(model, requirement) for requirement in mechanism.requirements]
+    requirements += [
+        (effects, requirement) for effect in mechanism.effects.values() for requirement in effect.requirements
+    ]
     for generated, requirement in requirements:
         size = np.size(getattr(generated, requirement.function)())
         yield from _wrong(f"the number of places of {requirement.function}", len(requirement.places), size)

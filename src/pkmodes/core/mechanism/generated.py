@@ -46,5 +46,5 @@ class Generated:
 def _taken(function: Callable[..., Any]) -> tuple[str, ...]:
     """Return which of ``parameters`` and ``effects`` a function takes."""
     declared = signature(function).parameters
-    every = any(one.kind is Parameter.VAR_POSITIONAL for one in declared.values())
-    return tuple(name for name in ("parameters", "effects") if every or name in declared)
+    variadic = any(parameter.kind is Parameter.VAR_POSITIONAL for parameter in declared.values())
+    return tuple(name for name in ("parameters", "effects") if variadic or name in declared)

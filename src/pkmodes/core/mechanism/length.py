@@ -37,7 +37,10 @@ def lengths_of(mechanism: Mechanism, parameters: Any) -> Array:
 
 def headings(mechanism: Mechanism) -> list[str]:
     """Return the headings of `unit_vectors` in tables: L is the characteristic length."""
-    return [f"{one.name}*L" if one.unit == "rad" else one.name for one in mechanism.platform]
+    return [
+        f"{component.name}*L" if component.unit == "rad" else component.name
+        for component in mechanism.platform
+    ]
 
 
 def unit_vectors(motions: Array, lengths: Array) -> Array:

@@ -23,7 +23,7 @@ GROUP = "pkmodes.mechanisms"
 OPTION = "--mechanism"
 PREFIX = "pkmodes_folder_"
 DEFINITION = "definition.py"
-#: Prefix of the files of effects that the mechanism in a folder has beside the catalogue.
+#: Prefix of the files in a mechanism's folder with effects that are not in the catalogue.
 EFFECT_PREFIX = "effect_"
 FILES = ("__init__.py", "model.py", "extended.py", "drawing.py", "terms.py", "description.json")
 GIVE = "give the folder DIR/<mechanism> written by: pkmodes generate --mechanism FILE.py ROBOT.toml --out DIR"
@@ -97,22 +97,22 @@ def _import(package: str, folder: Path) -> None:
     except BaseException as error:  # SystemExit too: a file that ends the program is not a model
         for name in [name for name in sys.modules if name.startswith(package)]:
             del sys.modules[name]
-        what = f"the generated code cannot be imported: {type(error).__name__}: {error}"
-        raise PkmodesError(what, str(folder), "generate it again") from None
+        problem = f"the generated code cannot be imported: {type(error).__name__}: {error}"
+        raise PkmodesError(problem, str(folder), "generate it again") from None
     _folders[package] = str(folder)
 
 
 def _check(folder: Path) -> None:
     """Reject anything but the folder of a generated mechanism."""
     if not folder.is_dir():
-        what = "no such folder"
+        problem = "no such folder"
         if folder.is_file():
-            what = "expected the folder of a generated mechanism, found a file"
-        raise PkmodesError(what, str(folder), GIVE)
+            problem = "expected the folder of a generated mechanism, found a file"
+        raise PkmodesError(problem, str(folder), GIVE)
     missing = [name for name in FILES if not (folder / name).is_file()]
     if missing:
-        what = f"expected the folder of a generated mechanism, but {missing[0]} is missing"
-        raise PkmodesError(what, str(folder), _instead(folder) or GIVE)
+        problem = f"expected the folder of a generated mechanism, but {missing[0]} is missing"
+        raise PkmodesError(problem, str(folder), _instead(folder) or GIVE)
 
 
 def _instead(folder: Path) -> str:

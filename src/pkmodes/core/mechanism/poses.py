@@ -21,7 +21,7 @@ from pkmodes_description import Margin
 
 Array = NDArray[np.float64]
 OnError = Literal["raise", "nan"]
-#: Positions of some poses in the array of all poses.
+#: Indices of some poses in the array of all poses.
 Where = slice | NDArray[np.intp]
 
 #: Beyond this condition number the platform Jacobian has lost six digits, and the rigid-link model is not valid.
@@ -36,7 +36,7 @@ IN_WORDS = {"m": "metres", "rad": "radians"}
 
 
 class Meant(NamedTuple):
-    """The unit in which bare numbers may well have been meant from a size on: factor to SI, name, plural."""
+    """The unit probably meant by bare numbers of at least a size: factor to SI, name, plural."""
 
     size: float
     factor: float
@@ -44,15 +44,15 @@ class Meant(NamedTuple):
     plural: str
 
 
-#: By SI unit.
+#: Units probably meant by large bare numbers, by SI unit.
 MEANT = {
     "m": Meant(10.0, 1e-3, "mm", "millimetres"),
     "rad": Meant(np.pi / 2, np.pi / 180, "deg", "degrees"),
 }
-#: A bare length from here on, in metres.
+#: Smallest bare length that was probably meant in another unit [m].
 LARGE = MEANT["m"].size
-#: Rows of D_l depend on each other where a singular value is at most this part of the largest; a row takes part if
-#: its share in the combination that vanishes exceeds the other.
+#: Rows of D_l are linearly dependent where a singular value is at most the first fraction of the largest; a row takes
+#: part if its share in the vanishing combination exceeds the second.
 DEPENDENT, TAKES_PART = 1e-4, 1e-3
 
 
@@ -77,20 +77,20 @@ class CheckedPoses(NamedTuple):
     points : ndarray, shape (N, d)
         Poses, d components each, in SI units.
     codes : ndarray of int8, shape (N,)
-        Indices into `known`: 0 for a pose that can be evaluated, otherwise the reason why not.
+        Indices into `reasons`: 0 for a pose that can be evaluated, otherwise the reason why not.
     batch : tuple of int
         Leading axes of the poses as the caller gave them.
-    known : tuple of str
+    reasons : tuple of str
         The reasons that the codes index.
-    left : ndarray of int, optional
+    unsolved : ndarray of int, optional
         Which poses NumPy evaluated because the solver could not.
     """
 
     points: NDArray[np.float64]
     codes: NDArray[np.int8]
     batch: tuple[int, ...]
-    known: tuple[str, ...]
-    left: NDArray[np.intp] | None = None
+    reasons: tuple[str, ...]
+    unsolved: NDArray[np.intp] | None = None
 
     @property
     def valid(self) -> NDArray[np.bool_]:
@@ -112,10 +112,10 @@ class CheckedPoses(NamedTuple):
         places = np.flatnonzero(self.valid) if self.codes.any() else None
         count = len(self.points) if places is None else len(places)
         number = max(-(-count // size), 1)
-        least, more = divmod(count, number)  # the first `more` parts have one pose more
+        least, remainder = divmod(count, number)  # the first `remainder` parts have one pose more
         for i in range(number):
             start, stop = (
-                (i * least + min(i, more), (i + 1) * least + min(i + 1, more))
+                (i * least + min(i, remainder), (i + 1) * least + min(i + 1, remainder))
                 if even
                 else (i * size, min((i + 1) * size, count))
             )
@@ -168,7 +168,7 @@ def pose_codes(
 
 
 def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
-    """Check the arguments of a method that takes poses: the poses as (N, d), and the shape that they had without d.
+    """Check the pose arguments of a method; return the poses as (N, d) and their leading axes.
 
     Raises
     ------
@@ -203,18 +203,18 @@ def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, paramet
     if not codes.any():
         return
     index = int(np.argmax(codes != 0))
-    one = slice(index, index + 1)
-    ((what, remedy),) = explained(points[one], codes[one], mechanism, parameters)
+    first_bad = slice(index, index + 1)
+    ((problem, remedy),) = explained(points[first_bad], codes[first_bad], mechanism, parameters)
     bad = int(np.count_nonzero(codes))
     where = f"pose {index} at {placed(mechanism, points[index])}" + (
         f", the first of {bad} bad poses" if bad > 1 else ""
     )
     if len(points) > 1:
         remedy += ', or use on_error="nan" to get NaN instead'
-    raise PoseError(what, where, remedy, index)
+    raise PoseError(problem, where, remedy, index)
 
 
-def largest_condition(given: float) -> float:
+def largest_condition(limit: float) -> float:
     """Check the largest condition number that counts as regular.
 
     Raises
@@ -223,12 +223,12 @@ def largest_condition(given: float) -> float:
         If it is not a positive number.
     """
     remedy = f"give the largest condition number to accept, such as {MAX_CONDITION:g}"
-    check_argument(given, POSITIVE_NUMBER, "max_condition", remedy)
-    return given
+    check_argument(limit, POSITIVE_NUMBER, "max_condition", remedy)
+    return limit
 
 
 def as_points(
-    given: ArrayLike, name: str, size: int, remedy: Callable[[], str]
+    values: ArrayLike, name: str, size: int, remedy: Callable[[], str]
 ) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """Check an array of tuples of numbers; return it as (N, size), and its leading axes.
 
@@ -239,17 +239,17 @@ def as_points(
         the message.
     """
     try:
-        if type(given) is not np.ndarray and np.ma.is_masked(given):
+        if type(values) is not np.ndarray and np.ma.is_masked(values):
             raise TypeError("masked values")
-        array = np.asarray(given)
+        array = np.asarray(values)
         if array.dtype.kind not in "iuf":
             raise TypeError(f"values of type {array.dtype}")
         array = array.astype(float)
     except Exception as error:  # conversion of an arbitrary object may raise anything
         raise PoseError(f"expected an array of numbers, found {error}", name, remedy()) from None
     if array.ndim == 0 or array.shape[-1] != size:
-        what = f"expected {name} of shape ({size},) or (N, {size}), found {array.shape}"
-        raise PoseError(what, name, remedy())
+        problem = f"expected {name} of shape ({size},) or (N, {size}), found {array.shape}"
+        raise PoseError(problem, name, remedy())
     if array.size == 0:
         raise PoseError(f"expected at least one pose, found an array of shape {array.shape}", name, remedy())
     return array.reshape(-1, size), array.shape[:-1]
@@ -311,17 +311,19 @@ def explained(
     with np.errstate(all="ignore"):
         generated = Generated(mechanism.model, parameters)
         values = [margin_of(generated, margin, points) for margin in mechanism.margins]
-    found = []
+    explanations = []
     for i, code in enumerate(codes.tolist()):
         if code == 1:
-            found.append(("expected finite coordinates, found NaN or infinity", "give finite coordinates"))
+            explanations.append(
+                ("expected finite coordinates, found NaN or infinity", "give finite coordinates")
+            )
             continue
         margin = mechanism.margins[code - 2]
-        what, remedy = _sentence(margin, values[code - 2][i])
+        problem, remedy = _sentence(margin, values[code - 2][i])
         if margin.rule == "at_most_limit" and mechanism.rotations:
-            what += _dependent_rows(generated, points[i])
-        found.append((what, remedy))
-    return found
+            problem += _dependent_rows(generated, points[i])
+        explanations.append((problem, remedy))
+    return explanations
 
 
 def _dependent_rows(generated: Generated, point: Array) -> str:
@@ -335,8 +337,8 @@ def _dependent_rows(generated: Generated, point: Array) -> str:
         alike /= np.linalg.norm(alike, axis=1, keepdims=True)
     if not np.isfinite(alike).all():
         return ""
-    left, values, _ = np.linalg.svd(alike)
-    null = left[:, values <= DEPENDENT * values[0]]
+    U, values, _ = np.linalg.svd(alike)
+    null = U[:, values <= DEPENDENT * values[0]]
     rows = np.flatnonzero(np.linalg.norm(null, axis=1) > TAKES_PART) + 1
     if len(rows) < 2:
         return ""
@@ -352,9 +354,9 @@ def _sentence(margin: Margin, values: Array) -> tuple[str, str]:
     place = np.unravel_index(int(np.argmin(values)), values.shape)
     lacking = -float(values[place])
     size = f"{lacking:.4g} {margin.unit}".removesuffix(" 1")
-    what = margin.sentence.format(
+    problem = margin.sentence.format(
         *(names[i] for names, i in zip(margin.names, place, strict=True)),
         missing=size if np.isfinite(lacking) else "far",
         short="of no length" if lacking == 0.0 else f"{size} too short",
     )
-    return what, margin.remedy
+    return problem, margin.remedy

@@ -92,8 +92,8 @@ def add(package: str) -> Mechanism:
     added = _described_in(package)
     of_pkmodes = package == f"{GENERATED}.{added.name}" or effect_files(package, added.effects)
     if added.name in supplied() and not of_pkmodes:
-        what = f"{shown(added.name)} is a mechanism of pkmodes already"
-        raise PkmodesError(what, place_of(package), "give your mechanism another name")
+        problem = f"{shown(added.name)} is a mechanism of pkmodes already"
+        raise PkmodesError(problem, place_of(package), "give your mechanism another name")
     _added[added.name] = package
     return added
 
@@ -159,11 +159,11 @@ def _described_in(package: str) -> Mechanism:
     try:
         return _read(package)
     except DescriptionError as error:
-        what = f"cannot read the description of a mechanism: {error}"
-        raise PkmodesError(what, place_of(package), remedy) from None
+        problem = f"cannot read the description of a mechanism: {error}"
+        raise PkmodesError(problem, place_of(package), remedy) from None
     except (ImportError, OSError, ValueError, LookupError, TypeError) as error:
-        what = f"cannot read the description of a mechanism: {type(error).__name__}: {error}"
-        raise PkmodesError(what, place_of(package), remedy) from None
+        problem = f"cannot read the description of a mechanism: {type(error).__name__}: {error}"
+        raise PkmodesError(problem, place_of(package), remedy) from None
 
 
 @cache

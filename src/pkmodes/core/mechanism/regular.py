@@ -23,9 +23,9 @@ DRAWS = (500, 2_000, 8_000, 32_000, 128_000, 512_000)
 SEED = 20220101
 #: Range in which rotations of a pose are drawn [rad].
 TURNED = 0.5
-#: Rounds in which the box of a platform that turns is narrowed, poses of each, and those that the next box surrounds.
+#: Rounds that narrow the box of a platform that turns, poses drawn in each, and best poses that define the next box.
 ROUNDS, TRIED, BEST = 12, 2_000, 100
-#: Part of the length of a box by which the next one is wider on each side, and part of the poses that is enough.
+#: Margin on each side of the next box, as a fraction of its length, and fraction of valid poses that is enough.
 ROOM, ENOUGH = 0.2, 0.1
 
 
@@ -65,20 +65,20 @@ def extent(mechanism: Mechanism, parameters: Any) -> float:
     return sum(float(np.max(np.abs(getattr(parameters, field)))) for field in lengths)
 
 
-def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, wanted: int = 4) -> Array:
+def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, count: int = 4) -> Array:
     """Find poses well inside the workspace of a robot.
 
     Parameters
     ----------
     generated : Generated
         Functions for this robot.
-    wanted : int
+    count : int
         Number of poses.
 
     Returns
     -------
     ndarray, shape (N, d)
-        At most `wanted` poses; fewer if no more were found.
+        At most `count` poses; fewer if no more were found.
     """
     rng = np.random.default_rng(SEED)
     chosen: list[Array] = []
@@ -93,9 +93,9 @@ def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, w
                 else:
                     good &= (values > INSIDE * np.nanmax(values, initial=0.0)).all(axis=-1)
             chosen.append(p[good])
-            if sum(map(len, chosen)) >= wanted:
+            if sum(map(len, chosen)) >= count:
                 break
-    return np.concatenate(chosen)[:wanted]
+    return np.concatenate(chosen)[:count]
 
 
 def drawn_poses(
@@ -118,8 +118,8 @@ def drawn_poses(
     """
     names = tuple(component.name for component in mechanism.pose)
     ends = travel(mechanism, parameters)
-    given = len(ends) == len(mechanism.independent)
-    if given and (generated.has("direct_kinematics") or names == mechanism.independent):
+    has_limits = len(ends) == len(mechanism.independent)
+    if has_limits and (generated.has("direct_kinematics") or names == mechanism.independent):
         low, high = ends.T
         q = rng.uniform(low, high, size=(count, len(low)))
         if names == mechanism.independent:
@@ -137,7 +137,7 @@ def _narrowed(
 ) -> tuple[Array, Array]:
     """Return the ends of a box, within that of a half size (d,), in which more poses meet all conditions.
 
-    Round by round, it surrounds the poses that lack least (the cross-entropy method; Rubinstein, 1999).
+    Round by round, it surrounds the poses closest to meeting them (the cross-entropy method; Rubinstein, 1999).
     """
     low, high = -size, size
     for _ in range(ROUNDS):
@@ -154,18 +154,18 @@ def _narrowed(
 
 
 def _lacking(generated: Generated, mechanism: Mechanism, p: Array) -> Array:
-    """Return how much poses lack to meet all conditions, (N,): 0 where they do.
+    """Return how far poses are from meeting all conditions, (N,): 0 where they meet them.
 
-    A condition that is NaN, as where links do not meet, lacks more than any that is not: the others order such poses.
+    A condition that is NaN, as where links do not meet, counts as worse than any other: the rest order such poses.
     """
     lacking = np.zeros(len(p))
     with np.errstate(all="ignore"):
         for margin in mechanism.margins:
             values = margin_of(generated, margin, p).reshape(len(p), -1)
             short = np.log(values / REGULAR) if margin.rule == "at_most_limit" else -values
-            known = np.isfinite(short)
-            scale = np.median(np.abs(short[known])) if known.any() else 1.0
+            finite = np.isfinite(short)
+            scale = np.median(np.abs(short[finite])) if finite.any() else 1.0
             part = np.maximum(short / (scale or 1.0), 0.0)
-            worst = part[known].max(initial=0.0)
-            lacking += np.where(known, part, 1.0 + worst).sum(axis=-1)
+            worst = part[finite].max(initial=0.0)
+            lacking += np.where(finite, part, 1.0 + worst).sum(axis=-1)
     return lacking

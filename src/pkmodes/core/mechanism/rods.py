@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.poses import CHUNK
 from pkmodes.core.mechanism.regular import sample
 
 Array = NDArray[np.float64]
-#: What drawings call a rod.
+#: Kind of the elements of a drawing that are rods.
 ROD = "link"
 
 
@@ -45,9 +45,11 @@ def rods_of(mechanism: Mechanism) -> tuple[Rod, ...]:
     rods = []
     for points in lines:
         motions = [moved[mechanism.drawing.motions[point]].any(axis=0) for point in points]
-        for (foot, end), (mine, others) in zip((points, points[::-1]), (motions, motions[::-1]), strict=True):
-            if mine.sum() == 1 and (others & ~mine).any():
-                rods.append(Rod(foot, end, mechanism.drawing.motions[foot], int(mine.argmax())))
+        for (foot, end), (at_foot, at_end) in zip(
+            (points, points[::-1]), (motions, motions[::-1]), strict=True
+        ):
+            if at_foot.sum() == 1 and (at_end & ~at_foot).any():
+                rods.append(Rod(foot, end, mechanism.drawing.motions[foot], int(at_foot.argmax())))
                 break
     return tuple(rods)
 

@@ -25,9 +25,9 @@ def stepped(numbers: Any, names: Sequence[tuple[str, tuple[int, ...]]]) -> Any:
         if field in numbers._fields:
             if field not in copies:
                 value = np.asarray(getattr(numbers, field))
-                own = value.shape[value.ndim - len(index) :]
+                element_shape = value.shape[value.ndim - len(index) :]
                 batch = value.shape[: value.ndim - len(index)] or (1,)
-                copies[field] = np.broadcast_to(value, (len(names), *batch, *own)).astype(complex)
+                copies[field] = np.broadcast_to(value, (len(names), *batch, *element_shape)).astype(complex)
             place: Any = (k, ..., *index)
             copies[field][place] += STEP * 1j
     return numbers._replace(**copies)

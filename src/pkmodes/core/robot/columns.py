@@ -39,27 +39,29 @@ def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Dec
     return name, factor_of(name, unit, where, (units[name],), unit_remedy(units[name]))
 
 
-def parted(cell: str, known: Sequence[str]) -> tuple[str, str | None]:
+def parted(cell: str, names: Sequence[str]) -> tuple[str, str | None]:
     """Split a cell into name and unit; both brackets may also be part of a name.
 
-    Capitals do not matter where only one known name differs in nothing else.  Parentheses hold a unit only after a
+    Case is ignored where exactly one known name matches that way.  Parentheses hold a unit only after a
     known name.
     """
-    whole = _known(cell, known)
-    if whole in known:
+    whole = _listed_name(cell, names)
+    if whole in names:
         return whole, None
     if (match := IN_BRACKETS.fullmatch(cell)) is not None:
-        return _known(match[1], known), match[2].strip()
-    if (match := IN_PARENTHESES.fullmatch(cell)) is not None and (name := _known(match[1], known)) in known:
+        return _listed_name(match[1], names), match[2].strip()
+    if (match := IN_PARENTHESES.fullmatch(cell)) is not None and (
+        name := _listed_name(match[1], names)
+    ) in names:
         return name, match[2].strip()
     return cell, None
 
 
-def _known(name: str, known: Sequence[str]) -> str:
-    """Return the known name that is meant, else the name itself."""
-    if name in known:
+def _listed_name(name: str, names: Sequence[str]) -> str:
+    """Return the known name that matches, else the name itself."""
+    if name in names:
         return name
-    alike = {one for one in known if one.casefold() == name.casefold()}
+    alike = {candidate for candidate in names if candidate.casefold() == name.casefold()}
     return alike.pop() if len(alike) == 1 else name
 
 
@@ -97,7 +99,7 @@ def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: 
     MeasurementError
         If it is none.
     """
-    expected = " or ".join(EXAMPLES.get(one, f'"{one}"') for one in allowed)
+    expected = " or ".join(EXAMPLES.get(si, f'"{si}"') for si in allowed)
     try:
         if allowed == ("Hz",):
             return frequency_factor(unit)
@@ -108,6 +110,6 @@ def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: 
         problem = f"{shown(unit)} is another kind of unit"
     except QuantityError as error:
         problem = str(error)
-    meant = next((found for si in allowed if (found := meant_as(unit, si)) is not None), None)
+    meant = next((spelling for si in allowed if (spelling := meant_as(unit, si)) is not None), None)
     remedy = remedy if meant is None else f"write [{meant}]"
     raise MeasurementError(f"expected a unit such as {expected} for {name}: {problem}", place, remedy)

@@ -27,8 +27,8 @@ from pkmodes.core.robot.units import Quantity, dimension_of, with_unit
 
 COVARIANCE = "covariance"
 PATHS, SIGMA, CORRELATION = "paths", "sigma", "correlation"
-#: Rounding of what a file states: of symmetry, of the diagonal, of the least eigenvalue; and of a sigma, which has
-#: three digits where a program wrote it.
+#: Tolerances for rounding in a file: of the symmetry, the diagonal and the smallest eigenvalue of a matrix; and of a
+#: sigma, which programs write with three digits.
 ROUNDING, DIGITS = 1e-6, 1e-2
 
 Array = NDArray[np.float64]
@@ -55,11 +55,11 @@ class Covariance:
 
     def without(self, paths: Collection[str]) -> Covariance:
         """Return the table of the other values."""
-        left = [i for i, path in enumerate(self.paths) if path not in paths]
+        kept = [i for i, path in enumerate(self.paths) if path not in paths]
         return Covariance(
-            tuple(self.paths[i] for i in left),
-            tuple(tuple(self.correlation[i][k] for k in left) for i in left),
-            None if self.sigmas is None else tuple(self.sigmas[i] for i in left),
+            tuple(self.paths[i] for i in kept),
+            tuple(tuple(self.correlation[i][k] for k in kept) for i in kept),
+            None if self.sigmas is None else tuple(self.sigmas[i] for i in kept),
         )
 
     def raw(self) -> dict[str, Any]:
@@ -70,20 +70,22 @@ class Covariance:
         return {**table, CORRELATION: [list(row) for row in self.correlation]}
 
 
-def with_sigmas(tables: Sequence[Covariance], given: Mapping[str, float | None]) -> tuple[Covariance, ...]:
-    """Return the tables of a robot some of whose standard deviations were given anew, None or 0 for none.
+def with_sigmas(
+    tables: Sequence[Covariance], new_sigmas: Mapping[str, float | None]
+) -> tuple[Covariance, ...]:
+    """Return the tables of a robot with some new standard deviations, None or 0 for none.
 
     A value without one leaves its table; one with another keeps its correlations.
     """
     changed = []
     for table in tables:
-        gone = {path for path in table.paths if path in given and not given[path]}
-        left = table.without(gone)
-        if left.sigmas is not None:
-            sigmas = (given.get(p) or s for p, s in zip(left.paths, left.sigmas, strict=True))
-            left = Covariance(left.paths, left.correlation, tuple(sigmas))
-        if left.paths:
-            changed.append(left)
+        gone = {path for path in table.paths if path in new_sigmas and not new_sigmas[path]}
+        remaining = table.without(gone)
+        if remaining.sigmas is not None:
+            sigmas = (new_sigmas.get(p) or s for p, s in zip(remaining.paths, remaining.sigmas, strict=True))
+            remaining = Covariance(remaining.paths, remaining.correlation, tuple(sigmas))
+        if remaining.paths:
+            changed.append(remaining)
     return tuple(changed)
 
 
@@ -107,25 +109,25 @@ def read_covariance(
         Those without a problem; a value that an effect takes from a table of the file has its path there.
     """
     if not isinstance(raw, list) or not all(isinstance(table, Mapping) for table in raw):
-        found = shown(raw)
-        problem(COVARIANCE, f"expected tables, found {found}", f"write each below [[{COVARIANCE}]]")
+        actual = shown(raw)
+        problem(COVARIANCE, f"expected tables, found {actual}", f"write each below [[{COVARIANCE}]]")
         return ()
-    tables, seen = [], dict[str, int]()
-    for number, given in enumerate(raw, start=1):
+    tables, number_of = [], dict[str, int]()
+    for number, table in enumerate(raw, start=1):
         where = f"{COVARIANCE}.{number}"
-        for key in given:
+        for key in table:
             if key not in (PATHS, SIGMA, CORRELATION):
                 name = key if schema.is_bare(key) else shown(key)
-                known = (PATHS, CORRELATION, SIGMA)
-                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest(key, known))
-        paths = _paths(given.get(PATHS), where, mechanism, quantities, seen, number, problem)
+                valid_keys = (PATHS, CORRELATION, SIGMA)
+                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest(key, valid_keys))
+        paths = _paths(table.get(PATHS), where, mechanism, quantities, number_of, number, problem)
         if paths is None:
             continue
-        correlation = _correlation(given.get(CORRELATION), len(paths), f"{where}.{CORRELATION}", problem)
+        correlation = _correlation(table.get(CORRELATION), len(paths), f"{where}.{CORRELATION}", problem)
         sigmas = None
-        if SIGMA in given:
-            own = [quantities[path] for path in paths]
-            sigmas = _own_sigmas(given[SIGMA], own, f"{where}.{SIGMA}", problem)
+        if SIGMA in table:
+            members = [quantities[path] for path in paths]
+            sigmas = _own_sigmas(table[SIGMA], members, f"{where}.{SIGMA}", problem)
             if sigmas is None:
                 continue
         if correlation is not None:
@@ -138,29 +140,29 @@ def _paths(
     where: str,
     mechanism: Mechanism,
     quantities: Mapping[str, Quantity],
-    seen: dict[str, int],
+    number_of: dict[str, int],
     number: int,
     problem: Problem,
 ) -> tuple[str, ...] | None:
     example = f'write {PATHS} = ["platform.mass", "belt.width"], values of this file that have a sigma'
     if not isinstance(raw, list) or not raw:
-        found = "nothing" if raw is None else "an empty list" if raw == [] else shown(raw)
-        problem(f"{where}.{PATHS}", f"expected a list of dotted paths, found {found}", example)
+        actual = "nothing" if raw is None else "an empty list" if raw == [] else shown(raw)
+        problem(f"{where}.{PATHS}", f"expected a list of dotted paths, found {actual}", example)
         return None
-    own = {path: of for path, of in lent(mechanism).items() if of in quantities}
+    aliases = {path: of for path, of in lent(mechanism).items() if of in quantities}
     good, paths = True, []
-    for place, given in enumerate(raw, start=1):
+    for place, entry in enumerate(raw, start=1):
         at = f"{where}.{PATHS}.{place}"
-        path = own.get(given, given) if isinstance(given, str) else given
-        what, remedy = _not_uncertain(path, quantities, example)
-        if not what and path in seen:
-            what = f"expected each value once, found {path} also in {COVARIANCE}.{seen[path]}"
+        path = aliases.get(entry, entry) if isinstance(entry, str) else entry
+        message, remedy = _not_uncertain(path, quantities, example)
+        if not message and path in number_of:
+            message = f"expected each value once, found {path} also in {COVARIANCE}.{number_of[path]}"
             remedy = "name it in one table, once"
-        if what:
-            problem(at, what, remedy)
+        if message:
+            problem(at, message, remedy)
             good = False
         else:
-            seen[path] = number
+            number_of[path] = number
             paths.append(path)
     return tuple(paths) if good else None
 
@@ -174,8 +176,8 @@ def _not_uncertain(path: Any, quantities: Mapping[str, Quantity], example: str) 
         return f"{expected}, found {shown(path)}, which this file does not declare", nearest(path, quantities)
     sigma = quantities[path].sigma
     if not sigma:
-        found = "which has no sigma" if sigma is None else "whose sigma is 0: it is known exactly"
-        return f"{expected}, found {shown(path)}, {found}", "give it a sigma, or leave it out here"
+        reason = "which has no sigma" if sigma is None else "whose sigma is 0: it is known exactly"
+        return f"{expected}, found {shown(path)}, {reason}", "give it a sigma, or leave it out here"
     return "", ""
 
 
@@ -185,22 +187,22 @@ def _correlation(raw: Any, count: int, where: str, problem: Problem) -> tuple[tu
     square = isinstance(raw, list) and len(raw) == count
     if not square or not all(isinstance(row, list) and len(row) == count for row in raw):
         sizes = [f"{len(row)}" if isinstance(row, list) else shown(row) for row in raw] if square else []
-        found = "nothing" if raw is None else shown(raw)
+        actual = "nothing" if raw is None else shown(raw)
         if isinstance(raw, list):
-            found = f"rows of {', '.join(sizes)}" if square else f"a list of {len(raw)}"
-        problem(where, f"expected a matrix of {count} by {count} correlations, found {found}", remedy)
+            actual = f"rows of {', '.join(sizes)}" if square else f"a list of {len(raw)}"
+        problem(where, f"expected a matrix of {count} by {count} correlations, found {actual}", remedy)
         return None
     for i, row in enumerate(raw, start=1):
-        for k, one in enumerate(row, start=1):
-            if not is_number(one) or not abs(one) <= 1.0 + ROUNDING:
-                what = f"expected a correlation from -1 to 1, found {shown(one)}"
-                problem(f"{where}.{i}.{k}", what, "write a number without a unit")
+        for k, coefficient in enumerate(row, start=1):
+            if not is_number(coefficient) or not abs(coefficient) <= 1.0 + ROUNDING:
+                message = f"expected a correlation from -1 to 1, found {shown(coefficient)}"
+                problem(f"{where}.{i}.{k}", message, "write a number without a unit")
                 return None
     matrix = np.array(raw, dtype=float)
     flaw = _flaw(matrix)
     if flaw is not None:
-        place, what, how = flaw
-        problem(f"{where}{place}", what, how)
+        place, message, how = flaw
+        problem(f"{where}{place}", message, how)
         return None
     return tuple(tuple(row) for row in matrix.tolist())
 
@@ -210,41 +212,45 @@ def _flaw(matrix: Array) -> tuple[str, str, str] | None:
     diagonal = np.flatnonzero(np.abs(np.diagonal(matrix) - 1.0) > ROUNDING)
     if len(diagonal):
         i = int(diagonal[0])
-        what = f"expected 1 on the diagonal, found {matrix[i, i]:g}"
-        return f".{i + 1}.{i + 1}", what, "write correlations, not covariances"
+        message = f"expected 1 on the diagonal, found {matrix[i, i]:g}"
+        return f".{i + 1}.{i + 1}", message, "write correlations, not covariances"
     apart = np.argwhere(np.abs(matrix - matrix.T) > ROUNDING)
     if len(apart):
         i, k = apart[0].tolist()
-        found = f"{matrix[i, k]:g} here and {matrix[k, i]:g} in row {k + 1}"
-        what = f"expected a symmetric matrix, found {found}"
-        return f".{i + 1}.{k + 1}", what, "write the same number in both places"
+        pair = f"{matrix[i, k]:g} here and {matrix[k, i]:g} in row {k + 1}"
+        message = f"expected a symmetric matrix, found {pair}"
+        return f".{i + 1}.{k + 1}", message, "write the same number in both places"
     least = float(np.linalg.eigvalsh(matrix)[0])
     if least < -ROUNDING:
-        what = f"expected a positive semidefinite matrix, found an eigenvalue of {least:.3g}"
-        return "", what, "no values are correlated like this: write more digits, or smaller correlations"
+        message = f"expected a positive semidefinite matrix, found an eigenvalue of {least:.3g}"
+        return "", message, "no values are correlated like this: write more digits, or smaller correlations"
     return None
 
 
-def _own_sigmas(raw: Any, own: Sequence[Quantity], where: str, problem: Problem) -> tuple[float, ...] | None:
-    count = len(own)
+def _own_sigmas(
+    raw: Any, members: Sequence[Quantity], where: str, problem: Problem
+) -> tuple[float, ...] | None:
+    count = len(members)
     if not isinstance(raw, list) or len(raw) != count:
-        found = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
+        actual = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
         remedy = f"write one for each of {PATHS}, or leave {SIGMA} out for those of the values"
-        problem(where, f"expected {count} standard deviations, found {found}", remedy)
+        problem(where, f"expected {count} standard deviations, found {actual}", remedy)
         return None
     sigmas = []
-    for place, (given, quantity) in enumerate(zip(raw, own, strict=True), start=1):
+    for place, (raw_sigma, quantity) in enumerate(zip(raw, members, strict=True), start=1):
         at = f"{where}.{place}"
         try:
-            sigma = schema.standard_deviation(given, quantity.value, dimension_of(quantity.unit))
+            sigma = schema.standard_deviation(raw_sigma, quantity.value, dimension_of(quantity.unit))
         except schema.RefusedError as error:
             problem(at, error.what, error.remedy)
             return None
-        most = quantity.sigma or 0.0
-        if not 0.0 < sigma <= (1.0 + DIGITS) * most:
-            most_of, found = (with_unit(size, quantity.unit) for size in (most, sigma))
-            what = f"expected a standard deviation above 0 and at most that of the value, {most_of}, found {found}"
-            problem(at, what, "it may not be larger: enlarge the sigma of the value, or leave this one out")
+        largest = quantity.sigma or 0.0
+        if not 0.0 < sigma <= (1.0 + DIGITS) * largest:
+            limit, actual = (with_unit(size, quantity.unit) for size in (largest, sigma))
+            message = f"expected a standard deviation above 0 and at most that of the value, {limit}, found {actual}"
+            problem(
+                at, message, "it may not be larger: enlarge the sigma of the value, or leave this one out"
+            )
             return None
         sigmas.append(sigma)
     return tuple(sigmas)

@@ -52,7 +52,7 @@ class Declaration:
     covariance : tuple of Covariance
         Values whose errors belong together; all others are independent.
     kept : dict
-        What need not be worked out again for this robot.
+        Results kept for this robot, to be computed once.
     """
 
     name: str
@@ -105,8 +105,8 @@ class Declaration:
     @property
     def damping_ratio(self) -> float:
         """Damping ratio of every vibration mode, in addition to what effects dissipate."""
-        given = self.quantities.get(DAMPING_RATIO)
-        return 0.0 if given is None else given.value
+        ratio = self.quantities.get(DAMPING_RATIO)
+        return 0.0 if ratio is None else ratio.value
 
     @property
     def effects_dissipate(self) -> bool:
@@ -142,11 +142,11 @@ class Declaration:
 def changeable(robot: Declaration) -> dict[str, str]:
     """Return the paths that can be changed or added, with their SI units."""
     declared = {path: quantity.unit for path, quantity in robot.quantities.items()}
-    others = {
+    undeclared = {
         number.path: number.unit
         for item in items(robot.mechanism)
         if item.shared or item.key.default is not None
         for number in item.numbers
     }
     groups = {group.path: group.unit for group in robot.mechanism.parameter_groups}
-    return {**declared, **others, **effect_parameters(robot.mechanism), **groups}
+    return {**declared, **undeclared, **effect_parameters(robot.mechanism), **groups}

@@ -122,11 +122,11 @@ def _entry(mechanism: Mechanism, table: Table, j: int) -> Iterator[Item]:
     name = f"{table.name}.{j + 1}"
     for key in table.keys:
         yield Item(f"{name}.{key.name}", key, (j, *key.index), j, "", (table.name, j, key.name))
-    for other in mechanism.tables:
-        if other.shared_by == table.name:
-            for key in other.keys:
-                shared = f"{other.name}.{key.name}"
-                place = (table.name, j, other.name, key.name)
+    for shared_table in mechanism.tables:
+        if shared_table.shared_by == table.name:
+            for key in shared_table.keys:
+                shared = f"{shared_table.name}.{key.name}"
+                place = (table.name, j, shared_table.name, key.name)
                 yield Item(f"{name}.{shared}", key, (j, *key.index), j, shared, place)
 
 

@@ -18,7 +18,7 @@ from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.columns import column_of
 
 Array = NDArray[Any]
-#: The names of a table's columns, and a function that returns the values of one by its place among them.
+#: Column names of a table, and a function that returns the values of a column by its index.
 Named = tuple[Sequence[Any], Callable[[int], Any]]
 
 
@@ -41,7 +41,7 @@ def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
     return by_name(poses, {component.name: component.unit for component in mechanism.pose}, "poses")
 
 
-def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike:
+def by_name(numbers: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike:
     """Return numbers by their names, (..., k), as `poses_by_name` does.
 
     Parameters
@@ -51,9 +51,9 @@ def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike
     where : str
         Name of the argument, for messages.
     """
-    named = None if _is_array(given) else _named(given)
+    named = None if _is_array(numbers) else _named(numbers)
     if named is None:
-        return given
+        return numbers
     names, values = named
     example = f"name them {', '.join(units)}, in any order, or give an array"
     try:
@@ -62,19 +62,19 @@ def by_name(given: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike
         ]
     except MeasurementError as error:
         raise PoseError(error.what, error.where, error.remedy) from None
-    found = []
+    ordered = []
     for name in units:
-        places = [i for i, (known, _) in enumerate(columns) if known == name]
+        places = [i for i, (column_name, _) in enumerate(columns) if column_name == name]
         if len(places) != 1:
-            given_names = shown(", ".join(str(one) for one in names))
-            what = f"expected one column {shown(name)}, found {len(places) or 'none'} among {given_names}"
-            raise PoseError(what, where, example)
+            given_names = shown(", ".join(str(heading) for heading in names))
+            problem = f"expected one column {shown(name)}, found {len(places) or 'none'} among {given_names}"
+            raise PoseError(problem, where, example)
         column, factor = np.asarray(values(places[0])), columns[places[0]][1]
         if column.dtype.kind not in "iuf":
-            what = f"expected numbers in the column {shown(name)}, found values of type {column.dtype}"
-            raise PoseError(what, where, "give a number for each pose")
-        found.append(column if factor is None else _converted(column, factor))
-    return np.stack(found, axis=-1)
+            problem = f"expected numbers in the column {shown(name)}, found values of type {column.dtype}"
+            raise PoseError(problem, where, "give a number for each pose")
+        ordered.append(column if factor is None else _converted(column, factor))
+    return np.stack(ordered, axis=-1)
 
 
 def _converted(column: Array, factor: Decimal) -> Array:
@@ -83,25 +83,25 @@ def _converted(column: Array, factor: Decimal) -> Array:
     return np.array(values).reshape(column.shape)
 
 
-def _is_array(given: Any) -> bool:
-    return isinstance(given, list | tuple) or (isinstance(given, np.ndarray) and given.dtype.names is None)
+def _is_array(values: Any) -> bool:
+    return isinstance(values, list | tuple) or (isinstance(values, np.ndarray) and values.dtype.names is None)
 
 
-def _named(given: Any) -> Named | None:
+def _named(values: Any) -> Named | None:
     """Return the columns of a table, None for anything else."""
-    if isinstance(given, np.ndarray):
-        names = given.dtype.names or ()
-        return names, lambda i: given[names[i]]
-    if hasattr(given, "iloc"):  # pandas, and what has its interface
-        if hasattr(given, "columns"):
-            return list(given.columns), lambda i: given.iloc[:, i]
-        return list(given.index), lambda i: given.iloc[i]
-    columns = getattr(given, "column_names", getattr(given, "columns", None))  # pyarrow, polars
-    if isinstance(columns, list | tuple) and hasattr(given, "__getitem__"):
-        return columns, lambda i: given[columns[i]]
-    dims, coords = getattr(given, "dims", None), getattr(given, "coords", None)
+    if isinstance(values, np.ndarray):
+        names = values.dtype.names or ()
+        return names, lambda i: values[names[i]]
+    if hasattr(values, "iloc"):  # pandas, and what has its interface
+        if hasattr(values, "columns"):
+            return list(values.columns), lambda i: values.iloc[:, i]
+        return list(values.index), lambda i: values.iloc[i]
+    columns = getattr(values, "column_names", getattr(values, "columns", None))  # pyarrow, polars
+    if isinstance(columns, list | tuple) and hasattr(values, "__getitem__"):
+        return columns, lambda i: values[columns[i]]
+    dims, coords = getattr(values, "dims", None), getattr(values, "coords", None)
     if isinstance(dims, tuple) and dims and isinstance(coords, Mapping) and dims[-1] in coords:
-        labels, array = np.asarray(coords[dims[-1]]), np.asarray(given)  # xarray
+        labels, array = np.asarray(coords[dims[-1]]), np.asarray(values)  # xarray
         if labels.dtype.kind in "UO":
             return labels.tolist(), lambda i: array[..., i]
     return None

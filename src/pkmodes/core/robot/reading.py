@@ -57,14 +57,14 @@ def _document(path: Path, name: str) -> dict[str, Any]:
             _refuse("cannot read the robot file: it is larger than 1 MB", name, "give a robot file in TOML")
         text = path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as error:
-        what = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
-        _refuse(what, name, "save the file as UTF-8")
+        problem = f"expected UTF-8 text, found an invalid byte at offset {error.start}"
+        _refuse(problem, name, "save the file as UTF-8")
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or str(error)
         _refuse(f"cannot read the robot file: {reason.lower()}", name, "check the path")
     if (line := long_key(text)) is not None:
-        what = f"expected a key of a few parts, found a line with one of more than {MOST_PARTS}"
-        _refuse(what, f"{name}: line {line}", "shorten the key")
+        problem = f"expected a key of a few parts, found a line with one of more than {MOST_PARTS}"
+        _refuse(problem, f"{name}: line {line}", "shorten the key")
     try:
         return tomllib.loads(text)
     except (

@@ -12,7 +12,7 @@ from pkmodes.core.base.errors import nearest, printable, shown
 from pkmodes.core.robot import schema
 
 REPORT = "report"
-#: The keys, in the order of the head, with their titles there.
+#: Keys in the order of the header, with their titles there.
 TITLES = {"customer": "Customer", "machine": "Machine", "serial": "Serial number", "operator": "Operator"}
 LONGEST = 120
 
@@ -37,22 +37,22 @@ def read_report(raw: Any, problem: Callable[[str, str, str], None]) -> dict[str,
         problem(REPORT, f"expected a table, found {shown(raw)}", f'write customer = "..." below [{REPORT}]')
         return {}
     fields: dict[str, str] = {}
-    for name, given in raw.items():
+    for name, entry in raw.items():
         place = f"{REPORT}.{name if schema.is_bare(name) else shown(name)}"
         if name not in TITLES:
             problem(place, f"unknown key {shown(name)}", nearest(name, TITLES))
-        elif not isinstance(given, str) or not given.strip() or len(given) > LONGEST:
-            what = f"expected text of at most {LONGEST} characters, found {shown(given)}"
-            problem(place, what, f'write {name} = "...", or leave it out')
+        elif not isinstance(entry, str) or not entry.strip() or len(entry) > LONGEST:
+            message = f"expected text of at most {LONGEST} characters, found {shown(entry)}"
+            problem(place, message, f'write {name} = "...", or leave it out')
         else:
-            fields[name] = printable(given).strip()
+            fields[name] = printable(entry).strip()
     return {name: fields[name] for name in TITLES if name in fields}
 
 
 def head_of(*reports: Mapping[str, str]) -> list[tuple[str, str]]:
     """Return the lines of a head, titles with texts: each field as the first table has it that gives it."""
-    given = {name: text for report in reversed(reports) for name, text in report.items()}
-    return [(TITLES[name], given[name]) for name in TITLES if name in given]
+    merged = {name: text for report in reversed(reports) for name, text in report.items()}
+    return [(TITLES[name], merged[name]) for name in TITLES if name in merged]
 
 
 def common_head(first: Mapping[str, str], second: Mapping[str, str]) -> list[tuple[str, str]]:

@@ -74,6 +74,12 @@ class Robot(Declaration):
         Robot
             With the same content.
         """
-        robot = cls(**{one.name: getattr(declaration, one.name) for one in fields(declaration) if one.init})
+        robot = cls(
+            **{
+                attribute.name: getattr(declaration, attribute.name)
+                for attribute in fields(declaration)
+                if attribute.init
+            }
+        )
         robot.kept.update(declaration.kept)
         return robot

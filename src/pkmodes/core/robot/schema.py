@@ -71,8 +71,8 @@ def value_of(raw: Any, key: Key) -> Value:
     elements = _vector(raw, key.elements, key.dimension, *_bounds(key))
     if key.kind == "pair" and elements[0].value >= elements[1].value:
         low, high = (with_unit(element.value, element.unit) for element in elements)
-        what = f"expected the lower limit first, found {low} before {high}"
-        raise RefusedError(what, f"write {key.name} = [{', '.join(key.elements)}]")
+        problem = f"expected the lower limit first, found {low} before {high}"
+        raise RefusedError(problem, f"write {key.name} = [{', '.join(key.elements)}]")
     return elements
 
 
@@ -124,8 +124,8 @@ def quantity(
         (lt, below, "less than"),
     ):
         if bound is not None and not holds(value, bound):
-            what = f"expected {article(dimension)} {words} {with_unit(bound, unit)}, found {shown(raw)}"
-            raise RefusedError(what, "check the sign and the number")
+            problem = f"expected {article(dimension)} {words} {with_unit(bound, unit)}, found {shown(raw)}"
+            raise RefusedError(problem, "check the sign and the number")
     sigma = None if sigma_raw is None else standard_deviation(sigma_raw, value, dimension)
     return Quantity(value, unit, sigma)
 
@@ -183,8 +183,8 @@ def standard_deviation(raw: Any, value: float, dimension: str) -> float:
         try:
             relative = parse(raw, "number")
         except QuantityError as error:
-            what = f'sigma: expected a percentage such as "2 %", found {shown(raw)}'
-            raise RefusedError(what, error.remedy or remedy) from error
+            problem = f'sigma: expected a percentage such as "2 %", found {shown(raw)}'
+            raise RefusedError(problem, error.remedy or remedy) from error
         if value == 0.0:
             raise RefusedError(f"sigma: {shown(raw)} of a value of 0 is undefined", remedy)
         sigma = relative * abs(value)
@@ -202,9 +202,9 @@ def standard_deviation(raw: Any, value: float, dimension: str) -> float:
 def _vector(raw: Any, names: tuple[str, ...], dimension: str, *bounds: float | None) -> tuple[Quantity, ...]:
     """Read the named elements of a vector, each of which may have a standard deviation."""
     if not isinstance(raw, list) or len(raw) != len(names):
-        what = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
+        actual = f"{len(raw)} elements" if isinstance(raw, list) else shown(raw)
         raise RefusedError(
-            f"expected a list of {len(names)} {dimension} values, found {what}",
+            f"expected a list of {len(names)} {dimension} values, found {actual}",
             f"give {len(names)} elements",
         )
     elements = []
@@ -233,8 +233,8 @@ def _direction(raw: Any, names: tuple[str, ...]) -> tuple[float, ...]:
 def _signs(raw: Any, length: int) -> tuple[float, ...]:
     remedy = f"for example: [{', '.join(['1', '-1', *['1'] * length][:length])}]"
     if not isinstance(raw, list) or len(raw) != length:
-        given = f"{len(raw)}" if isinstance(raw, list) else shown(raw)
-        raise RefusedError(f"expected a list of {length} numbers, each 1 or -1, found {given}", remedy)
+        actual = f"{len(raw)}" if isinstance(raw, list) else shown(raw)
+        raise RefusedError(f"expected a list of {length} numbers, each 1 or -1, found {actual}", remedy)
     for element in raw:
         if isinstance(element, bool) or element not in (1, -1):
             raise RefusedError(f"expected numbers that are each 1 or -1, found {shown(element)}", remedy)

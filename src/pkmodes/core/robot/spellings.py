@@ -6,17 +6,17 @@ import re
 from collections.abc import Iterator
 from itertools import islice, product
 
-#: The minus sign of typesetters, and what separates groups of digits: also their apostrophe and spaces.
+#: The typographic minus sign, and what separates groups of digits, with the typographic apostrophe and spaces.
 MINUS_SIGN = "\u2212"
 SEPARATORS = ".,'\u2019 \u00a0\u2009\u202f"
-#: A number whose digits may be separated: groups of thousands, and perhaps decimals.
+#: A number whose digits may be grouped by thousands, perhaps with decimals.
 SEPARATED = re.compile(
     rf"\s*(?P<sign>[+\-{MINUS_SIGN}]?)(?P<digits>\d+(?:[{SEPARATORS}]\d+)*)(?P<power>[eE][+-]?\d{{1,3}})?"
     rf"\s*(?P<unit>(?![\d{SEPARATORS}]).*?)?\s*",
     re.DOTALL,
 )
 
-#: Names that may be meant as another unit than they are: by pattern, how to write what is meant, and both in words.
+#: Names that people also use for another unit: pattern, spelling of the unit meant, and both units in words.
 CONFUSED: tuple[tuple[re.Pattern[str], tuple[str, ...], str], ...] = (
     (re.compile(r"(k|m|kilo|milli)?(gr|grain)s?"), (r"\1g",), "the gram or the grain (64.8 mg)"),
     (re.compile(r"gra(d|de)s?"), ("deg",), "the degree or the gon (0.9 deg)"),
@@ -45,24 +45,24 @@ NAMES = {
     "kHz": ("khz",),
     "%": ("percent", "pct"),
 }
-#: Symbols that are written together, as in Nm, and of which people exchange capitals and small letters.
+#: Symbols that people write without a separator, as in Nm, or with capitals and small letters exchanged.
 SYMBOLS = (
     *("mm", "cm", "um", "µm", "m", "s", "rad", "deg", "arcmin", "in"),
     *("N", "kN", "MN", "mN", "cN", "daN", "kgf", "kg", "gf", "g", "lbf", "lb", "ozf", "oz"),
 )
 WORD = re.compile(r"([A-Za-zµμ°º%\"']+)((?:\^-?\d)?)")
-#: No unit of a robot has more factors, no name stands for a product of more, and no more spellings are tried.
+#: Most factors of a unit, most symbols in a name that stands for a product, and most spellings tried.
 MOST_FACTORS, MOST_SYMBOLS, MOST_SPELLINGS = 5, 3, 200
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴", "-01234")
 
 
 def plain_numbers(text: str) -> tuple[list[tuple[str, str]], str]:
-    """Return what a number may be if its digits are separated otherwise than by one decimal point.
+    """Return the readings of a number whose digits are separated by anything but one decimal point.
 
     Returns
     -------
     list of tuple of str
-        The number with a decimal point and the unit, for each thing that it may mean; empty if it is no such number.
+        The number with a decimal point and the unit, for each reading; empty if it is no such number.
     str
         What is unusual about it, as a relative clause.
     """
@@ -111,11 +111,11 @@ def confused(unit: str) -> tuple[str, str] | None:
 
 
 def spellings(unit: str) -> Iterator[str]:
-    """Yield what a unit may be meant as, the most likely first: ``N*m/rad`` for ``Nm/rad``.
+    """Yield what a unit may stand for, the most likely first: ``N*m/rad`` for ``Nm/rad``.
 
-    Which of them is one of the expected kind is for the caller to find out.
+    The caller checks which of them is of the expected kind.
     """
-    text = re.sub(r"[⁻⁰¹²³⁴]+", lambda found: "^" + found[0].translate(SUPERSCRIPTS), unit.rstrip(". "))
+    text = re.sub(r"[⁻⁰¹²³⁴]+", lambda match: "^" + match[0].translate(SUPERSCRIPTS), unit.rstrip(". "))
     text = re.sub(r"[·⋅\u00d7•∙]", "*", text.replace("**", "^"))
     text = re.sub(r"(?<=[A-Za-zµμ])\s*[.\-]\s*(?=[A-Za-zµμ])", "*", text)
     text = re.sub(r"(?<=[A-Za-zµμ])(-?\d)(?!\d)", r"^\1", text)
@@ -153,18 +153,18 @@ def _meanings(name: str) -> list[str]:
         if (match := pattern.fullmatch(name)) is not None:
             return [match.expand(unit) for unit in units]
     lower = name.lower()
-    others = [unit for unit, names in NAMES.items() if lower in names]
+    synonyms = [unit for unit, names in NAMES.items() if lower in names]
     same = [symbol for symbol in SYMBOLS if symbol.lower() == lower]
     meant = [pattern.sub(units[0], lower) for pattern, units, _ in CONFUSED if pattern.fullmatch(lower)]
     spelt = () if name in SYMBOLS else (name, name.upper().replace("M", "m"))
-    together = ["*".join(parts) for text in spelt for parts in _parts(text) if len(parts) > 1]
-    return list(dict.fromkeys([name, *together, *same, *others, *meant]))
+    products = ["*".join(parts) for text in spelt for parts in _parts(text) if len(parts) > 1]
+    return list(dict.fromkeys([name, *products, *same, *synonyms, *meant]))
 
 
-def _parts(name: str, most: int = MOST_SYMBOLS) -> Iterator[list[str]]:
+def _parts(name: str, limit: int = MOST_SYMBOLS) -> Iterator[list[str]]:
     """Yield the ways in which a name consists of a few symbols."""
     if not name:
         yield []
-    for symbol in SYMBOLS if most else ():
+    for symbol in SYMBOLS if limit else ():
         if name.startswith(symbol):
-            yield from ([symbol, *rest] for rest in _parts(name[len(symbol) :], most - 1))
+            yield from ([symbol, *rest] for rest in _parts(name[len(symbol) :], limit - 1))

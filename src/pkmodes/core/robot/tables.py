@@ -131,7 +131,7 @@ class Tables:
 
     def _key(self, raw: Mapping[str, Any], key: Key, path: str, needed: bool = True) -> None:
         if key.name in raw:
-            value = self._read(raw[key.name], path, lambda given: schema.value_of(given, key))
+            value = self._read(raw[key.name], path, lambda entry: schema.value_of(entry, key))
             if value is not None:
                 self.values[path] = value
         elif needed and key.default is None:
@@ -143,13 +143,13 @@ class Tables:
             self.problem(EFFECTS, f"expected a table, found {shown(raw)}", FORMAT_HELP)
             return {}
         values: dict[str, Quantity | None] = {}
-        for path, own in lent(self.mechanism).items():
+        for path, table_path in lent(self.mechanism).items():
             _, effect, name = path.split(".")
-            value, table = self.values.get(own), own.rpartition(".")[0]
-            given, key = raw.get(effect), by_path(self.mechanism)[own].key
-            if value is not None and isinstance(given, dict) and name in given:
-                what = f"the {name} of the {table} is declared twice"
-                self.problem(path, what, f"keep it in [{table}] and remove it here")
+            value, table = self.values.get(table_path), table_path.rpartition(".")[0]
+            effect_table, key = raw.get(effect), by_path(self.mechanism)[table_path].key
+            if value is not None and isinstance(effect_table, dict) and name in effect_table:
+                problem = f"the {name} of the {table} is declared twice"
+                self.problem(path, problem, f"keep it in [{table}] and remove it here")
             value = default_of(key) if value is None else value
             if isinstance(value, Quantity):
                 values[path] = value
@@ -168,43 +168,45 @@ class Tables:
 
     def _no_effect(self, name: str) -> None:
         """Add a problem for an effect that this mechanism does not have."""
-        own, path = self.mechanism.effects, f"{EFFECTS}.{shown(name)}"
-        if any(name in registry.mechanism(other).effects for other in registry.names()):
-            what = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
-            self.problem(path, what, f"effects that apply: {', '.join(own)}")
+        applicable, path = self.mechanism.effects, f"{EFFECTS}.{shown(name)}"
+        if any(name in registry.mechanism(mechanism_name).effects for mechanism_name in registry.names()):
+            problem = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
+            self.problem(path, problem, f"effects that apply: {', '.join(applicable)}")
         else:
-            self.problem(path, f"unknown effect {shown(name)}", nearest(name, own))
+            self.problem(path, f"unknown effect {shown(name)}", nearest(name, applicable))
 
     def _effect(
         self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity | None]
     ) -> dict[str, Quantity]:
         """Read the table of an effect; `declared` are values that other tables of the file give, by path."""
-        known = [parameter.name for parameter in effect.parameters]
+        names = [parameter.name for parameter in effect.parameters]
         table = self._with_components(effect, table)
         for key in table:
-            if key not in known:
+            if key not in names:
                 place = f"{EFFECTS}.{effect.name}"
-                self.problem(place, f"unknown parameter {shown(key)}", nearest(key, known))
+                self.problem(place, f"unknown parameter {shown(key)}", nearest(key, names))
         alternatives = [p.name for p in effect.parameters if p.in_place_of]
-        lending = [name for name in known if f"{EFFECTS}.{effect.name}.{name}" in declared]
-        own = [name for name in known if name not in (*lending, *alternatives)]
+        lending = [name for name in names if f"{EFFECTS}.{effect.name}.{name}" in declared]
+        declarable = [name for name in names if name not in (*lending, *alternatives)]
         quantities: dict[str, Quantity] = {}
         for parameter in effect.parameters:
             path = f"{EFFECTS}.{effect.name}.{parameter.name}"
-            others = [p.name for p in effect.excluded(parameter.name) if p.name in table]
+            excluded = [p.name for p in effect.excluded(parameter.name) if p.name in table]
             if parameter.name in table:
                 value = self._read(table[parameter.name], path, partial(of_effect, parameter=parameter))
                 if value is not None:
                     quantities[path] = value
-                if others and not parameter.in_place_of:
-                    what = f"expected {parameter.name} or {' and '.join(others)}, found both"
-                    self.problem(path, what, f"keep {parameter.name}, or {' and '.join(others)} in its place")
+                if excluded and not parameter.in_place_of:
+                    problem = f"expected {parameter.name} or {' and '.join(excluded)}, found both"
+                    self.problem(
+                        path, problem, f"keep {parameter.name}, or {' and '.join(excluded)} in its place"
+                    )
             elif path in declared:
-                if (given := declared[path]) is not None:
-                    quantities[path] = given
-            elif others or parameter.in_place_of:
+                if (lent_value := declared[path]) is not None:
+                    quantities[path] = lent_value
+            elif excluded or parameter.in_place_of:
                 continue  # given by others, or not at all: zero
-            elif len(own) > 1:  # if an effect has several parameters, missing ones are zero
+            elif len(declarable) > 1:  # if an effect has several parameters, missing ones are zero
                 quantities[path] = Quantity(0.0, parameter.unit)
             else:
                 example = DIMENSIONS[dimension_of_effect(parameter.unit)][1]
@@ -215,16 +217,16 @@ class Tables:
     def _with_components(self, effect: Effect, table: Mapping[str, Any]) -> dict[str, Any]:
         """Write a vector, such as ``offset``, as the parameters of its components, such as ``offset_x``."""
         written: dict[str, Any] = {}
-        for key, given in table.items():
+        for key, entry in table.items():
             components = [p.name for p in effect.parameters if p.name in (f"{key}_{axis}" for axis in XYZ)]
             if not components or any(p.name == key for p in effect.parameters):
-                written[key] = given
-            elif not isinstance(given, list) or len(given) != len(components):
+                written[key] = entry
+            elif not isinstance(entry, list) or len(entry) != len(components):
                 path = f"{EFFECTS}.{effect.name}.{key}"
-                what = f"expected a list of {len(components)} lengths, found {shown(given)}"
-                self.problem(path, what, f"write {key} = [{', '.join(XYZ[: len(components)])}]")
+                problem = f"expected a list of {len(components)} lengths, found {shown(entry)}"
+                self.problem(path, problem, f"write {key} = [{', '.join(XYZ[: len(components)])}]")
             else:
-                written |= dict(zip(components, given, strict=True))
+                written |= dict(zip(components, entry, strict=True))
         return written
 
     def _present(self, document: Mapping[str, Any], key: str, read: Callable[[Any], T]) -> T | None:
@@ -243,13 +245,13 @@ class Tables:
     def _missing(self, path: str) -> None:
         self.problem(path, f"the key {path} is missing", f"add it; {FORMAT_HELP}")
 
-    def _unknown(self, raw: Mapping[str, Any], path: str, known: Sequence[str]) -> None:
+    def _unknown(self, raw: Mapping[str, Any], path: str, known_names: Sequence[str]) -> None:
         for key in raw:
-            if key not in known:
+            if key not in known_names:
                 # Without quotes if TOML allows a bare key.
                 name = key if schema.is_bare(key) else shown(key)
                 place = f"{path}.{name}" if path else name
-                self.problem(place, f"unknown key {shown(key)}", nearest(key, known))
+                self.problem(place, f"unknown key {shown(key)}", nearest(key, known_names))
 
     def problem(self, path: str, what: str, remedy: str) -> None:
         """Add a problem at a path."""
@@ -260,25 +262,25 @@ def default_of(key: Key) -> schema.Value | None:
     """Return the default of a quantity or vector; None if the file must give it, or it follows from another value."""
     if key.default is None or key.middle_of:
         return None
-    one = Quantity(key.default, DIMENSIONS[key.dimension][0])
-    return one if key.kind == "quantity" else (one,) * len(key.elements)
+    element = Quantity(key.default, DIMENSIONS[key.dimension][0])
+    return element if key.kind == "quantity" else (element,) * len(key.elements)
 
 
 def of_effect(raw: Any, parameter: EffectParameter) -> Quantity:
     """Read a parameter of an effect; zero, its null value, is always allowed, otherwise the physical bounds apply."""
     dimension = dimension_of_effect(parameter.unit)
     quantity = schema.quantity(raw, dimension)
-    least, most = parameter.greater_than, parameter.less_than
-    if least is not None and quantity.value != 0.0 and quantity.value <= least:
-        bound = f"greater than {with_unit(least, parameter.unit)}, or 0 for no effect"
+    lower, upper = parameter.greater_than, parameter.less_than
+    if lower is not None and quantity.value != 0.0 and quantity.value <= lower:
+        bound = f"greater than {with_unit(lower, parameter.unit)}, or 0 for no effect"
         raise schema.RefusedError(
             f"expected {article(dimension)} {bound}, found {shown(raw)}", "check the sign and the number"
         )
-    if most is not None and quantity.value >= most:
-        what = (
-            f"expected {article(dimension)} less than {with_unit(most, parameter.unit)}, found {shown(raw)}"
+    if upper is not None and quantity.value >= upper:
+        problem = (
+            f"expected {article(dimension)} less than {with_unit(upper, parameter.unit)}, found {shown(raw)}"
         )
-        raise schema.RefusedError(what, "check the number and its unit")
+        raise schema.RefusedError(problem, "check the number and its unit")
     return quantity
 
 

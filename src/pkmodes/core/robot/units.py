@@ -26,7 +26,7 @@ UNIT = re.compile(r"(?:[A-Za-zµμ°Ω%]+(?:(?:\^|\*\*)-?\d|[²³])?|1(?=\s*/)|[
 LONGEST = 60
 #: Magnitudes outside these limits are mistakes, and their products would overflow.
 SMALLEST, LARGEST = 1e-30, 1e30
-#: No robot is larger [m]: a longer length is one in another unit, and rigid-body modes would lose their digits.
+#: Longest accepted length [m]: a longer one was meant in another unit, and would cost rigid-body modes their digits.
 LARGEST_LENGTH = 1000.0
 
 #: An example of each dimension for error messages.
@@ -49,14 +49,14 @@ EXAMPLES = {
     "frequency": "50 Hz",
     "number": "10",
 }
-#: Dimensions by name, with the SI unit and an example; the last one is of commands, not of robots.
+#: Dimensions by name, with the SI unit and an example; the last one occurs in commands, not in robot files.
 DIMENSIONS = {name: (unit, EXAMPLES[name]) for name, unit in UNITS.items()} | {"time": ("s", "60 ms")}
 
 
 #: Radians per cycle, to convert an angular frequency to a frequency.
 CYCLE = Decimal("6.28318530717958647692528676656")
 
-#: Dimensions that have a name for messages, with their SI unit.
+#: Dimensions that messages call by name, with their SI unit.
 KINDS = {
     **{
         name: UNITS[name]
@@ -120,7 +120,7 @@ class QuantityError(ValueError):
     Attributes
     ----------
     remedy : str
-        How to write what is probably meant; empty if that is not known.
+        How to write what was probably meant; empty if unknown.
     """
 
     def __init__(self, what: str, remedy: str = "") -> None:
@@ -180,8 +180,8 @@ def parse(text: str, dimension: str, bare: bool = False) -> float:
         if (meant := meant_as(unit, si_unit)) is not None:
             reason = f"whose unit {shown(unit)} is not understood" if error.vague else reason
             remedy = f'write "{match[1]} {meant}"'
-        elif error.vague and (other := _of_another_kind(unit)) is not None:
-            reason = f"whose unit {shown(unit)} is {other}"
+        elif error.vague and (kind := _of_another_kind(unit)) is not None:
+            reason = f"whose unit {shown(unit)} is {kind}"
         elif dimension == "number" and re.fullmatch(r":\s*1", unit):
             remedy = f'write "{match[1]}"'
         raise QuantityError(f"{expected}, found {shown(text)}, {reason}", remedy) from error
@@ -223,7 +223,7 @@ def parse_number_or_quantity(text: str, unit: str) -> float:
 
 
 def check_plain_number(text: str, expected: str) -> None:
-    """Reject a number, perhaps with a unit, whose digits are separated otherwise than by one decimal point.
+    """Reject a number, perhaps with a unit, whose digits are separated by anything but one decimal point.
 
     Parameters
     ----------
@@ -247,7 +247,7 @@ def dimension_of(unit: str) -> str:
 
 
 class _UnitError(ValueError):
-    """A unit that is not one of the expected kind; `vague` if the reason says nothing to who reads it."""
+    """A unit that is not one of the expected kind; `vague` if the reason does not help the reader."""
 
     def __init__(self, reason: str, vague: bool = False) -> None:
         super().__init__(reason)
@@ -266,29 +266,29 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
         return float(number * factor)
     import pint
 
-    if (other := confused(unit)) is not None:
-        raise _UnitError(f"whose unit {shown(other[0])} may be {other[1]}")
+    if (ambiguity := confused(unit)) is not None:
+        raise _UnitError(f"whose unit {shown(ambiguity[0])} may be {ambiguity[1]}")
     if UNIT.fullmatch(unit) is None:
         raise _UnitError(f"whose unit {shown(unit)} is not a unit")
     registry = _registry()
     try:
-        given = registry.Unit(unit)
+        parsed = registry.Unit(unit)
     except Exception as error:  # pint and its tokenizer raise many kinds of errors on malformed units
         raise _UnitError(f"whose unit {shown(unit)} is unknown") from error
     target = registry.Unit("dimensionless" if si_unit == "1" else si_unit)
-    if si_unit == "Hz" and _radians(given) == 1:
+    if si_unit == "Hz" and _radians(parsed) == 1:
         number, target = number / CYCLE, registry.Unit("rad/s")
     # Degrees and percent have no dimension, so a dimensional check alone would accept them as scale factors.
-    scaling = [name for name in given._units if registry.Unit(name).dimensionless and name != "radian"]
+    scaling = [name for name in parsed._units if registry.Unit(name).dimensionless and name != "radian"]
     angles = all(_radians(registry.Unit(name)) == 1 for name in scaling)
-    if angles and _radians(given) == _radians(target):
+    if angles and _radians(parsed) == _radians(target):
         scaling = []
-    if scaling or (si_unit == "1" and str(given) != "dimensionless"):
+    if scaling or (si_unit == "1" and str(parsed) != "dimensionless"):
         raise _UnitError(f"whose unit {shown(unit)} does not belong there", vague=True)
     try:
-        return float(registry.Quantity(number, given).to(target).magnitude)
+        return float(registry.Quantity(number, parsed).to(target).magnitude)
     except pint.DimensionalityError as error:
-        kind = _dimension_name(given)
+        kind = _dimension_name(parsed)
         raise _UnitError(
             f"which is {article(kind)}", vague=kind not in (*KINDS, "angle", "number")
         ) from error
@@ -298,7 +298,7 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
 
 @lru_cache(maxsize=256)
 def meant_as(unit: str, si_unit: str) -> str | None:
-    """Return how a unit is written that is probably meant, such as ``N*m`` for ``Nm``; None if that is not known.
+    """Return the spelling of the unit that was probably meant, such as ``N*m`` for ``Nm``; None if unknown.
 
     Parameters
     ----------
@@ -330,8 +330,10 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
     """
     if unit == "1":
         return Decimal(1), {}
-    if (other := confused(unit)) is not None:
-        raise QuantityError(f"{shown(other[0])} may be {other[1]}", f'write "{next(spellings(unit))}"')
+    if (ambiguity := confused(unit)) is not None:
+        raise QuantityError(
+            f"{shown(ambiguity[0])} may be {ambiguity[1]}", f'write "{next(spellings(unit))}"'
+        )
     if len(unit) > LONGEST or UNIT.fullmatch(unit) is None:
         raise QuantityError(f"{shown(unit)} is not a unit")
     registry = _registry()
@@ -347,7 +349,7 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
 
 
 def _of_another_kind(unit: str) -> str | None:
-    """Return what a unit is in another spelling, such as ``N*m, a torque`` for ``Nm``; None if that says nothing."""
+    """Return what a unit is in another spelling, such as ``N*m, a torque`` for ``Nm``; None if that does not help."""
     for spelling in spellings(unit) if "/" not in unit else ():  # a quotient may be regrouped
         if spelling != unit and UNIT.fullmatch(spelling) is not None:
             try:

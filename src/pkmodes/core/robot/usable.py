@@ -22,10 +22,10 @@ from pkmodes.core.robot.units import SHOWN, article, dimension_of
 
 USABLE = "usable"
 ENDS = ("min", "max")
-#: The limits that are none of a component of the pose, and the components of which the radius is.
+#: Limits that do not belong to one component of the pose, and the components that the radius combines.
 RADIUS, SINGULAR_ANGLE = "radius", "singular_angle"
 ACROSS = ("x", "y")
-#: How these two are written, for example.
+#: Examples of how these two are written.
 WRITTEN = {RADIUS: f'{RADIUS} = "120 mm"', SINGULAR_ANGLE: f'{SINGULAR_ANGLE} = "15 deg"'}
 OF_RADIUS = f'write {WRITTEN[RADIUS]}, or radius = {{ value = "120 mm", about = ["0 mm", "0 mm"] }}'
 OF_ANGLE = f"write {WRITTEN[SINGULAR_ANGLE]}"
@@ -81,20 +81,20 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
     readers: dict[str, Callable[[Any], Bound]] = {
         name: partial(_limits, name=name, unit=unit) for name, unit in units.items()
     }
-    others = [name for name in _others(mechanism) if name not in units]
-    readers |= {name: OTHERS[name] for name in others}
+    special = [name for name in _others(mechanism) if name not in units]
+    readers |= {name: OTHERS[name] for name in special}
     bounds: dict[str, Bound] = {}
-    for name, given in raw.items():
+    for name, entry in raw.items():
         if name not in readers:
-            what = f"expected a component of the pose{_listed(others)}, found {shown(name)}"
+            message = f"expected a component of the pose{_listed(special)}, found {shown(name)}"
             lacks = LACKING.get(name, "")
             if lacks:
-                what = f"{mechanism.name} has {lacks}"
+                message = f"{mechanism.name} has {lacks}"
             remedy = f"leave {name} out" if lacks else nearest(name, readers)
-            problem(f"{USABLE}.{_key(name)}", what, remedy)
+            problem(f"{USABLE}.{_key(name)}", message, remedy)
             continue
         try:
-            bounds[name] = readers[name](given)
+            bounds[name] = readers[name](entry)
         except schema.RefusedError as error:
             place = f"{USABLE}.{name}" + (f".{error.element}" if error.element else "")
             problem(place, error.what, error.remedy)
@@ -102,22 +102,22 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
 
 
 def limits_written(mechanism: Mechanism) -> dict[str, str]:
-    """Return how each limit that a mechanism can have is written in the table, for example, by its name."""
+    """Return an example, by name, of how each limit that a mechanism can have is written in the table."""
     written = {component.name: _example(component.name, component.unit) for component in mechanism.pose}
     return written | {name: WRITTEN[name] for name in _others(mechanism) if name not in written}
 
 
 def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, str]:
     """Return why a pose may be left out of a result: code and meaning, in the order of the checks."""
-    known = reasons(mechanism)
+    meanings = reasons(mechanism)
     if is_box(usable):
-        return known
+        return meanings
     meaning = f"the pose is left out, beyond the usable limits: {in_words(mechanism, usable)}"
-    return {**known, USABLE: meaning}
+    return {**meanings, USABLE: meaning}
 
 
 def is_box(usable: Mapping[str, Bound]) -> bool:
-    """Return whether all limits are of components: what is usable is then a box, of which every grid is inside."""
+    """Return whether all limits are of components: what is usable is then a box, and every grid lies inside."""
     return all(map(of_component, usable.values()))
 
 
@@ -157,7 +157,9 @@ def in_words(mechanism: Mechanism, usable: Mapping[str, Bound]) -> str:
         if isinstance(bound, SingularAngle):
             parts.append(not_singular(bound.value))
         elif isinstance(bound, Radius):
-            axis = ", ".join(f"{one} = {value:.4g} m" for one, value in zip(ACROSS, bound.about, strict=True))
+            axis = ", ".join(
+                f"{coordinate} = {value:.4g} m" for coordinate, value in zip(ACROSS, bound.about, strict=True)
+            )
             parts.append(f"at most {bound.value:.4g} m from {axis}")
         elif bound is not None:
             parts.append(f"{name} from {bound[0]:.4g} to {bound[1]:.4g} {units[name]}")
@@ -178,9 +180,9 @@ def _limits(raw: Any, name: str, unit: str) -> Limits:
     dimension, remedy = dimension_of(unit), f"write two limits, such as {_example(name, unit)}"
     low, high = _numbers(raw, ENDS, "the lower and the upper limit", dimension, remedy)
     if low >= high:
-        found = f"{low:g} {unit} twice" if low == high else f"{low:g} {unit} before {high:g} {unit}"
-        what = f"expected the lower limit first and a higher one, found {found}"
-        raise schema.RefusedError(what, remedy if low == high else "exchange them, or check the signs")
+        actual = f"{low:g} {unit} twice" if low == high else f"{low:g} {unit} before {high:g} {unit}"
+        problem = f"expected the lower limit first and a higher one, found {actual}"
+        raise schema.RefusedError(problem, remedy if low == high else "exchange them, or check the signs")
     return Limits(low, high)
 
 
@@ -209,12 +211,12 @@ def _radius(raw: Any) -> Radius:
 def _singular_angle(raw: Any) -> SingularAngle:
     value = _number(raw, "angle", OF_ANGLE, above=0.0)
     if value >= np.pi / 2:
-        what = f"expected an angle below 90 deg, found {shown(raw)}"
-        raise schema.RefusedError(f"{what}, which is {np.degrees(value):.4g} deg", OF_ANGLE)
+        problem = f"expected an angle below 90 deg, found {shown(raw)}"
+        raise schema.RefusedError(f"{problem}, which is {np.degrees(value):.4g} deg", OF_ANGLE)
     return SingularAngle(value)
 
 
-#: How the limits that are none of a component are read; of a mechanism without what they limit, what it lacks.
+#: Readers of the limits that do not belong to one component, and what a mechanism lacks where one does not apply.
 OTHERS: dict[str, Callable[[Any], Bound]] = {RADIUS: _radius, SINGULAR_ANGLE: _singular_angle}
 LACKING = {
     RADIUS: "no radius: its pose has no lengths x and y",
@@ -223,7 +225,7 @@ LACKING = {
 
 
 def _others(mechanism: Mechanism) -> list[str]:
-    """Return the limits that are none of a component of the pose and that a mechanism can have."""
+    """Return the limits that do not belong to one component of the pose and that a mechanism can have."""
     lengths = {component.name for component in mechanism.pose if component.unit == "m"}
     has = {RADIUS: lengths >= set(ACROSS), SINGULAR_ANGLE: bool(rods_of(mechanism))}
     return [name for name in OTHERS if has[name]]
@@ -232,8 +234,8 @@ def _others(mechanism: Mechanism) -> list[str]:
 def _numbers(raw: Any, elements: Sequence[str], are: str, dimension: str, remedy: str) -> list[float]:
     """Read a list of quantities without standard deviations."""
     if not isinstance(raw, list) or len(raw) != len(elements):
-        found = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
-        raise schema.RefusedError(f"expected {are}, found {found}", remedy)
+        actual = f"a list of {len(raw)}" if isinstance(raw, list) else shown(raw)
+        raise schema.RefusedError(f"expected {are}, found {actual}", remedy)
     values = []
     for name, element in zip(elements, raw, strict=True):
         try:
@@ -246,13 +248,13 @@ def _numbers(raw: Any, elements: Sequence[str], are: str, dimension: str, remedy
 def _number(raw: Any, dimension: str, remedy: str, above: float | None = None) -> float:
     """Read a quantity without a standard deviation."""
     if isinstance(raw, Mapping):
-        what = f"expected {article(dimension)}, found a table: a limit has no standard deviation"
-        raise schema.RefusedError(what, remedy)
+        problem = f"expected {article(dimension)}, found a table: a limit has no standard deviation"
+        raise schema.RefusedError(problem, remedy)
     return schema.quantity(raw, dimension, above=above).value
 
 
 def _listed(names: Sequence[str]) -> str:
-    """Return further names that may stand in the place of a component."""
+    """Return further names that are accepted in place of a component."""
     return "".join(f"{' or' if name is names[-1] else ','} {name}" for name in names)
 
 
@@ -262,5 +264,5 @@ def _example(name: str, unit: str) -> str:
 
 
 def _key(name: str) -> str:
-    """Return a key as it can stand in a path."""
+    """Return a key as it appears in a path."""
     return name if schema.is_bare(name) else shown(name)

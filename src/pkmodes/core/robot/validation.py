@@ -51,7 +51,9 @@ def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     quantities = {**_quantities(mechanism, tables.values), **tables.effects}
     covariance = read_covariance(tables.covariance, mechanism, quantities, tables.problem)
     tables.raise_problems()
-    constants = {path: tables.effects.get(path) or numbers[own] for path, own in lent(mechanism).items()}
+    constants = {
+        path: tables.effects.get(path) or numbers[table_path] for path, table_path in lent(mechanism).items()
+    }
     present = {path.rpartition(".")[0] for path in tables.effects}
     lending = {path: value for path, value in constants.items() if path.rpartition(".")[0] in present}
     return Declaration(
@@ -72,8 +74,8 @@ def _merged(tables: Tables) -> dict[str, schema.Value]:
     """Return the values of all keys: those given, else the shared values, else the defaults."""
     merged: dict[str, schema.Value] = {}
     for item in items(tables.mechanism):
-        given = tables.values.get(item.path, tables.values.get(item.shared))
-        value = given if given is not None else default_of(item.key)
+        declared = tables.values.get(item.path, tables.values.get(item.shared))
+        value = declared if declared is not None else default_of(item.key)
         if value is not None:
             merged[item.path] = value
     for item in items(tables.mechanism):
@@ -81,9 +83,9 @@ def _merged(tables: Tables) -> dict[str, schema.Value]:
         if item.path not in merged and isinstance(pair, tuple):
             low, high = (_number(end) for end in pair)
             merged[item.path] = Quantity((low + high) / 2.0, DIMENSIONS[item.key.dimension][0])
-    for shared, own in takers(tables.mechanism).items():
-        if any(item.path not in merged for item in own):
-            key = own[0].key
+    for shared, overrides in takers(tables.mechanism).items():
+        if any(item.path not in merged for item in overrides):
+            key = overrides[0].key
             example = f'expected {article(key.dimension)} such as "{DIMENSIONS[key.dimension][1]}"'
             tables.problem(shared, f"{example}, found nothing", f"add the key {key.name}; {FORMAT_HELP}")
     return merged
@@ -144,11 +146,16 @@ def _check_effects(mechanism: Mechanism, tables: Tables) -> None:
     """Check the conditions of the declared effects on their parameters."""
     declared = {path.split(".")[1] for path in tables.effects}
     for name in [name for name in declared if mechanism.effects[name].requirements]:
-        own = {path: q for path, q in tables.effects.items() if path.split(".")[1] == name}
-        given = {path.removeprefix(f"{EFFECTS}.").replace(".", "_"): q.value for path, q in own.items()}
+        effect_quantities = {path: q for path, q in tables.effects.items() if path.split(".")[1] == name}
+        effect_values = {
+            path.removeprefix(f"{EFFECTS}.").replace(".", "_"): q.value
+            for path, q in effect_quantities.items()
+        }
         for requirement in mechanism.effects[name].requirements:
-            margin = getattr(mechanism.extended, requirement.function)(mechanism.extended.Effects(**given))
-            _check(requirement, margin, own, tables)
+            margin = getattr(mechanism.extended, requirement.function)(
+                mechanism.extended.Effects(**effect_values)
+            )
+            _check(requirement, margin, effect_quantities, tables)
 
 
 def _check(

@@ -29,7 +29,7 @@ from pkmodes.core.robot.validation import declaration, violated
 from pkmodes_description import ParameterGroup
 
 OTHER_VALUES = " with other values"
-#: Of a robot that is known to have the parameters that it declares.
+#: Key of `Declaration.kept`: the parameters are known to match the declared values.
 CONSISTENT = "consistent"
 
 
@@ -74,7 +74,9 @@ def _with_replaced(robot: Declaration, changes: Mapping[str, Any], source: str) 
             quantities[path] = number.read(raw)
         except schema.RefusedError:
             return None
-        for field, index in (slot for own, slot in number.slots if own == path or own not in quantities):
+        for field, index in (
+            slot for slot_path, slot in number.slots if slot_path == path or slot_path not in quantities
+        ):
             if field in effects:
                 effects[field] = quantities[path].value
                 continue
@@ -123,14 +125,16 @@ def _replaceable(mechanism: Mechanism, path: str) -> _Replaceable | None:
             or mechanism.effects[effect].requirements
         ):
             return None
-        (parameter,) = (one for one in mechanism.effects[effect].parameters if one.name == name)
+        (parameter,) = (
+            parameter for parameter in mechanism.effects[effect].parameters if parameter.name == name
+        )
         return _Replaceable(partial(of_effect, parameter=parameter), [(path, (f"{effect}.{name}", ()))])
     key = item.key
     if key.kind not in ("quantity", "vector") or key.effect or key.middle_of:
         return None
     place = [number.path for number in item.numbers].index(path)
-    own = [one.numbers[place] for one in (item, *takers(mechanism).get(item.path, ()))]
-    slots = [(number.path, number.slot) for number in own if number.slot is not None]
+    numbers = [taker.numbers[place] for taker in (item, *takers(mechanism).get(item.path, ()))]
+    slots = [(number.path, number.slot) for number in numbers if number.slot is not None]
     return _Replaceable(partial(schema.number_of, key=key), slots)
 
 
@@ -203,70 +207,78 @@ def _read(
 def _covariance(robot: Declaration, changed: Declaration) -> tuple[Covariance, ...]:
     """Return the correlations of a robot with other values: a value without a standard deviation has none."""
     sigmas = {path: quantity.sigma for path, quantity in changed.quantities.items()}
-    given = {
+    changed_sigmas = {
         path: sigmas.get(path)
         for table in robot.covariance
         for path in table.paths
         if sigmas.get(path) != robot.quantities[path].sigma
     }
-    return with_sigmas(robot.covariance, given)
+    return with_sigmas(robot.covariance, changed_sigmas)
 
 
 def _changes(robot: Declaration, values: Mapping[str, Any], source: str) -> dict[str, Any]:
     """Return the changed values of the file by path, as a robot file could contain them."""
-    owners = {path: own for path, own in lent(robot.mechanism).items() if _lent_now(robot, values, path, own)}
+    owners = {
+        path: table_path
+        for path, table_path in lent(robot.mechanism).items()
+        if _lent_now(robot, values, path, table_path)
+    }
     changes: dict[str, Any] = {}
     for path, raw in values.items():
         if not isinstance(path, str):
-            what = f"expected a parameter path, found {shown(path)}"
-            raise PkmodesError(what, "values", 'for example: {"frame.mass": "60 kg"}')
+            problem = f"expected a parameter path, found {shown(path)}"
+            raise PkmodesError(problem, "values", 'for example: {"frame.mass": "60 kg"}')
         if raw is None or (isinstance(raw, Mapping) and raw.get("value", raw) is None):
             remedy = "give a number or text with a unit; 0 means no effect"
             raise PkmodesError("expected a value, found None", f"{source}: {path}", remedy)
         for element, value in _elements(robot, owners.get(path, path), raw, source).items():
-            borrowers = [effect for effect, own in lent(robot.mechanism).items() if own == element]
+            borrowers = [
+                effect for effect, table_path in lent(robot.mechanism).items() if table_path == element
+            ]
             if {element, lent(robot.mechanism).get(element), *borrowers} & changes.keys():
-                what = "the value would be changed twice"
-                raise PkmodesError(what, f"{source}: {element}", "change it only once")
+                problem = "the value would be changed twice"
+                raise PkmodesError(problem, f"{source}: {element}", "change it only once")
             changes[element] = value
-    before = {own: robot.quantities.get(path) for path, own in lent(robot.mechanism).items()}
+    before = {table_path: robot.quantities.get(path) for path, table_path in lent(robot.mechanism).items()}
     return {path: _with_sigma(raw, {**before, **robot.quantities}.get(path)) for path, raw in changes.items()}
 
 
-def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, own: str) -> bool:
+def _lent_now(robot: Declaration, values: Mapping[str, Any], path: str, table_path: str) -> bool:
     """Return whether an effect parameter takes its value from a table instead of declaring it."""
     effect = path.rpartition(".")[0]
-    others = {name for name in (*robot.quantities, *values) if isinstance(name, str)} - {path}
-    return own in robot.quantities or not any(name.startswith(f"{effect}.") for name in others)
+    other_names = {name for name in (*robot.quantities, *values) if isinstance(name, str)} - {path}
+    return table_path in robot.quantities or not any(name.startswith(f"{effect}.") for name in other_names)
 
 
 def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str, Any]:
     """Return the values of the file that a value by path changes."""
-    known = changeable(robot)
-    raw = _plain(raw, known.get(path), f"{source}: {path}")
+    units = changeable(robot)
+    raw = _plain(raw, units.get(path), f"{source}: {path}")
     if path in (of_mechanism := groups_by_path(robot.mechanism)):
         group = of_mechanism[path]
         return dict(elements_of(robot, group, _value_of_group(robot, group, raw, source)))
-    if path in known:
+    if path in units:
         _check_taken(robot, path)
         return {path: raw}
     item = by_path(robot.mechanism).get(path)
     if item is None:
         vectors = [
-            one.path for one in by_path(robot.mechanism).values() if one.path not in known and one.numbers
+            candidate.path
+            for candidate in by_path(robot.mechanism).values()
+            if candidate.path not in units and candidate.numbers
         ]
-        remedy = nearest(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
+        remedy = nearest(path, [*units, *vectors], "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     if not item.numbers:
-        what = f"{path} is not a quantity: it cannot be changed here"
-        raise PkmodesError(what, robot.source, "change the robot file")
+        problem = f"{path} is not a quantity: it cannot be changed here"
+        raise PkmodesError(problem, robot.source, "change the robot file")
     if not isinstance(raw, list | tuple) or len(raw) != len(item.numbers):
-        given = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
-        what = f"expected a list of {len(item.numbers)} values, found {given}"
-        raise PkmodesError(what, f"{source}: {path}", f"give {', '.join(item.key.elements)}")
+        actual = f"{len(raw)}" if isinstance(raw, list | tuple) else shown(raw)
+        problem = f"expected a list of {len(item.numbers)} values, found {actual}"
+        raise PkmodesError(problem, f"{source}: {path}", f"give {', '.join(item.key.elements)}")
     return {
-        number.path: _plain(one, number.unit, f"{source}: {number.path}")
-        for number, one in zip(item.numbers, raw, strict=True)
+        number.path: _plain(element, number.unit, f"{source}: {number.path}")
+        for number, element in zip(item.numbers, raw, strict=True)
     }
 
 
@@ -276,8 +288,8 @@ def _plain(raw: Any, unit: str | None, where: str) -> Any:
         return raw.tolist()
     if isinstance(raw, Quantity):
         if raw.unit != unit:
-            what = f"expected a quantity in {unit}, found one in {raw.unit}"
-            raise PkmodesError(what, where, "give a quantity with that unit")
+            problem = f"expected a quantity in {unit}, found one in {raw.unit}"
+            raise PkmodesError(problem, where, "give a quantity with that unit")
         return {"value": raw.value, "sigma": raw.sigma}
     if isinstance(raw, Mapping):
         return {key: _plain(value, unit, where) for key, value in raw.items()}
@@ -288,8 +300,8 @@ def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source:
     """Read the value of a group, which cannot have a standard deviation."""
     where = f"{source}: {group.path}"
     if isinstance(raw, Mapping) and raw.get("sigma") is not None:
-        what = f"{group.path} has no standard deviation: only its elements have one"
-        raise PkmodesError(what, where, "give the value only, and give sigma for the elements")
+        problem = f"{group.path} has no standard deviation: only its elements have one"
+        raise PkmodesError(problem, where, "give the value only, and give sigma for the elements")
     if isinstance(raw, Mapping):
         raw = {key: value for key, value in raw.items() if key != "sigma"}
     try:
@@ -300,12 +312,12 @@ def _value_of_group(robot: Declaration, group: ParameterGroup, raw: Any, source:
 
 def _check_taken(robot: Declaration, path: str) -> None:
     """Reject a change of a shared value that every entry overrides: it would have no effect."""
-    own = [item.path for item in takers(robot.mechanism).get(path, ())]
-    if own and all(taker in robot.quantities for taker in own):
+    overrides = [item.path for item in takers(robot.mechanism).get(path, ())]
+    if overrides and all(taker in robot.quantities for taker in overrides):
         raise PkmodesError(
-            f"no {own[0].partition('.')[0]} takes the shared value {path}: each overrides it",
+            f"no {overrides[0].partition('.')[0]} takes the shared value {path}: each overrides it",
             robot.source,
-            f"change {', '.join(own[:-1])} and {own[-1]}",
+            f"change {', '.join(overrides[:-1])} and {overrides[-1]}",
         )
 
 

@@ -26,26 +26,26 @@ class RobotAtPoses:
     points : ndarray, shape (N, d)
     source : str
         The robot, for messages.
-    known : mapping of str to object
+    quantities : mapping of str to object
         Quantities that need not be evaluated, such as ``eigenvalues`` and ``shapes`` from a solver.
     """
 
-    def __init__(self, system: Evaluation, points: Array, source: str, known: Mapping[str, Any]) -> None:
+    def __init__(self, system: Evaluation, points: Array, source: str, quantities: Mapping[str, Any]) -> None:
         self.system, self.points, self.source = system, points, source
-        self.known = dict(known)
+        self.quantities = dict(quantities)
 
     def __getitem__(self, name: str) -> Any:
         """Return a field, or a quantity by the name of an attribute."""
-        if name not in self.known:
+        if name not in self.quantities:
             field = FIELDS.get(name)
             if field is None or field.needs == (name,):
                 return getattr(self, name)
-            self.known[name] = field.of(*(self[needed] for needed in field.needs))
-        return self.known[name]
+            self.quantities[name] = field.of(*(self[needed] for needed in field.needs))
+        return self.quantities[name]
 
     def evaluated(self, name: str) -> Any:
         """Return a quantity that has been evaluated, or is known; else None."""
-        return self.known.get(name, vars(self).get(name))
+        return self.quantities.get(name, vars(self).get(name))
 
     @cached_property
     def all_coordinates(self) -> tuple[Array, Array]:

@@ -25,13 +25,13 @@ from pkmodes.core.system.evaluation import Evaluation
 from pkmodes.core.system.motors import MotorsHeld
 
 AUTO = "auto"
-#: The back ends by the names that a user gives.
+#: The back ends by name, as the user gives it.
 SOLVERS: dict[str, type[Solver]] = {solver.name: solver for solver in (NumpySolver, CompiledSolver)}
 #: What "auto" tries, in this order; the last one can always be used.
 PREFERRED = (CompiledSolver.name, NumpySolver.name)
-#: Environment variable with the back end to use where none is asked for.
+#: Environment variable with the back end to use where the caller names none.
 VARIABLE = "PKMODES_BACKEND"
-#: Fields in the coordinates with free motors, which the inner solver does not know.
+#: Fields in the coordinates with free motors, which the inner solver does not have.
 IN_ALL = frozenset({"mass_matrix", "stiffness_matrix", "platform_motion"})
 COUNTED = {3: "three", 4: "four", 5: "five"}
 
@@ -52,10 +52,10 @@ def chosen(backend: str) -> str:
     name, where = backend, "backend"
     if isinstance(backend, str) and backend == AUTO:
         name, where = os.environ.get(VARIABLE, "") or AUTO, f"environment variable {VARIABLE}"
-    known = (AUTO, *SOLVERS)
-    if not (isinstance(name, str) and name in known):
-        expected = alternatives(f'"{one}"' for one in known)
-        count = COUNTED.get(len(known), str(len(known)))
+    choices = (AUTO, *SOLVERS)
+    if not (isinstance(name, str) and name in choices):
+        expected = alternatives(f'"{choice}"' for choice in choices)
+        count = COUNTED.get(len(choices), str(len(choices)))
         raise PkmodesError(f"expected {expected}, found {shown(name)}", where, f"choose one of the {count}")
     return name
 
@@ -116,45 +116,45 @@ class HeldSolver(Solver):
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, NDArray[np.float64]], threads: int = 1) -> Codes:
         """Fill arrays; `at` is the robot with free motors."""
         held = RobotAtPoses(self._system, at.points, at.source, {})
-        own = {name: array for name, array in arrays.items() if name not in self._of_free}
+        inner_arrays = {name: array for name, array in arrays.items() if name not in self._of_free}
         if SHAPES in arrays:
-            own[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
-        if self._free is not None and len(own) < len(arrays):
+            inner_arrays[SHAPES] = np.empty((*arrays[SHAPES].shape[:-1], len(self._system.coordinates)))
+        if self._free is not None and len(inner_arrays) < len(arrays):
             codes = self._free.compute(
-                at, {name: arrays[name] for name in arrays if name not in own}, threads
+                at, {name: arrays[name] for name in arrays if name not in inner_arrays}, threads
             )
-            if not own:
+            if not inner_arrays:
                 return codes
-        codes = self._inner.compute(held, own, threads)
+        codes = self._inner.compute(held, inner_arrays, threads)
         if SHAPES in arrays:
-            arrays[SHAPES][...] = self._system.part_with_free_motors(own[SHAPES])
+            arrays[SHAPES][...] = self._system.part_with_free_motors(inner_arrays[SHAPES])
         return codes
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
-        """Return what fills arrays at a single pose, if the inner solver has such a thing."""
-        own = {name: tail for name, tail in tails.items() if name not in self._of_free}
-        if SHAPES in own:
-            own[SHAPES] = (*own[SHAPES][:-1], len(self._system.coordinates))
-        inner = self._inner.alone(own)
+        """Return what fills arrays at a single pose, if the inner solver has it."""
+        inner_tails = {name: tail for name, tail in tails.items() if name not in self._of_free}
+        if SHAPES in inner_tails:
+            inner_tails[SHAPES] = (*inner_tails[SHAPES][:-1], len(self._system.coordinates))
+        inner = self._inner.alone(inner_tails)
         free = None
-        if self._free is not None and len(own) < len(tails):
-            free = self._free.alone({name: tail for name, tail in tails.items() if name not in own})
-            if not own or free is None:
+        if self._free is not None and len(inner_tails) < len(tails):
+            free = self._free.alone({name: tail for name, tail in tails.items() if name not in inner_tails})
+            if not inner_tails or free is None:
                 return free
-        if inner is None or (free is None and SHAPES not in own):
+        if inner is None or (free is None and SHAPES not in inner_tails):
             return inner
         system = self._system
 
         def of_held(point: NDArray[np.float64]) -> dict[str, NDArray[np.float64]] | None:
-            found = inner(point)
-            if found is None:
+            fields = inner(point)
+            if fields is None:
                 return None
-            if SHAPES in found:
-                found[SHAPES] = system.part_with_free_motors(found[SHAPES])
+            if SHAPES in fields:
+                fields[SHAPES] = system.part_with_free_motors(fields[SHAPES])
             if free is None:
-                return found
+                return fields
             in_all = free(point)
-            return None if in_all is None else {**found, **in_all}
+            return None if in_all is None else {**fields, **in_all}
 
         return of_held
 

@@ -1,6 +1,6 @@
 """A batch of poses: checked, evaluated once by a solver, and by NumPy where the solver cannot.
 
-A batch that is refused leaves the caller's arrays alone.
+A batch that is refused leaves the caller's arrays unchanged.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Job:
     ----------
     tails : mapping of str to (tuple of int, str)
         Shape at one pose, and type, of each field.
-    known : tuple of str
+    reasons : tuple of str
         The reasons that codes index: `pkmodes.core.mechanism.poses.codes_of`.
     compute : callable
         Fills the fields at poses, (n, d), with so many threads at most, and returns their codes, `UNSOLVED` where
@@ -42,17 +42,17 @@ class Job:
         poses at a time that can be evaluated.
     refusable : bool
         Whether a pose may be refused after it was checked: then the caller's arrays are filled at the end.
-    alone : callable, optional
+    at_one_pose : callable, optional
         Evaluates the fields at a single pose with less overhead: see `pkmodes.core.solve.solver.Solver.alone`.
     """
 
     tails: Mapping[str, tuple[tuple[int, ...], str]]
-    known: tuple[str, ...]
+    reasons: tuple[str, ...]
     compute: Callable[[NDArray[np.float64], Rows, int], Codes]
     by_numpy: Callable[[NDArray[np.float64]], Rows]
     checks_poses: bool
     refusable: bool
-    alone: Alone | None = None
+    at_one_pose: Alone | None = None
 
 
 def run(
@@ -80,11 +80,11 @@ def run(
     """
     mechanism = robot.mechanism
     points, batch = given_poses(poses_by_name(poses, mechanism), mechanism, on_error)
-    if job.alone is not None and len(points) == 1 and not out:
-        found = job.alone(points)
-        if found is not None:
-            return CheckedPoses(points, np.zeros(1, np.int8), batch, job.known), {
-                name: array.reshape(batch + array.shape[1:]) for name, array in found.items()
+    if job.at_one_pose is not None and len(points) == 1 and not out:
+        arrays = job.at_one_pose(points)
+        if arrays is not None:
+            return CheckedPoses(points, np.zeros(1, np.int8), batch, job.reasons), {
+                name: array.reshape(batch + array.shape[1:]) for name, array in arrays.items()
             }
     points, raises = np.ascontiguousarray(points), on_error == "raise"
     aside = raises and job.refusable and bool(out)
@@ -102,17 +102,17 @@ def run(
     if job.checks_poses or codes is None:
         codes = job.compute(points, fields.rows, threads)
     else:
-        _compute_valid(job, CheckedPoses(points, codes, batch, job.known), fields, threads)
-    left = None
+        _compute_valid(job, CheckedPoses(points, codes, batch, job.reasons), fields, threads)
+    unsolved = None
     if codes.any():
-        left = np.flatnonzero(codes == UNSOLVED)
-        codes[left] = 0
+        unsolved = np.flatnonzero(codes == UNSOLVED)
+        codes[unsolved] = 0
         if raises:  # a pose out of reach before a joint that is too soft
             refuse(points, codes, mechanism, robot.parameters)
-        for start in range(0, len(left), CHUNK):
-            places = left[start : start + CHUNK]
+        for start in range(0, len(unsolved), CHUNK):
+            places = unsolved[start : start + CHUNK]
             fields.put(places, job.by_numpy(points[places]))
-    return CheckedPoses(points, codes, batch, job.known, left), fields.finish()
+    return CheckedPoses(points, codes, batch, job.reasons, unsolved), fields.finish()
 
 
 def _compute_valid(job: Job, checked: CheckedPoses, fields: FieldArrays, threads: int) -> None:

@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 #: Very soft and very stiff released joints cost digits: NumPy solves where the lowest eigenvalue of vibration is
 #: below this fraction, or the highest one above this multiple, of the highest one of the base coordinates.
 SOFT, STIFF = 1e-5, 1e3
-#: Without released joints, below this fraction; NumPy refuses a tenth of it.
+#: The fraction without released joints; NumPy refuses robots below a tenth of it.
 APART = 1e-6
 
 
@@ -87,21 +87,21 @@ class CompiledSolver(Solver):
         return self._marked(self.evaluator.run(at.points, arrays, threads), arrays)
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone:
-        """Return what fills arrays at a single pose, each thread in a room of its own."""
+        """Return what fills arrays at a single pose, in a separate room for each thread."""
         shown, size = self._shown_by(tails), len(self._system.mechanism.pose)
-        every = dict(tails) if shown is None else {**tails, shown: (self.evaluator.modes,)}
+        all_tails = dict(tails) if shown is None else {**tails, shown: (self.evaluator.modes,)}
         rooms: list[Room] = []  # those that no thread is using
 
         def of_pose(point: Array) -> dict[str, Array] | None:
             try:
                 room = rooms.pop()
             except IndexError:
-                room = self.evaluator.room(size, every)
-            found = None
+                room = self.evaluator.room(size, all_tails)
+            copies = None
             if room.run(point) == 0 and not (shown and self.unresolved(shown, room.arrays[shown][0])):
-                found = {name: room.arrays[name].copy() for name in tails}
+                copies = {name: room.arrays[name].copy() for name in tails}
             rooms.append(room)
-            return found
+            return copies
 
         return of_pose
 

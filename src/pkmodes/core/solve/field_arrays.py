@@ -25,7 +25,7 @@ Fields = Iterable[str] | None
 Out = Mapping[str, Array] | None
 
 
-def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str, ...]:
+def chosen_fields(fields: Fields, out: Out, available: tuple[str, ...]) -> tuple[str, ...]:
     """Check which fields are requested.
 
     Parameters
@@ -34,13 +34,13 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
         By default the fields in `out`, or all without `out`; the word "all" for all.
     out : mapping of str to ndarray, optional
         Arrays to fill, by field.
-    known : tuple of str
+    available : tuple of str
         All fields.
 
     Returns
     -------
     tuple of str
-        In the order of `known`.
+        In the order of `available`.
 
     Raises
     ------
@@ -49,32 +49,36 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
     """
     if out is not None and not isinstance(out, Mapping):
         raise PkmodesError(
-            f"expected arrays by field, found {shown(out)}", "out", f'for example: {{"{known[0]}": array}}'
+            f"expected arrays by field, found {shown(out)}",
+            "out",
+            f'for example: {{"{available[0]}": array}}',
         )
     if is_all(fields):
-        fields = known
+        fields = available
     elif fields is None:
-        fields = known if out is None else tuple(out)
-    elif isinstance(fields, str) and fields not in known:
-        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest(fields, known))
-    asked = listed(fields, "fields", "fields", f'"{known[0]}"')
-    for where, names in (("fields", asked), ("out", list(out or ()))):
+        fields = available if out is None else tuple(out)
+    elif isinstance(fields, str) and fields not in available:
+        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest(fields, available))
+    requested = listed(fields, "fields", "fields", f'"{available[0]}"')
+    for where, names in (("fields", requested), ("out", list(out or ()))):
         for name in names:
-            if not (isinstance(name, str) and name in known):
-                raise PkmodesError(f"unknown field {shown(name)}", where, nearest(name, known))
-    if not asked:
-        raise PkmodesError("expected at least one field, found none", "fields", f"known: {', '.join(known)}")
+            if not (isinstance(name, str) and name in available):
+                raise PkmodesError(f"unknown field {shown(name)}", where, nearest(name, available))
+    if not requested:
+        raise PkmodesError(
+            "expected at least one field, found none", "fields", f"known: {', '.join(available)}"
+        )
     for name, array in (out or {}).items():
-        _check_out(name, array, asked)
+        _check_out(name, array, requested)
     for (a, first), (b, second) in itertools.combinations((out or {}).items(), 2):
         if np.may_share_memory(first, second) and np.shares_memory(first, second):
             raise PkmodesError(f"{a} and {b} share memory", "out", "give a separate array for each field")
-    return tuple(name for name in known if name in asked)
+    return tuple(name for name in available if name in requested)
 
 
-def _check_out(name: str, array: object, asked: list[str]) -> None:
+def _check_out(name: str, array: object, requested: list[str]) -> None:
     where = f"out: {name}"
-    if name not in asked:
+    if name not in requested:
         raise PkmodesError("the field is not requested", where, "add it to fields, or remove it from out")
     if not isinstance(array, np.ndarray):
         raise PkmodesError(
@@ -104,7 +108,7 @@ class FieldArrays:
     out : mapping of str to ndarray, optional
         Arrays of the caller's to fill; arrays of other fields are allocated.
     aside : bool
-        Whether the caller's arrays are left alone until `finish`.
+        Whether the caller's arrays are left unchanged until `finish`.
     blank : bool
         Whether arrays begin with NaN, or -1 in arrays of integers, instead of anything.
 
@@ -141,7 +145,7 @@ class FieldArrays:
             whole[...] = missing(whole.dtype)
 
     def put(self, where: Where, values: Mapping[str, Array]) -> None:
-        """Store the values of some poses, (n, *tail) each; fields are added when they come first."""
+        """Store the values of some poses, (n, *tail) each; fields are added when they first occur."""
         for name, part in values.items():
             if name not in self.rows:
                 self.add(name, part.shape[1:], part.dtype)

@@ -394,7 +394,7 @@ def conditions_of(robots: Iterable[Robot], shapes: bool, drives: str) -> frozens
     drives : {"free", "held"}
         What the motors do.
     """
-    holds = {SHAPES: shapes, DISSIPATION: any(one.dissipates for one in robots), HELD: drives == HELD}
+    holds = {SHAPES: shapes, DISSIPATION: any(robot.dissipates for robot in robots), HELD: drives == HELD}
     return frozenset(name for name, held in holds.items() if held)
 
 

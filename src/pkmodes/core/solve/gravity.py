@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 
 
 def gravitational_stiffness(solver: Solver, system: ExtendedSystem, p: Array) -> Array:
-    """Return K_g at poses that can be evaluated, (N, n, n): by itself, since little of it is left in K_el + K_g.
+    """Return K_g at poses that can be evaluated, (N, n, n): separately, since K_el + K_g has few of its digits.
 
     Parameters
     ----------
@@ -36,8 +36,8 @@ def gravitational_stiffness(solver: Solver, system: ExtendedSystem, p: Array) ->
     )
     of_no_mode = np.empty((len(p), 0)), np.empty((len(p), 0, len(system.coordinates)))
     at = RobotAtPoses(system, np.ascontiguousarray(p), "", {})
-    found = solver.along(at, of_no_mode, along_gravity, ["stiffness_rates"])
-    if found is not None:
-        return found["stiffness_rates"][:, 0]
+    rates = solver.along(at, of_no_mode, along_gravity, ["stiffness_rates"])
+    if rates is not None:
+        return rates["stiffness_rates"][:, 0]
     _, _, K_g = system.single("extended_matrices", p)
     return system.free_part(system.in_basis(K_g))

@@ -36,10 +36,10 @@ Array = NDArray[np.float64]
 #: Eigenvalues have an error of some 1e-16 of the largest.  Below this fraction of the largest, a vibration frequency
 #: no longer has nine correct digits.
 RESOLVED = 1e-7
-#: Likewise for a spring to ground beside gravity: where gravity leaves a motion alone, its part of K is a
+#: Likewise for a spring to ground beside gravity: where gravity does not act on a motion, its part of K is a
 #: cancellation of rounded numbers, with an error of up to 2e-15 of its largest entries, depending on the processor.
 BESIDE_GRAVITY = 4e-6
-#: Below this [1/s^2], numbers have fewer digits.
+#: Below this [1/s^2], floating-point numbers have fewer digits.
 SMALLEST = 1e-290
 
 
@@ -192,16 +192,18 @@ def lost_in_rounding(
 def _too_soft(at: RobotAtPoses, eigenvalue: float, share: float) -> PoseError:
     springs = at.system.springs_to_ground
     low = natural_frequencies(np.array([eigenvalue]))[0]
-    what = f"springs to ground are so soft that their vibration at {abs(low):.2g} Hz is lost in rounding"
+    problem = f"springs to ground are so soft that their vibration at {abs(low):.2g} Hz is lost in rounding"
     if len(springs) > 1 or not 0.0 < share < 1.0 or min(springs.values()) < SMALLEST:
         return PoseError(
-            what, at.source, f"make them stiffer or leave them out: {', '.join(map(in_effects, springs))}"
+            problem, at.source, f"make them stiffer or leave them out: {', '.join(map(in_effects, springs))}"
         )
     ((path, value),) = springs.items()
     effect, name, *_ = path.split(".")
     unit = next(p.unit for p in at.system.mechanism.effects[effect].parameters if p.name == name)
     least = float(f"{1.05 * value / share:.1e}")
-    return PoseError(what, at.source, f"give {in_effects(path)} at least {least:g} {unit}, or leave it out")
+    return PoseError(
+        problem, at.source, f"give {in_effects(path)} at least {least:g} {unit}, or leave it out"
+    )
 
 
 def in_effects(path: str) -> str:

@@ -29,14 +29,14 @@ from pkmodes.core.system.motors import MotorsHeld, springs_on_motors
 from pkmodes.core.system.strain_free import StrainFreeMotions
 
 Array = NDArray[np.float64]
-#: Poses for which quantities are kept that are not among the fields, for each thread.
+#: Poses for each thread for which intermediate quantities are kept.
 PART = 4800
 
 
 class ModeFields:
     """How a solver and NumPy evaluate some fields of a robot: worked out once, for any number of calls.
 
-    A field that tells nothing of the robot, such as damping where nothing dissipates, is not computed but filled.
+    A field that is the same for any robot, such as damping where nothing dissipates, is filled instead of computed.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class ModeFields:
         The robot, for messages.
     names : iterable of str
         Of `pkmodes.core.solve.fields.FIELDS`.
-    given : mapping of str to object
+    quantities : mapping of str to object
         Quantities that fields need and a robot does not have, such as the normal of a plane.
 
     Attributes
@@ -62,10 +62,10 @@ class ModeFields:
         solved: Evaluation,
         source: str,
         names: Iterable[str],
-        given: Mapping[str, Any],
+        quantities: Mapping[str, Any],
     ) -> None:
         self._solver, self._system, self._solved = solver, system, solved
-        self._source, self._given = source, {**_given_by_motors(system, solved), **given}
+        self._source, self._given = source, {**_given_by_motors(system, solved), **quantities}
         self._names = tuple(names)
         self._filled = [name for name in self._names if not self._tells(name)]
         self._computed = computed = [name for name in self._names if name not in self._filled]
@@ -80,16 +80,16 @@ class ModeFields:
         self._tails[EIGENVALUES] = (modes,), "f8"
         self.job = Job(
             tails={name: self._tails[name] for name in self._names},
-            known=codes_of(system.mechanism),
+            reasons=codes_of(system.mechanism),
             compute=self.compute,
             by_numpy=self.by_numpy,
             checks_poses=solver.checks_poses,
             refusable=_of_modes(self._names) and may_be_refused(solved),
-            alone=self._alone(),
+            at_one_pose=self._alone(),
         )
 
     def _tells(self, name: str) -> bool:
-        """Return whether a field tells anything of this robot."""
+        """Return whether a field depends on this robot."""
         field = FIELDS.get(name)
         if field is None:
             return True
@@ -98,19 +98,19 @@ class ModeFields:
         return field.only != HELD or self._given["strain_free_motions"] is not None
 
     def _alone(self) -> Alone | None:
-        """Return what evaluates the fields at a single pose with less overhead, if there is such a thing."""
-        own = [*(name for name in self._computed if name not in self._derived), *self._needed]
-        if self._filled or not (own or self._solver.checks_poses):
+        """Return what evaluates the fields at a single pose with less overhead; None if nothing does."""
+        solver_fields = [*(name for name in self._computed if name not in self._derived), *self._needed]
+        if self._filled or not (solver_fields or self._solver.checks_poses):
             return None
-        solved = self._solver.alone({name: self._tails[name][0] for name in own})
+        solved = self._solver.alone({name: self._tails[name][0] for name in solver_fields})
         if solved is None or not self._derived:
             return solved
 
         def of_pose(point: Array) -> dict[str, Array] | None:
-            found = solved(point)
-            if found is None:
+            fields = solved(point)
+            if fields is None:
                 return None
-            at = RobotAtPoses(self._system, point, self._source, {**self._given, **found})
+            at = RobotAtPoses(self._system, point, self._source, {**self._given, **fields})
             return {name: at[name] for name in self._names}
 
         return of_pose
@@ -127,15 +127,19 @@ class ModeFields:
             if len(checked.codes) == 1 and not checked.codes[0]:
                 return {name: array.copy() for name, array in self._filled_at_a_pose.items()}
             return self._filled_at(checked.codes)
-        left = checked.left is not None and len(checked.left) > 0
-        if self.job.alone is not None and len(checked.points) == 1 and not (checked.codes[0] or left):
-            found = self.job.alone(checked.points)
-            if found is not None:
-                return found
+        has_unsolved = checked.unsolved is not None and len(checked.unsolved) > 0
+        if (
+            self.job.at_one_pose is not None
+            and len(checked.points) == 1
+            and not (checked.codes[0] or has_unsolved)
+        ):
+            arrays = self.job.at_one_pose(checked.points)
+            if arrays is not None:
+                return arrays
         _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
-        if checked.left is not None and left:
-            for name, array in self.by_numpy(checked.points[checked.left]).items():
-                rows[name][checked.left] = array
+        if checked.unsolved is not None and has_unsolved:
+            for name, array in self.by_numpy(checked.points[checked.unsolved]).items():
+                rows[name][checked.unsolved] = array
         return rows
 
     def compute(self, points: Array, rows: Rows, threads: int) -> Codes:
@@ -185,7 +189,7 @@ class ModeFields:
         return self._filled_at(np.zeros(1, np.int8))
 
     def _filled_at(self, codes: Codes) -> dict[str, NDArray[Any]]:
-        """Return the fields that tell nothing of the robot, (N, *tail)."""
+        """Return the fields that do not depend on the robot, (N, *tail)."""
         rows: dict[str, NDArray[Any]] = {
             name: _empty(len(codes), *self._tails[name]) for name in self._filled
         }
@@ -194,7 +198,7 @@ class ModeFields:
         return rows
 
     def _fill(self, name: str, array: Array, codes: Codes) -> None:
-        """Fill a field that tells nothing of the robot; NaN where there is none."""
+        """Fill a field that does not depend on the robot; NaN where there is none."""
         array[...] = FIELDS[name].otherwise
         if FIELDS[name].dims[:1] == (MODE,):
             array[:, : self._solved.rigid_modes] = np.nan
@@ -204,7 +208,7 @@ class ModeFields:
     def _derive(self, at: RobotAtPoses, filled: Rows, rows: Rows, codes: Codes) -> None:
         """Fill the fields that follow from those of the solver; NaN where there are none."""
         if not codes.any() and len(codes) <= CHUNK:  # `at` may have matrices already
-            at.known.update(filled)
+            at.quantities.update(filled)
             for name in self._derived:
                 rows[name][...] = at[name]
             return
@@ -212,11 +216,11 @@ class ModeFields:
             rows[name][codes != 0] = missing(rows[name].dtype)
         good = np.flatnonzero(codes == 0)
         for start in range(0, len(good), CHUNK):
-            some = good[start : start + CHUNK]
-            known = {**self._given, **{name: array[some] for name, array in filled.items()}}
-            part = RobotAtPoses(self._system, at.points[some], self._source, known)
+            chunk = good[start : start + CHUNK]
+            quantities = {**self._given, **{name: array[chunk] for name, array in filled.items()}}
+            part = RobotAtPoses(self._system, at.points[chunk], self._source, quantities)
             for name in self._derived:
-                rows[name][some] = part[name]
+                rows[name][chunk] = part[name]
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,9 +234,9 @@ class Plan:
     shared : mapping of str to str
         Those that share the array of another one, by name.
     later : mapping of str to ModeFields
-        Those that are evaluated when they are read, each alone.
-    together : mapping of str to ModeFields
-        The same at few poses, where some are evaluated together.
+        Those that are evaluated when they are read, one by one.
+    paired : mapping of str to ModeFields
+        The same at few poses, where fields that are mostly read together are evaluated together.
     rigid_modes : int
     backend : str
         Of the result.
@@ -241,13 +245,13 @@ class Plan:
     fields: ModeFields
     shared: Mapping[str, str]
     later: Mapping[str, ModeFields]
-    together: Mapping[str, ModeFields]
+    paired: Mapping[str, ModeFields]
     rigid_modes: int
     backend: str
 
 
 class Later:
-    """The fields of a result that are evaluated when they are read; each is what it would have been at once.
+    """The fields of a result that are evaluated when they are read, with the values that they would have had at once.
 
     Parameters
     ----------
@@ -272,11 +276,11 @@ class Later:
         checked: CheckedPoses,
         threads: int,
     ) -> None:
-        self._fields = plan.together if len(checked.points) <= CHUNK else plan.later
+        self._fields = plan.paired if len(checked.points) <= CHUNK else plan.later
         self._robot, self._max_condition, self._threads = robot, max_condition, threads
         self._unread: dict[str, NDArray[Any]] = {}
         self._checked = CheckedPoses(
-            checked.points.copy(), checked.codes.copy(), checked.batch, checked.known, checked.left
+            checked.points.copy(), checked.codes.copy(), checked.batch, checked.reasons, checked.unsolved
         )
 
     def __contains__(self, name: object) -> bool:
@@ -288,12 +292,12 @@ class Later:
 
     def __call__(self, name: str) -> NDArray[Any]:
         """Evaluate a field."""
-        found = self._unread.pop(name, None)
-        if found is None:
+        array = self._unread.pop(name, None)
+        if array is None:
             rows = self._fields[name].again(self._robot, self._max_condition, self._checked, self._threads)
-            found = rows.pop(name)
+            array = rows.pop(name)
             self._unread.update(rows)
-        return found.reshape(self.shape(name))
+        return array.reshape(self.shape(name))
 
 
 def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
@@ -307,13 +311,17 @@ def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
         free, without springs that hold them; ``kept``, all coordinates per unit of those that remain with held
         motors, (n, r), None with free motors or if a motion remains that nothing elastic resists.
     """
-    given: dict[str, Any] = {"rigid_modes": solved.rigid_modes, "strain_free_motions": None, "kept": None}
+    quantities: dict[str, Any] = {
+        "rigid_modes": solved.rigid_modes,
+        "strain_free_motions": None,
+        "kept": None,
+    }
     held = isinstance(solved, MotorsHeld)
     if held or springs_on_motors(system.mechanism, system.springs_to_ground):
-        given["strain_free_motions"] = StrainFreeMotions(system)
+        quantities["strain_free_motions"] = StrainFreeMotions(system)
     if isinstance(solved, MotorsHeld):
-        given["kept"] = None if solved.rigid_modes else solved.motions()[0]
-    return given
+        quantities["kept"] = None if solved.rigid_modes else solved.motions()[0]
+    return quantities
 
 
 def _empty(count: int, shape: tuple[int, ...], dtype: str) -> Array:
@@ -332,5 +340,5 @@ def _needed(names: Iterable[str], fields: frozenset[str]) -> frozenset[str]:
         if name in fields:
             needed.add(name)
         elif name in FIELDS:
-            needed |= _needed((one for one in FIELDS[name].needs if one != name), fields)
+            needed |= _needed((quantity for quantity in FIELDS[name].needs if quantity != name), fields)
     return frozenset(needed)

@@ -102,11 +102,13 @@ class ChosenFields(AtPoses):
             if name not in self.FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             there = self.requested
-            wanted = ", ".join(f'"{known}"' for known in self.FIELDS if known in (*there, name))
+            field_list = ", ".join(
+                f'"{field_name}"' for field_name in self.FIELDS if field_name in (*there, name)
+            )
             raise NotComputedError(
                 f"the field {name} was not requested",
                 f"{type(self).__name__} with {', '.join(there)}",
-                f"call {self.METHOD} with fields=({wanted})",
+                f"call {self.METHOD} with fields=({field_list})",
             )
 
     def __repr__(self) -> str:
@@ -284,16 +286,16 @@ class PoseCheck(AtPoses):
     def sentences(self) -> NDArray[np.object_]:
         """Sentences that say what is wrong with each pose, with the remedy."""
         sentences = np.full(self.codes.size, "", dtype=object)
-        every, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
+        invalid, codes = np.flatnonzero(self.codes), self.codes.reshape(-1)
         mechanism, points = self.robot.mechanism, self.poses.reshape(self.codes.size, -1)
-        for start in range(0, len(every), CHUNK):
-            bad = every[start : start + CHUNK]
+        for start in range(0, len(invalid), CHUNK):
+            bad = invalid[start : start + CHUNK]
             texts = explained(points[bad], codes[bad], mechanism, self.robot.parameters)
-            sentences[bad] = [f"{what}; {remedy}" for what, remedy in texts]
+            sentences[bad] = [f"{problem}; {remedy}" for problem, remedy in texts]
         shaped: NDArray[np.object_] = sentences.reshape(self.codes.shape)[()]
         return shaped
 
     def __repr__(self) -> str:
         counts = {code: int(np.count_nonzero(self.reason == code)) for code in self.known if code}
-        others = "".join(f", {count} {code}" for code, count in counts.items() if count)
-        return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{others})"
+        rejected = "".join(f", {count} {code}" for code, count in counts.items() if count)
+        return f"PoseCheck({np.count_nonzero(self.valid)} of {self.valid.size} valid{rejected})"

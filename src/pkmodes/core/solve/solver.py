@@ -34,7 +34,7 @@ class Solver(ABC):
     Attributes
     ----------
     name : str
-        That a user gives.
+        As the user gives it.
     fields : frozenset of str
         The quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from them.
     at_hand : frozenset of str
@@ -89,7 +89,7 @@ class Solver(ABC):
             Contiguous, by name of `fields`; eigenvalues (N, m) ascending, shapes (N, m, n) as `condensed_eigh`
             returns them.
         threads : int
-            At most.
+            Largest number of threads.
 
         Returns
         -------
@@ -99,7 +99,7 @@ class Solver(ABC):
         """
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
-        """Return what fills arrays at a single pose with less overhead than `compute`, if there is such a thing.
+        """Return what fills arrays at a single pose with less overhead than `compute`; None if nothing does.
 
         Parameters
         ----------

@@ -18,7 +18,7 @@ from pkmodes.core.mechanism.stepped import STEP, stepped
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-#: Poses times parameters that are differentiated at once.
+#: Number of poses times parameters that are differentiated at once.
 AT_ONCE = 4096
 
 
@@ -52,7 +52,7 @@ def value_rates(
     parameters, effects : Parameters and Effects
         Of the robot; numbers may have a leading axis for the poses.
     fields : collection of str, optional
-        The fields that are wanted; derivatives with respect to others may be 0.
+        The requested fields; derivatives with respect to others may be 0.
 
     Returns
     -------
@@ -64,7 +64,7 @@ def value_rates(
         of_M, of_K = generated.value_sensitivities(p)
         return of_M, of_K
     listed = mechanism.extended.VALUE_SENSITIVITIES
-    moved = [i for i, one in enumerate(listed) if fields is None or one[0] in fields]
+    moved = [i for i, entry in enumerate(listed) if fields is None or entry[0] in fields]
     return rates_by_steps(mechanism, parameters, effects, p, listed, moved)
 
 
@@ -78,15 +78,15 @@ def spring_rates(
     """
     _, rates = value_rates(mechanism, parameters, effects, p, springs)
     size = len(mechanism.extended.COORDINATES)
-    found, start = {}, 0
+    stiffnesses, start = {}, 0
     for field, _, _, entries in mechanism.extended.VALUE_SENSITIVITIES:
         if field in springs:
             part = np.zeros((len(p), size, size))
             for k, (i, j) in enumerate(entries, start):
                 part[:, i, j] = part[:, j, i] = rates[:, k]
-            found[field] = part
+            stiffnesses[field] = part
         start += len(entries)
-    return found
+    return stiffnesses
 
 
 def rates_by_steps(
@@ -104,22 +104,22 @@ def rates_by_steps(
     listed : sequence
         The parameters with derivatives: field, index, entries of M and of K.
     moved : sequence of int
-        Indices of the parameters that are wanted; derivatives with respect to others are 0.
+        Indices of the requested parameters; derivatives with respect to others are 0.
 
     Returns
     -------
     of_M, of_K : ndarray, shape (N, entries)
     """
     entries = [entries_of(listed, matrix) for matrix in (0, 1)]
-    values = tuple(np.zeros((len(p), len(some.slot))) for some in entries)
+    values = tuple(np.zeros((len(p), len(matrix_entries.slot))) for matrix_entries in entries)
     size = max(1, AT_ONCE // max(1, len(p)))
     for block in (moved[i : i + size] for i in range(0, len(moved), size)):
         names = [listed[slot][:2] for slot in block]
         generated = Generated(mechanism.extended, stepped(parameters, names), stepped(effects, names))
         M, K_el, K_g = generated.extended_matrices(p)
-        for one, matrix, out in zip(entries, (M, K_el + K_g), values, strict=True):
+        for matrix_entries, matrix, out in zip(entries, (M, K_el + K_g), values, strict=True):
             rates = np.broadcast_to(np.imag(matrix) / STEP, (len(block), len(p), *matrix.shape[-2:]))
             for k, slot in enumerate(block):
-                some = np.flatnonzero(one.slot == slot)
-                out[:, some] = rates[k][:, one.row[some], one.column[some]]
+                places = np.flatnonzero(matrix_entries.slot == slot)
+                out[:, places] = rates[k][:, matrix_entries.row[places], matrix_entries.column[places]]
     return values[0], values[1]

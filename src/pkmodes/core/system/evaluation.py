@@ -131,17 +131,17 @@ class ExtendedSystem(Evaluation):
         coordinates.
     """
 
-    #: The coordinates of the generated model per unit of all coordinates here, (e, e), if these are others.
+    #: The coordinates of the generated model per unit of all coordinates here, (e, e), if the two differ.
     basis: Array | None = None
 
     def __init__(self, mechanism: Mechanism, parameters: Any, effects: Mapping[str, float]) -> None:
         self.mechanism, self.parameters, self.given = mechanism, parameters, effects
         self.first = len(mechanism.coordinates)
-        found = released(mechanism, tuple(effects.items()))
-        self.effects, self.free, self.coordinates = found.effects, found.free, found.coordinates
-        self.joints, self.joint_rates = found.joints, found.joint_rates
-        self.springs_to_ground = found.springs_to_ground
-        self.rigid_modes, self.held_motions = found.rigid
+        release = released(mechanism, tuple(effects.items()))
+        self.effects, self.free, self.coordinates = release.effects, release.free, release.coordinates
+        self.joints, self.joint_rates = release.joints, release.joint_rates
+        self.springs_to_ground = release.springs_to_ground
+        self.rigid_modes, self.held_motions = release.rigid
 
     @classmethod
     def of(cls, robot: Robot) -> ExtendedSystem:
@@ -209,9 +209,11 @@ class ExtendedSystem(Evaluation):
 
     def motion_of_all(self, p: Array, parameters: Any = None, effects: Any = None) -> Array:
         """Return the same for all coordinates, (N, components, e), optionally with other parameters and effects."""
-        given = self.parameters if parameters is None else parameters
-        present = self.effects if effects is None else effects
-        motion = np.asarray(Generated(self.mechanism.extended, given, present).extended_platform_motion(p))
+        chosen_parameters = self.parameters if parameters is None else parameters
+        chosen_effects = self.effects if effects is None else effects
+        motion = np.asarray(
+            Generated(self.mechanism.extended, chosen_parameters, chosen_effects).extended_platform_motion(p)
+        )
         return motion if self.basis is None else motion @ self.basis
 
     def statics(self, p: Array) -> tuple[Array, Array]:

@@ -107,7 +107,7 @@ class _Remaining(NamedTuple):
     basis: Array
 
 
-@lru_cache(256)  # a diagnosis asks for the same few again and again
+@lru_cache(256)  # a diagnosis requests the same few repeatedly
 def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining:
     """Return what remains where the motors are held.
 
@@ -158,9 +158,9 @@ def _inert(mechanism: Mechanism) -> _Inert:
     p = sample_pose(mechanism)
     rotors, T = _following(np.asarray(generated.motor_motion()), len(mechanism.coordinates))
     T = np.delete(T, rotors, axis=1)
-    rates = [each[0] for each in value_rates(mechanism, plain, extended.Effects(), p[None])]
+    rates = [matrix_rates[0] for matrix_rates in value_rates(mechanism, plain, extended.Effects(), p[None])]
     starts = [0, 0]
-    seen: dict[str, set[bool]] = {}
+    influences: dict[str, set[bool]] = {}
     for field, _, *places in extended.VALUE_SENSITIVITIES:
         for k, (entries, all_rates) in enumerate(zip(places, rates, strict=True)):
             part = np.zeros(2 * (len(extended.COORDINATES),))
@@ -168,9 +168,9 @@ def _inert(mechanism: Mechanism) -> _Inert:
                 part[row, column] = part[column, row] = all_rates[i]
             starts[k] += len(entries)
             if part.any():
-                left = np.abs(T.T @ part @ T).max()
-                seen.setdefault(field, set()).add(bool(left > ZERO * np.abs(part).max()))
-    without = {field for field, moves in seen.items() if moves == {False}}
+                reduced = np.abs(T.T @ part @ T).max()
+                influences.setdefault(field, set()).add(bool(reduced > ZERO * np.abs(part).max()))
+    without = {field for field, moves in influences.items() if moves == {False}}
     inertias = {key.field for key in declared(mechanism) if key.dimension in INERTIAS}
     effects = [name for name, effect in mechanism.effects.items() if _all_of(name, effect, without)]
     return _Inert(tuple(sorted(inertias & without)), tuple(f"{name}." for name in effects))
@@ -231,7 +231,7 @@ def solved_system(system: Evaluation, drives: str) -> Evaluation:
 
 
 def extended_system(system: Evaluation) -> ExtendedSystem:
-    """Return a system evaluated by the extended model, which alone knows motors."""
+    """Return a system evaluated by the extended model, the only one with motors."""
     if isinstance(system, ExtendedSystem):
         return system
     return ExtendedSystem(system.mechanism, system.parameters, {})
