@@ -199,7 +199,7 @@ def _report(lines: Sequence[str]) -> int:
     try:
         for line in lines:
             echo(f"error: {line}", err=True)
-    except OSError:  # nobody can be told
+    except OSError:  # stderr cannot be written either
         with suppress(OSError):
             silence(sys.stderr)
     return BAD_INPUT

@@ -182,7 +182,7 @@ def _failed(report: Report) -> list[str]:
 
 
 def _verdict(report: Report) -> str:
-    """Return what is said of a target that holds."""
+    """Return the verdict on a target that holds."""
     return "as generated, and current except for what was not checked" if report.unchecked else "current"
 
 

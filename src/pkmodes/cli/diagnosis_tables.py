@@ -141,7 +141,7 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
 
 
 def _damping(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
-    """Print what the damping says, which changes nothing above."""
+    """Print the verdict on damping, which changes nothing above."""
     damping = result.damping
     if not damping.measured:
         return

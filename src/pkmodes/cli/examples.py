@@ -41,7 +41,7 @@ class ExamplesDocument(Document, frozen=True):
 
 
 def _example(name: str, text: str, page: str, command: str, *places: str) -> Example:
-    # Every example brings the robot files: pages and commands compare with them.
+    # Every example includes the robot files: pages and commands compare with them.
     folders = places or (f"{EXAMPLES}/{name}",)
     return Example(name, text, f"docs/{page}.md", command, [*dict.fromkeys((ROBOTS, *folders))])
 

@@ -94,7 +94,7 @@ def figures(
 
 
 def _print(written: list[Path], sentences: dict[str, str]) -> None:
-    """Print the files, and apart from them which of them hold a sentence."""
+    """Print the files, and on stderr which of them hold a sentence."""
     for path in written:
         echo(path)
     for name, sentence in sentences.items():

@@ -155,7 +155,7 @@ class _Grid:
         return alike if len(alike) == len(parts) else parts
 
     def _filled(self, begin: list[int], remaining: Sequence[int], limit: int) -> list[list[int]]:
-        """Fill one part after the other with at most so many columns beside those with which it begins."""
+        """Fill one part after the other with at most `limit` columns beside those with which it begins."""
         parts, added = [[*begin]], 0
         for c in remaining:
             if added and (added == limit or not self._fits([*parts[-1], c])):

@@ -136,7 +136,7 @@ def _page(model: Model, dataset: Dataset, content: dict[str, Any], sources: Sequ
 
 @contextmanager
 def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
-    """Tell how an interrupted map continues."""
+    """Report how an interrupted map continues."""
     try:
         yield
     except KeyboardInterrupt:
@@ -148,7 +148,7 @@ def _continued(out: Path | None, complete: str = "") -> Iterator[None]:
 
 
 def _counted() -> Callable[[int, int], None]:
-    """Return what says how many poses are done, and how long the others will take."""
+    """Return a function that reports how many poses are done, and how long the others will take."""
     begin: list[tuple[float, int]] = []
 
     def told(done: int, total: int) -> None:

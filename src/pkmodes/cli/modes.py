@@ -216,7 +216,7 @@ def _print(model: Model, result: Modes, statics: Statics, notes: Sequence[str]) 
 
 
 def _of_motors(model: Model, result: Modes) -> Iterator[str]:
-    """Say what the motors of these numbers do, and the first frequency otherwise; nothing if it is the same."""
+    """State what the motors do, and the first frequency if they did otherwise; nothing if it is the same."""
     drives = other_drives(result.drives)
     frequencies_otherwise = model.frequencies(result.poses, "nan", drives=drives)[
         model.solved(drives).rigid_modes :
@@ -277,7 +277,7 @@ def _sigma(value: float) -> str:
         return "<0.001"
     rounded = float(f"{value:.2g}")
     decimals = int(np.clip(1 - np.floor(np.log10(rounded)), 0, 3))
-    return f"{rounded:.{decimals}f}" + (3 - decimals + (decimals == 0)) * " "  # its point below the others
+    return f"{rounded:.{decimals}f}" + (3 - decimals + (decimals == 0)) * " "  # aligns the decimal points
 
 
 def _fixed(value: float, zero: float = ZERO) -> str:
@@ -289,5 +289,5 @@ def _fixed(value: float, zero: float = ZERO) -> str:
         Below it a value differs from zero only by rounding, and is shown as 0.
     """
     if abs(value) < zero:
-        return "0    "  # below the ones of the other numbers
+        return "0    "  # aligned with the ones digit of the other numbers
     return f"{round(value, 3) + 0.0:.3f}" if abs(value) < LARGE else f"{value:.2e}"

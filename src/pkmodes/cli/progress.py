@@ -30,7 +30,7 @@ def duration(seconds: float) -> str:
 
 
 class ProgressLine:
-    """A line on a terminal, written again from a thread so that its seconds count while the command computes.
+    """A line on a terminal, rewritten by a thread so that its seconds count while the command computes.
 
     Parameters
     ----------

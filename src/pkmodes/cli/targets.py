@@ -56,7 +56,7 @@ def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_t
     """
     result = Target("--json", None if json_file == "-" else json_file, "the result")
     taken: dict[Path, str] = {}
-    for targets in ([result], other_targets):  # of several mistakes, that of --json is told first
+    for targets in ([result], other_targets):  # of several mistakes, that of --json is reported first
         for target in targets:
             if target.file is not None and not target.anywhere:
                 _check_place("" if target.file == Path() else str(target.file), target.option)

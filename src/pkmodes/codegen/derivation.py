@@ -140,7 +140,7 @@ def as_pkmodes_errors() -> Iterator[None]:
 
 
 def add_effects(name: str, files: Sequence[Definition]) -> None:
-    """Give a mechanism of the derivation effects of one's own, and no others.
+    """Give a mechanism of the derivation the user's effects, and no others.
 
     Raises
     ------
@@ -152,12 +152,12 @@ def add_effects(name: str, files: Sequence[Definition]) -> None:
 
 
 def effects_of(mechanism: Mechanism) -> list[Definition]:
-    """Return the effects of one's own that are stored with a mechanism's code."""
+    """Return the user's effects that are stored with a mechanism's code."""
     return [read_effect(file) for file in effect_files(mechanism.package, mechanism.effects)]
 
 
 def with_stored_effects(mechanism: Mechanism, effects: Sequence[Definition]) -> list[Definition]:
-    """Return effects of one's own after those stored with a mechanism's code, without stored ones of equal name."""
+    """Return the user's effects after those stored with a mechanism's code, without stored ones of the same name."""
     effect_file = derivation("effect_file")
     with as_pkmodes_errors():
         replaced = {
@@ -172,7 +172,7 @@ def parametric(
     reference: str = "",
     effects: Mapping[str, Definition] | None = None,
 ) -> dict[str, str]:
-    """Derive a mechanism with a definition or effects of one's own: texts of its package by file name.
+    """Derive a mechanism with a user's definition or effects: texts of its package by file name.
 
     Parameters
     ----------

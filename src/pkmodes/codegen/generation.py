@@ -70,7 +70,7 @@ def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
 
 
 def _effect_parameters(robot: Robot) -> list[str]:
-    """Return the parameters of the declared effects, those that are not given included."""
+    """Return the parameters of the declared effects, including those that are not given."""
     declared = dict.fromkeys(path.partition(".")[0] for path in robot.effects)
     catalogue = robot.mechanism.effects
     return [f"{name}.{parameter.name}" for name in declared for parameter in catalogue[name].parameters]
@@ -177,7 +177,7 @@ def generate(
 
 
 def _mechanism_name(robot_file: Path) -> str:
-    """Return the mechanism of a robot file, which may have effects that the mechanism is only to get."""
+    """Return the mechanism of a robot file, which may have effects that the mechanism does not have yet."""
     try:
         name = tomllib.loads(robot_file.read_text(encoding="utf-8-sig"))["mechanism"]
     except (OSError, ValueError, KeyError):
@@ -206,7 +206,7 @@ def _generate_both(
             problem = f"the robot is a {robot.mechanism_name}, not a {name}"
             remedy = f'write mechanism = "{name}", or leave --mechanism out'
             raise PkmodesError(problem, f"{robot_file}: mechanism", remedy)
-        # The folder of the mechanism has its definition and its effects; a definition alone is named itself.
+        # The mechanism's folder has its definition and its effects; a definition without effects is named directly.
         source = package if definition is None or effects else definition.file
         of_robot = _texts(robot, robot_file, outer, relative(source, out))
     with alone(out):

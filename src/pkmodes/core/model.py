@@ -597,7 +597,7 @@ class Model:
     def _fields(
         self, names: Sequence[str], solver: Solver, drives: str, extra: Mapping[str, Any] | None = None
     ) -> ModeFields:
-        """Return how a solver evaluates fields; kept unless something is given."""
+        """Return how a solver evaluates fields; kept unless extra quantities are given."""
         key = (solver, *names)
         fields = None if extra else self._fields_of.get(key)
         if fields is None:
@@ -609,7 +609,7 @@ class Model:
         return fields
 
     def _plan(self, requested: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
-        """Return what a call does; kept, so that a call of a pose takes microseconds.
+        """Return what a call does; kept, so that a call for one pose takes microseconds.
 
         Parameters
         ----------

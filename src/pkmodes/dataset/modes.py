@@ -54,7 +54,7 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
     for field in fields:
         if field.dims[:1] == (MODE,):
             values[field.name] = arrays[field.name][vibrations]
-    # The others that follow from those at hand, such as the parts of the platform's motion.
+    # Further fields that follow from those available, such as the parts of the platform's motion.
     available = {**values, "directions": mechanism.directions, "normal": normal}
     for field in of_maps(conditions):
         if not field.in_modes and available.keys() >= {*field.needs}:

@@ -85,7 +85,7 @@ def control_library() -> Any:
 
 @dataclass(frozen=True)
 class Asked:
-    """What is asked of a robot: a quantity of some outputs per some inputs."""
+    """What is requested of a robot: a quantity of some outputs per some inputs."""
 
     model: Model
     inputs: tuple[Port, ...]
@@ -97,7 +97,7 @@ class Asked:
     def of(
         cls, model: Model, inputs: Sequence[str], outputs: Sequence[Output], quantity: str, drives: str
     ) -> Asked:
-        """Return what is asked by name.
+        """Return what is requested by name.
 
         Raises
         ------

@@ -39,7 +39,7 @@ def unit_direction(
     if vector.shape != (len(directions),) or not np.isfinite(vector).all() or not vector.any():
         problem = f"expected a direction along {', '.join(directions)}, found {_as_given(direction)}"
         raise error(problem, where, f"give {len(directions)} numbers, not all of them 0")
-    vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers are not numbers
+    vector = vector / np.abs(vector).max()  # the squares of tiny and huge numbers leave the range of floats
     return np.asarray(vector / np.linalg.norm(vector))
 
 

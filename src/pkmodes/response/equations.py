@@ -244,7 +244,7 @@ def _of_coupled(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Com
     if not fast.any() or fast.all():
         return _of_poles(Z, D, b, l, omega)
     f, s = ~fast, fast
-    root = np.sqrt(size[s])  # of all sizes: each is a scale of its own
+    root = np.sqrt(size[s])  # their sizes differ widely: each has its own scale
     scaled = Z[np.ix_(s, s)] / root[:, None] / root
     by_slow, by_forces = (
         np.linalg.solve(scaled, part / root[:, None]) / root[:, None] for part in (Z[np.ix_(s, f)], b[s])
@@ -297,14 +297,14 @@ def _of_poles(Z: Complex, D: Any, b: Complex, l: Complex, omega: Array) -> Compl
 
 
 def _through(shapes: Complex, gain: Complex, driven: Complex) -> Complex:
-    """Return how the modes answer forces on the poles, (m, inputs, F)."""
+    """Return the response of the modes to forces on the poles, (m, inputs, F)."""
     answers = gain * driven
     response: Complex = (shapes @ answers.reshape(len(answers), -1)).reshape(len(shapes), *answers.shape[1:])
     return response
 
 
 def _eig(A: Complex) -> tuple[Complex, Complex]:
-    """Return eigenvalues and vectors, found in mixed coordinates.
+    """Return eigenvalues and vectors, computed in mixed coordinates.
 
     LAPACK scales rows and columns first, which spoils matrices with entries that are nothing but rounding, such as
     the stiffness of a rigid mode; where all entries are of one size it has nothing to scale.

@@ -182,7 +182,7 @@ class _Vibration:
             Of the command.
         """
         n = 2 * self.modes
-        # Each sample ends one interval and begins the next: together, what is the same is computed once.
+        # Each sample ends one interval and begins the next: equal halves are computed once.
         of = np.concatenate([self._of[:-1], self._of[1:]])
         begin, end = np.split(self._passed(np.tile(0.5 * duration, 2), of), 2)
         across = np.zeros((len(begin), n, n))
@@ -193,13 +193,13 @@ class _Vibration:
         return _Steps(onward @ begin[:, :n, :n], np.einsum("snj,sj->sn", drag, velocity))
 
     def _passed(self, duration: Array, of: NDArray[np.intp]) -> Array:
-        """Return what becomes of the states in some time, with the matrices of one of the distinct samples each."""
+        """Return the transition matrices over times, each with the matrices of one of the distinct samples."""
         pairs, where = np.unique(np.column_stack([of, duration]), axis=0, return_inverse=True)
         matrices = self._A[pairs[:, 0].astype(int)] * pairs[:, 1, None, None]
         return np.asarray(expm(matrices))[np.ravel(where)]
 
 
 def _distinct(poses: Array) -> tuple[Array, NDArray[np.intp]]:
-    """Return the distinct poses, and which of them each pose is: a machine at rest is evaluated once."""
+    """Return the distinct poses, and the index of each pose among them: a machine at rest is evaluated once."""
     points, of = np.unique(poses, axis=0, return_inverse=True)
     return points, np.ravel(of)

@@ -298,7 +298,7 @@ def state_space(
 
 
 def _checked_modes(modes: int | None, count: int, rigid: int) -> int:
-    """Return the number of modes kept of a model with some rigid ones."""
+    """Return the number of modes to keep, of a model with some rigid ones."""
     least = max(rigid, 1)
     if modes is None:
         return count

@@ -147,7 +147,7 @@ def _usable(first: Declaration, second: Declaration) -> Iterator[ValueDifference
 
 
 def _correlations(first: Declaration, second: Declaration) -> Iterator[ChoiceDifference]:
-    """Yield one entry if the errors of values belong together in different ways."""
+    """Yield one entry if the errors of values are correlated differently."""
     ours, theirs = (_pairs(robot) for robot in (first, second))
     before, after = _between(ours), _between(theirs)
     if ours != theirs:

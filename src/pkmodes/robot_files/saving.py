@@ -229,7 +229,7 @@ def _correlate(
         PATHS: _listed(f'"{path}"' for path in merged.paths),
         **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
         CORRELATION: _listed(
-            # Rounded, what is 0 but for the rounding of a fit is written as 0.
+            # Rounded, so that what is 0 except for the rounding of a fit is written as 0.
             (
                 f"[{', '.join(f'{round(coefficient, DIGITS) + 0.0:.{DIGITS}g}' for coefficient in row)}]"
                 for row in merged.correlation

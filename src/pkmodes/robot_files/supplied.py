@@ -35,7 +35,7 @@ def supplied(*places: str) -> dict[str, bytes]:
     return {
         name.as_posix(): names[name].read_bytes()
         for name in sorted(names)
-        if not any(part.startswith((".", "__")) for part in name.parts)  # what programs leave there
+        if not any(part.startswith((".", "__")) for part in name.parts)  # files that programs leave there
     }
 
 

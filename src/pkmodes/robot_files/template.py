@@ -92,7 +92,7 @@ def example_document(mechanism: Mechanism) -> dict[str, Any]:
     for item in items(mechanism):
         if item.index is not None and item.key.field:
             raw = _sampled(item, getattr(parameters, item.key.field))
-            # What the entries of a repeated table share is that of the first of them.
+            # Values that the entries of a repeated table share are those of the first entry.
             if values.setdefault(item.shared or item.path, raw) != raw:
                 values[item.path] = raw
     return document_of(mechanism, name, values)

@@ -305,7 +305,7 @@ class MatrixDerivatives:
         shapes: Array,
         poses: Index | slice = slice(None),
     ) -> tuple[Array, Array]:
-        """Put what the compliances of locked joints change in its place in the results of `changes`."""
+        """Insert the changes by compliances of locked joints into the results of `changes`."""
         if self.locked:
             locked = list(self.locked)
             of_locked, norm_of_locked = self._locked_changes(eigenvalues, shapes)

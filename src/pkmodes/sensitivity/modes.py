@@ -48,7 +48,7 @@ def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
 
 
 def separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.bool_]:
-    """Return which neighbouring modes are not of one group, (..., m - 1); see `groups`."""
+    """Return which neighbouring modes do not belong to one group, (..., m - 1); see `groups`."""
     size = np.abs(eigenvalues)
     rounding = ROUNDING * magnitude[..., 1:]
     larger = np.maximum(size[..., 1:], size[..., :-1])
@@ -152,7 +152,7 @@ def mode_derivatives(
 def _of_simple(
     M: Array, K: Array, eigenvalues: Array, shapes: Array, change: Array, norm: Array, magnitude: Array
 ) -> tuple[Array, Array]:
-    """Compute derivatives of k modes that are no group, from their bordered systems together."""
+    """Compute derivatives of k modes that form no group, from their bordered systems together."""
     rates = np.einsum("tin,in->ti", change, shapes)
     scale = 1.0 / np.sqrt(np.abs(np.diagonal(K)) + magnitude[:, None] * np.diagonal(M))
     momenta = shapes @ M

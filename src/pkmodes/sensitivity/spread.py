@@ -70,7 +70,7 @@ def spread_of(
 
 
 def _independent(model: Model, names: list[str], drives: str) -> tuple[Sequence[str | ParameterPath], Array]:
-    """Return lines in the space of the values along which these err, and a root of the covariance along them.
+    """Return directions in the space of the values with independent errors, and a root of the covariance along them.
 
     Correlated values err along lines of their own, one for each column of a root L of their covariance C = L L^T, by
     independent numbers of variance 1: so a group of repeated modes splits as with independent values.

@@ -13,7 +13,7 @@ from pkmodes.core.system.motors import springs_among, springs_on_motors
 def motors_in_words(
     robot: Declaration, drives: str | Iterable[str | None], causes: Iterable[str] = ()
 ) -> str:
-    """Return what the motors of a robot do, as words: motors free, held, or on their servo stiffness.
+    """Return what the motors of a robot do, in words: motors free, held, or on their servo stiffness.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def motors_give_way(robot: Declaration) -> bool:
 
 
 def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
-    """Return what the motors do in a machine that follows commands: as asked for, else as the robot file has them.
+    """Return what the motors do in a machine that follows commands: as requested, else as the robot file has them.
 
     Parameters
     ----------

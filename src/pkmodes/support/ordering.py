@@ -61,6 +61,6 @@ def joined(names: Collection[str], last: str = "and") -> str:
 
 
 def _key(label: str) -> list[tuple[float, str]]:
-    """Return texts and numbers of a label by turns; numbers come in the order of their values."""
+    """Return the texts and numbers of a label alternately; numbers are ordered by value."""
     parts = NUMBER.split(label)
     return [(float(part), "") if k % 2 else (-1.0, part.casefold()) for k, part in enumerate(parts)]

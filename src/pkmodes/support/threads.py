@@ -13,7 +13,7 @@ from contextlib import contextmanager
 @contextmanager
 def one_blas_thread() -> Iterator[None]:
     """Limit BLAS to one thread, in the whole process, as long as this lasts; also a decorator."""
-    from threadpoolctl import threadpool_limits  # it looks for the libraries that are loaded by now
+    from threadpoolctl import threadpool_limits  # it finds the libraries that are loaded so far
 
     with threadpool_limits(limits=1, user_api="blas"):
         yield

@@ -159,7 +159,7 @@ def _findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
 
 
 def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
-    """Check the folder of a mechanism that was generated from files of one's own: a definition, effects, or both.
+    """Check the folder of a mechanism that was generated from a user's files: a definition, effects, or both.
 
     Parameters
     ----------

@@ -270,7 +270,7 @@ def drawing_relations(at: State) -> Iterator[Relation]:
     """Yield the relations between a drawing and the model, at a pose of a robot without effects."""
     drawing = at.mechanism.drawing
     drawn = Generated(at.mechanism.drawn, at.parameters, at.mechanism.extended.Effects())
-    # Any constant vectors serve as those that the robot leaves open.
+    # Any constant vectors will do for those that the robot leaves open.
     up = (np.tile([0.6, -0.48, 0.64], drawing.uprights),) if drawing.uprights else ()
     motion = drawn.drawing_motion(at.pose, *up)[list(drawing.motions)]
     moved = at.rate(lambda p: drawn.drawing_points(p, *up))

@@ -56,17 +56,17 @@ def check_argument(
 
 
 def is_integer(value: object) -> bool:
-    """Whether a value is an integer of Python or NumPy; truth values are none."""
+    """Whether a value is an integer of Python or NumPy; booleans are not."""
     return isinstance(value, int | np.integer) and not isinstance(value, bool)
 
 
 def is_number(value: object) -> bool:
-    """Whether a value is a real number of Python or NumPy; truth values are none."""
+    """Whether a value is a real number of Python or NumPy; booleans are not."""
     return is_integer(value) or isinstance(value, float | np.floating)
 
 
 def real_numbers(values: ArrayLike, expected: str, where: str, remedy: str) -> NDArray[np.float64]:
-    """Return real numbers as an array of any shape, NaN where masked; texts and truth values are none.
+    """Return real numbers as an array of any shape, NaN where masked; texts and booleans are refused.
 
     Parameters
     ----------

@@ -22,13 +22,13 @@ def other_drives(drives: str) -> str:
 
 
 def motors(drives: Iterable[str | None]) -> str:
-    """Return what the motors do in one or several measurements, as words: motors free or held."""
+    """Return what the motors do in one or several measurements, in words: motors free or held."""
     did = set(drives)
     return f"motors {' or '.join(word for word in DRIVES if word in did)}"
 
 
 def motors_to_be(drives: Iterable[str | None]) -> str:
-    """Return what to do to the motors for measurements still to be made, as words.
+    """Return how to set the motors for measurements still to be made, in words.
 
     Shafts are clamped: position loops hold the motors of many machines only as springs do.
     """

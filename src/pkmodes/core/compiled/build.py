@@ -121,7 +121,7 @@ def digest(header: str) -> str:
 
 
 def checksum(library: Path) -> str:
-    """Digest of the bytes of a library: with that of its name it tells whether the file is whole."""
+    """Digest of the bytes of a library: compared with that in its name, it tells whether the file is whole."""
     with library.open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()[:32]
 

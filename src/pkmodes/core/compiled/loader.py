@@ -199,7 +199,7 @@ def _stem(name: str, digest: str, cc: Sequence[str]) -> str:
 
 def _shipped(name: str, digest: str) -> Library | None:
     """Return the library installed with the package, None if there is none for these sources and this machine."""
-    with suppress(OSError):  # built for another system, or not to be read
+    with suppress(OSError):  # built for another system, or unreadable
         for path in _whole(SHIPPED, name):
             library = _loaded(path, digest)
             if library is not None:
@@ -221,7 +221,7 @@ def _built(name: str, header: str, digest: str) -> Library:
             with _build_lock(folder / f".{stem}.lock"):
                 library = _kept(folder, stem, digest)  # another process may have built it meanwhile
                 if library is None:
-                    # Those that are whole are for other processors, which share the folder.
+                    # Whole ones are for other processors that share the folder.
                     damaged = [path for path in folder.glob(f"{stem}.*.so") if not build.is_whole(path)]
                     built = build.build(header, folder, stem, cc, build.widths_here(cc))
                     for path in damaged:
@@ -238,7 +238,7 @@ def _built(name: str, header: str, digest: str) -> Library:
 
 
 def _kept(folder: Path, stem: str, digest: str) -> Library | None:
-    """Return the library that was built earlier, None if there is none that is whole.
+    """Return the library that was built earlier, None if there is no whole one.
 
     Raises
     ------
@@ -257,7 +257,7 @@ def _kept(folder: Path, stem: str, digest: str) -> Library | None:
 
 
 def _whole(folder: Path, stem: str, check: Callable[[Path], None] = lambda _: None) -> Iterator[Path]:
-    """Yield the libraries of that name that are as they were built."""
+    """Yield the libraries of that name that are still as they were built."""
     for path in sorted(folder.glob(f"{stem}.*.so")):
         with suppress(FileNotFoundError):  # it was damaged, and another process has just replaced it
             check(path)
@@ -294,7 +294,7 @@ def _build_lock(lock: Path) -> Iterator[None]:
 
 
 def _check_executable(folder: Path) -> None:
-    """Refuse a file system from which nothing can be loaded, before a compiler has worked for it."""
+    """Refuse a file system from which nothing can be loaded, before anything is compiled for it."""
     if hasattr(os, "statvfs") and os.statvfs(folder).f_flag & getattr(os, "ST_NOEXEC", 0):
         problem = f"libraries cannot be loaded from {folder}: its file system is mounted with noexec"
         raise UnavailableError(problem, f"{_elsewhere()} from which programs can be run")

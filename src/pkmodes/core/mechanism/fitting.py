@@ -72,7 +72,7 @@ def _wrong(subject: str, actual: object, expected: object) -> Iterator[str]:
 
 
 def _keys(mechanism: Mechanism, shapes: dict[str, Shape]) -> Iterator[str]:
-    """Every number of every field is that of one key."""
+    """Check that every number of every field belongs to one key."""
     places: dict[str, list[Shape]] = {"gravity": [()]}
     numbers = {"gravity": 3}
     for table in mechanism.tables:

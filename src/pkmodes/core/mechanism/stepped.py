@@ -12,7 +12,7 @@ STEP = 1e-30
 
 
 def stepped(numbers: Any, names: Sequence[tuple[str, tuple[int, ...]]]) -> Any:
-    """Return parameters or effects with a complex step in one number after the other, along a new first axis.
+    """Return parameters or effects with a complex step in one number at a time, along a new first axis.
 
     Parameters
     ----------

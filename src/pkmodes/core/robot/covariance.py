@@ -168,7 +168,7 @@ def _paths(
 
 
 def _not_uncertain(path: Any, quantities: Mapping[str, Quantity], example: str) -> tuple[str, str]:
-    """Return why a path is that of no uncertain value, and the remedy; empty if it is."""
+    """Return why a path is not that of an uncertain value, and the remedy; empty if it is."""
     expected = "expected the dotted path of a value with a sigma"
     if not isinstance(path, str):
         return f"{expected}, found {shown(path)}", example

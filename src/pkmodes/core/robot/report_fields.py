@@ -50,7 +50,7 @@ def read_report(raw: Any, problem: Callable[[str, str, str], None]) -> dict[str,
 
 
 def head_of(*reports: Mapping[str, str]) -> list[tuple[str, str]]:
-    """Return the lines of a head, titles with texts: each field as the first table has it that gives it."""
+    """Return the lines of a head, titles with texts: each field from the first table that gives it."""
     merged = {name: text for report in reversed(reports) for name, text in report.items()}
     return [(TITLES[name], merged[name]) for name in TITLES if name in merged]
 

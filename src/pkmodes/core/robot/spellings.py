@@ -91,7 +91,7 @@ def plain_numbers(text: str) -> tuple[list[tuple[str, str]], str]:
 
 
 def _in_groups(digits: str) -> bool:
-    """Return whether digits are together, or in groups of three after the first, separated alike."""
+    """Return whether digits are undivided, or in groups of three after the first with one kind of separator."""
     first, *groups = re.split(r"\D", digits)
     alike = len(set(re.findall(r"\D", digits))) <= 1
     return alike and all(len(group) == 3 for group in groups) and (not groups or len(first) <= 3)
@@ -102,7 +102,7 @@ def _joined(digits: str) -> str:
 
 
 def confused(unit: str) -> tuple[str, str] | None:
-    """Return the first name in a unit that is read as another one than most people mean, and what it may be."""
+    """Return the first name in a unit that does not denote what most people mean by it, and what it may be."""
     for name, _ in WORD.findall(unit):
         for pattern, _, meanings in CONFUSED:
             if pattern.fullmatch(name) is not None:
@@ -148,7 +148,7 @@ def _quotient_of_quotients(text: str) -> str:
 
 
 def _meanings(name: str) -> list[str]:
-    """Return the names of units that a name may stand for, itself first unless it is a confused one."""
+    """Return the names of units that a name may stand for, itself first unless it is often confused."""
     for pattern, units, _ in CONFUSED:
         if (match := pattern.fullmatch(name)) is not None:
             return [match.expand(unit) for unit in units]

@@ -78,7 +78,7 @@ class Tables:
         self.effects = self._effects(document.get(EFFECTS, {}))
         tables = [table.name for table in mechanism.tables]
         self.usable: dict[str, Bound] = {}
-        if USABLE not in tables:  # a mechanism of a user may have a table of that name
+        if USABLE not in tables:  # a user's mechanism may have a table of that name
             self.usable = read_usable(mechanism, document.get(USABLE, {}), self.problem)
         self.report: dict[str, str] = {}
         if REPORT not in tables:
@@ -205,7 +205,7 @@ class Tables:
                 if (lent_value := declared[path]) is not None:
                     quantities[path] = lent_value
             elif excluded or parameter.in_place_of:
-                continue  # given by others, or not at all: zero
+                continue  # given by other parameters, or not at all: zero
             elif len(declarable) > 1:  # if an effect has several parameters, missing ones are zero
                 quantities[path] = Quantity(0.0, parameter.unit)
             else:

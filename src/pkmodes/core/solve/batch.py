@@ -107,7 +107,7 @@ def run(
     if codes.any():
         unsolved = np.flatnonzero(codes == UNSOLVED)
         codes[unsolved] = 0
-        if raises:  # a pose out of reach before a joint that is too soft
+        if raises:  # report a pose out of reach before a joint that is too soft
             refuse(points, codes, mechanism, robot.parameters)
         for start in range(0, len(unsolved), CHUNK):
             places = unsolved[start : start + CHUNK]

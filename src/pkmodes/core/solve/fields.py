@@ -383,7 +383,7 @@ def of_modes(mechanism: Mechanism | None = None) -> tuple[str, ...]:
 
 
 def conditions_of(robots: Iterable[Robot], shapes: bool, drives: str) -> frozenset[str]:
-    """Return which of the conditions hold under which maps have a field.
+    """Return which conditions hold, of those under which maps have a field.
 
     Parameters
     ----------

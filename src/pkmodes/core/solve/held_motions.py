@@ -44,7 +44,7 @@ SMALLEST = 1e-290
 
 
 def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
-    """Solve in place where the motions that springs to ground hold have lost digits.
+    """Solve again, in place, where motions that springs to ground hold have lost digits.
 
     Parameters
     ----------

@@ -72,7 +72,7 @@ class ModeFields:
         self._derived = [name for name in computed if name not in solver.fields]
         self._needed = _needed(self._derived, solver.fields) - {*self._names}
         if _of_modes(self._filled) and not _of_modes(computed):
-            self._needed |= {EIGENVALUES}  # they say whether the robot is refused
+            self._needed |= {EIGENVALUES}  # they tell whether the robot is refused
         modes = number_of_modes(solved)
         sizes = sizes_of(system.mechanism, modes, len(system.coordinates))
         fields = {name: FIELDS[name] for name in (*self._names, *self._needed) if name in FIELDS}
@@ -122,7 +122,7 @@ class ModeFields:
     def again(
         self, robot: Robot, max_condition: float, checked: CheckedPoses, threads: int
     ) -> dict[str, NDArray[Any]]:
-        """Evaluate the fields, (N, *tail), at poses where others were: see `pkmodes.core.solve.batch.run`."""
+        """Evaluate the fields, (N, *tail), at poses of an earlier evaluation: see `pkmodes.core.solve.batch.run`."""
         if not self._computed:
             if len(checked.codes) == 1 and not checked.codes[0]:
                 return {name: array.copy() for name, array in self._filled_at_a_pose.items()}
@@ -329,7 +329,7 @@ def _empty(count: int, shape: tuple[int, ...], dtype: str) -> Array:
 
 
 def _of_modes(names: Iterable[str]) -> bool:
-    """Return whether any of some fields follows from modes."""
+    """Return whether any of the fields follows from modes."""
     return bool(_needed(names, frozenset({EIGENVALUES, SHAPES})))
 
 

@@ -77,7 +77,7 @@ class ChosenFields(AtPoses):
             self.__dict__["_later"] = _later
 
     def __getstate__(self) -> dict[str, Any]:
-        for name in self.requested:  # a copy stands alone
+        for name in self.requested:  # a copy does not depend on the model
             getattr(self, name)
         return {name: value for name, value in self.__dict__.items() if name != "_later"}
 
@@ -98,7 +98,7 @@ class ChosenFields(AtPoses):
         def __getattr__(self, name: str) -> NDArray[Any]:
             later = self.__dict__.get("_later")
             if later is not None and name in later:
-                return self.__dict__.setdefault(name, later(name))  # of two threads, both get the same array
+                return self.__dict__.setdefault(name, later(name))  # two threads get the same array
             if name not in self.FIELDS:
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             there = self.requested

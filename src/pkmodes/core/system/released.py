@@ -29,7 +29,7 @@ class Released(NamedTuple):
 
 @lru_cache(maxsize=256)
 def released(mechanism: Mechanism, effects: tuple[tuple[str, float], ...]) -> Released:
-    """Return what follows from effects; a fit evaluates many robots with the same."""
+    """Return what follows from effects; a fit evaluates many robots with the same effects."""
     shared, _ = _shared_and_single(dict(effects))
     releasing = tuple((path, value) for path, value in effects if path.split(".")[0] in _releasing(mechanism))
     grounding = [name for name in active_effects(mechanism, dict(effects)) if mechanism.effects[name].grounds]
