@@ -14,7 +14,7 @@ from pkmodes.campaign.grouping import _apart, grouped, reunited
 from pkmodes.campaign.joining import joined
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.revisits import revisited
-from pkmodes.campaign.sensors import Place
+from pkmodes.campaign.sensors import Transducer
 from pkmodes.campaign.shapes import combined
 
 
@@ -200,8 +200,8 @@ def test_the_modal_assurance_criterion_counts_common_components() -> None:
 
 
 def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> None:
-    def place(name: str, **weights: float) -> Place:
-        return Place(name, None, weights)
+    def place(name: str, **weights: float) -> Transducer:
+        return Transducer(name, None, weights)
 
     places = {
         "u": place("u", p_x=0.6, p_y=0.8),

@@ -21,7 +21,7 @@ from pkmodes.campaign.description import (
     uncertain,
 )
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, names_of, sensors_of
+from pkmodes.campaign.sensors import NONE, MotionSensor, Transducer, forces_of, names_of, sensors_of
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
@@ -127,8 +127,8 @@ class Campaign:
     channels: Mapping[str, str]
     repeatability: float | None
     tones: tuple[float, ...]
-    sensors: tuple[Sensor, ...]
-    forces: tuple[Place, ...]
+    sensors: tuple[MotionSensor, ...]
+    forces: tuple[Transducer, ...]
     records: tuple[Record, ...]
     edits: Mapping[str, Asked]
     report: Mapping[str, str] = field(default_factory=dict)
@@ -139,11 +139,11 @@ class Campaign:
         """The axes along and about which the platform moves."""
         return _platform(self.model)
 
-    def sensors_in(self, setup: str) -> dict[str, Sensor]:
+    def sensors_in(self, setup: str) -> dict[str, MotionSensor]:
         """Return the sensors that apply to a setup, by name."""
         return {sensor.name: sensor for sensor in self.sensors if sensor.setup in (None, setup)}
 
-    def forces_in(self, setup: str) -> dict[str, Place]:
+    def forces_in(self, setup: str) -> dict[str, Transducer]:
         """Return the forces that apply to a setup, by name."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
@@ -151,7 +151,7 @@ class Campaign:
         """Return the user's edits of the modes of a record."""
         return self.edits.get(record.pose, NOTHING)
 
-    def places_at(self, record: Record) -> dict[str, Place]:
+    def places_at(self, record: Record) -> dict[str, Transducer]:
         """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
         return {place.key: place.where_turned(R) for place in (*self.sensors, *self.forces)}

@@ -35,18 +35,18 @@ PLACE = re.compile(r"(.*) - at `\$(.*)`")
 Given = str | int | float
 
 
-class Part(Struct, frozen=True, forbid_unknown_fields=True):
+class CampaignPart(Struct, frozen=True, forbid_unknown_fields=True):
     """A table of the file: another key than its attributes is an error."""
 
 
-class Uncertain(Part, frozen=True):
+class Uncertain(CampaignPart, frozen=True):
     """A quantity with its standard deviation."""
 
     value: str | int | float
     sigma: str | int | float = 0
 
 
-class SensorTable(Part, frozen=True):
+class SensorTable(CampaignPart, frozen=True):
     """``[[sensor]]``: one measured direction."""
 
     name: str
@@ -58,7 +58,7 @@ class SensorTable(Part, frozen=True):
     setup: str | None = None
 
 
-class ForceTable(Part, frozen=True):
+class ForceTable(CampaignPart, frozen=True):
     """``[[force]]``: where a reference of the files acts."""
 
     name: str
@@ -68,7 +68,7 @@ class ForceTable(Part, frozen=True):
     setup: str | None = None
 
 
-class RecordTable(Part, frozen=True):
+class RecordTable(CampaignPart, frozen=True):
     """``[[record]]``: what was measured at one pose, in one load case."""
 
     pose: str
@@ -89,7 +89,7 @@ class RecordTable(Part, frozen=True):
     clock: str | dict[str, str | int | float | Uncertain] | None = None
 
 
-class EditTable(Part, frozen=True):
+class EditTable(CampaignPart, frozen=True):
     """``[[edit]]``: what the user decides about the modes of a record."""
 
     pose: str
@@ -97,7 +97,7 @@ class EditTable(Part, frozen=True):
     add: list[str] = []
 
 
-class CampaignTable(Part, frozen=True):
+class CampaignTable(CampaignPart, frozen=True):
     """The whole file."""
 
     format: Literal[1]
@@ -116,7 +116,7 @@ class CampaignTable(Part, frozen=True):
 
 
 #: Tables by the last part of their path in the file.
-TABLES: dict[str, type[Part]] = {
+TABLES: dict[str, type[CampaignPart]] = {
     "sensor": SensorTable,
     "force": ForceTable,
     "record": RecordTable,

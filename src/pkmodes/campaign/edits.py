@@ -11,7 +11,7 @@ import numpy as np
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.grouping import grouped
-from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.results import IdentifiedMode
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import Asked, nearest
@@ -20,7 +20,7 @@ from pkmodes.identification.asked import Asked, nearest
 SAME = 1e-4
 
 
-def check_asked(edits: Asked, record: Record, kind: Kind, source: str) -> None:
+def check_asked(edits: Asked, record: Record, kind: RecordKind, source: str) -> None:
     """Refuse frequencies at which no mode can be added, before anything is read.
 
     Raises

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.conjugates import phase_checked
-from pkmodes.campaign.found import NAMELESS, FileModes, Fit, Found, modes_of_fit
+from pkmodes.campaign.found import NAMELESS, FileFit, FileModes, Found, modes_of_fit
 from pkmodes.campaign.quotients import force_factor, inverted
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
@@ -23,7 +23,7 @@ from pkmodes.campaign.sensor_functions import (
     refuse_repeated,
     sensor_functions,
 )
-from pkmodes.campaign.sensors import Place, Sensor, unsigned
+from pkmodes.campaign.sensors import MotionSensor, Transducer, unsigned
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.frf_identification import identify_frf
@@ -149,7 +149,7 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
     return ResponseFile(read.source, responses, frozenset(names_in_file), messages)
 
 
-def frf_fit(responses: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
+def frf_fit(responses: Responses, averages: int | None, record: Record, campaign: Campaign) -> FileFit:
     """Fit frequency response functions in the band of a record; `averages` is None if unknown."""
     estimate = identify_frf(
         responses.frequencies,
@@ -164,10 +164,10 @@ def frf_fit(responses: Responses, averages: int | None, record: Record, campaign
     )
     inside = slice(*np.searchsorted(responses.frequencies, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
     coherence = None if responses.coherence is None else responses.coherence[inside]
-    return Fit(estimate, responses.names, responses.references, coherence)
+    return FileFit(estimate, responses.names, responses.references, coherence)
 
 
-def remarks_on(fit: Fit, source: str) -> list[str]:
+def remarks_on(fit: FileFit, source: str) -> list[str]:
     """Return messages about lines without bandwidth, and about spurious modes of a nonlinear machine."""
     estimate = fit.estimate
     remarks = [no_bandwidth(tone) for tone in estimate.tones]
@@ -178,8 +178,8 @@ def remarks_on(fit: Fit, source: str) -> list[str]:
 
 def responses_of(
     functions: SensorFunctions,
-    sensors: Mapping[str, Sensor],
-    forces: Mapping[str, Place],
+    sensors: Mapping[str, MotionSensor],
+    forces: Mapping[str, Transducer],
     channels: Mapping[str, str],
 ) -> Responses:
     """Arrange the frequency response functions of a file.
@@ -241,7 +241,7 @@ def _coherence(
     return coherence if np.isfinite(coherence).any() else None
 
 
-def of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
+def of_reference(name: str, forces: Mapping[str, Transducer]) -> Transducer | None:
     """Return the force of a reference, ignoring signs in names; a nameless reference is that of the only force."""
     named = next(
         (place for force_name, place in forces.items() if unsigned(force_name) == unsigned(name)), None
@@ -281,4 +281,4 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
         {function.response for function in used} | {f"psd_{function.response}" for function in used}
     )
     responses = tuple(function.response for function in used)
-    return modes_of_fit(Fit(estimate, responses), all_messages, names_in_file, converted)
+    return modes_of_fit(FileFit(estimate, responses), all_messages, names_in_file, converted)

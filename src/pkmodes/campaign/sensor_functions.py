@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.motion import Motion, motion, motion_or_none
-from pkmodes.campaign.sensors import Sensor, check_motion, signed
+from pkmodes.campaign.sensors import MotionSensor, check_motion, signed
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.functions import Asked, Function, Kind, SignalFile
@@ -120,7 +120,7 @@ def refuse_repeated(name: str, subject: str, source: str) -> NoReturn:
     raise MeasurementError(f"{subject} occurs twice", source, f"{remedy}; give repeats as files of their own")
 
 
-def motion_of(function: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:
+def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, str], source: str) -> Motion:
     """Return the motion that a function measures: as the campaign declares, else by the unit in the file.
 
     Raises

@@ -28,7 +28,7 @@ NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ](?:#[0-9]+)?")
 
 
 @dataclass(frozen=True)
-class Place:
+class Transducer:
     """A place where a force acts or a sensor measures.
 
     Attributes
@@ -59,7 +59,7 @@ class Place:
 
 
 @dataclass(frozen=True)
-class Sensor(Place):
+class MotionSensor(Transducer):
     """A sensor.
 
     Attributes
@@ -77,7 +77,7 @@ def sensors_of(
     platform: Platform,
     setups: Collection[str],
     source: str,
-) -> tuple[Sensor, ...]:
+) -> tuple[MotionSensor, ...]:
     """Check the sensors of a campaign.
 
     Parameters
@@ -100,7 +100,7 @@ def sensors_of(
         place = _place(table, channel_units, platform, setups, where, angular=of is not None and of.angular)
         if of is not None:
             check_motion(of, place, channel_units, f"{where}.unit")
-        sensors.append(Sensor(place.name, place.setup, place.weights, of, mount=place.mount))
+        sensors.append(MotionSensor(place.name, place.setup, place.weights, of, mount=place.mount))
     _check_names(sensors, f"{source}: sensor")
     return tuple(sensors)
 
@@ -111,7 +111,7 @@ def forces_of(
     platform: Platform,
     setups: Collection[str],
     source: str,
-) -> tuple[Place, ...]:
+) -> tuple[Transducer, ...]:
     """Check the forces of a campaign: see `sensors_of`."""
     forces = [
         _place(table, channel_units, platform, setups, f"{source}: force.{i}")
@@ -155,7 +155,7 @@ def _place(
     where: str,
     *,
     angular: bool = False,
-) -> Place:
+) -> Transducer:
     if not table.name:
         raise MeasurementError("expected a name, found none", f"{where}.name", "give its name in the files")
     if table.setup is not None and table.setup not in setups:
@@ -181,7 +181,7 @@ def _place(
             for name, component in zip(platform.directions, unit, strict=True)
             if component
         }
-        return Place(table.name, table.setup, weights)
+        return Transducer(table.name, table.setup, weights)
     channel, sign = str(table.channel), 1.0
     if channel not in channel_units and channel != NONE and channel.startswith("-"):
         channel, sign = channel[1:].lstrip(), -1.0
@@ -198,11 +198,11 @@ def _place(
     if platform.rotations and channel in platform.components:
         axis = along([channel[len(ROTATION) :]], [sign])
         return _mounted(table, Mount(axis, False, at, channel.startswith(ROTATION), platform))
-    return Place(table.name, table.setup, {} if channel == NONE else {channel: sign})
+    return Transducer(table.name, table.setup, {} if channel == NONE else {channel: sign})
 
 
-def _mounted(table: SensorTable | ForceTable, mount: Mount) -> Place:
-    return Place(table.name, table.setup, mount.weights(np.eye(3)), mount=mount)
+def _mounted(table: SensorTable | ForceTable, mount: Mount) -> Transducer:
+    return Transducer(table.name, table.setup, mount.weights(np.eye(3)), mount=mount)
 
 
 def _at(table: SensorTable | ForceTable, where: str) -> Vector:
@@ -253,7 +253,7 @@ def _motion(table: SensorTable, where: str) -> Motion | None:
     return motion(table.unit, f"{where}.unit")
 
 
-def check_motion(measured: Motion, place: Place, channel_units: Mapping[str, str], where: str) -> None:
+def check_motion(measured: Motion, place: Transducer, channel_units: Mapping[str, str], where: str) -> None:
     """Refuse a linear motion for an angle, and an angular one for a length.
 
     Raises
@@ -270,7 +270,7 @@ def check_motion(measured: Motion, place: Place, channel_units: Mapping[str, str
             raise MeasurementError(f"{channel} cannot have {kind} motion", where, remedy)
 
 
-def _check_names(places: Sequence[Place], where: str) -> None:
+def _check_names(places: Sequence[Transducer], where: str) -> None:
     for i, place in enumerate(places):
         for earlier in places[:i]:
             if place.name == earlier.name and (

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
+from pkmodes.campaign.found import FileFit, FileModes, modes_of_fit
 from pkmodes.campaign.grouping import APART
 from pkmodes.campaign.quotients import force_in
 from pkmodes.campaign.sensor_faults import overloads, silent
@@ -220,10 +220,10 @@ def _lost(time: Array, pieces: Sequence[Piece]) -> float:
 
 
 def with_bridges(
-    find: Callable[[Sequence[TimeSignals]], tuple[Fit, tuple[str, ...]]],
+    find: Callable[[Sequence[TimeSignals]], tuple[FileFit, tuple[str, ...]]],
     recordings: Sequence[TimeSignals],
     source: str,
-) -> tuple[Fit, tuple[str, ...]]:
+) -> tuple[FileFit, tuple[str, ...]]:
     """Return the fit of signals and messages about it, with the effect of interpolated samples in its sigmas.
 
     It is the change from interpolating as many further samples, relative to the standard deviations, rms over all
@@ -258,13 +258,13 @@ def with_bridges(
 
 
 def with_levels(
-    fit: Fit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
+    fit: FileFit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
 ) -> FileModes:
     """Return the modes of a file with their levels.
 
     Parameters
     ----------
-    fit : Fit
+    fit : FileFit
         With shapes in accelerations of the file's sensors.
     exponential : float, optional
         Time constant of a window that the responses have had [s].

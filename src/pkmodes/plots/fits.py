@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.inspection import Curve, Inspection
+from pkmodes.campaign.inspection import InspectedFunction, Inspection
 from pkmodes.identification.estimates import Stabilisation
 from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import decades, short
@@ -169,7 +169,7 @@ def functions(inspection: Inspection, marked: Lines, band: tuple[float, float], 
     return Drawing(draw)
 
 
-def _curve(panels: Sequence[Panel], curve: Curve, phase: bool, coherence: bool) -> None:
+def _curve(panels: Sequence[Panel], curve: InspectedFunction, phase: bool, coherence: bool) -> None:
     """Draw a function in its panels."""
     f, above = curve.frequencies, panels[0]
     above.axes.set_yscale("log")
