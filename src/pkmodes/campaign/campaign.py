@@ -26,7 +26,7 @@ from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, sh
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
-from pkmodes.identification.asked import NOTHING, Asked
+from pkmodes.identification.asked import NOTHING, RequestedModes
 from pkmodes.measured.rules import PRINTABLE, is_label
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
@@ -114,7 +114,7 @@ class Campaign:
         Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
     tones : tuple of float
         Of mains, fans and motors [Hz]: these and their multiples are not modes.
-    edits : mapping of str to Asked
+    edits : mapping of str to RequestedModes
         What the user decides about the modes of records, by their labels.
     report : mapping of str to str
         Fields of the head of its report, which prevail over those of the robot.
@@ -130,7 +130,7 @@ class Campaign:
     sensors: tuple[MotionSensor, ...]
     forces: tuple[Transducer, ...]
     records: tuple[Record, ...]
-    edits: Mapping[str, Asked]
+    edits: Mapping[str, RequestedModes]
     report: Mapping[str, str] = field(default_factory=dict)
     signs_of_file: bool = False
 
@@ -147,7 +147,7 @@ class Campaign:
         """Return the forces that apply to a setup, by name."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
-    def asked(self, record: Record) -> Asked:
+    def asked(self, record: Record) -> RequestedModes:
         """Return the user's edits of the modes of a record."""
         return self.edits.get(record.pose, NOTHING)
 
@@ -377,9 +377,11 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
             raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 
 
-def _edits(tables: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, Asked]:
+def _edits(
+    tables: Sequence[EditTable], records: tuple[Record, ...], source: str
+) -> dict[str, RequestedModes]:
     labels = [record.pose for record in records]
-    edits: dict[str, Asked] = {}
+    edits: dict[str, RequestedModes] = {}
     for i, edit in enumerate(tables, start=1):
         where, label = f"{source}: edit.{i}", edit.pose.strip()
         if label not in labels:
@@ -388,5 +390,5 @@ def _edits(tables: Sequence[EditTable], records: tuple[Record, ...], source: str
         strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
         add = tuple(frequency(text, f"{where}.add") for text in edit.add)
         before = edits.get(label, NOTHING)
-        edits[label] = Asked(before.strike + strike, before.add + add)
+        edits[label] = RequestedModes(before.strike + strike, before.add + add)
     return edits

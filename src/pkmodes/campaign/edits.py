@@ -14,13 +14,13 @@ from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.results import IdentifiedMode
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.asked import Asked, nearest
+from pkmodes.identification.asked import RequestedModes, nearest
 
 #: Two added modes are the same if their frequencies differ by less, relative: separate fits do not end so close.
 SAME = 1e-4
 
 
-def check_asked(edits: Asked, record: Record, kind: RecordKind, source: str) -> None:
+def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source: str) -> None:
     """Refuse frequencies at which no mode can be added, before anything is read.
 
     Raises
@@ -61,7 +61,7 @@ def added_group(candidates: Sequence[Found | str], frequency: float, least: floa
 def edited(
     modes: Sequence[IdentifiedMode],
     added: Sequence[IdentifiedMode],
-    edits: Asked,
+    edits: RequestedModes,
     pose: str,
     source: str,
 ) -> tuple[list[IdentifiedMode], list[float]]:

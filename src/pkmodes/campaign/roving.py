@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.averaging import Mean, grouped_means
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.found import FileModes, Found
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -76,7 +76,7 @@ class RovingPoint:
         def response(factor: float) -> Complex:
             moved = factor * poles - (1.0 / exponential if exponential else 0.0)
             kept = np.ones(len(moved)) if length is None else 1.0 - np.exp(moved * length)
-            return Modes(moved, factor * kept[:, None] * shapes, parts).response(frequencies)
+            return IdentifiedModes(moved, factor * kept[:, None] * shapes, parts).response(frequencies)
 
         return response(self.factor) - response(1.0)
 

@@ -19,7 +19,7 @@ REACH = 0.03
 
 
 @dataclass(frozen=True)
-class Asked:
+class RequestedModes:
     """Frequencies that the user names [Hz].
 
     Attributes
@@ -35,7 +35,7 @@ class Asked:
 
 
 #: No edits.
-NOTHING = Asked()
+NOTHING = RequestedModes()
 
 
 def nearest(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
@@ -44,7 +44,7 @@ def nearest(frequencies: Sequence[float] | NDArray[np.float64], target: float) -
     return int(away.argmin()) if away.size and away.min() <= NEAR else None
 
 
-def struck(frequencies: NDArray[np.float64], edits: Asked) -> NDArray[np.bool_]:
+def struck(frequencies: NDArray[np.float64], edits: RequestedModes) -> NDArray[np.bool_]:
     """Return which of the frequencies (N,) are struck out."""
     dropped = np.zeros(len(frequencies), bool)
     for target in edits.strike:
@@ -54,7 +54,9 @@ def struck(frequencies: NDArray[np.float64], edits: Asked) -> NDArray[np.bool_]:
     return dropped
 
 
-def replaced(frequencies: Sequence[float] | NDArray[np.float64], edits: Asked, added: float) -> int | None:
+def replaced(
+    frequencies: Sequence[float] | NDArray[np.float64], edits: RequestedModes, added: float
+) -> int | None:
     """Return which of the frequencies an added mode replaces, None for none; those struck out are not replaced."""
     candidates = np.asarray(frequencies, float)
     return nearest(np.where(struck(candidates, edits), np.inf, candidates), added)

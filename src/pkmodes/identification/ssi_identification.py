@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, Asked, nearest, replaced
+from pkmodes.identification.asked import NOTHING, RequestedModes, nearest, replaced
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
 from pkmodes.identification.ssi_lines import lines_among
@@ -53,7 +53,7 @@ def identify_responses(
     *,
     band: tuple[float, float],
     tones: Sequence[float] = (),
-    edits: Asked = NOTHING,
+    edits: RequestedModes = NOTHING,
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify modes from responses without a force.
 
@@ -67,7 +67,7 @@ def identify_responses(
         Where modes are wanted [Hz].
     tones : sequence of float
         Frequencies of lines that are not modes, as are their multiples [Hz].
-    edits : Asked
+    edits : RequestedModes
         Modes that the user adds.
 
     Returns
@@ -227,7 +227,7 @@ def with_wanted(
     part_modes: Sequence[PartMode],
     requested: Wanted,
     tones: Sequence[Tone],
-    edits: Asked,
+    edits: RequestedModes,
 ) -> tuple[list[PartMode], Wanted]:
     """Return the modes that requested ones do not replace, and the requested ones without remainders of tones."""
     kept, outcomes = list(part_modes), dict(requested)
