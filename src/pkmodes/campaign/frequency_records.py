@@ -30,7 +30,7 @@ from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.frf_model_errors import not_linear
 from pkmodes.identification.spectra import identify_spectrum
 from pkmodes.identification.tones import no_bandwidth
-from pkmodes.signals.functions import Function, Kind
+from pkmodes.signals.functions import Function, FunctionKind
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -125,7 +125,9 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
         If the file is faulty, or its functions are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.FRF, frozenset(sensors), record, signs=campaign.signs_of_file)
+    functions = sensor_functions(
+        path, FunctionKind.FRF, frozenset(sensors), record, signs=campaign.signs_of_file
+    )
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
@@ -234,7 +236,9 @@ def _coherence(
     coherence = np.full((len(f), len(rows), len(columns)), np.nan)
     for function in functions:
         matches = (
-            function.kind is Kind.COHERENCE and function.response in rows and function.reference in columns
+            function.kind is FunctionKind.COHERENCE
+            and function.response in rows
+            and function.reference in columns
         )
         if matches and np.array_equal(function.abscissa, f):
             coherence[:, rows.index(function.response), columns.index(function.reference)] = function.values
@@ -261,7 +265,7 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     """
     sensors = campaign.sensors_in(setup)
     names = frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})
-    functions = sensor_functions(path, Kind.SPECTRUM, names, record)
+    functions = sensor_functions(path, FunctionKind.SPECTRUM, names, record)
     read, used = functions.read, functions.used
     f = used[0].abscissa
     power = np.stack([np.abs(function.values) for function in used], axis=1)

@@ -20,7 +20,7 @@ from pkmodes.campaign.shapes import UNDETERMINED, combined, left_blank
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.core.robot.columns import frequency_factor, parted
 from pkmodes.core.robot.units import QuantityError, base_units
-from pkmodes.measured.cells import Notation
+from pkmodes.measured.cells import TableNotation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.meanings import likely_meaning, worded
@@ -232,7 +232,7 @@ def _mode(
     cells: list[str],
     places: Mapping[str, tuple[int, Decimal | None]],
     names: list[str],
-    notation: Notation,
+    notation: TableNotation,
     where: str,
 ) -> Found:
     values: dict[str, float] = {}

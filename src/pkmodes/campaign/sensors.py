@@ -15,7 +15,7 @@ from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
 from pkmodes.campaign.mounts import DISPLACEMENT, ORIGIN, ROTATION, Mount, Platform, Vector, along
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.response.directions import unit_direction
-from pkmodes.signals.functions import WORDS, Function, Kind, computed
+from pkmodes.signals.functions import WORDS, Function, FunctionKind, computed
 from pkmodes.support.ordering import joined
 
 #: Channel of a sensor that helps to find modes but appears in no shape.
@@ -285,7 +285,7 @@ def _check_names(places: Sequence[Transducer], where: str) -> None:
 def signed(function: Function) -> Function:
     """Return a function along the positive directions of its degrees of freedom; a coherence has no sign."""
     negative = [end for end in (function.response, function.reference) if NEGATIVE.fullmatch(end)]
-    has_sign = function.kind in (Kind.FRF, Kind.TIME)
+    has_sign = function.kind in (FunctionKind.FRF, FunctionKind.TIME)
     return computed(function, np.negative) if has_sign and len(negative) == 1 else function
 
 

@@ -29,7 +29,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.level import levels
 from pkmodes.signals.checks import FEWEST
-from pkmodes.signals.functions import Kind
+from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reduction import reduced, reduction
 from pkmodes.signals.sampling import Piece, even_pieces, stated_pieces
 from pkmodes.signals.sensor_faults import stopped
@@ -114,7 +114,9 @@ def time_signals(
         If the file is faulty, has none of the campaign's sensors, or its signals differ in their times.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file)
+    functions = sensor_functions(
+        path, FunctionKind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file
+    )
     read, used = functions.read, functions.used
     time = used[0].abscissa
     forces = [function for function in read.functions if function.force]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
-from pkmodes.signals.functions import Kind
+from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
@@ -93,7 +93,7 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     """
     source = fspath(path)
     read = read_signals(path)
-    functions = [one for one in read.functions if one.kind is Kind.FRF]
+    functions = [one for one in read.functions if one.kind is FunctionKind.FRF]
     if not functions:
         raise MeasurementError("expected frequency response functions, found none", source, REMEDY)
     f, channels = functions[0].abscissa, {}

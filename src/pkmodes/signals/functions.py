@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError, nearest, shown
 from pkmodes.support.ordering import listed
 
-#: The signal in time besides sensors, and the names that a file may replace: see `Asked.names`.
+#: The signal in time besides sensors, and the names that a file may replace: see `SignalRequest.names`.
 FORCE = "force"
 WORDS = ("time", "frequency", FORCE)
 #: Most names in a file that an error shows.
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
-class Kind(enum.StrEnum):
+class FunctionKind(enum.StrEnum):
     """What a function is."""
 
     TIME = "time"
@@ -37,7 +37,7 @@ class Function:
 
     Attributes
     ----------
-    kind : Kind
+    kind : FunctionKind
         Kind of function.
     response : str
         Name of the sensor: of the column, or of the degree of freedom of a universal file, such as ``12:+X``; ``12``
@@ -58,7 +58,7 @@ class Function:
         Whether the file states the kind of its values but no unit: ``unit`` is then that of SI.
     """
 
-    kind: Kind
+    kind: FunctionKind
     response: str
     reference: str
     abscissa: Array
@@ -167,7 +167,7 @@ class SignalFile:
 
 
 @dataclass(frozen=True)
-class Asked:
+class SignalRequest:
     """A request for the content of a file.
 
     Attributes
