@@ -27,7 +27,7 @@ from pkmodes.diagnosis.structure.checks import (
 )
 from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.modes import (
-    Modes,
+    SetupModes,
     UnstableError,
     UnusableError,
     changes_of,
@@ -46,7 +46,7 @@ class _Solved(NamedTuple):
     """Matrices and modes of one setup."""
 
     pair: Pair
-    modes: Modes
+    modes: SetupModes
 
 
 class MatrixStructure:

@@ -21,7 +21,7 @@ SAME = 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class Explanation:
+class LossExplanation:
     """Losses that leave noise.
 
     Attributes
@@ -46,7 +46,7 @@ class Explanation:
         return {j for place in self.places for fit in place for j in fit.causes}
 
 
-def explanation_of(fitter: LossFitter) -> Explanation | None:
+def explanation_of(fitter: LossFitter) -> LossExplanation | None:
     """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
     c = fitter.criteria
     singles = [fitter.fit((j,)) for j in fitter.candidates]
@@ -59,7 +59,7 @@ def explanation_of(fitter: LossFitter) -> Explanation | None:
     return None
 
 
-def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> Explanation:
+def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> LossExplanation:
     """Return the best explanation with the others of its size."""
     c = fitter.criteria
     near = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
@@ -78,7 +78,7 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
     rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
     rivals.sort(key=lambda fit: fit.criterion)
     p_values = tuple(_p_of_place(fitter, best, cause) for cause in best.causes)
-    return Explanation(best, places, tuple(rivals), p_values)
+    return LossExplanation(best, places, tuple(rivals), p_values)
 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:

@@ -22,7 +22,7 @@ from pkmodes.diagnosis.damping.evidence import (
     LossSays,
     contradicted,
 )
-from pkmodes.diagnosis.damping.explanation import SAME, Explanation, names_of, nearest
+from pkmodes.diagnosis.damping.explanation import SAME, LossExplanation, names_of, nearest
 from pkmodes.diagnosis.verdict.evidence import Rule, first
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
@@ -172,7 +172,7 @@ def not_specific(e: LossEvidence) -> str:
     return _would(e, explanation, why)
 
 
-def _would(e: LossEvidence, explanation: Explanation, why: str) -> str:
+def _would(e: LossEvidence, explanation: LossExplanation, why: str) -> str:
     return f"{names_of(e.fitter, explanation.best)} would explain it, {why}"
 
 

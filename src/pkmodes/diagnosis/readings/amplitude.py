@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.readings.copies import NEAR
 from pkmodes.measured.amplitude import UNKNOWN, AmplitudeDependence, amplitude_dependence
@@ -33,7 +33,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     data = fitter.data
     if np.isfinite(data.level).sum() < 2:
         return None
-    stage = Stage(fitter.structure, data, fitter.observations.pairer, values)
+    stage = MatchStage(fitter.structure, data, fitter.observations.pairer, values)
     partner, motion = stage.pairing.partner, None
     moved = fitter.structure.position_rates(values) if data.point_sigma.any() else None
     if moved is not None:
@@ -75,7 +75,7 @@ def note(trend: AmplitudeDependence, data: Measurements) -> str:
     return f"the frequencies depend on amplitude: {in_words(trend, data)}"
 
 
-def _same_setups(stage: Stage) -> Iterator[list[int]]:
+def _same_setups(stage: MatchStage) -> Iterator[list[int]]:
     """Yield groups of setups that differ only in their level: their positions agree within the stated errors.
 
     Setups without positions are the same if the model has the same modes there.

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.match.predicted import spectrum_of
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.posterior.probabilities import probabilities
 from pkmodes.diagnosis.problem import Array, reached_bounds
@@ -33,7 +33,7 @@ from pkmodes.diagnosis.verdict.findings import (
     Stability,
 )
 from pkmodes.diagnosis.verdict.joints import JointAlone
-from pkmodes.diagnosis.verdict.limits import Limits
+from pkmodes.diagnosis.verdict.limits import CandidateLimits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import low_modes, notes
 from pkmodes.diagnosis.verdict.possible import usual_size
@@ -66,9 +66,9 @@ class _Models:
 
     last: Fit | None
     outlying: NDArray[np.bool_]
-    declared: tuple[Stage, Error]
-    refit: tuple[Stage, Error] | None
-    after: tuple[Stage, Error] | None
+    declared: tuple[MatchStage, Error]
+    refit: tuple[MatchStage, Error] | None
+    after: tuple[MatchStage, Error] | None
     corrected: tuple[Corrected, ...]
     shape_scatter: float | None
     notes: tuple[str, ...]
@@ -214,7 +214,7 @@ class DiagnosisBuilder:
         evidence: Evidence,
         decision: Decision[Evidence, Says],
         corrected: Sequence[Corrected],
-        bounded: Limits,
+        bounded: CandidateLimits,
         unseen: tuple[str, ...],
     ) -> tuple[str, str]:
         """Return the reason with the caveats of a settled verdict, and those that the headline has too."""
@@ -235,7 +235,7 @@ class DiagnosisBuilder:
         return "; ".join(part for part in parts if part), headline
 
     def _models(
-        self, store: FitStore, refit: Fit | None, causes: Fit | None, bounded: Limits, settled: bool
+        self, store: FitStore, refit: Fit | None, causes: Fit | None, bounded: CandidateLimits, settled: bool
     ) -> _Models:
         """Return the models of a result.
 
@@ -245,7 +245,7 @@ class DiagnosisBuilder:
             Of the nuisances.
         causes : Fit or None
             With the claimed causes.
-        bounded : Limits
+        bounded : CandidateLimits
             Of the candidates that are not claimed.
         settled : bool
             Whether the last one leaves only noise.
@@ -254,7 +254,7 @@ class DiagnosisBuilder:
         excluded = [] if last is None else sorted(last.hypothesis.excluded)
         outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
 
-        def beside(fit: Fit | None) -> tuple[Stage, Error] | None:
+        def beside(fit: Fit | None) -> tuple[MatchStage, Error] | None:
             if fit is None:
                 return None
             stage = setups.stage(fit.values)
@@ -285,7 +285,7 @@ class DiagnosisBuilder:
         self,
         decision: Decision[Any, Says],
         models: _Models,
-        bounded: Limits,
+        bounded: CandidateLimits,
         unseen: tuple[str, ...],
         notes: tuple[str, ...],
         stability: tuple[Stability, ...],
@@ -295,7 +295,7 @@ class DiagnosisBuilder:
 
         Parameters
         ----------
-        bounded : Limits
+        bounded : CandidateLimits
             Of the candidates that are not claimed.
         unseen : tuple of str
             Names of candidates that are not detectable.
@@ -332,7 +332,7 @@ class DiagnosisBuilder:
             probabilities=searched.probabilities,
         )
 
-    def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
+    def corrected(self, fit: Fit, bounded: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
         width, corrected = self.fitter.priors.width(fit.values), []
         plausible = plausible_sizes(self.fitter, fit, fit.causes)

@@ -264,14 +264,14 @@ A = TypeVar("A", bound=Says)
 A_co = TypeVar("A_co", bound=Says, covariant=True)
 
 
-class Asked(Protocol[A_co]):
+class RuleEvidence(Protocol[A_co]):
     """The evidence to which rules are applied, with the type of their answers."""
 
     def says(self, text: str) -> A_co:
         """Return a reason as an answer."""
 
 
-T = TypeVar("T", bound=Asked[Any])
+T = TypeVar("T", bound=RuleEvidence[Any])
 
 
 @dataclass(frozen=True)
