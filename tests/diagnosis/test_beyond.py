@@ -21,7 +21,7 @@ from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.diagnosis.search.score import MANY, Score, p_of_smallest
 from pkmodes.report.action import action
 from pkmodes.report.diagnosis import headline
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 
 FRAME = Frame()
 NOTHING = np.zeros((6, 6))
@@ -70,7 +70,7 @@ def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str
     assert member["error"]["chi2_per_dof"] == pytest.approx(1.0, abs=0.5)
     words = f"Not in the catalogue: {member['sentence']}, "
     assert found.reason.startswith(words)
-    setting = Setting("frame", None, None, (), None)
+    setting = ReportSetting("frame", None, None, (), None)
     assert headline(found).startswith(words)
     assert action(found, setting).entries[0][1][0].text == f"Look for {member['sentence']}."
 

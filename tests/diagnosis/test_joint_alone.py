@@ -15,7 +15,7 @@ from pkmodes.diagnosis.problem import Joint
 from pkmodes.diagnosis.verdict import joint_alone
 from pkmodes.report.action import action
 from pkmodes.report.diagnosis import headline
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.updating.candidates import suspects
 from pkmodes.view import typical_pose
 from pkmodes_rig.suites import clear_cases
@@ -72,7 +72,7 @@ def test_one_soft_storey_is_named_with_its_change() -> None:
     (effect,) = found.effects
     assert effect.alone is not None
     assert abs(effect.alone.change + 0.25) < 3.0 * effect.alone.sigma < 0.02
-    inspect = dict(action(found, Setting("", None, None, (), None)).entries)["inspect"]
+    inspect = dict(action(found, ReportSetting("", None, None, (), None)).entries)["inspect"]
     assert inspect[0].text == "Storey 2, which is 25 % softer than the others."
     (cause,) = found.as_json()["effects"]  # type: ignore[misc]
     assert cause["term"] == "parameter:2"

@@ -8,7 +8,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.states.result import Change
 from pkmodes.report.changed import changes, summary, what_to_do
 from pkmodes.report.numbers import errors
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 
 
 def show_changes(robot: Robot, result: Change, most: int | None) -> None:
@@ -19,7 +19,7 @@ def show_changes(robot: Robot, result: Change, most: int | None) -> None:
     most : int or None
         Modes that are printed, those that changed most; None for all.
     """
-    terminal, setting = Terminal(), Setting(robot.name, robot, None, (), None)
+    terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
     head = summary(result, setting)
     terminal.summary(head)
     for name, one in result.by_state.items() or [(result.states[-1], result)]:

@@ -106,19 +106,19 @@ def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> Non
     """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
     from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.plots.evidence import Evidence
+    from pkmodes.plots.evidence import PlottedEvidence
     from pkmodes.report.comparison import by_mode, summary
     from pkmodes.report.mode_table import mode_table
-    from pkmodes.report.setting import Setting
+    from pkmodes.report.setting import ReportSetting
 
-    terminal, setting = Terminal(), Setting(robot.name, robot, data, (), None)
+    terminal, setting = Terminal(), ReportSetting(robot.name, robot, data, (), None)
     head = summary(result, setting)
     terminal.summary(head)
     terminal.show(*by_mode(result))
     if result.unpaired and most < len(result.rows):
         terminal.line()
         terminal.line(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
-    terminal.show(mode_table(result, Evidence.of(result, data), setting, most, paired=True))
+    terminal.show(mode_table(result, PlottedEvidence.of(result, data), setting, most, paired=True))
     if most < len(result.rows):
         terminal.line("--all prints every row.")
     if given := settings_in_words(setting, result.rows):

@@ -9,11 +9,11 @@ from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
 from pkmodes.report.blocks import Cell, Column, Paragraph, Table
 from pkmodes.report.formatting import clean, p_value, pointer, prose, sentence, three_digits, uncertain, unit
 from pkmodes.report.numbers import percent
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 
 
-def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
+def beyond(result: Diagnosis, setting: ReportSetting) -> list[Paragraph | Table]:
     """Return what terms explain; empty if none was tried."""
     terms = result.beyond
     if terms is None:
@@ -24,7 +24,7 @@ def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
     return blocks
 
 
-def _classes(terms: Beyond, setting: Setting) -> Table:
+def _classes(terms: Beyond, setting: ReportSetting) -> Table:
     """Return the explanations that remain with their values, a row for each parameter."""
     rows = []
     for k, group in enumerate(terms.classes):
@@ -42,7 +42,7 @@ def _classes(terms: Beyond, setting: Setting) -> Table:
 
 
 def _member(
-    group: TermClass, name: str, at: str, setting: Setting, k: int, of_class: str
+    group: TermClass, name: str, at: str, setting: ReportSetting, k: int, of_class: str
 ) -> list[list[Cell]]:
     member, rows = group.finding.member(name), []
     for value in group.finding.alternatives[name]:

@@ -24,7 +24,7 @@ from pkmodes.report.formatting import (
     unit,
     unit_cell,
 )
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import CHANGES
 from pkmodes.report.tables import table
 
@@ -36,7 +36,7 @@ MOST = 300
 RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%]"}
 
 
-def damping(result: Diagnosis, setting: Setting) -> list[Block]:
+def damping(result: Diagnosis, setting: ReportSetting) -> list[Block]:
     """Return what the damping shows, and the ratios of all modes; empty if damping was not measured."""
     damping_result = result.damping
     if not damping_result.measured:
@@ -63,7 +63,7 @@ def damping(result: Diagnosis, setting: Setting) -> list[Block]:
     return blocks
 
 
-def refitted(damping_result: Damping, setting: Setting) -> list[Paragraph | Facts]:
+def refitted(damping_result: Damping, setting: ReportSetting) -> list[Paragraph | Facts]:
     """Return the uncertain losses, fitted within their priors."""
     entries = []
     for value in damping_result.refitted:
@@ -76,7 +76,7 @@ def refitted(damping_result: Damping, setting: Setting) -> list[Paragraph | Fact
     return [Paragraph("Uncertain losses, refitted within their priors:"), Facts(entries)] if entries else []
 
 
-def _named(path: str, setting: Setting) -> str:
+def _named(path: str, setting: ReportSetting) -> str:
     """Return a loss in words, with its path."""
     words = setting.words(path)
     return f"{words} ({clean(path)})" if words else clean(path)

@@ -12,7 +12,7 @@ from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import Finding, believed, why_larger
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.action import action
 from pkmodes.report.beyond import beyond
@@ -33,7 +33,7 @@ from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import page
 from pkmodes.report.places import picture
 from pkmodes.report.sections import glossary, view_section
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
@@ -45,7 +45,7 @@ MOST = 5
 NO_END = "\\ No newline at end of file"
 
 
-def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> str:
+def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> str:
     """Return the report of a diagnosis as HTML."""
     causes = explanations.causes(result, setting)
     title = (
@@ -83,7 +83,7 @@ def _stability(result: Diagnosis) -> list[Section]:
     return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
 
 
-def _summary(result: Diagnosis, setting: Setting) -> Summary:
+def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
     facts = [(name, cell) for name, cell in _facts(result, setting) if cell.value is not None]
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
@@ -131,7 +131,7 @@ def headline(result: Diagnosis) -> str:
     return f"{verdict}; {clean(result.headline)}" if result.headline else verdict
 
 
-def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
+def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
@@ -159,7 +159,7 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     return facts
 
 
-def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
     """Return the values of a cause, with reliable standard deviations."""
     effect = result.effects[i]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
@@ -183,7 +183,7 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
     return facts
 
 
-def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
     """Return the value of each member of a class; only the number of members if there are too many."""
     facts: list[tuple[str, Cell]] = []
     for name in effect.members:
@@ -252,7 +252,7 @@ def _lines(text: str) -> list[str]:
     return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
 
 
-def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:
+def _origin(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> Section:
     facts: list[tuple[str, list[Cell]]] = []
     if result.scatter:
         at = pointer("pose_scatter")

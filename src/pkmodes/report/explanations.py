@@ -22,7 +22,7 @@ from pkmodes.report.formatting import (
     uncertain,
     unit,
 )
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed
 
@@ -32,7 +32,7 @@ MOST = 200
 SHOWN = 3
 
 
-def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Block]:
+def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> list[Block]:
     """Return the causes found with their classes, or the explanations that remain.
 
     Parameters
@@ -83,7 +83,7 @@ def _members(
     effect: Finding,
     corrected: Sequence[Corrected],
     place: str,
-    setting: Setting,
+    setting: ReportSetting,
     sentences: Mapping[str, str],
 ) -> Table:
     """Return the values of the cause, and those of each other member of its class, as if it were the cause.
@@ -132,7 +132,7 @@ def _members(
     return table(caption, columns, rows)
 
 
-def _relative(effect: Finding, place: str, setting: Setting) -> list[Block]:
+def _relative(effect: Finding, place: str, setting: ReportSetting) -> list[Block]:
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():

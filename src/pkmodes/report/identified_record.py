@@ -164,7 +164,7 @@ def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> li
     multiples = [
         tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
     ]
-    marked = fits.Lines(
+    marked = fits.MarkedFrequencies(
         [(mode.frequency, k, bool(mode.edited)) for k, mode in enumerate(result.modes, start=1)],
         result.struck,
         sorted({*inspection.tones, *multiples}),

@@ -19,7 +19,7 @@ from pkmodes.report.comparison import by_mode, judged
 from pkmodes.report.diagnosis import headline
 from pkmodes.report.formatting import figures, plural, sentence, unit, unit_cell
 from pkmodes.report.numbers import errors, values
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.shaper import shapers_table
 from pkmodes.report.shaper_schedule import schedule_blocks
 from pkmodes.response.moves import Move
@@ -126,7 +126,7 @@ def of_comparison(result: Comparison) -> str:
 
 def of_diagnosis(result: Diagnosis) -> str:
     """Return what was found and why, the errors before and after, and the fitted values."""
-    setting = Setting("", None, None, (), None)
+    setting = ReportSetting("", None, None, (), None)
     tables = [block for block in (*errors(result), *values(result, setting)) if isinstance(block, Table)]
     return _words(headline(result), result.reason) + "".join(map(_html, tables))
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report.blocks import Cell, Section
 from pkmodes.report.formatting import clean, plural, quantity, shortened
 from pkmodes.report.sections import origin
@@ -20,7 +20,7 @@ from pkmodes.updating.load_cases import settable
 
 
 @dataclass(frozen=True)
-class Setting:
+class ReportSetting:
     """The circumstances of a result.
 
     Attributes
@@ -66,7 +66,9 @@ class Setting:
             plain=", ".join(f"{path} = {cell.plain}" for path, cell in cells.items()),
         )
 
-    def origin(self, evidence: Evidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
+    def origin(
+        self, evidence: PlottedEvidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()
+    ) -> Section:
         """Return the section of data and versions.
 
         Parameters
