@@ -33,7 +33,7 @@ from pkmodes.core.solve.batch import run
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.gravity import gravitational_stiffness
-from pkmodes.core.solve.mode_fields import Later, ModeFields, Plan
+from pkmodes.core.solve.mode_fields import FieldPlan, Later, ModeFields
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
@@ -77,7 +77,7 @@ class Model:
         self._solvers: dict[tuple[str, str], Solver] = {}
         self._solved: dict[str, Evaluation] = {}
         self._fields_of: dict[tuple[object, ...], ModeFields] = {}
-        self._plans: dict[tuple[object, ...], Plan] = {}
+        self._plans: dict[tuple[object, ...], FieldPlan] = {}
         #: What an application keeps from call to call, by a key of its own.
         self.kept: dict[object, Any] = {}
 
@@ -608,7 +608,7 @@ class Model:
                 self._fields_of[key] = fields
         return fields
 
-    def _plan(self, asked: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
+    def _plan(self, asked: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> FieldPlan:
         """Return what a call does; kept, so that a call of a pose takes microseconds.
 
         Parameters
@@ -633,7 +633,7 @@ class Model:
             name for name in names if asked is None and FIELDS[name].on_demand and name not in solver.at_hand
         ]
         at_once = [name for name in names if name not in shared and name not in later]
-        plan = self._plans[key] = Plan(
+        plan = self._plans[key] = FieldPlan(
             fields=self._fields(at_once, solver, drives),
             shared=shared,
             later={name: self._fields([name], solver, drives) for name in later},

@@ -23,7 +23,7 @@ from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
-from pkmodes.robot_files.editing import Keys, Notation, TomlText
+from pkmodes.robot_files.editing import Keys, TomlText, ValueNotation
 from pkmodes.support.covariance import joined, uncertain
 from pkmodes.support.writing import write_file
 from pkmodes_description import ParameterGroup
@@ -274,7 +274,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity)
     """Change an existing value, keeping its notation."""
     written = document.find(keys)
     if isinstance(written, dict):
-        notation = Notation.of(written["value"], before.unit)
+        notation = ValueNotation.of(written["value"], before.unit)
         document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
         relative = "%" in str(written.get("sigma", ""))
         if edit.sigma is not None and "sigma" not in written:
@@ -286,7 +286,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity)
         document.comment((*keys, "value"), edit.note)
     else:
         document.replace(
-            keys, Notation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
+            keys, ValueNotation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
         )
         document.comment(keys, edit.note)
 
@@ -296,7 +296,7 @@ def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, e
     item = by_path(mechanism).get(path)
     shared = document.find(_keys(mechanism, item.shared)) if item is not None and item.shared else None
     shared = shared["value"] if isinstance(shared, dict) else shared
-    notation = Notation.si(unit) if shared is None else Notation.of(shared, unit)
+    notation = ValueNotation.si(unit) if shared is None else ValueNotation.of(shared, unit)
     return notation.quantity(edit.value, edit.sigma, edit.digits)
 
 

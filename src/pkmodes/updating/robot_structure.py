@@ -49,7 +49,7 @@ class Machines(NamedTuple):
     where: Array
 
 
-class _Part(NamedTuple):
+class _SolvedSetups(NamedTuple):
     """Modes at some setups, for B robots of load cases that can be evaluated together."""
 
     rows: Index
@@ -98,7 +98,7 @@ class RobotStructure:
         self._free_paths = [
             {name: case.reduced(path) for name, path in self._moves.items()} for case in self.loads.cases
         ]
-        self._last: tuple[bytes, list[_Part]] | None = None
+        self._last: tuple[bytes, list[_SolvedSetups]] | None = None
         self._latest: tuple[object, Prediction] | None = None
 
     def __getstate__(self) -> dict[str, object]:
@@ -323,7 +323,7 @@ class RobotStructure:
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
         return Machines(robots, systems, self._where(values))
 
-    def _at_values(self, values: Array) -> list[_Part]:
+    def _at_values(self, values: Array) -> list[_SolvedSetups]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
         key = values.tobytes()
         if (
@@ -336,7 +336,7 @@ class RobotStructure:
                 blocks = self._blocks(machines, self.reachable(machines))
                 parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
-            self._last = key, [_Part(*block, part) for block, part in zip(blocks, parts, strict=True)]
+            self._last = key, [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)]
         return self._last[1]
 
     def _blocks(self, machines: Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:

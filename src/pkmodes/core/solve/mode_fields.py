@@ -220,7 +220,7 @@ class ModeFields:
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class FieldPlan:
     """What a call for some fields does, for given drives and one back end.
 
     Attributes
@@ -251,7 +251,7 @@ class Later:
 
     Parameters
     ----------
-    plan : Plan
+    plan : FieldPlan
         Of the result.
     robot : Robot
     max_condition : float
@@ -266,7 +266,7 @@ class Later:
 
     def __init__(
         self,
-        plan: Plan,
+        plan: FieldPlan,
         robot: Robot,
         max_condition: float,
         checked: CheckedPoses,
