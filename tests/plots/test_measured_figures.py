@@ -223,7 +223,7 @@ def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_
             ("servo_stiffness", 1.0, True),
         )
     )
-    drawn = scores.candidates(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
+    drawn = scores.candidate_scores(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
     assert drawn is not None
     (axes,) = drawn.figure.axes
     assert [label.get_text() for label in axes.get_yticklabels()] == [

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.campaign.boards import Board, together, with_clocks
+from pkmodes.campaign.boards import Board, boards_together, with_clocks
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileFit, FileModes
 from pkmodes.campaign.sensor_functions import in_file
@@ -111,7 +111,7 @@ def _beside(
         name: Board(board.source, board.step, board.starts, board.pieces)
         for name, board in {setup: signals, **other_boards}.items()
     }
-    aligned = together(boards, record.clocks, record.band)
+    aligned = boards_together(boards, record.clocks, record.band)
     all_signals = (signals, *other_boards.values())
     bridged = any(board.once_more is not None for board in all_signals)
     caveats = (

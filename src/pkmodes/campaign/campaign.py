@@ -15,14 +15,14 @@ from pkmodes.campaign.description import (
     RecordTable,
     band_of,
     frequency,
-    quantity,
     read_description,
     share,
-    uncertain,
+    si_value,
+    value_and_sigma,
 )
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import NONE, MotionSensor, Transducer, forces_of, names_of, sensors_of
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.campaign.sensors import NONE, MotionSensor, Transducer, forces_of, names_in_files, sensors_of
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
@@ -301,7 +301,7 @@ def _record(
         rate=None if record_table.rate is None else frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
         columns=record_table.columns if isinstance(record_table.columns, dict) else {},
         header=tuple(record_table.columns) if isinstance(record_table.columns, list) else (),
-        names=names_of(record_table, table.sensor, where),
+        names=names_in_files(record_table, table.sensor, where),
         invert=record_table.invert,
         conjugate=record_table.conjugate,
         clocks={} if record_table.clock is None else clocks_of(record_table, files, where),
@@ -309,7 +309,7 @@ def _record(
 
 
 def _time(text: str, where: str) -> float:
-    value = quantity(text, "s", where)
+    value = si_value(text, "s", where)
     if value <= 0.0:
         raise MeasurementError(
             f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"'
@@ -329,13 +329,16 @@ def _point(
     units = {component.name: component.unit for component in model.mechanism.pose}
     for name in record_table.at:
         if name not in units:
-            raise MeasurementError(f"unknown component {shown(name)}", f"{where}.at", nearest(name, units))
+            raise MeasurementError(
+                f"unknown component {shown(name)}", f"{where}.at", nearest_name(name, units)
+            )
     missing = [name for name in units if name not in record_table.at]
     if missing:
         problem = f"expected {', '.join(units)}, found no {', '.join(missing)}"
         raise MeasurementError(problem, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
     both = {
-        name: uncertain(record_table.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()
+        name: value_and_sigma(record_table.at[name], unit, f"{where}.at.{name}")
+        for name, unit in units.items()
     }
     point = {name: value for name, (value, _) in both.items()}
     try:
@@ -357,9 +360,9 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
         if path not in settable_units:
             problem = f"unknown parameter path {shown(path)}"
             raise MeasurementError(
-                problem, f"{where}.set", nearest(path, settable_units, "see docs/sensitivities.md")
+                problem, f"{where}.set", nearest_name(path, settable_units, "see docs/sensitivities.md")
             )
-        values[path] = quantity(value, settable_units[path], f"{where}.set.{path}")
+        values[path] = si_value(value, settable_units[path], f"{where}.set.{path}")
     try:
         model.robot.with_values(values)
     except PkmodesError as error:
@@ -386,7 +389,7 @@ def _edits(
         where, label = f"{source}: edit.{i}", edit.pose.strip()
         if label not in labels:
             problem = f"no record has the label {shown(edit.pose)}"
-            raise MeasurementError(problem, f"{where}.pose", nearest(edit.pose, labels))
+            raise MeasurementError(problem, f"{where}.pose", nearest_name(edit.pose, labels))
         strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
         add = tuple(frequency(text, f"{where}.add") for text in edit.add)
         before = edits.get(label, NOTHING)

@@ -19,7 +19,7 @@ from pkmodes.campaign.results import Identification, IdentifiedMode, Parts, Reco
 from pkmodes.campaign.revisits import revisited
 from pkmodes.campaign.sensors import Transducer
 from pkmodes.campaign.shapes import UNCERTAIN, UNDETERMINED, Combined, combined, left_blank, turned_shape
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.identification.asked import NOTHING
 from pkmodes.identification.estimates import collinearity
 from pkmodes.identification.spectra import LEAST as LEAST_LINE
@@ -61,7 +61,9 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
         kind = KINDS.get(record.kind)
         where = f"{campaign.source}: record.{record.number}.kind"
         if kind is None:
-            raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
+            raise MeasurementError(
+                f"unknown kind {shown(record.kind)}", where, nearest_name(record.kind, KINDS)
+            )
         outcomes.append(measured(record, kind, campaign, keep_going, inspect))
     if not any(
         outcome.left_out for outcome in outcomes

@@ -15,7 +15,7 @@ from pkmodes.campaign.edits import added_group, check_asked, refuse_added
 from pkmodes.campaign.found import FileModes, Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.inspection import Inspection, Repeats, inspection
-from pkmodes.campaign.joining import joined
+from pkmodes.campaign.joining import joined_setups
 from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.missing import Places, lacking, places_in, unnamed
 from pkmodes.campaign.results import LeftOut
@@ -119,7 +119,7 @@ def _measured(
         repeats.append(
             Repeats(name, tuple(setup.names), tuple(map(_frequencies, [*groups, *added_groups.values()])))
         )
-    joint_means, notes = joined(means, campaign.repeatability or 0.0) if means else ([], [])
+    joint_means, notes = joined_setups(means, campaign.repeatability or 0.0) if means else ([], [])
     further = [
         _joined(frequency, by_setup, record, campaign, notes)
         for frequency, by_setup in added.items()
@@ -301,7 +301,7 @@ def _joined(
     if not fitted:
         reasons = [outcome for outcome in by_setup.values() if isinstance(outcome, str)]
         refuse_added(frequency, f"{reasons[0]} ({record.pose})", campaign.source)
-    means, joining_notes = joined(fitted, campaign.repeatability or 0.0)
+    means, joining_notes = joined_setups(fitted, campaign.repeatability or 0.0)
     notes += joining_notes
     return min(means, key=lambda mean: abs(mean.mode.frequency - frequency))
 

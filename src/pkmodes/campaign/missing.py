@@ -13,7 +13,7 @@ from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.sensor_functions import asked_of
 from pkmodes.campaign.sensors import MotionSensor, Transducer, unsigned
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.signals.reading import read_signals
 from pkmodes.support.ordering import joined, listed
 
@@ -100,7 +100,7 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
         listing = listed([shown(name) for name in names], MOST) or "none"
         new = [name for name in names if name not in {place.name for place in places.values()}]
         problem = f"expected {label} in a file, found {listing} in those of {first.pose}"
-        remedy = nearest(place.name, new, "correct the name, or remove it from the campaign")
+        remedy = nearest_name(place.name, new, "correct the name, or remove it from the campaign")
         if not names and not of_sensors:
             remedy = (
                 "these files do not name their force: give each [[force]] the setup in which it acts alone"

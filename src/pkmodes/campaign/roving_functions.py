@@ -45,7 +45,7 @@ def roving_frf_modes(points: Mapping[str, RovingPoint], record: Record, campaign
         If their lines differ, or no sensor is in all of them.
     """
     files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
-    responses, left_out = together(files, record.band)
+    responses, left_out = points_together(files, record.band)
     with in_file(record.pose):
         fit = frf_fit(responses, record.averages, record, campaign)
     messages = [message for file in files for message in file.messages]
@@ -66,7 +66,7 @@ def _by_key(point: RovingPoint, record: Record, setup: str, campaign: Campaign) 
     return replace(read, responses=replace(responses, names=names, values=responses.values + change))
 
 
-def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
+def points_together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
     """Return the functions of several points as those of one file, and the names of sensors that only some have.
 
     A point in several files gets the mean of its functions.

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.motion import Motion, motion, motion_or_none
 from pkmodes.campaign.sensors import MotionSensor, check_motion, signed
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
 from pkmodes.signals.functions import Function, FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
@@ -112,7 +112,7 @@ def _refuse_unknown_names(
         )
     problem = f"expected a sensor of the campaign, found {', '.join(map(shown, available[:6]))}"
     remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(available[0])}"
-    remedy = nearest(available[0], names, remedy) if names else remedy
+    remedy = nearest_name(available[0], names, remedy) if names else remedy
     raise MeasurementError(problem, read.source, remedy)
 
 

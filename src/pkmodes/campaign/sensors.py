@@ -10,10 +10,10 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.description import ForceTable, RecordTable, SensorTable, quantity
+from pkmodes.campaign.description import ForceTable, RecordTable, SensorTable, si_value
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
 from pkmodes.campaign.mounts import DISPLACEMENT, ORIGIN, ROTATION, Mount, Platform, Vector, along
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.response.directions import unit_direction
 from pkmodes.signals.functions import WORDS, Function, FunctionKind, computed
 from pkmodes.support.ordering import joined
@@ -121,7 +121,7 @@ def forces_of(
     return tuple(forces)
 
 
-def names_of(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
+def names_in_files(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
     """Check the names by which the files of a record call time, frequency, force and the sensors.
 
     Raises
@@ -133,7 +133,7 @@ def names_of(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> 
     for name in table.names:
         if name not in known_names:
             problem = f"expected time, frequency, force or a sensor of the campaign, found {shown(name)}"
-            raise MeasurementError(problem, f"{where}.names", nearest(name, known_names))
+            raise MeasurementError(problem, f"{where}.names", nearest_name(name, known_names))
     if table.names and table.kind == IDENTIFIED:
         problem = f"expected a record of signals with names, found the kind {shown(table.kind)}"
         raise MeasurementError(
@@ -162,7 +162,9 @@ def _place(
         problem = f"no record has the setup {shown(table.setup)}"
         known_setups = [name for name in setups if name]
         remedy = (
-            nearest(table.setup, known_setups) if known_setups else "leave it out: files are a plain list"
+            nearest_name(table.setup, known_setups)
+            if known_setups
+            else "leave it out: files are a plain list"
         )
         raise MeasurementError(problem, f"{where}.setup", remedy)
     if (table.channel is None) == (table.direction is None):
@@ -187,7 +189,7 @@ def _place(
         channel, sign = channel[1:].lstrip(), -1.0
     if channel not in channel_units and channel != NONE:
         raise MeasurementError(
-            f"unknown channel {shown(channel)}", f"{where}.channel", nearest(channel, channel_units)
+            f"unknown channel {shown(channel)}", f"{where}.channel", nearest_name(channel, channel_units)
         )
     if table.at is not None and channel not in platform.components:
         problem = f"the channel {shown(channel)} is no motion of a platform, and has no place on one"
@@ -212,7 +214,7 @@ def _at(table: SensorTable | ForceTable, where: str) -> Vector:
     if len(table.at) != len(ORIGIN):
         problem = f"expected three lengths, along x, y, z of the platform, found {len(table.at)}"
         raise MeasurementError(problem, where, f"for example: {EXAMPLE_OF_AT}")
-    x, y, z = (quantity(coordinate, "m", where) for coordinate in table.at)
+    x, y, z = (si_value(coordinate, "m", where) for coordinate in table.at)
     return x, y, z
 
 

@@ -6,7 +6,7 @@ from pkmodes.cli import diagnosis_tables
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.states.result import Change
-from pkmodes.report.changed import changes, summary, what_to_do
+from pkmodes.report.changed import changes, changes_summary, what_to_do
 from pkmodes.report.numbers import errors
 from pkmodes.report.setting import ReportSetting
 
@@ -20,7 +20,7 @@ def show_changes(robot: Robot, result: Change, most: int | None) -> None:
         Modes that are printed, those that changed most; None for all.
     """
     terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
-    head = summary(result, setting)
+    head = changes_summary(result, setting)
     terminal.summary(head)
     for name, one in result.by_state.items() or [(result.states[-1], result)]:
         if result.by_state:

@@ -99,20 +99,20 @@ def compare(
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     content, most = result.as_json(declared.name), len(result.rows) if everything else WORST
-    deliver(json_file, content, lambda: show(declared, data, result, most), report)
+    deliver(json_file, content, lambda: show_comparison(declared, data, result, most), report)
 
 
-def show(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
+def show_comparison(robot: Robot, data: Measurements, result: Comparison, most: int) -> None:
     """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
     from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
     from pkmodes.plots.evidence import PlottedEvidence
-    from pkmodes.report.comparison import by_mode, summary
+    from pkmodes.report.comparison import by_mode, comparison_summary
     from pkmodes.report.mode_table import mode_table
     from pkmodes.report.setting import ReportSetting
 
     terminal, setting = Terminal(), ReportSetting(robot.name, robot, data, (), None)
-    head = summary(result, setting)
+    head = comparison_summary(result, setting)
     terminal.summary(head)
     terminal.show(*by_mode(result))
     if result.unpaired and most < len(result.rows):

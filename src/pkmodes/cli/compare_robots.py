@@ -89,12 +89,12 @@ def _print(
     files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], most: int | None
 ) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.robot_values import frequencies, summary, values
+    from pkmodes.report.robot_values import different_values, frequencies, robots_summary
 
-    terminal, head = Terminal(), summary(*models, content)
+    terminal, head = Terminal(), robots_summary(*models, content)
     terminal.heading(f"first:  {content['first']} ({files[0]})")
     terminal.heading(f"second: {content['second']} ({files[1]})")
     terminal.line()
     terminal.summary(head)
-    terminal.show(*values(models[0], content, most), *frequencies(content))
+    terminal.show(*different_values(models[0], content, most), *frequencies(content))
     terminal.notes(head)

@@ -22,7 +22,7 @@ from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.report.action import action
 from pkmodes.report.beyond import beyond
 from pkmodes.report.damping import factors, refitted
-from pkmodes.report.numbers import errors, values
+from pkmodes.report.numbers import errors, fitted_value_tables
 from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
@@ -33,7 +33,7 @@ from pkmodes.support.ordering import sorted_labels
 MOST_LIMITS = 5
 
 
-def show(robot: Robot, result: Diagnosis) -> None:
+def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     """Print the diagnosis of a robot."""
     terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
     terminal.heading(f"{robot.name}: {result.verdict}")
@@ -46,7 +46,7 @@ def show(robot: Robot, result: Diagnosis) -> None:
     _counts(terminal, robot, result)
     if given := settings_in_words(setting, result.rows):
         terminal.line(given)
-    terminal.show(*values(result, setting))
+    terminal.show(*fitted_value_tables(result, setting))
     _remarks(terminal, setting, result)
 
 

@@ -29,7 +29,7 @@ from pkmodes.core.robot.pose_table import by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
 from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
-from pkmodes.core.solve.batch import run
+from pkmodes.core.solve.batch import run_job
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.gravity import gravitational_stiffness
@@ -592,7 +592,7 @@ class Model:
         self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
     ) -> tuple[CheckedPoses, dict[str, Array]]:
         """Evaluate fields at poses."""
-        return run(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
+        return run_job(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
 
     def _fields(
         self, names: Sequence[str], solver: Solver, drives: str, given: Mapping[str, Any] | None = None

@@ -31,7 +31,7 @@ from pkmodes.diagnosis.structure.modes import (
     UnstableError,
     UnusableError,
     changes_of,
-    modes_of,
+    setup_modes,
     shape_rates_of,
 )
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
@@ -240,7 +240,7 @@ class MatrixStructure:
         for setup in self.setups:
             pair = self._supplied.at(self._declared, setup, finite=True)
             try:
-                modes_of(pair, self.rigid)
+                setup_modes(pair, self.rigid)
             except UnusableError as error:
                 if isinstance(error, UnstableError) and kind is not UnstableError:
                     continue
@@ -270,7 +270,7 @@ class MatrixStructure:
         if pair is None:
             return None
         try:  # matrices without modes are not an error here: a fit may try any value within the bounds
-            return _Solved(pair, modes_of(pair, self.rigid))
+            return _Solved(pair, setup_modes(pair, self.rigid))
         except UnusableError:
             return None
 

@@ -38,7 +38,7 @@ class RequestedModes:
 NOTHING = RequestedModes()
 
 
-def nearest(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
+def nearest_frequency(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
     """Return the index of the frequency nearest to a target, None if none is within `NEAR`."""
     away = np.abs(np.asarray(frequencies, float) / target - 1.0)
     return int(away.argmin()) if away.size and away.min() <= NEAR else None
@@ -48,7 +48,7 @@ def struck(frequencies: NDArray[np.float64], edits: RequestedModes) -> NDArray[n
     """Return which of the frequencies (N,) are struck out."""
     dropped = np.zeros(len(frequencies), bool)
     for target in edits.strike:
-        i = nearest(np.where(dropped, np.inf, frequencies), target)
+        i = nearest_frequency(np.where(dropped, np.inf, frequencies), target)
         if i is not None:
             dropped[i] = True
     return dropped
@@ -59,7 +59,7 @@ def replaced(
 ) -> int | None:
     """Return which of the frequencies an added mode replaces, None for none; those struck out are not replaced."""
     candidates = np.asarray(frequencies, float)
-    return nearest(np.where(struck(candidates, edits), np.inf, candidates), added)
+    return nearest_frequency(np.where(struck(candidates, edits), np.inf, candidates), added)
 
 
 def within_reach(frequency: float, target: float) -> bool:

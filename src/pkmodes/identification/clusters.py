@@ -57,7 +57,7 @@ class PoleCluster:
     order_count: int
 
 
-def candidates(by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
+def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
     """Return the clusters that are large enough, by ascending frequency.
 
     Parameters

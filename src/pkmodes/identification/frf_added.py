@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import REACH, RequestedModes, nearest, struck, within_reach
+from pkmodes.identification.asked import REACH, RequestedModes, nearest_frequency, struck, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.frf_covariance import Uncertainty
 from pkmodes.identification.frf_lines import FrequencyLines
 from pkmodes.identification.frf_refinement import copies, group_fit, groups, settled, significant
-from pkmodes.identification.frf_search import hidden, joined
+from pkmodes.identification.frf_search import hidden, with_poles
 from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
@@ -86,7 +86,7 @@ def _added(
 ) -> tuple[IdentifiedModes, NDArray[np.bool_]] | str:
     """Return modes with one more, the last, and which of the former remain; or why there is none."""
     reported = owner < 0
-    replaced = nearest(np.where(reported, modes.frequencies, np.inf), target)
+    replaced = nearest_frequency(np.where(reported, modes.frequencies, np.inf), target)
     kept = np.ones(len(modes.poles), bool)
     if replaced is not None:
         kept[replaced] = False
@@ -148,7 +148,7 @@ def _starts(data: FrequencyLines, base: IdentifiedModes, target: float) -> list[
 def _with(data: FrequencyLines, base: IdentifiedModes, pole: complex) -> IdentifiedModes:
     """Return modes with one more, the last, fitted from a pole together with those that overlap it."""
     remainder = data.H - base.response(data.frequencies)  # each fit projects out the smooth part
-    modes = joined(base, np.array([pole]), data.frequencies, remainder)
+    modes = with_poles(base, np.array([pole]), data.frequencies, remainder)
     last = len(modes.poles) - 1
     members = next(group for group in groups(modes.poles) if last in group)
     fit = group_fit(data, modes, members).fit

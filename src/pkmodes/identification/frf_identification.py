@@ -13,8 +13,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, RequestedModes, nearest
-from pkmodes.identification.clusters import candidates, orders_with, usable_poles
+from pkmodes.identification.asked import NOTHING, RequestedModes, nearest_frequency
+from pkmodes.identification.clusters import orders_with, pole_clusters, usable_poles
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.identification.frf_added import with_added
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
@@ -22,8 +22,8 @@ from pkmodes.identification.frf_estimates import without_window
 from pkmodes.identification.frf_lines import FrequencyLines, at_tones, used_lines
 from pkmodes.identification.frf_model_errors import with_model_error, without_model_errors
 from pkmodes.identification.frf_refinement import refined, significant
-from pkmodes.identification.frf_search import hidden, joined
-from pkmodes.identification.frf_skirts import NARROW, Line, distinct, without_bandwidth
+from pkmodes.identification.frf_search import hidden, with_poles
+from pkmodes.identification.frf_skirts import NARROW, Line, distinct_tones, without_bandwidth
 from pkmodes.identification.lscf import OrderPoles, lscf
 from pkmodes.identification.modes import IdentifiedModes
 from pkmodes.identification.residues import lsfd, with_residual_terms
@@ -135,19 +135,19 @@ def identify_frf(
             i if isinstance(i, str) else mode(extended.modes, extended.bounds, i) if kept[i] else OUTSIDE
             for i in extended.added
         ),
-        tones=distinct(lines, step),
+        tones=distinct_tones(lines, step),
         model_error=error,
         left_out=tuple(
             frequency
             for frequency in left_out
-            if band[0] <= frequency <= band[1] and nearest(edits.add, frequency) is None
+            if band[0] <= frequency <= band[1] and nearest_frequency(edits.add, frequency) is None
         ),
     )
 
 
 def _unasked(lines: list[Line], edits: RequestedModes) -> list[Line]:
     """Return the lines at which the user has not requested a mode."""
-    return [line for line in lines if nearest(edits.add, line.frequency) is None]
+    return [line for line in lines if nearest_frequency(edits.add, line.frequency) is None]
 
 
 def _by_order(data: FrequencyLines) -> list[OrderPoles]:
@@ -167,7 +167,7 @@ def _by_order(data: FrequencyLines) -> list[OrderPoles]:
 
 def _candidates(by_order: list[OrderPoles], data: FrequencyLines, low: float, high: float) -> IdentifiedModes:
     """Return the clusters as a starting point, with participations of 1 if theirs do not match the references."""
-    clusters = candidates(by_order, low, high)
+    clusters = pole_clusters(by_order, low, high)
     R, N = data.H.shape[2], len(clusters)
     poles = np.array([cluster.pole for cluster in clusters], complex)
     shared = all(cluster.participation.size == R for cluster in clusters)
@@ -187,7 +187,9 @@ def _with_hidden(
         poles = hidden(data, fit, significant(data))
         if not len(poles):
             break
-        extended, more_bounds = refined(data, joined(modes, poles, data.frequencies, data.H - fit), low, high)
+        extended, more_bounds = refined(
+            data, with_poles(modes, poles, data.frequencies, data.H - fit), low, high
+        )
         if len(extended.poles) <= len(modes.poles):
             break
         modes, bounds = extended, more_bounds

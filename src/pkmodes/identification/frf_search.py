@@ -72,7 +72,9 @@ def hidden(data: FrequencyLines, fit: Complex, least: float) -> Complex:
     return np.array(poles, complex)
 
 
-def joined(modes: IdentifiedModes, poles: Complex, frequencies: Array, remainder: Complex) -> IdentifiedModes:
+def with_poles(
+    modes: IdentifiedModes, poles: Complex, frequencies: Array, remainder: Complex
+) -> IdentifiedModes:
     """Return modes with further poles, whose shapes and participations are those of the remainder there."""
     remainder = np.nan_to_num(remainder)
     nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)

@@ -76,7 +76,7 @@ def without_bandwidth(data: FrequencyLines, modes: IdentifiedModes) -> list[Line
     return lines
 
 
-def distinct(lines: Sequence[Line], step: float) -> tuple[float, ...]:
+def distinct_tones(lines: Sequence[Line], step: float) -> tuple[float, ...]:
     """Return the frequencies of the tones [Hz]: of those found close together, in line spacings, the first."""
     kept: list[float] = []
     for line in lines:

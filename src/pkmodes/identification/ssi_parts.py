@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.asked import NOTHING, REACH, RequestedModes, replaced, struck, within_reach
-from pkmodes.identification.clusters import PoleCluster, candidates, orders_with, usable_poles
+from pkmodes.identification.clusters import PoleCluster, orders_with, pole_clusters, usable_poles
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
 from pkmodes.identification.ssi_bands import BandPart, PreparedRecord, SpectralLines, correlations, powers
@@ -80,7 +80,7 @@ def modes_of_part(
         inside = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
         poles[k].append(s[inside & (s.real < 0.0)])
     margin = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
-    chosen = candidates(by_order, part.low - margin[0], part.high + margin[1])
+    chosen = pole_clusters(by_order, part.low - margin[0], part.high + margin[1])
 
     def part_mode(mode: Refined, pole: complex, count: int) -> PartMode:
         near = tuple(_rescaled(orders[k], levels) for k in _near(by_order, pole))

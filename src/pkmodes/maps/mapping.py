@@ -26,7 +26,7 @@ from pkmodes.maps.dataset import dataset_of
 from pkmodes.maps.evaluating import MapLayout, Task, code_of, layout_of, tails
 from pkmodes.maps.map_file import MapFile
 from pkmodes.maps.poses import Places, PoseGrid, places_of
-from pkmodes.maps.running import run
+from pkmodes.maps.running import run_tasks
 from pkmodes.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, locked, on_disk
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
@@ -255,7 +255,7 @@ def _fill(
     if progress is not None:
         progress(done, plan.rows)
     if not store.done.all():
-        run(tasks(), put, finish, threads, scheduler)
+        run_tasks(tasks(), put, finish, threads, scheduler)
 
 
 def _refuse_outside(plan: MapPlan) -> NoReturn:

@@ -27,8 +27,8 @@ from pkmodes.core.robot.usable import (
     Limits,
     Radius,
     SingularAngle,
-    in_words,
     is_box,
+    limits_in_words,
     of_component,
 )
 from pkmodes.maps.poses import PoseGrid
@@ -157,7 +157,7 @@ def _workspace_in_words(model: Model) -> str:
     low, high = box_of(model)
     names = [component.name for component in model.mechanism.pose]
     ends = map(Limits, low.tolist(), high.tolist())
-    return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
+    return limits_in_words(model.mechanism, dict(zip(names, ends, strict=True)))
 
 
 def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[int, float]) -> Array:
@@ -285,7 +285,7 @@ def usable_poses(model: Model) -> Array:
         drawn = drawn[model.check(drawn).valid]
         if (good := usable(drawn)).any():
             return drawn[good]
-    limits = in_words(model.mechanism, model.robot.usable)
+    limits = limits_in_words(model.mechanism, model.robot.usable)
     problem = f"no pose within the usable limits can be reached: {limits}"
     remedy = f"check the limits: the workspace lies within {_workspace_in_words(model)}"
     raise PoseError(problem, f"{model.robot.source}: {USABLE}", remedy)

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.core.base.errors import MeasurementError, listed, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, listed, nearest_name, shown
 from pkmodes.measured.columns import Array
 from pkmodes.measured.quantities import QUANTITIES, NumberColumn, row_numbers
 
@@ -24,7 +24,7 @@ def nearest_argument(name: str) -> str:
     shapes = ["mode", "shapes", "shape_sigma"]
     names = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings", "level"]
     alternatives = {**renamed_columns(), "x": "points", "shape": "shapes"}
-    return nearest(alternatives.get(name, name), names)
+    return nearest_name(alternatives.get(name, name), names)
 
 
 def numbers_of(arrays: Mapping[str, ArrayLike | None], rows: int, source: str) -> dict[str, Array]:

@@ -7,7 +7,16 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
 from pkmodes.report.blocks import Cell, Column, Paragraph, Table
-from pkmodes.report.formatting import clean, p_value, pointer, prose, sentence, three_digits, uncertain, unit
+from pkmodes.report.formatting import (
+    clean,
+    p_value,
+    pointer,
+    prose,
+    sentence,
+    three_digits,
+    uncertain_cell,
+    unit,
+)
 from pkmodes.report.numbers import percent
 from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
@@ -54,7 +63,7 @@ def _member(
                 Cell(str(k + 1), k + 1),
                 Cell.named(clean(member.words), clean(name)),
                 Cell(words),
-                uncertain(
+                uncertain_cell(
                     value.value, value.sigma, at_parameter + pointer("value"), at_parameter + pointer("sigma")
                 ),
                 Cell(unit(value.unit)),

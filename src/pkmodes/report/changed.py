@@ -47,7 +47,7 @@ MOST = 300
 TONES: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
 
 
-def headline(result: Change, setting: ReportSetting) -> str:
+def change_headline(result: Change, setting: ReportSetting) -> str:
     """Return what changed since the trusted state, as a title."""
     trusted = result.states[0]
     if result.by_state:
@@ -110,7 +110,7 @@ def _of_day(result: Change) -> list[str]:
     ]
 
 
-def summary(result: Change, setting: ReportSetting) -> Summary:
+def changes_summary(result: Change, setting: ReportSetting) -> Summary:
     """Return the header of the page."""
     facts = [
         ("states", Cell(clean(" \u2192 ".join(result.states)), len(result.states))),
@@ -129,7 +129,7 @@ def summary(result: Change, setting: ReportSetting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or term is not None else result.verdict,
-        headline=headline(result, setting).replace(" +- ", " \u00b1 "),
+        headline=change_headline(result, setting).replace(" +- ", " \u00b1 "),
         reason=prose(sentence(result.reason)),
         tone=TONES[result.changed],
         notes=[prose(sentence(note)) for note in result.notes],
@@ -240,15 +240,16 @@ def change_page(result: Change, evidence: PlottedEvidence, setting: ReportSettin
         *([Section("place", "Where it is", where)] if where else []),
         Section("errors", "Error before and after", numbers.errors(result)),
         *(_of_states(result, setting) if result.by_state else figures.sections(evidence)),
-        Section("candidates", "What may have changed", explanations.candidates(result)),
-        Section("values", "Values before and after", numbers.values(result, setting)),
+        Section("candidates", "What may have changed", explanations.candidate_blocks(result)),
+        Section("values", "Values before and after", numbers.fitted_value_tables(result, setting)),
         *view_section(setting.view),
         *([] if result.by_state else [_rows(result, evidence, setting)]),
         glossary(diagnosed=True),
         setting.origin(evidence),
     ]
     return page(
-        summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
+        changes_summary(result, setting),
+        [replace(section, folded=section.name not in OPEN) for section in sections],
     )
 
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
 
 
-def summary(result: Comparison, setting: ReportSetting) -> Summary:
+def comparison_summary(result: Comparison, setting: ReportSetting) -> Summary:
     """Return what the differences mean, and how large they are."""
     headline, reason, tone = judged(result)
     count, places = len(result.rows), len({row.pose for row in result.rows})

@@ -20,7 +20,7 @@ from pkmodes.report.formatting import (
     sentence,
     shortened,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit,
     unit_cell,
 )
@@ -68,7 +68,7 @@ def refitted(damping_result: Damping, setting: ReportSetting) -> list[Paragraph 
     entries = []
     for value in damping_result.refitted:
         at = pointer(TOP, "refitted", value.name)
-        after = uncertain(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
+        after = uncertain_cell(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
         before = figures(value.before, 6, at + pointer("before"))
         entries.append(
             (_named(value.name, setting), [after, unit_cell(value.unit), Cell("instead of"), before])
@@ -141,7 +141,7 @@ def _row(i: int, row: Row) -> list[Cell]:
     measured = three_digits(row.damping, at + pointer("damping"), scale=100.0)
     if row.damping is not None and row.sigma_damping_used is not None:
         places = at + pointer("damping"), at + pointer("sigma_damping_used")
-        measured = uncertain(row.damping, row.sigma_damping_used, *places, scale=100.0)
+        measured = uncertain_cell(row.damping, row.sigma_damping_used, *places, scale=100.0)
     stated = three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0)
     ratios = [three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS]
     return [

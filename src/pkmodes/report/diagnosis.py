@@ -26,7 +26,7 @@ from pkmodes.report.formatting import (
     sentence,
     shortened,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit,
 )
 from pkmodes.report.mode_table import mode_table
@@ -52,7 +52,7 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
     fitted = [
-        *numbers.values(result, setting),
+        *numbers.fitted_value_tables(result, setting),
         *numbers.pulls(result, setting),
         *numbers.correlations(result),
     ]
@@ -63,7 +63,7 @@ def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: Report
         *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
         *figures.sections(evidence),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
-        Section("candidates", "Candidates", explanations.candidates(result)),
+        Section("candidates", "Candidates", explanations.candidate_blocks(result)),
         Section("values", "Values before and after", fitted),
         *_stability(result),
         Section("correction", "Correction", _correction(result, setting.robot)),
@@ -89,7 +89,7 @@ def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=headline(result),
+        headline=verdict_headline(result),
         reason=prose(sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
         notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
@@ -120,11 +120,11 @@ def _of_damping(result: Diagnosis) -> list[str]:
     )
 
 
-def headline(result: Diagnosis) -> str:
+def verdict_headline(result: Diagnosis) -> str:
     """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
     if result.beyond is not None and not result.effects and (words := result.beyond.words(naming.LONGEST)):
         return clean(words)
-    causes = clean(naming.found(result.effects, naming.LONGEST)) if result.effects else ""
+    causes = clean(naming.found_in_words(result.effects, naming.LONGEST)) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
@@ -165,7 +165,9 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
         joint_change, at = effect.alone, pointer("effects", i, "term_change")
-        cell = uncertain(joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
+        cell = uncertain_cell(
+            joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0
+        )
         facts.append(
             (
                 f"{clean(joint_change.joint.words)} alone: change of its {clean(joint_change.joint.quantity)} [%]",
@@ -176,7 +178,7 @@ def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str,
         keys = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = believed(value, result.corrected)
-        cell = uncertain(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
+        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
@@ -191,7 +193,7 @@ def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[
         also = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
             keys = ("effects", i, "alternatives", name, key(value))
-            cell = uncertain(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
+            cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
             title = setting.words(value.name) or clean(effect.member(name).words)
             of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
             facts.append((f"{start}{also}: {title}{of}", cell))

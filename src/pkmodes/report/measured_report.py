@@ -18,7 +18,7 @@ from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report import figures
 from pkmodes.report.blocks import Section
 from pkmodes.report.changed import change_page
-from pkmodes.report.comparison import by_mode, summary
+from pkmodes.report.comparison import by_mode, comparison_summary
 from pkmodes.report.diagnosis import diagnosis_page
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import need_report, page
@@ -100,4 +100,4 @@ def _comparison_page(result: Comparison, evidence: PlottedEvidence, setting: Rep
         glossary(diagnosed=False),
         setting.origin(evidence),
     ]
-    return page(summary(result, setting), sections)
+    return page(comparison_summary(result, setting), sections)

@@ -16,7 +16,7 @@ from pkmodes.report.formatting import (
     plural,
     pointer,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit_cell,
 )
 from pkmodes.report.setting import ReportSetting
@@ -58,7 +58,7 @@ def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
     return number(relative, form, at, scale=100.0, strong=strong)
 
 
-def values(result: Diagnosis, setting: ReportSetting) -> list[Table | Paragraph]:
+def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table | Paragraph]:
     """Return the fitted values, with what was declared about them."""
     corrected = _corrected(result)
     if not corrected:
@@ -167,7 +167,7 @@ def _value(result: Diagnosis, value: Corrected, setting: ReportSetting) -> list[
         Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
         Cell(f"{role}, at a bound" if value.at_bound else role),
         figures(value.declared, 6, before),
-        uncertain(value.value, value.saved_sigma, after, saved, fit=value.sigma),
+        uncertain_cell(value.value, value.saved_sigma, after, saved, fit=value.sigma),
         figures(value.sigma, 2, sigma),
         unit_cell(value.unit),
         figures(prior, 2),

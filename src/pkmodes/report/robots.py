@@ -20,7 +20,7 @@ from pkmodes.report.blocks import (
 )
 from pkmodes.report.formatting import plural, shortened
 from pkmodes.report.page import need_report, page
-from pkmodes.report.robot_values import frequencies, summary, values
+from pkmodes.report.robot_values import different_values, frequencies, robots_summary
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 
@@ -54,12 +54,12 @@ def robots_report(
     need_report()
     considered = sum(content["poses"].values())
     sections = [
-        Section("values", "What the files declare differently", list(values(first, content))),
+        Section("values", "What the files declare differently", list(different_values(first, content))),
         Section("frequencies", "Frequencies over the poses that both reach", list(frequencies(content))),
         *_pictures(first, second, content["drives"], places),
         origin(sources, first.mechanism, [("poses", [Cell(f"{plural(considered, 'pose')} considered")])]),
     ]
-    return page(summary(first, second, content), sections)
+    return page(robots_summary(first, second, content), sections)
 
 
 def _pictures(first: Model, second: Model, drives: str, places: PoseGrid | None) -> Iterator[Section]:

@@ -9,7 +9,7 @@ from os import PathLike, fspath
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
 from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reading import read_signals
 
@@ -67,7 +67,7 @@ class MeasuredResponse:
         common = {name: values for name, values in self.channels.items() if name in known}
         if not common:
             what = f"expected a channel of {', '.join(known)}, found {', '.join(self.channels)}"
-            raise PkmodesError(what, self.source, nearest(next(iter(self.channels)), known))
+            raise PkmodesError(what, self.source, nearest_name(next(iter(self.channels)), known))
         return common
 
 

@@ -14,7 +14,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest, shown
+from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
 from pkmodes.core.robot.declaration import Declaration, changeable
@@ -24,7 +24,7 @@ from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
 from pkmodes.robot_files.editing import Keys, TomlText, ValueNotation
-from pkmodes.support.covariance import joined, uncertain
+from pkmodes.support.covariance import joined_covariance, sigmas_by_path
 from pkmodes.support.writing import write_file
 from pkmodes_description import ParameterGroup
 
@@ -109,7 +109,7 @@ def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str
     if path in (known := groups_by_path(robot.mechanism)):
         return _of_group(known[path], correction, robot)
     if path not in changeable(robot):
-        remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")
+        remedy = nearest_name(path, changeable(robot), "see docs/robot-file.md for the values")
         _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
     return {path: replace(correction, value=float(correction.value))}
 
@@ -223,8 +223,8 @@ def _correlate(
     tables = list(robot.covariance)
     touched = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
     others = [left for i in touched if (left := tables[i].without(new.paths)).paths]
-    own = {**uncertain(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
-    merged = joined([new, *others], own)
+    own = {**sigmas_by_path(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
+    merged = joined_covariance([new, *others], own)
     values = {
         PATHS: _listed(f'"{path}"' for path in merged.paths),
         **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),

@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.robot.layout import EFFECTS, Item, Slot, by_path, effect_parameters, items, lent, takers
-from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
+from pkmodes.core.robot.parameter_groups import group_value, groups_by_path, items_of, weights_of
 from pkmodes.core.robot.robot import Robot
 
 #: The unit of a path, and the weight with which each number changes along it.
@@ -81,10 +81,10 @@ def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterP
         own = [
             one for one in known if one.endswith(f".{path}")
         ]  # of every axis, in place of the shared value
-        remedy = nearest(path, own, "choose a quantity that changes masses or stiffnesses")
+        remedy = nearest_name(path, own, "choose a quantity that changes masses or stiffnesses")
         raise PkmodesError(what, robot.source, remedy)
     if path not in known:
-        remedy = nearest(path, known, "see docs/sensitivities.md for the paths")
+        remedy = nearest_name(path, known, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     unit, weights = known[path]
     group = groups_by_path(robot.mechanism).get(path)
@@ -92,7 +92,7 @@ def _resolved(robot: Robot, path: str, known: Mapping[str, Moves]) -> ParameterP
         item = items_of(robot.mechanism, group)[0]
         what = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(what, robot.source, f"use elements such as {item.numbers[0].path}")
-    value = _value(robot, next(iter(weights))) if group is None else value_of(robot, group)
+    value = _value(robot, next(iter(weights))) if group is None else group_value(robot, group)
     return ParameterPath(path, value, unit, weights)
 
 

@@ -21,7 +21,7 @@ from typing import TypeVar
 import msgspec
 import numpy as np
 
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.measured.formats import Format
 from pkmodes.signals.arrays import functions_of
@@ -262,7 +262,7 @@ def _chosen(names: Mapping[str, object], requested_name: str, source: str, recor
         return requested_name
     listing = listed([*map(shown, names)], 6)
     if requested_name:
-        remedy = nearest(requested_name, names, f"it has {listing}")
+        remedy = nearest_name(requested_name, names, f"it has {listing}")
         raise MeasurementError(
             f"expected a {record_kind} {shown(requested_name)}, found none", source, remedy
         )

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.support.ordering import listed
 
 #: The signal in time besides sensors, and the names that a file may replace: see `SignalRequest.names`.
@@ -230,7 +230,7 @@ class SignalRequest:
                 )
                 problem = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
                 raise MeasurementError(
-                    problem, where, nearest(theirs, names_in_file, "correct the names of the record")
+                    problem, where, nearest_name(theirs, names_in_file, "correct the names of the record")
                 )
         meant = set(own_names.values())
         own_names |= {name: "" for name in names_in_file if name in meant and name not in own_names}

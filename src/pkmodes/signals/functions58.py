@@ -10,7 +10,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence, within
-from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, name_of, rotates
+from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, dof_name, rotates
 from pkmodes.signals.functions import Array, Complex, Function, FunctionKind, SignalRequest, StoredFunction
 from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
 
@@ -118,7 +118,7 @@ def function_of(
     of_force = header.ordinate.data_type == FORCE
     if of_force and kind is FunctionKind.SPECTRUM:
         return "it is the spectrum of a force"
-    response = name_of(header.response)
+    response = dof_name(header.response)
     force = of_force and kind is FunctionKind.TIME
     if not (force or request.wants(response)):
         return None
@@ -167,7 +167,7 @@ def _reference(header: Header, kind: FunctionKind) -> str:
     return (
         ""
         if kind is FunctionKind.TIME or own_sensor or header.reference == (0, 0)
-        else name_of(header.reference)
+        else dof_name(header.reference)
     )
 
 

@@ -23,7 +23,7 @@ HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5
 WHAT = "MATLAB"
 
 
-def read(path: Path, request: SignalRequest) -> SignalFile:
+def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
     """Read a MATLAB file.
 
     Raises
@@ -88,9 +88,9 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
             raise DamagedError(f"expected a variable of {rows} x {columns} values, found the end of the file")
 
 
-def recognises(head: bytes) -> bool:
+def is_matlab(head: bytes) -> bool:
     """Return whether a file is a MATLAB file of version 5 or later."""
     return head.startswith((b"MATLAB 5.0 MAT-file", b"MATLAB 7.3 MAT-file", HDF5))
 
 
-MATLAB = Format("MATLAB", (".mat",), recognises, read)
+MATLAB = Format("MATLAB", (".mat",), is_matlab, read_matlab)

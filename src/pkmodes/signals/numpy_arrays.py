@@ -32,7 +32,7 @@ HEADER = 1 << 14
 LARGEST = 2_000_000_000
 
 
-def read(path: Path, request: SignalRequest) -> SignalFile:
+def read_numpy(path: Path, request: SignalRequest) -> SignalFile:
     """Read a file of NumPy.
 
     Raises
@@ -107,9 +107,9 @@ def _values(load: Callable[[], Any]) -> Any:
     return np.ravel(load(), order="F")
 
 
-def recognises(head: bytes) -> bool:
+def is_numpy(head: bytes) -> bool:
     """Return whether a file is a NumPy file: an archive is one if its first member is an array."""
     return head.startswith(NPY) or (head.startswith(NPZ) and b".npy" in head[:256])
 
 
-NUMPY = Format("NumPy", (".npy", ".npz"), recognises, read)
+NUMPY = Format("NumPy", (".npy", ".npz"), is_numpy, read_numpy)

@@ -60,7 +60,7 @@ MOST_LOSSES, LONGEST_LOSS = 20, 500
 Numbers = NDArray[Any]
 
 
-def read(path: Path, request: SignalRequest) -> SignalFile:
+def read_table(path: Path, request: SignalRequest) -> SignalFile:
     """Read a table.
 
     Raises
@@ -79,7 +79,7 @@ def read(path: Path, request: SignalRequest) -> SignalFile:
 
 
 def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile:
-    """Return the signals in the content of a table: see `read`."""
+    """Return the signals in the content of a table: see `read_table`."""
     frame = framed(content, source)
     del content
     text = split_table(frame.content, source, request.columns)
@@ -339,4 +339,4 @@ def looks_like_text(head: bytes) -> bool:
     return strange == 0 and any(character.isalpha() for character in text)
 
 
-TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read)
+TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read_table)

@@ -45,7 +45,7 @@ OTHERS = {15: "nodes", 18: "coordinate systems", 82: "trace lines, which are for
 OTHERS |= {2411: "nodes", 2412: "elements", 2420: "coordinate systems"}
 
 
-def read(path: Path, request: SignalRequest) -> SignalFile:
+def read_universal(path: Path, request: SignalRequest) -> SignalFile:
     """Read a universal file.
 
     Raises
@@ -205,4 +205,6 @@ def _units(scanner: Scanner) -> FileUnits:
     return FileUnits.of(float(factors[0]), float(factors[1]))
 
 
-UNIVERSAL_FILE = Format("universal file", (".uff", ".unv", ".ufb", ".uf"), begins_with_a_dataset, read)
+UNIVERSAL_FILE = Format(
+    "universal file", (".uff", ".unv", ".ufb", ".uf"), begins_with_a_dataset, read_universal
+)

@@ -42,7 +42,7 @@ class _Form(NamedTuple):
     bits: int
 
 
-def read(path: Path, request: SignalRequest) -> SignalFile:
+def read_wav(path: Path, request: SignalRequest) -> SignalFile:
     """Read a sound file.
 
     Raises
@@ -141,9 +141,9 @@ def _problem(form: _Form, size: int) -> str | None:
     return None
 
 
-def recognises(head: bytes) -> bool:
+def is_wav(head: bytes) -> bool:
     """Return whether a file is a sound file."""
     return head.startswith(RIFF) and head[8:HEAD] == WAVE
 
 
-WAV = Format("WAV", (".wav",), recognises, read)
+WAV = Format("WAV", (".wav",), is_wav, read_wav)

@@ -15,7 +15,7 @@ from pkmodes.core.robot.robot import Robot
 Array = NDArray[np.float64]
 
 
-def uncertain(robot: Robot) -> dict[str, float]:
+def sigmas_by_path(robot: Robot) -> dict[str, float]:
     """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes counts once."""
     twice = {path for path, own in lent(robot.mechanism).items() if own in robot.quantities}
     return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
@@ -26,7 +26,7 @@ def covariance_of(robot: Robot, paths: Sequence[str]) -> Array:
 
     That of some values is that of all without the others: those may have any value.
     """
-    sigmas = uncertain(robot)
+    sigmas = sigmas_by_path(robot)
     found = np.diag([sigmas[path] ** 2 for path in paths])
     place = {path: i for i, path in enumerate(paths)}
     for table in robot.covariance:
@@ -50,7 +50,7 @@ def priors_of(robot: Robot) -> dict[str, Prior]:
     A value and its table of correlations may state one standard deviation with different numbers of digits: that of
     the table counts, because small differences of strongly correlated values depend on its digits.
     """
-    own, correlated = uncertain(robot), {}
+    own, correlated = sigmas_by_path(robot), {}
     tables = [(table, _sigmas(table, own)) for table in robot.covariance]
     sigmas = own | {
         path: sigma
@@ -86,7 +86,7 @@ def _sigmas(table: Covariance, own: Mapping[str, float]) -> list[float]:
     return [own[path] for path in table.paths] if table.sigmas is None else list(table.sigmas)
 
 
-def joined(tables: Sequence[Covariance], own: Mapping[str, float]) -> Covariance:
+def joined_covariance(tables: Sequence[Covariance], own: Mapping[str, float]) -> Covariance:
     """Return one table of the values of several, which stay independent of each other.
 
     Parameters

@@ -15,7 +15,7 @@ from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.model import Model
 from pkmodes.maps.workspace import hanging, resting, turning_box, usable_box, usable_poses, used, within
 from pkmodes.view.evaluating import scene
-from pkmodes.view.interpolation import FINE, deviations
+from pkmodes.view.interpolation import FINE, interpolation_errors
 from pkmodes.view.pairing import paired_modes
 from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
@@ -132,7 +132,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
         places=places,
         workspace=workspace(model, first, (low, high), inside),
         order=order,
-        deviations=deviations(
+        deviations=interpolation_errors(
             shown.frequencies[:, rigid:],
             order[:, rigid:] - rigid,
             places,

@@ -33,7 +33,7 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
-def nearest(name: object, known: Iterable[str], otherwise: str = "") -> str:
+def nearest_name(name: object, known: Iterable[str], otherwise: str = "") -> str:
     """Return the remedy for an unknown name: the nearest known name, `otherwise`, or all known names."""
     names = list(known)
     by_lower = {known.lower(): known for known in reversed(names)}

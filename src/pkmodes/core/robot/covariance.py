@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_number
-from pkmodes.core.base.errors import nearest, shown
+from pkmodes.core.base.errors import nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.layout import lent
@@ -117,7 +117,7 @@ def read_covariance(
             if key not in (PATHS, SIGMA, CORRELATION):
                 name = key if schema.is_bare(key) else shown(key)
                 known = (PATHS, CORRELATION, SIGMA)
-                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest(key, known))
+                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest_name(key, known))
         paths = _paths(given.get(PATHS), where, mechanism, quantities, seen, number, problem)
         if paths is None:
             continue
@@ -171,7 +171,9 @@ def _not_uncertain(path: Any, quantities: Mapping[str, Quantity], example: str) 
     if not isinstance(path, str):
         return f"{expected}, found {shown(path)}", example
     if path not in quantities:
-        return f"{expected}, found {shown(path)}, which this file does not declare", nearest(path, quantities)
+        return f"{expected}, found {shown(path)}, which this file does not declare", nearest_name(
+            path, quantities
+        )
     sigma = quantities[path].sigma
     if not sigma:
         found = "which has no sigma" if sigma is None else "whose sigma is 0: it is known exactly"

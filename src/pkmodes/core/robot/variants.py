@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
@@ -255,7 +255,7 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
         vectors = [
             one.path for one in by_path(robot.mechanism).values() if one.path not in known and one.numbers
         ]
-        remedy = nearest(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
+        remedy = nearest_name(path, [*known, *vectors], "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     if not item.numbers:
         what = f"{path} is not a quantity: it cannot be changed here"

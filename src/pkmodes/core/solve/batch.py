@@ -55,7 +55,7 @@ class Job:
     alone: Alone | None = None
 
 
-def run(
+def run_job(
     job: Job,
     robot: Robot,
     max_condition: float,

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
-from pkmodes.core.base.errors import PkmodesError, listed, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, listed, nearest_name, shown
 from pkmodes.core.mechanism.poses import Where
 from pkmodes.core.solve.fields import missing
 
@@ -56,12 +56,12 @@ def chosen_fields(fields: Fields, out: Out, known: tuple[str, ...]) -> tuple[str
     elif fields is None:
         fields = known if out is None else tuple(out)
     elif isinstance(fields, str) and fields not in known:
-        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest(fields, known))
+        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest_name(fields, known))
     asked = listed(fields, "fields", "fields", f'"{known[0]}"')
     for where, names in (("fields", asked), ("out", list(out or ()))):
         for name in names:
             if not (isinstance(name, str) and name in known):
-                raise PkmodesError(f"unknown field {shown(name)}", where, nearest(name, known))
+                raise PkmodesError(f"unknown field {shown(name)}", where, nearest_name(name, known))
     if not asked:
         raise PkmodesError("expected at least one field, found none", "fields", f"known: {', '.join(known)}")
     for name, array in (out or {}).items():

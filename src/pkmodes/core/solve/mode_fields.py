@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.poses import CHUNK, CheckedPoses, codes_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import solver_of
-from pkmodes.core.solve.batch import Job, Rows, run
+from pkmodes.core.solve.batch import Job, Rows, run_job
 from pkmodes.core.solve.fields import DISSIPATION, FIELDS, MODE, missing, sizes_of
 from pkmodes.core.solve.fields import tail as tail_of
 from pkmodes.core.solve.numpy_solver import NumpySolver
@@ -122,7 +122,7 @@ class ModeFields:
     def again(
         self, robot: Robot, max_condition: float, checked: CheckedPoses, threads: int
     ) -> dict[str, NDArray[Any]]:
-        """Evaluate the fields, (N, *tail), at poses where others were: see `pkmodes.core.solve.batch.run`."""
+        """Evaluate the fields, (N, *tail), at poses where others were: see `pkmodes.core.solve.batch.run_job`."""
         if not self._computed:
             if len(checked.codes) == 1 and not checked.codes[0]:
                 return {name: array.copy() for name, array in self._filled_at_a_pose.items()}
@@ -132,7 +132,7 @@ class ModeFields:
             found = self.job.alone(checked.points)
             if found is not None:
                 return found
-        _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
+        _, rows = run_job(self.job, robot, max_condition, checked.points, "nan", None, threads)
         if checked.left is not None and left:
             for name, array in self.by_numpy(checked.points[checked.left]).items():
                 rows[name][checked.left] = array

@@ -125,7 +125,7 @@ def _is_effect(fitter: LossFitter, fit: LossFit) -> bool:
     return all(fitter.losses[j].effect for j in fit.causes)
 
 
-def nearest(fitter: LossFitter) -> str:
+def nearest_loss(fitter: LossFitter) -> str:
     """Return how far the nearest single loss is from the damping, in words."""
     fits = [fit for fit in (fitter.fit((j,)) for j in fitter.candidates) if fit.causes]
     if not fits:
@@ -135,12 +135,12 @@ def nearest(fitter: LossFitter) -> str:
         fitter.observations.above
     ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
-    name = names_of(fitter, best)
+    name = loss_names(fitter, best)
     return (
         f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {plain(factor, 2)}"
     )
 
 
-def names_of(fitter: LossFitter, fit: LossFit) -> str:
+def loss_names(fitter: LossFitter, fit: LossFit) -> str:
     """Return the names of the causes of a fit."""
     return " + ".join(fitter.losses[j].candidate for j in fit.causes)

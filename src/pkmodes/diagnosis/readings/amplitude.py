@@ -43,7 +43,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     return amplitude_dependence(data, list(_same_setups(stage)), partner, motion)
 
 
-def in_words(trend: AmplitudeDependence, data: Measurements) -> str:
+def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return how frequencies depend on the level."""
     unit, row = f" {data.level_unit}" if data.level_unit else "", trend.clearest.row
     least, greatest = (signed(100.0 * change) for change in trend.range)
@@ -72,7 +72,7 @@ def notes_on_amplitude(fitter: Fitter, values: Array) -> tuple[str, ...]:
 
 def note(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return a note on frequencies that depend on the level."""
-    return f"the frequencies depend on amplitude: {in_words(trend, data)}"
+    return f"the frequencies depend on amplitude: {dependence_in_words(trend, data)}"
 
 
 def _same_setups(stage: MatchStage) -> Iterator[list[int]]:

@@ -70,7 +70,7 @@ def explained_otherwise(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
     return tuple(itertools.islice(filter(None, answers), 1))
 
 
-def remarks(stage: MatchStage, criteria: ReadingCriteria) -> tuple[str, ...]:
+def reading_remarks(stage: MatchStage, criteria: ReadingCriteria) -> tuple[str, ...]:
     """Return sentences about all measurements.
 
     Parameters

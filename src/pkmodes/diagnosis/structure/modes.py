@@ -138,7 +138,7 @@ class SetupModes(NamedTuple):
         return sum(a.nbytes for a in self if a is not None)
 
 
-def modes_of(pair: Pair, rigid: int) -> SetupModes:
+def setup_modes(pair: Pair, rigid: int) -> SetupModes:
     """Compute the modes.
 
     Parameters
