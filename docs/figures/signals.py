@@ -41,7 +41,9 @@ def main(arguments: Sequence[str]) -> None:
         Path("campaign.toml").write_text(block("toml"), encoding="utf-8")
         result = identify(read_campaign("campaign.toml"), inspect=True).records[0]
     (one,) = result.inspections
-    marked = fits.Lines([(mode.frequency, k, False) for k, mode in enumerate(result.modes, start=1)], (), ())
+    marked = fits.MarkedFrequencies(
+        [(mode.frequency, k, False) for k, mode in enumerate(result.modes, start=1)], (), ()
+    )
     band = result.record.band
     drawn = fits.stabilisation(one, marked, band), fits.functions(one, marked, band, phase=True)
     with styled():

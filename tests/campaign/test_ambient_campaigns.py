@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from campaign.structures import CHANNELS, HEAD, Frame, accelerations, identify, record, refused, sensors
-from pkmodes.campaign.found import Fit
+from pkmodes.campaign.found import FileFit
 from pkmodes.campaign.time_records import with_bridges
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.measured.reading import read_modes
@@ -184,11 +184,13 @@ def test_what_interpolating_once_more_changes_is_in_sigma() -> None:
     """Frequency and damping of one mode change by twice their standard deviations: five times the variance."""
     none = np.zeros(0, complex)
 
-    def fit(signals: list[SimpleNamespace]) -> tuple[Fit, tuple[str, ...]]:
+    def fit(signals: list[SimpleNamespace]) -> tuple[FileFit, tuple[str, ...]]:
         omega, damping = 2.0 * np.pi * (50.0 + signals[0].changed), 0.01 + 0.001 * signals[0].changed
         pole = omega * complex(-damping, np.sqrt(1.0 - damping**2))
         mode = Mode(pole, np.ones(1, complex), 0.05, 5e-5, 0.02, (1, 1))
-        return Fit(Estimate((mode,), Stabilisation(np.zeros(0, int), ()), none.real, none, none), ("a",)), ()
+        return FileFit(
+            Estimate((mode,), Stabilisation(np.zeros(0, int), ()), none.real, none, none), ("a",)
+        ), ()
 
     given = SimpleNamespace(changed=0.0, once_more=SimpleNamespace(changed=0.1))
     found, said = with_bridges(fit, [given], "a.csv")

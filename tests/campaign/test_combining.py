@@ -11,10 +11,10 @@ import pytest
 from pkmodes.campaign.averaging import Mean, averaged, mean_shape
 from pkmodes.campaign.found import Found, mac
 from pkmodes.campaign.grouping import _apart, grouped, reunited
-from pkmodes.campaign.joining import joined
+from pkmodes.campaign.joining import joined_setups
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.revisits import revisited
-from pkmodes.campaign.sensors import Place
+from pkmodes.campaign.sensors import Transducer
 from pkmodes.campaign.shapes import combined
 
 
@@ -138,26 +138,26 @@ def test_setups_are_weighted_by_their_variances_and_their_spread_counts_where_it
     def mean(frequency: float, sigma: float) -> Mean:
         return Mean(Found(frequency, 0.01, {}, sigma, 1e-3), np.nan, np.nan, np.nan, (0,))
 
-    (near,), _ = joined({"x": [mean(50.0, 0.01)], "y": [mean(50.02, 0.02)]})
+    (near,), _ = joined_setups({"x": [mean(50.0, 0.01)], "y": [mean(50.02, 0.02)]})
     assert near.mode.frequency == pytest.approx((50.0 * 4 + 50.02 * 1) / 5)
     assert near.mode.sigma_frequency == pytest.approx(1.0 / np.sqrt(1e4 + 2.5e3))
-    (apart,), _ = joined({"x": [mean(50.0, 0.01)], "y": [mean(50.2, 0.01)]})
+    (apart,), _ = joined_setups({"x": [mean(50.0, 0.01)], "y": [mean(50.2, 0.01)]})
     assert apart.mode.frequency * apart.scatter == pytest.approx(0.1)  # half their difference
     # A machine that warmed was as much the one as the other, however well each is known.
     setups = {"x": [mean(50.0, 0.001)], "y": [mean(50.4, 0.1)]}
-    (warmed,), notes = joined(setups)
+    (warmed,), notes = joined_setups(setups)
     assert warmed.mode.frequency == pytest.approx(50.2)
     assert warmed.mode.frequency * warmed.scatter == pytest.approx(0.2)
     assert "the setups x, y differ by more than their standard deviations" in notes[0]
     assert "50 to 50.4 Hz" in notes[0]
-    assert not joined(setups, repeatability=3e-3)[1]  # which explains it
+    assert not joined_setups(setups, repeatability=3e-3)[1]  # which explains it
 
 
 def test_shapes_without_a_common_sensor_are_said() -> None:
     def mean(shape: dict[str, complex]) -> Mean:
         return Mean(Found(50.0, shape=shape), np.nan, np.nan, np.nan, (0,))
 
-    (found,), notes = joined({"x": [mean({"a": 1 + 0j, "b": 2 + 0j})], "y": [mean({"c": 1 + 0j})]})
+    (found,), notes = joined_setups({"x": [mean({"a": 1 + 0j, "b": 2 + 0j})], "y": [mean({"c": 1 + 0j})]})
     assert set(found.mode.shape) == {"a", "b"}
     assert "share no sensor in the setups x, y" in notes[0]
 
@@ -200,8 +200,8 @@ def test_the_modal_assurance_criterion_counts_common_components() -> None:
 
 
 def test_sensors_in_oblique_directions_give_the_platform_by_least_squares() -> None:
-    def place(name: str, **weights: float) -> Place:
-        return Place(name, None, weights)
+    def place(name: str, **weights: float) -> Transducer:
+        return Transducer(name, None, weights)
 
     places = {
         "u": place("u", p_x=0.6, p_y=0.8),

@@ -18,7 +18,7 @@ from campaign.structures import identify, write_frf
 from pkmodes.campaign.description import ForceTable, SensorTable
 from pkmodes.campaign.motion import motion
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import Place, check_motion, forces_of, sensors_of
+from pkmodes.campaign.sensors import Transducer, check_motion, forces_of, sensors_of
 from pkmodes.campaign.shapes import UNDETERMINED, combined, left_blank
 from pkmodes.core.base.errors import MeasurementError
 
@@ -42,10 +42,10 @@ def known(platform: Platform) -> dict[str, str]:
     return {name: "m" if name.startswith("p_") else "rad" for name in platform.components} | {"s_1": "m"}
 
 
-def read(kind: str, platform: Platform, *tables: dict[str, Any]) -> dict[str, Place]:
+def read(kind: str, platform: Platform, *tables: dict[str, Any]) -> dict[str, Transducer]:
     numbered = [{"name": str(i)} | table for i, table in enumerate(tables)]
     if kind == "force":
-        found: Sequence[Place] = forces_of(
+        found: Sequence[Transducer] = forces_of(
             msgspec.convert(numbered, list[ForceTable]), known(platform), platform, {""}, "c.toml"
         )
     else:
@@ -56,7 +56,7 @@ def read(kind: str, platform: Platform, *tables: dict[str, Any]) -> dict[str, Pl
     return {one.name: one for one in found}
 
 
-def at(places: dict[str, Place], turn: Array, platform: Platform = PLATFORM) -> dict[str, Place]:
+def at(places: dict[str, Transducer], turn: Array, platform: Platform = PLATFORM) -> dict[str, Transducer]:
     R = platform.rotation(dict(zip(("rx", "ry", "rz"), turn, strict=True)))
     np.testing.assert_allclose(R, expm(cross(turn)), rtol=0, atol=1e-14)
     return {name: one.where_turned(R) for name, one in places.items()}

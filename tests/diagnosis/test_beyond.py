@@ -20,8 +20,8 @@ from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.problem import Candidate, Parameter
 from pkmodes.diagnosis.search.score import MANY, Score, p_of_smallest
 from pkmodes.report.action import action
-from pkmodes.report.diagnosis import headline
-from pkmodes.report.setting import Setting
+from pkmodes.report.diagnosis import verdict_headline
+from pkmodes.report.setting import ReportSetting
 
 FRAME = Frame()
 NOTHING = np.zeros((6, 6))
@@ -70,8 +70,8 @@ def test_the_true_term_is_found_with_its_value(term: str, size: float, unit: str
     assert member["error"]["chi2_per_dof"] == pytest.approx(1.0, abs=0.5)
     words = f"Not in the catalogue: {member['sentence']}, "
     assert found.reason.startswith(words)
-    setting = Setting("frame", None, None, (), None)
-    assert headline(found).startswith(words)
+    setting = ReportSetting("frame", None, None, (), None)
+    assert verdict_headline(found).startswith(words)
     assert action(found, setting).entries[0][1][0].text == f"Look for {member['sentence']}."
 
 
@@ -194,7 +194,7 @@ def test_places_that_have_the_same_frequencies_are_one_class() -> None:
     for member in group.members:
         value = member.parameters["mass"]
         assert value.value == pytest.approx(1.5, abs=3.0 * value.sigma)
-    assert "narrowed to two: a mass at floor 2, or a mass at floor 4" in headline(found)
+    assert "narrowed to two: a mass at floor 2, or a mass at floor 4" in verdict_headline(found)
 
 
 def test_of_terms_that_explain_equally_little_all_are_named() -> None:

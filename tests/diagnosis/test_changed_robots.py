@@ -21,7 +21,7 @@ from pkmodes.measured.writing import as_csv
 from pkmodes.updating.changes import exchanged
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.reading import read_states
-from pkmodes.updating.shared_values import deviations, in_use
+from pkmodes.updating.shared_values import axis_deviations, in_use
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "changed_printer"
 ROBOT, BEFORE, AFTER = (str(EXAMPLE / name) for name in ("robot.toml", "before.csv", "after.csv"))
@@ -152,7 +152,7 @@ def test_arguments_in_python_are_checked() -> None:
 
 
 def test_masses_inertias_and_stiffnesses_of_each_axis_are_shared() -> None:
-    parameters, moves = deviations(read_robot(ROBOT))
+    parameters, moves = axis_deviations(read_robot(ROBOT))
     names = {p.name for p in parameters}
     assert names == moves.keys()
     assert {f"shared.axis.{j}.belt.specific_stiffness" for j in (1, 2, 3)} <= names

@@ -16,8 +16,8 @@ from helpers.diagnoses.damped_cases import bare, columns, made, of_frequencies, 
 from helpers.diagnoses.diagnose_command import call
 from helpers.pages.page_reading import read
 from pkmodes import read_robot, updating
-from pkmodes.cli.compare import show as print_comparison
-from pkmodes.cli.diagnosis_tables import show as print_diagnosis
+from pkmodes.cli.compare import show_comparison as print_comparison
+from pkmodes.cli.diagnosis_tables import show_diagnosis as print_diagnosis
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv

@@ -14,8 +14,8 @@ from pkmodes.diagnosis import Candidate, Diagnosis, MatrixStructure, Measurement
 from pkmodes.diagnosis.problem import Joint
 from pkmodes.diagnosis.verdict import joint_alone
 from pkmodes.report.action import action
-from pkmodes.report.diagnosis import headline
-from pkmodes.report.setting import Setting
+from pkmodes.report.diagnosis import verdict_headline
+from pkmodes.report.setting import ReportSetting
 from pkmodes.updating.candidates import suspects
 from pkmodes.view import typical_pose
 from pkmodes_rig.suites import clear_cases
@@ -68,11 +68,11 @@ def storeys(changes: tuple[float, float, float], joints: tuple[Joint, ...] = JOI
 def test_one_soft_storey_is_named_with_its_change() -> None:
     found = storeys((0.0, -0.25, 0.0))
     assert "explanation: storey 2 is 25 % softer than the others (unequal)" in found.reason
-    assert headline(found) == "Cause found: storey 2 is 25 % softer than the others"
+    assert verdict_headline(found) == "Cause found: storey 2 is 25 % softer than the others"
     (effect,) = found.effects
     assert effect.alone is not None
     assert abs(effect.alone.change + 0.25) < 3.0 * effect.alone.sigma < 0.02
-    inspect = dict(action(found, Setting("", None, None, (), None)).entries)["inspect"]
+    inspect = dict(action(found, ReportSetting("", None, None, (), None)).entries)["inspect"]
     assert inspect[0].text == "Storey 2, which is 25 % softer than the others."
     (cause,) = found.as_json()["effects"]  # type: ignore[misc]
     assert cause["term"] == "parameter:2"
@@ -91,7 +91,7 @@ def test_a_stiff_storey_is_called_stiffer() -> None:
 
 def test_several_unequal_storeys_are_not_called_one() -> None:
     found = storeys((0.2, -0.2, 0.0))
-    assert headline(found) == "Cause found: the storeys are not equally stiff"
+    assert verdict_headline(found) == "Cause found: the storeys are not equally stiff"
     assert found.effects[0].alone is None
     (cause,) = found.as_json()["effects"]  # type: ignore[misc]
     assert (cause["term"], cause["term_change"]) == (None, None)
@@ -99,7 +99,7 @@ def test_several_unequal_storeys_are_not_called_one() -> None:
 
 def test_a_storey_that_leaves_a_little_for_another_is_not_named() -> None:
     """Alone it leaves nothing but noise, but by the criterion the data ask for the other one, too."""
-    assert headline(storeys((0.0, -0.25, 0.02))) == "Cause found: the storeys are not equally stiff"
+    assert verdict_headline(storeys((0.0, -0.25, 0.02))) == "Cause found: the storeys are not equally stiff"
 
 
 def test_a_cause_without_joints_names_none() -> None:
@@ -142,7 +142,7 @@ def test_a_soft_leg_of_a_hexapod_is_named() -> None:
     assert effect.alone.joint.term == "parameter:axis.3.leg.stiffness"
     assert abs(effect.alone.change + 0.25) < 3.0 * effect.alone.sigma
     percent = round(-100.0 * effect.alone.change)
-    assert headline(found) == f"Cause found: leg 3 is {percent} % softer than the others"
+    assert verdict_headline(found) == f"Cause found: leg 3 is {percent} % softer than the others"
 
 
 #: Robot files, by mechanism.

@@ -54,15 +54,17 @@ def of(*names: str) -> Finding:
 def test_a_class_is_named_by_what_its_members_share_or_by_all_of_them(
     effects: tuple[Finding, ...], expected: str
 ) -> None:
-    assert naming.found(effects) == expected
+    assert naming.found_in_words(effects) == expected
 
 
 def test_a_headline_counts_what_does_not_fit_and_names_no_member_as_the_cause() -> None:
     effect = of("offset", "gearbox", "span")
-    assert naming.found([effect], 40) == (
+    assert naming.found_in_words([effect], 40) == (
         "narrowed to three: all poses are shifted along z, or two others, listed below"
     )
-    assert naming.found([effect], 60).endswith("or the gearboxes wind up, or one other, listed below")
+    assert naming.found_in_words([effect], 60).endswith(
+        "or the gearboxes wind up, or one other, listed below"
+    )
 
 
 def test_a_name_stands_for_a_candidate_without_a_sentence() -> None:

@@ -13,7 +13,7 @@ from scipy.linalg import eigh
 from pkmodes.diagnosis import Candidate, MatrixStructure, Measurements, Parameter, Prediction, diagnose
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Hypothesis
-from pkmodes.diagnosis.fit.observations import QUANTITIES, Measured
+from pkmodes.diagnosis.fit.observations import QUANTITIES, ObservationInput
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.match.pairing import Pairing, tiled
 
@@ -54,7 +54,7 @@ class Residues:
     shape_rates = True
 
     @classmethod
-    def of(cls, measured: Measured, log: dict[int, float]) -> Residues:
+    def of(cls, measured: ObservationInput, log: dict[int, float]) -> Residues:
         data = measured.data
         values = np.array([log[line] for line in data.lines.tolist()])
         sigma = np.full((len(values), 1), RESIDUE_SIGMA)

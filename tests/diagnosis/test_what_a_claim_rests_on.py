@@ -30,7 +30,7 @@ from pkmodes.diagnosis.fit.hypothesis import Hypothesis
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.search.search import Search
 from pkmodes.diagnosis.verdict import reasons
-from pkmodes.diagnosis.verdict.held_out import remarks
+from pkmodes.diagnosis.verdict.held_out import held_out_remarks
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.values import p_absent
 
@@ -184,9 +184,9 @@ def test_a_held_out_error_that_grows_contradicts_a_claim() -> None:
     data = Measurements.from_rows(["A", "B", "B"], [10.0, 20.0, 30.0], [0.1, 0.1, 0.1])
     held, predicted = data.pose == 1, np.array([10.0, 20.1, 24.0])
     before, after = Error(0.01, 0.01, 2.0), Error(0.001, 0.14, 1.0)
-    (note,) = remarks(data, held, predicted, before, after)
+    (note,) = held_out_remarks(data, held, predicted, before, after)
     assert "grows from 1 to 14 %; the worst is line 3 (held-out B, 30 Hz)" in note
-    assert not list(remarks(data, held, predicted, before, Error(0.001, 0.019, 1.0)))
+    assert not list(held_out_remarks(data, held, predicted, before, Error(0.001, 0.019, 1.0)))
 
 
 def test_one_bad_shape_is_not_excused_by_the_scatter_that_it_raises() -> None:

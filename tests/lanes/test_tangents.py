@@ -12,7 +12,7 @@ import pytest
 from helpers.robots.lane_samples import EFFECTS, NAMES, ROOT, SIX_LEGGED, case, robot_of
 from pkmodes.core.compiled import build
 from pkmodes.core.compiled.lanes import ALL_COORDINATES, ALONG_OF_MODES, RATES_OF_MATRICES
-from pkmodes.core.compiled.loader import UnavailableError, load
+from pkmodes.core.compiled.loader import NoLibraryError, load
 from pkmodes.core.mechanism.poses import MAX_CONDITION
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.compiled_solver import CompiledSolver
@@ -190,7 +190,7 @@ def test_headers_of_an_earlier_version_are_to_be_generated_again(
     earlier = header.replace("lanes_extended_statics", "lanes_something_else")
     (tmp_path / "earlier_header" / build.HEADER).write_text(earlier, encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
-    with pytest.raises(UnavailableError) as error:
+    with pytest.raises(NoLibraryError) as error:
         load("earlier_header", "corexy")
     assert "by an earlier version" in error.value.why
     assert "generate it again" in error.value.remedy

@@ -17,7 +17,7 @@ from pkmodes.maps.robots_compared import (
     ModeChange,
     compare_frequencies,
     exchanging,
-    headline,
+    largest_difference,
     mode_changes,
 )
 from pkmodes.maps.workspace import reachable, reachable_by
@@ -159,17 +159,21 @@ def test_what_leads_is_the_largest_difference_of_a_mode_that_keeps_its_partner()
     """The difference of a mode that exchanges, or whose shape is another, is that of several motions."""
     kept, small = change(1, -0.031, 0.0, 0.99), change(2, 0.012, 0.1, 0.8)
     exchanged, unlike = change(3, -0.36, 0.11, 0.99), change(4, 0.5, 0.0, 0.79)
-    assert headline([kept, small]) == "Mode 1 changes most: -3.10 % in the median"
+    assert largest_difference([kept, small]) == "Mode 1 changes most: -3.10 % in the median"
     assert exchanging([kept, small]) == ""
-    found = headline([small, exchanged, unlike])
+    found = largest_difference([small, exchanged, unlike])
     assert found == "Mode 2 changes most, of the modes that can be compared: +1.20 % in the median"
     said = exchanging([kept, small, exchanged, unlike])
     assert said.startswith("modes 3 and 4 cannot be compared: the partner is another one at more than 10 %")
-    assert headline([exchanged]) == "No mode of the first robot is one mode of the second throughout"
+    assert (
+        largest_difference([exchanged]) == "No mode of the first robot is one mode of the second throughout"
+    )
     assert exchanging([exchanged]).endswith("so that its quantiles mix motions")
-    assert headline([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
+    assert largest_difference([change(1, 4.9e-5, 0.0, 1.0)]) == "No frequency changes"
     nothing = ModeChange(5, 0, None, None, None, None, None, None)
-    assert headline([kept, nothing]).startswith("Mode 1 changes most, of the modes that can be compared")
+    assert largest_difference([kept, nothing]).startswith(
+        "Mode 1 changes most, of the modes that can be compared"
+    )
     assert exchanging([kept, nothing]) == ""  # it has no partner at all, which another note says
 
 

@@ -181,9 +181,9 @@ def test_the_client_killed_midway_and_the_same_command_again(
     def counted(tasks: Iterable[tuple[int, Task]], *others: Any) -> None:
         listed = list(tasks)
         started_now.extend(number for number, _ in listed)
-        running.run(listed, *others)
+        running.run_tasks(listed, *others)
 
-    monkeypatch.setattr(mapping, "run", counted)
+    monkeypatch.setattr(mapping, "run_tasks", counted)
     options = ["--scheduler", scheduler] if again == "with the scheduler" else []
     assert run(["map", str(ROBOT), "--grid", GRID_TEXT, "--out", str(out), *options]) == 0
     assert len(started_now) == TASKS - 6

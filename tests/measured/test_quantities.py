@@ -21,8 +21,8 @@ from pkmodes.measured.quantities import (
     IDENTITY,
     LOGARITHM,
     QUANTITIES,
-    Number,
-    Quantity,
+    MeasuredQuantity,
+    NumberColumn,
     Range,
 )
 from pkmodes.measured.scaling import with_errors
@@ -31,13 +31,13 @@ ROWS = "A,0.6,0,-0.245,55,0.1,{}\nA,0.6,0,-0.245,60,0.1,{}\nB,0.5,0,-0.245,50,0.
 
 
 @pytest.fixture
-def bandwidth(monkeypatch: pytest.MonkeyPatch) -> Quantity:
+def bandwidth(monkeypatch: pytest.MonkeyPatch) -> MeasuredQuantity:
     """A quantity of tests: the half-power bandwidth of a resonance."""
     width = Range(1e-3, 1e3, "a bandwidth from 1 mHz to 1 kHz", "leave it blank if unknown")
     error = Range(1e-6, 1e3, "a standard deviation above 0 Hz", "write that of the bandwidth")
-    made_up = Quantity(
-        Number("bandwidth", "bandwidth", "Hz", width),
-        Number("sigma_bandwidth", "bandwidth_sigma", "Hz", error),
+    made_up = MeasuredQuantity(
+        NumberColumn("bandwidth", "bandwidth", "Hz", width),
+        NumberColumn("sigma_bandwidth", "bandwidth_sigma", "Hz", error),
         LOGARITHM,
         usual_sigma=lambda widths: 0.1 * widths,
     )
@@ -45,7 +45,7 @@ def bandwidth(monkeypatch: pytest.MonkeyPatch) -> Quantity:
     return made_up
 
 
-def test_an_entry_of_the_table_is_a_column_of_files(tmp_path: Path, bandwidth: Quantity) -> None:
+def test_an_entry_of_the_table_is_a_column_of_files(tmp_path: Path, bandwidth: MeasuredQuantity) -> None:
     text = f"{HEADER},bandwidth [rad/s],sigma_bandwidth [mHz]\n{ROWS.format('3,20', ',', '4,')}"
     data = read(tmp_path, text)
     widths = np.array([3.0, np.nan, 4.0]) / math.tau
@@ -72,14 +72,14 @@ def test_an_entry_of_the_table_is_a_column_of_files(tmp_path: Path, bandwidth: Q
     ],
 )
 def test_its_mistakes_are_refused_with_line_and_column(
-    tmp_path: Path, bandwidth: Quantity, column: str, row: str, expected: str
+    tmp_path: Path, bandwidth: MeasuredQuantity, column: str, row: str, expected: str
 ) -> None:
     line = refusal(tmp_path, f"{HEADER},{column}\nA,0.6,0,-0.245,55,0.1,{row}\n")
     assert expected in line, line
     assert "line " in line
 
 
-def test_it_goes_with_the_rows_of_measurements(bandwidth: Quantity) -> None:
+def test_it_goes_with_the_rows_of_measurements(bandwidth: MeasuredQuantity) -> None:
     labels, three = ["A", "B", "A"], [1.0, 1.0, 1.0]
     data = Measurements.from_rows(
         labels, [10, 20, 30], three, bandwidth=[1.0, 2.0, np.nan], bandwidth_sigma=0.5
@@ -104,7 +104,7 @@ def test_it_goes_with_the_rows_of_measurements(bandwidth: Quantity) -> None:
     assert error.value.remedy == 'did you mean "bandwidth"?'
 
 
-def test_rows_that_differ_in_it_do_not_repeat_each_other(bandwidth: Quantity) -> None:
+def test_rows_that_differ_in_it_do_not_repeat_each_other(bandwidth: MeasuredQuantity) -> None:
     twice = {"pose": ["A", "A"], "frequency": [10, 10], "sigma": [1, 1]}
     assert Measurements.from_rows(**twice, bandwidth=[1.0, 2.0]).frequency.tolist() == [10.0, 10.0]
     with pytest.raises(MeasurementError, match="repeats line 1"):
@@ -144,7 +144,7 @@ def test_frequencies_are_compared_by_their_logarithms_and_ratios_as_they_are() -
 
 
 @pytest.mark.parametrize("factor", [0.5, 2.0])
-def test_all_errors_are_scaled_together(bandwidth: Quantity, factor: float) -> None:
+def test_all_errors_are_scaled_together(bandwidth: MeasuredQuantity, factor: float) -> None:
     data = Measurements.from_rows(
         ["A", "A", "B"],
         [10.0, 20.0, 30.0],
@@ -185,7 +185,7 @@ def test_errors_are_scaled_as_far_as_a_file_may_state_them() -> None:
     assert smaller.shape_sigma.tolist() == [0.35, 1e-30]
 
 
-def test_columns_of_reports_have_the_heading_of_the_quantity(bandwidth: Quantity) -> None:
+def test_columns_of_reports_have_the_heading_of_the_quantity(bandwidth: MeasuredQuantity) -> None:
     assert (FREQUENCY.value.heading, FREQUENCY.sigma.heading) == (
         "f [Hz]",
         "\N{GREEK SMALL LETTER SIGMA} [Hz]",

@@ -18,7 +18,7 @@ from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import Limits, Radius
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.writing import as_csv
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.updating.measured_robot import MeasuredRobot
 
 LOOP = Path(__file__).resolve().parents[2] / "examples" / "closed_loop"
@@ -150,7 +150,7 @@ def test_the_command_line_states_the_same(
 def test_the_report_says_what_was_stated(read) -> None:
     data = read(f"# prior: {OFFSET} = 2 mm", "# usable: z = -1, 20 cm")
     evidence = SimpleNamespace(labels=["P1"], measured=[50.0], place="pose")
-    facts = str(Setting("x", None, data, (), None).origin(evidence))
+    facts = str(ReportSetting("x", None, data, (), None).origin(evidence))
     assert f"{OFFSET} = 2 mm" in facts
     assert "z = -1.0, 20 cm" in facts
 

@@ -10,7 +10,7 @@ from pkmodes.identification.estimates import turned_real
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.frf_lines import used_lines
 from pkmodes.identification.frf_skirts import without_bandwidth
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 from pkmodes_rig.structures.forced import mac, noise, random_structure, structure
 
 BAND = (10.0, 400.0)
@@ -240,6 +240,6 @@ def test_a_narrow_pole_where_no_lines_are_left_is_a_line_without_bandwidth() -> 
     H = np.random.default_rng(1).standard_normal((len(f), 2, 1)).astype(complex)
     data, _ = used_lines(f, H, None, None, None, ())
     poles = 2.0 * np.pi * np.array([-0.2 + 250.0j, -0.2 + 251.0j])
-    modes = Modes(poles, np.ones((2, 2), complex), np.ones((2, 1), complex))
+    modes = IdentifiedModes(poles, np.ones((2, 2), complex), np.ones((2, 1), complex))
     found = without_bandwidth(data, modes)
     assert [(round(line.frequency), line.sure) for line in found] == [(250, False)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pkmodes.identification.clusters import candidates
+from pkmodes.identification.clusters import pole_clusters
 from pkmodes.identification.lscf import lscf
 from pkmodes_rig.structures.forced import mac, noise, random_structure
 
@@ -30,7 +30,7 @@ def test_clusters_are_the_modes() -> None:
     s = random_structure(rng)
     H = s.response(LINES, [0, 1, 2, 3], [0, 1], 2)
     H = H + noise(rng, H, 0.003 * np.sqrt((np.abs(H) ** 2).mean()))
-    found = candidates(lscf(LINES, H, np.ones((len(LINES), 4)), range(4, 31, 2)), 10.0, 400.0)
+    found = pole_clusters(lscf(LINES, H, np.ones((len(LINES), 4)), range(4, 31, 2)), 10.0, 400.0)
     frequencies = np.array([abs(one.pole) for one in found]) / (2.0 * np.pi)
     for f in s.frequencies[:6]:
         assert (np.abs(frequencies / f - 1.0) < 2e-3).sum() == 1

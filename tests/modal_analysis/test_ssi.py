@@ -7,10 +7,10 @@ from itertools import pairwise
 import numpy as np
 
 from pkmodes.identification.ssi import order, subspace
-from pkmodes.identification.ssi_bands import Lines, Part, correlations, parts
+from pkmodes.identification.ssi_bands import BandPart, SpectralLines, correlations, parts
 from pkmodes.identification.ssi_uncertainty import _changes
 
-PART = Part(20.0, 28.0, 17.6, 30.4)
+PART = BandPart(20.0, 28.0, 17.6, 30.4)
 
 
 def test_correlations_of_three_modes_give_their_poles_and_shapes() -> None:
@@ -32,14 +32,14 @@ def test_changes_of_the_lines_change_poles_and_shapes_as_their_derivatives_say()
     f = np.arange(0.0, 100.0, 0.025)
     psi = rng.normal(size=(3, 2))
     peaks = 1.0 / (1j * 2 * np.pi * (f[:, None] - [22.0, 25.0]) + [2.0, 3.0])
-    lines = Lines(f, peaks @ psi.T)
+    lines = SpectralLines(f, peaks @ psi.T)
     references, lags = np.eye(3), np.arange(1, 41)
     k = int(np.searchsorted(f, 22.1))
 
     def at(change: float) -> tuple[complex, np.ndarray]:
         values = lines.values.copy()
         values[k] *= np.sqrt(1.0 + change)
-        of = order(subspace(correlations([Lines(f, values)], PART, references, lags), 20, 2), 2)
+        of = order(subspace(correlations([SpectralLines(f, values)], PART, references, lags), 20, 2), 2)
         i = int(np.argmin(np.abs(PART.pole(of.values).imag / (2 * np.pi) - 22.0)))
         return complex(of.values[i]), of.shapes[1:, i] / of.shapes[0, i]
 

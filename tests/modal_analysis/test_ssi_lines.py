@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.signal import lfilter
 
-from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_bands import SpectralLines
 from pkmodes.identification.ssi_identification import identify_responses
 from pkmodes.identification.ssi_lines import followed, quantile
 from pkmodes.identification.ssi_selection import Refined
@@ -68,7 +68,7 @@ def responses(decays: float, count: int, rng: np.random.Generator) -> Array:
 
 def statistic(signal: NDArray[np.complex128], decays: float) -> float:
     """Return that of a signal of 1 s around 200 Hz."""
-    lines = Lines(np.arange(-312.0, 712.0) + 0.0, np.fft.fftshift(np.fft.fft(signal))[:, None])
+    lines = SpectralLines(np.arange(-312.0, 712.0) + 0.0, np.fft.fftshift(np.fft.fft(signal))[:, None])
     return followed([lines], Refined(200.0, decays, np.zeros((2, 2)), np.ones(1, complex), 0.0)).statistic
 
 

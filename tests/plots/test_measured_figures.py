@@ -14,7 +14,7 @@ from helpers.pages.report_examples import made_up
 from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined
 from pkmodes.plots import differences, scores, spectrum
-from pkmodes.plots.evidence import Evidence, Stage
+from pkmodes.plots.evidence import ModelStage, PlottedEvidence
 from pkmodes.plots.mac_matrices import mac_matrices
 from pkmodes.plots.style import BLUE, GREEN, GREY
 from pkmodes.report import figures
@@ -37,14 +37,14 @@ AFTER = replace(
     sigmas=np.array([0.5, 0.25, NAN, -0.5, -0.75]),
     spectrum=np.array([[100.5, 201.0, 390.0], [99.5, 185.0, 199.0]]),
 )
-EVIDENCE = Evidence(
+EVIDENCE = PlottedEvidence(
     labels=("A", "B"),
     setup=np.array([0, 0, 0, 1, 1]),
     measured=np.array([100.0, 200.0, 300.0, 100.0, 200.0]),
     sigma=np.ones(5),
     held_out=np.array([False, False, False, True, True]),
     outlier=np.array([False, True, False, False, False]),
-    stages=(Stage("before", "as declared", BEFORE), Stage("after", "with the cause", AFTER)),
+    stages=(ModelStage("before", "as declared", BEFORE), ModelStage("after", "with the cause", AFTER)),
     points=np.array([[0.1, 0.0, -0.2], [0.3, 0.0, -0.2]]),
     components=("x", "y", "z"),
     units=("m", "m", "m"),
@@ -198,7 +198,7 @@ def test_captions_say_the_errors_of_each_stage() -> None:
 def test_stages_are_named_as_they_are() -> None:
     result, data = made_up(3, 2)
     assert result.stages is not None
-    found = Evidence.of(result, data)
+    found = PlottedEvidence.of(result, data)
     assert [(stage.key, stage.title) for stage in found.stages] == [
         ("before", "as declared"),
         ("after", "with the cause"),
@@ -206,10 +206,10 @@ def test_stages_are_named_as_they_are() -> None:
     assert found.stages[0].predicted is result.stages.before
     assert found.stages[1].predicted is result.stages.after
     refitted = replace(result, stages=replace(result.stages, after=None))
-    assert [stage.title for stage in Evidence.of(refitted).stages] == ["as declared", "refitted"]
-    assert Evidence.of(refitted).last.predicted is result.stages.refit
+    assert [stage.title for stage in PlottedEvidence.of(refitted).stages] == ["as declared", "refitted"]
+    assert PlottedEvidence.of(refitted).last.predicted is result.stages.refit
     twice = replace(result, effects=result.effects * 2)
-    assert Evidence.of(twice).last.title == "with the causes"
+    assert PlottedEvidence.of(twice).last.title == "with the causes"
 
 
 def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_standing() -> None:
@@ -223,7 +223,7 @@ def test_candidates_stand_in_the_order_of_their_scores_with_the_colour_of_their_
             ("servo_stiffness", 1.0, True),
         )
     )
-    drawn = scores.candidates(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
+    drawn = scores.candidate_scores(replace(result, candidates=tested, survivors=(("belt_mass + other",),)))
     assert drawn is not None
     (axes,) = drawn.figure.axes
     assert [label.get_text() for label in axes.get_yticklabels()] == [

@@ -20,7 +20,7 @@ from pkmodes.diagnosis.posterior.document import ClassProbability, PairProbabili
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.report.action import LIKELY, _alike, action
 from pkmodes.report.formatting import sentence
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 
 ROOT = Path(__file__).parents[2]
 #: Words that are surer than a verdict without a claim.
@@ -29,7 +29,7 @@ SURE = re.compile(r"likely|certain|found|is the cause|are the causes")
 
 def said(result: Diagnosis, robot: pkmodes.Robot | None = None) -> dict[str, str]:
     """What is said, by its titles; of several ways, the last."""
-    entries = action(result, Setting("", robot, None, (), None)).entries
+    entries = action(result, ReportSetting("", robot, None, (), None)).entries
     return {title: " ".join(cell.typed for cell in cells) for title, cells in entries}
 
 
@@ -93,7 +93,7 @@ def test_nothing_is_surer_than_the_verdict(verdict: str, tmp_path: Path) -> None
 
 def test_every_remaining_explanation_has_a_place(tmp_path: Path) -> None:
     result, robot, _ = diagnosed("ambiguous", tmp_path)
-    titles = [title for title, _ in action(result, Setting("", robot, None, (), None)).entries]
+    titles = [title for title, _ in action(result, ReportSetting("", robot, None, (), None)).entries]
     assert titles == ["inspect", "or", "or", "difference", "how sure", "measure next"]
 
 

@@ -17,7 +17,7 @@ from helpers.pages.page_reading import Element, read
 from pkmodes.cli import run
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.core.robot.reading import robot_from_document
-from pkmodes.maps.poses import Grid
+from pkmodes.maps.poses import PoseGrid
 from pkmodes.report.map import map_report
 from pkmodes.report.map_summary import _headline
 
@@ -175,11 +175,11 @@ def test_it_fits_a_phone_and_axe_has_no_grave_findings(page: Path) -> None:
 
 
 @pytest.fixture
-def drawn(monkeypatch: pytest.MonkeyPatch) -> list[Grid]:
+def drawn(monkeypatch: pytest.MonkeyPatch) -> list[PoseGrid]:
     """The planes in which the figures of the robot are drawn, instead of the figures."""
-    planes: list[Grid] = []
+    planes: list[PoseGrid] = []
 
-    def remember(model: pkmodes.Model, places: Grid, **_: object) -> list[object]:
+    def remember(model: pkmodes.Model, places: PoseGrid, **_: object) -> list[object]:
         planes.append(places)
         return []
 
@@ -201,7 +201,7 @@ def test_sweeps_samples_and_poses_have_their_sections() -> None:
 
 
 @pytest.mark.usefixtures("no_drawing")
-def test_a_sweep_is_drawn_in_the_plane_that_was_swept(drawn: list[Grid]) -> None:
+def test_a_sweep_is_drawn_in_the_plane_that_was_swept(drawn: list[PoseGrid]) -> None:
     model = pkmodes.load(ROBOT)
     plane = {"x": np.linspace(0.4, 0.8, 9), "y": np.linspace(-0.1, 0.1, 7), "z": -0.2}
     sweep = {"platform.mass": [2.0, 1.0], "belt.width": [0.01, 0.02]}
@@ -220,7 +220,7 @@ def test_a_sweep_is_drawn_in_the_plane_that_was_swept(drawn: list[Grid]) -> None
 
 
 @pytest.mark.usefixtures("no_drawing")
-def test_a_volume_that_was_swept_is_drawn_in_a_plane_of_its_own(drawn: list[Grid]) -> None:
+def test_a_volume_that_was_swept_is_drawn_in_a_plane_of_its_own(drawn: list[PoseGrid]) -> None:
     model = pkmodes.load(ROBOT)
     axes = {"x": np.linspace(0.4, 0.8, 5), "y": np.linspace(-0.1, 0.1, 4), "z": np.linspace(-0.3, -0.2, 3)}
     found = model.map(axes, sweep={"platform.mass": [1.0, 2.0]})
@@ -234,7 +234,7 @@ def test_a_volume_that_was_swept_is_drawn_in_a_plane_of_its_own(drawn: list[Grid
 
 @pytest.mark.usefixtures("no_drawing")
 @pytest.mark.parametrize("x", [0.6, np.linspace(0.5, 0.7, 3)])
-def test_a_sweep_without_a_plane_says_so(drawn: list[Grid], x: object) -> None:
+def test_a_sweep_without_a_plane_says_so(drawn: list[PoseGrid], x: object) -> None:
     model = pkmodes.load(ROBOT)
     found = model.map({"x": x, "y": 0.0, "z": -0.245}, sweep={"platform.mass": [1.0, 2.0]})
     section = read(map_report(model, found)).by_id("figures")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pkmodes.report.blocks import Cell, Column
-from pkmodes.report.formatting import figures, uncertain
+from pkmodes.report.formatting import figures, uncertain_cell
 from pkmodes.report.tables import table
 
 COLUMNS = [
@@ -40,7 +40,7 @@ def test_what_differs_once_stays_under_its_title() -> None:
 
 
 def test_numbers_that_round_to_the_same_and_a_single_row_stay() -> None:
-    same = [[Cell(str(i)), figures(0.2000001 * 1.0000001**i, 2), uncertain(2.0, 1.0)] for i in range(3)]
+    same = [[Cell(str(i)), figures(0.2000001 * 1.0000001**i, 2), uncertain_cell(2.0, 1.0)] for i in range(3)]
     made = table("Values.", [Column("a"), Column("b"), Column("c")], same)
     assert titles(made) == ["a", "b", "c"]
     assert titles(table("Modes.", COLUMNS, [row(1, 29.98)])) == ["mode", "f [Hz]", "files", "motors"]

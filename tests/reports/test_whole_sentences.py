@@ -11,7 +11,7 @@ import pytest
 from helpers.pages.report_examples import made_up
 from helpers.robots.robot_text import PUBLISHED
 from pkmodes import read_robot
-from pkmodes.cli.diagnosis_tables import show
+from pkmodes.cli.diagnosis_tables import show_diagnosis
 from pkmodes.diagnosis.verdict.findings import Examined
 from pkmodes.plots.scores import WHOLE, _label
 from pkmodes.report import report
@@ -46,7 +46,7 @@ def test_every_sentence_of_a_diagnosis_is_whole(capsys: pytest.CaptureFixture[st
     page = read(report(result, data=data))
     for end in ("the reason", "the headline", "why nothing is proposed", "a note", "a candidate"):
         assert f"elsewhere ends {end}" in page
-    show(read_robot(PUBLISHED), result)
+    show_diagnosis(read_robot(PUBLISHED), result)
     printed = " ".join(capsys.readouterr().out.split())
     for end in ("the reason", "why nothing is proposed", "a note"):
         assert f"elsewhere ends {end}" in printed

@@ -17,7 +17,7 @@ from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping import KINDS, residual, shaper
 from pkmodes.shaping.choice import choose, lines_of
 from pkmodes.shaping.fixed import best_fixed
-from pkmodes.shaping.remarks import remarks
+from pkmodes.shaping.remarks import firmware_remarks
 from pkmodes.shaping.residual_vibration import residual_of_even
 from pkmodes.shaping.ringing import Ringing, ringing
 
@@ -226,7 +226,7 @@ def test_what_a_chosen_firmware_lacks_is_not_recommended() -> None:
         best = chosen.candidates[chosen.recommended]
         assert best.kind == shortest.kind
         assert lines_of(best)[name] is not None
-    (note,) = [note for note in remarks(free) if note.startswith("no zv*zv in ")]
+    (note,) = [note for note in firmware_remarks(free) if note.startswith("no zv*zv in ")]
     worst = next(one for one in fixed if one.kind == "2hump_ei").left.worst
     assert note == (
         "no zv*zv in Klipper and Marlin; of those compared that it has, 2hump_ei is the shortest that leaves at most "

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pkmodes.signals.functions import Asked, Kind
+from pkmodes.signals.functions import FunctionKind, SignalRequest
 from pkmodes.signals.reading import read_signals
 from pkmodes_rig.engine import TrueModes
 from pkmodes_rig.signals import adxl345, excitation
@@ -88,8 +88,8 @@ def test_files_hold_what_was_written(name: str, tmp_path: Path) -> None:
     force, motion = rng.standard_normal(512), rng.standard_normal((512, 2))
     path = tmp_path / f"signals{style.suffix}"
     style.write_times(path, 1.0 / 512.0, force, motion)
-    read = read_signals(path, Asked())
-    signals = {one.response: one for one in read.functions if one.kind is Kind.TIME}
+    read = read_signals(path, SignalRequest())
+    signals = {one.response: one for one in read.functions if one.kind is FunctionKind.TIME}
     for i in range(2):
         one = signals[style.sensor(i)]
         np.testing.assert_allclose(one.values, motion[:, i], rtol=1e-6, atol=1e-6)
@@ -100,7 +100,7 @@ def test_files_hold_what_was_written(name: str, tmp_path: Path) -> None:
     made = averaged(1.0 / 512.0, force, motion, 128, 200.0)
     path = tmp_path / f"functions{style.suffix}"
     style.write_functions(path, made)
-    functions = [one for one in read_signals(path, Asked()).functions if one.kind is Kind.FRF]
+    functions = [one for one in read_signals(path, SignalRequest()).functions if one.kind is FunctionKind.FRF]
     assert {one.response for one in functions} == {style.sensor(0), style.sensor(1)}
     for one in functions:
         i = 0 if one.response == style.sensor(0) else 1
@@ -124,7 +124,7 @@ def test_the_chip_has_its_rate_its_steps_and_its_gap(tmp_path: Path) -> None:
     assert at_rest == pytest.approx(np.hypot(0.2, 0.074 / np.sqrt(12.0)), rel=0.03)
 
     adxl345.write_raw(tmp_path / "raw.csv", made)
-    read = read_signals(tmp_path / "raw.csv", Asked())
+    read = read_signals(tmp_path / "raw.csv", SignalRequest())
     assert {one.response for one in read.functions} == {"accel_x", "accel_y", "accel_z"}
     np.testing.assert_allclose(read.functions[0].abscissa - 100.0, made.times, atol=2e-6)
 

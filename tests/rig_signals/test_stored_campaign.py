@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pkmodes.cli import run
-from pkmodes.signals.functions import Asked
+from pkmodes.signals.functions import SignalRequest
 from pkmodes.signals.reading import read_signals
 from pkmodes_rig.signals import example
 
@@ -25,7 +25,7 @@ def test_the_rig_writes_the_same_files_again(tmp_path: Path) -> None:
             assert again.read_text(encoding="utf-8") == stored.read_text(encoding="utf-8")
         elif name in ("p1_1.uff", "p5_2.uff"):
             for one, other in zip(
-                *(read_signals(path, Asked()).functions for path in (again, stored)), strict=True
+                *(read_signals(path, SignalRequest()).functions for path in (again, stored)), strict=True
             ):
                 scale = np.abs(other.values).max()
                 # Other libraries of linear algebra round otherwise; the files have single precision.

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.signals.functions import Asked
+from pkmodes.signals.functions import SignalRequest
 from pkmodes.signals.reading import read_signals
 from pkmodes_rig.signals import roving_hammer, tapped_hexapod, tapped_printer
 
@@ -22,7 +22,7 @@ def test_the_rig_writes_the_blows_of_the_roving_hammer_again(tmp_path: Path) -> 
     }
     assert (tmp_path / "robot.toml").read_text("utf-8") == (stored / "robot.toml").read_text("utf-8")
     for name in ("P1_x_1.uff", "P4_p_z.uff"):
-        made, kept = (read_signals(folder / name, Asked()).functions for folder in (tmp_path, stored))
+        made, kept = (read_signals(folder / name, SignalRequest()).functions for folder in (tmp_path, stored))
         for one, other in zip(made, kept, strict=True):
             # Other libraries of linear algebra round otherwise; the files have single precision.
             np.testing.assert_allclose(
@@ -55,7 +55,7 @@ def test_the_oracle_writes_the_functions_of_the_hexapod_again(tmp_path: Path) ->
     shutil.copy(stored / "robot.toml", tmp_path)
     for name, contents in tapped_hexapod.files(tmp_path, dict(list(poses.items())[:2])):
         (tmp_path / name).write_bytes(contents)
-        made, kept = (read_signals(folder / name, Asked()).functions for folder in (tmp_path, stored))
+        made, kept = (read_signals(folder / name, SignalRequest()).functions for folder in (tmp_path, stored))
         for one, other in zip(made, kept, strict=True):
             np.testing.assert_allclose(
                 one.values, other.values, rtol=0, atol=1e-5 * np.abs(other.values).max()

@@ -21,7 +21,7 @@ from helpers.references.loop_solver import LoopSolver
 from pkmodes.core.compiled.evaluator import Evaluator, Room
 from pkmodes.core.solve import backends
 from pkmodes.core.solve.fields import FIELDS
-from pkmodes.core.solve.mode_fields import ModeFields, Plan
+from pkmodes.core.solve.mode_fields import FieldPlan, ModeFields
 from pkmodes.core.solve.results import Modes
 from pkmodes.core.system.dissipation import Dissipation
 from pkmodes.core.system.strain_free import StrainFreeMotions
@@ -182,7 +182,7 @@ def test_a_second_call_works_out_nothing(
 ) -> None:
     made: list[str] = []
     monkeypatch.setattr(ModeFields, "__init__", counting(made, "fields", ModeFields.__init__))
-    monkeypatch.setattr("pkmodes.core.model.Plan", counting(made, "plan", Plan))
+    monkeypatch.setattr("pkmodes.core.model.FieldPlan", counting(made, "plan", FieldPlan))
     monkeypatch.setattr(Evaluator, "room", counting(made, "room", Evaluator.room))
     honest = backends.solver_of
     for module in ("core.model", "core.solve.mode_fields"):

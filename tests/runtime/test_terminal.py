@@ -19,7 +19,7 @@ from pkmodes.report.blocks import (
     Summary,
     Table,
 )
-from pkmodes.report.formatting import figures, hertz, label, number, thousands, uncertain, unit_cell
+from pkmodes.report.formatting import figures, hertz, label, number, thousands, uncertain_cell, unit_cell
 from pkmodes.report.page import page
 
 TABLE = Table(
@@ -33,7 +33,7 @@ TABLE = Table(
     ],
     [
         [Cell.named("the mass", "a.mass"), hertz(12.0), number(-0.0, "+.2f"), Cell("no"), unit_cell("N*m^2")],
-        [label("P\u20131"), uncertain(1.92e-4, 8.3e-5), figures(None), Cell("no"), unit_cell("1")],
+        [label("P\u20131"), uncertain_cell(1.92e-4, 8.3e-5), figures(None), Cell("no"), unit_cell("1")],
     ],
     [("", 1), ("measured", 2), ("", 2)],
     "\u2013: none.",

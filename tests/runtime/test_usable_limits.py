@@ -18,7 +18,7 @@ from pkmodes.codegen.generation import specification
 from pkmodes.core.base.errors import PkmodesError, RobotFileError
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
-from pkmodes.core.robot.usable import Radius, in_words
+from pkmodes.core.robot.usable import Radius, limits_in_words
 from pkmodes.dataset.robot_text import text_of
 from pkmodes.maps.workspace import limits_of
 from pkmodes.robot_files.differences import differences
@@ -123,7 +123,7 @@ def test_a_radius_and_an_angle_are_read_in_si_units_and_told_in_words(tmp_path: 
     assert list(robot.usable) == ["radius", "singular_angle"]
     assert robot.usable["radius"] == Radius(0.12, (0.0, 0.0))
     assert robot.usable["singular_angle"] == pytest.approx((math.radians(15.0),), rel=1e-15)
-    assert in_words(robot.mechanism, robot.usable) == (
+    assert limits_in_words(robot.mechanism, robot.usable) == (
         "at most 0.12 m from x = 0 m, y = 0 m, every rod at least 15 deg from its singular direction"
     )
     aside = read(tmp_path, ASIDE)

@@ -9,7 +9,7 @@ import pytest
 from helpers.robots.one_of_each import EVERY
 from pkmodes import read_robot
 from pkmodes.sensitivity.paths import paths
-from pkmodes.support.words import in_words
+from pkmodes.support.words import meaning_of
 
 ROBOTS = Path(__file__).parents[2] / "robots"
 
@@ -41,13 +41,13 @@ ROBOTS = Path(__file__).parents[2] / "robots"
     ],
 )
 def test_the_words_of_a_path(robot: str, path: str, words: str) -> None:
-    assert in_words(read_robot(ROBOTS / f"{robot}.toml").mechanism, path) == words
+    assert meaning_of(read_robot(ROBOTS / f"{robot}.toml").mechanism, path) == words
 
 
 @pytest.mark.parametrize("robot", EVERY.values())
 def test_every_path_of_a_robot_has_words_of_its_own(robot: str) -> None:
     declared = read_robot(ROBOTS / robot)
-    words = {path: in_words(declared.mechanism, path) for path in paths(declared)}
+    words = {path: meaning_of(declared.mechanism, path) for path in paths(declared)}
     assert all(words.values())
     assert len(set(words.values())) == len(words)
     assert not any(" j" in f" {text} ".replace(" joint", "") or "_j" in text for text in words.values())

@@ -17,7 +17,7 @@ import pytest
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.campaign.identify import identify
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, Kind
+from pkmodes.signals.functions import FunctionKind, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 #: A decay at 41.3 Hz in x and one at 63.7 Hz in y, noise in z [mm/s^2], as Klipper prints them: with six decimals.
@@ -88,9 +88,9 @@ SHORT = samples(1, 0.5), samples(2, 0.5)
 def test_one_of_several_measurements_is_read(tmp_path: Path, frames: int) -> None:
     path = tmp_path / "belts.stdata"
     path.write_bytes(compressed(as_lines({"A_2025": SHORT[0], "B_2025": SHORT[1]}), frames))
-    found = read_signals(path / "B_2025", Asked(sensors=frozenset(["accel_y"])))
+    found = read_signals(path / "B_2025", SignalRequest(sensors=frozenset(["accel_y"])))
     (one,) = found.functions
-    assert (one.kind, one.response, one.unit) == (Kind.TIME, "accel_y", "mm/s^2")
+    assert (one.kind, one.response, one.unit) == (FunctionKind.TIME, "accel_y", "mm/s^2")
     np.testing.assert_array_equal(one.values, SHORT[1][:, 2])
     np.testing.assert_allclose(np.diff(one.abscissa), 1.0 / RATE, rtol=1e-3)
     names = [one.response for one in read_signals(str(path / "A_2025")).functions]

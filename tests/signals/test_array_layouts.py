@@ -10,7 +10,7 @@ import pytest
 from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.functions import SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.25, 0.5, 0.75])
@@ -52,10 +52,10 @@ WRITERS: dict[str, Callable[[Path, dict[str, object]], None]] = {
 
 @pytest.fixture(params=WRITERS)
 def read(request: pytest.FixtureRequest, tmp_path: Path) -> Callable[..., SignalFile]:
-    def reader(asked: Asked | None = None, **content: object) -> SignalFile:
+    def reader(asked: SignalRequest | None = None, **content: object) -> SignalFile:
         path = tmp_path / request.param
         WRITERS[request.param](path, content)
-        return read_signals(path, asked or Asked())
+        return read_signals(path, asked or SignalRequest())
 
     return reader
 
@@ -74,7 +74,7 @@ def test_columns_of_a_matrix_are_signals_whichever_way_it_lies(
     found = read(t=TIME, data=SIGNALS.T if turned else SIGNALS)
     assert values(found) == COLUMNS
     assert found.functions[0].abscissa.tolist() == TIME.tolist()
-    only = read(Asked(sensors=frozenset({"data_2"})), t=TIME, data=SIGNALS)
+    only = read(SignalRequest(sensors=frozenset({"data_2"})), t=TIME, data=SIGNALS)
     assert values(only) == {"data_2/": SIGNALS[:, 1].tolist()}
 
 
@@ -84,7 +84,7 @@ def test_a_sampling_rate_stands_in_for_times(read: Callable[..., SignalFile], na
     assert values(found) == COLUMNS
     assert found.functions[0].abscissa.tolist() == TIME.tolist()
     with pytest.raises(MeasurementError, match="the campaign says a rate of 5 Hz, and the file 4 Hz"):
-        read(Asked(rate=5.0), data=SIGNALS, **{name: 4.0})
+        read(SignalRequest(rate=5.0), data=SIGNALS, **{name: 4.0})
 
 
 @pytest.mark.parametrize("name", ["f", "freq", "frequencyBand"])
@@ -119,7 +119,7 @@ def test_fields_of_structs_are_variables(tmp_path: Path, name: str) -> None:
 def test_a_single_array_of_numpy_is_called_data(tmp_path: Path) -> None:
     path = tmp_path / "x.npy"
     np.save(path, SIGNALS)
-    assert values(read_signals(path, Asked(rate=4.0))) == COLUMNS
+    assert values(read_signals(path, SignalRequest(rate=4.0))) == COLUMNS
     with pytest.raises(MeasurementError, match="expected times, frequencies or a sampling rate, found data"):
         read_signals(path)
     np.save(path, np.rec.fromarrays([TIME, SIGNALS[:, 0]], names="time,acc"))
@@ -152,5 +152,5 @@ def test_the_columns_of_a_matrix_that_is_taken_for_a_sensor_are_named(
     read: Callable[..., SignalFile],
 ) -> None:
     with pytest.raises(MeasurementError, match="expected a vector of numbers") as error:
-        read(Asked(sensors=frozenset({"data"})), fs=4.0, data=SIGNALS)
+        read(SignalRequest(sensors=frozenset({"data"})), fs=4.0, data=SIGNALS)
     assert error.value.remedy == "name its columns: data_1, data_2, data_3"

@@ -9,7 +9,7 @@ import pytest
 from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, Function, SignalFile
+from pkmodes.signals.functions import Function, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.25, 0.5, 0.75])
@@ -39,7 +39,9 @@ def by_name(found: SignalFile) -> dict[str, Function]:
 @pytest.mark.parametrize("time", ["TIME", "Time", "Time_domain"])
 def test_names_in_capitals_or_not(path: Path, time: str) -> None:
     found = by_name(
-        read_signals(written(path, **{time: TIME, "Force": FORCE, "X": X}), Asked(sensors=frozenset("x")))
+        read_signals(
+            written(path, **{time: TIME, "Force": FORCE, "X": X}), SignalRequest(sensors=frozenset("x"))
+        )
     )
     assert found["x"].values.tolist() == X.tolist()
     assert found["x"].abscissa.tolist() == TIME.tolist()
@@ -61,14 +63,16 @@ def test_single_capitals_are_no_abscissas(path: Path) -> None:
 
 
 def test_a_sensor_of_the_same_name_is_no_force(path: Path) -> None:
-    (found,) = read_signals(written(path, time=TIME, Force=X), Asked(sensors=frozenset({"Force"}))).functions
+    (found,) = read_signals(
+        written(path, time=TIME, Force=X), SignalRequest(sensors=frozenset({"Force"}))
+    ).functions
     assert (found.response, found.force) == ("Force", False)
 
 
 def test_the_record_may_say_what_variables_are_called(path: Path) -> None:
     names = {"time": "elapsed", "force": "Hammer", "acc": "ch2"}
     written(path, elapsed=TIME, hammer=FORCE, ch2=Y, t=X, acc=X, force=X)
-    found = by_name(read_signals(path, Asked(sensors=frozenset({"acc"}), names=names)))
+    found = by_name(read_signals(path, SignalRequest(sensors=frozenset({"acc"}), names=names)))
     assert sorted(found) == ["acc", "force"]
     assert found["acc"].abscissa.tolist() == TIME.tolist()
     assert found["acc"].values.tolist() == Y.tolist()
@@ -78,7 +82,7 @@ def test_the_record_may_say_what_variables_are_called(path: Path) -> None:
 
 def test_a_column_of_a_matrix_may_be_the_force(path: Path) -> None:
     written(path, fs=4.0, data=np.column_stack([FORCE, X, Y]))
-    asked = Asked(sensors=frozenset({"data_2"}), names={"force": "data_1"})
+    asked = SignalRequest(sensors=frozenset({"data_2"}), names={"force": "data_1"})
     found = by_name(read_signals(path, asked))
     assert found["force"].values.tolist() == FORCE.tolist()
     assert found["data_2"].values.tolist() == X.tolist()
@@ -86,7 +90,9 @@ def test_a_column_of_a_matrix_may_be_the_force(path: Path) -> None:
 
 def test_frequencies_that_the_record_names_prevail_over_times(path: Path) -> None:
     written(path, time=TIME, lines=1.0 + TIME, H=X + 1j * Y)
-    (found,) = read_signals(path, Asked(names={"frequency": "lines"}, sensors=frozenset("H"))).functions
+    (found,) = read_signals(
+        path, SignalRequest(names={"frequency": "lines"}, sensors=frozenset("H"))
+    ).functions
     assert (found.kind, found.abscissa.tolist()) == ("frf", (1.0 + TIME).tolist())
 
 
@@ -95,9 +101,9 @@ def test_names_that_are_not_there_are_errors_with_those_found(path: Path) -> Non
     with pytest.raises(
         MeasurementError, match='expected "Force", which the record names as its force, found "hammer"'
     ):
-        read_signals(path, Asked(names={"force": "Force"}))
+        read_signals(path, SignalRequest(names={"force": "Force"}))
     with pytest.raises(MeasurementError, match='expected "clock", which the record names as its time'):
-        read_signals(path, Asked(names={"time": "clock"}))
+        read_signals(path, SignalRequest(names={"time": "clock"}))
     with pytest.raises(MeasurementError) as error:
         read_signals(written(path, clock=TIME, x=X))
     assert "found clock, x" in error.value.what
@@ -112,7 +118,7 @@ def test_one_of_several_measurements(path: Path) -> None:
     assert found["records_2"].values.tolist() == RECORDS[:, 1, 1].tolist()
     assert found["force"].force
     assert found["force"].values.tolist() == BLOWS[:, 1].tolist()
-    of_columns = Asked(names={"force": "records_1"}, sensors=frozenset({"records_2"}))
+    of_columns = SignalRequest(names={"force": "records_1"}, sensors=frozenset({"records_2"}))
     found = by_name(read_signals(written(path, records=RECORDS, fs=4.0) / "3", of_columns))
     assert found["force"].values.tolist() == RECORDS[:, 0, 2].tolist()
     assert found["records_2"].values.tolist() == RECORDS[:, 1, 2].tolist()
@@ -132,7 +138,7 @@ def test_the_measurement_has_to_be_named(path: Path) -> None:
         read_signals(path)
     assert f'files = ["{path.name}/1", "{path.name}/2"]' in error.value.remedy
     assert (
-        read_signals(path / "1", Asked(sensors=frozenset({"x"}))).functions == ()
+        read_signals(path / "1", SignalRequest(sensors=frozenset({"x"}))).functions == ()
     )  # the campaign says what is there
     with pytest.raises(MeasurementError, match='expected a measurement from 1 to 3, found "4"'):
         read_signals(path / "4")

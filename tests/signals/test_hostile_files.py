@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked
+from pkmodes.signals.functions import SignalRequest
 from pkmodes.signals.reading import read_signals
 from signals import hostile
 from signals.hostile import CASES
@@ -39,7 +39,7 @@ def test_reading_takes_four_times_the_file(
 
 def refusal(path: Path, *sensors: str) -> MeasurementError:
     with pytest.raises(MeasurementError) as error:
-        read_signals(path, Asked(sensors=frozenset(sensors)))
+        read_signals(path, SignalRequest(sensors=frozenset(sensors)))
     assert str(path) in error.value.where
     assert error.value.remedy
     return error.value
@@ -64,7 +64,7 @@ def linked(tmp_path: Path) -> Path:
 
 def read_x(path: Path) -> list[str]:
     """Read the sound sensor of a file, and return what is said."""
-    read = read_signals(path, Asked(sensors=frozenset({"x"})))
+    read = read_signals(path, SignalRequest(sensors=frozenset({"x"})))
     (found,) = read.functions
     np.testing.assert_array_equal(found.values, hostile.numbers(1000, 1)[:, 0])
     return [one.partition(": ")[2] for one in read.messages]
@@ -114,7 +114,7 @@ def test_what_is_in_another_file_is_not_read(linked: Path) -> None:
         assert f"{name}: skipped: an array whose values are in another file holds no signals" in said
         assert "found an array whose values are in another file" in refusal(linked, name).what
     assert "found a link that leads to nothing in the file" in refusal(linked, "pipe").what
-    (there,) = read_signals(linked, Asked(sensors=frozenset({"there"}))).functions
+    (there,) = read_signals(linked, SignalRequest(sensors=frozenset({"there"}))).functions
     np.testing.assert_array_equal(there.values, hostile.numbers(1000, 1)[:, 0])
 
 

@@ -12,14 +12,19 @@ from scipy.io import savemat
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals import arrays
-from pkmodes.signals.functions import Asked, Kind, SignalFile
+from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 TIME = np.array([0.0, 0.5, 1.0])
 RESPONSE = np.array([1 + 2j, 3 - 4j, 5j])
 
 
-def read(folder: Path, asked: Asked = Asked(), form: str = "5", **content: object) -> SignalFile:  # noqa: B008
+def read(
+    folder: Path,
+    asked: SignalRequest = SignalRequest(),  # noqa: B008
+    form: str = "5",
+    **content: object,
+) -> SignalFile:
     path = folder / "signals.mat"
     savemat(path, content, format=form)
     return read_signals(path, asked)
@@ -34,15 +39,15 @@ def test_signals_in_time(tmp_path: Path, form: str, shape: tuple[int, int]) -> N
     assert found["acc_1"].values.tolist() == [0.0, 0.25, 1.0]
     assert (found["force"].force, found["force"].values.dtype) == (True, np.float64)
     assert found["acc_1"].abscissa.tolist() == TIME.tolist()
-    assert (found["acc_1"].kind, found["acc_1"].unit) == (Kind.TIME, None)
+    assert (found["acc_1"].kind, found["acc_1"].unit) == (FunctionKind.TIME, None)
 
 
 def test_frequency_responses_and_spectra(tmp_path: Path) -> None:
     found = read(tmp_path, frequency=TIME, acc_1=RESPONSE, acc_2__hammer_1=RESPONSE, psd=TIME).functions
     assert [(one.kind, one.response, one.reference) for one in found] == [
-        (Kind.FRF, "acc_1", ""),
-        (Kind.FRF, "acc_2", "hammer_1"),
-        (Kind.SPECTRUM, "psd", ""),
+        (FunctionKind.FRF, "acc_1", ""),
+        (FunctionKind.FRF, "acc_2", "hammer_1"),
+        (FunctionKind.SPECTRUM, "psd", ""),
     ]
     assert found[1].values.tolist() == RESPONSE.tolist()
 
@@ -61,15 +66,15 @@ def test_other_variables_are_skipped_and_said(tmp_path: Path) -> None:
 
 
 def test_a_rate_stands_in_for_times(tmp_path: Path) -> None:
-    (found,) = read(tmp_path, Asked(rate=2.0), acc_1=np.array([1.0, 2.0, 3.0])).functions
+    (found,) = read(tmp_path, SignalRequest(rate=2.0), acc_1=np.array([1.0, 2.0, 3.0])).functions
     assert found.abscissa.tolist() == [0.0, 0.5, 1.0]
-    asked = Asked(rate=2.0, sensors=frozenset({"acc_1"}))
+    asked = SignalRequest(rate=2.0, sensors=frozenset({"acc_1"}))
     (found,) = read(tmp_path, asked, a_calibration=TIME[:2], acc_1=TIME).functions
     assert found.abscissa.tolist() == [0.0, 0.5, 1.0]
 
 
 def test_only_wanted_sensors_are_kept(tmp_path: Path) -> None:
-    asked = Asked(sensors=frozenset({"acc_2"}))
+    asked = SignalRequest(sensors=frozenset({"acc_2"}))
     found = read(tmp_path, asked, time=TIME, acc_1=TIME[:2], acc_2=TIME, force=TIME)
     assert {one.response for one in found.functions} == {"acc_2", "force"}
 
@@ -95,15 +100,15 @@ def test_faults_are_refused(tmp_path: Path, fault: str) -> None:
 
 def test_gaps_of_frequency_responses_outside_the_band_are_no_damage(tmp_path: Path) -> None:
     response = np.array([complex(np.nan, 0.0), 3 - 4j, 5j])
-    (found,) = read(tmp_path, Asked(band=(0.5, 1.0)), frequency=TIME, acc_1=response).functions
+    (found,) = read(tmp_path, SignalRequest(band=(0.5, 1.0)), frequency=TIME, acc_1=response).functions
     assert np.isnan(found.values).tolist() == [True, False, False]
     with pytest.raises(MeasurementError, match="as value 1"):
-        read(tmp_path, Asked(band=(0.0, 1.0)), frequency=TIME, acc_1=response)
+        read(tmp_path, SignalRequest(band=(0.0, 1.0)), frequency=TIME, acc_1=response)
 
 
 def test_a_matrix_for_a_wanted_sensor_is_refused(tmp_path: Path) -> None:
     with pytest.raises(MeasurementError, match="vector") as caught:
-        read(tmp_path, Asked(sensors=frozenset({"acc_1"})), time=TIME, acc_1=np.ones((3, 2)))
+        read(tmp_path, SignalRequest(sensors=frozenset({"acc_1"})), time=TIME, acc_1=np.ones((3, 2)))
     assert "acc_1" in caught.value.where
 
 
@@ -183,7 +188,9 @@ def peak_of(path: Path, *sensors: str) -> tuple[SignalFile | str, int]:
     """Return what is read, or why not, and the bytes that this takes at most."""
     tracemalloc.start()
     try:
-        return read_signals(path, Asked(sensors=frozenset(sensors))), tracemalloc.get_traced_memory()[1]
+        return read_signals(path, SignalRequest(sensors=frozenset(sensors))), tracemalloc.get_traced_memory()[
+            1
+        ]
     except MeasurementError as error:
         return str(error), tracemalloc.get_traced_memory()[1]
     finally:

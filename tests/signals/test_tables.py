@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, Kind, SignalFile
+from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 
@@ -19,7 +19,7 @@ def path(tmp_path: Path) -> Path:
     return tmp_path / "table.csv"
 
 
-def read(path: Path, text: str | bytes, asked: Asked = Asked()) -> SignalFile:  # noqa: B008
+def read(path: Path, text: str | bytes, asked: SignalRequest = SignalRequest()) -> SignalFile:  # noqa: B008
     path.write_bytes(text.encode() if isinstance(text, str) else text)
     return read_signals(path, asked)
 
@@ -50,7 +50,7 @@ def test_signals_in_every_form_of_table(path: Path, form: str) -> None:
     assert found["force"].values.tolist() == [2.0, 3.0]
     assert [found["acc_1"].force, found["force"].force] == [False, True]
     assert found["acc_1"].abscissa.tolist() == [0.0, 0.25]
-    assert found["acc_1"].kind is Kind.TIME
+    assert found["acc_1"].kind is FunctionKind.TIME
 
 
 def test_units_in_brackets(path: Path) -> None:
@@ -61,7 +61,7 @@ def test_units_in_brackets(path: Path) -> None:
 
 
 def test_a_rate_stands_in_for_times(path: Path) -> None:
-    found = read(path, "#acc_1,acc_2\n1,2\n3,4\n5,6\n", Asked(rate=4.0)).functions
+    found = read(path, "#acc_1,acc_2\n1,2\n3,4\n5,6\n", SignalRequest(rate=4.0)).functions
     assert found[1].abscissa.tolist() == [0.0, 0.25, 0.5]
     assert found[1].values.tolist() == [2.0, 4.0, 6.0]
     with pytest.raises(MeasurementError, match="rate"):
@@ -70,7 +70,7 @@ def test_a_rate_stands_in_for_times(path: Path) -> None:
 
 def test_columns_nobody_wants_may_hold_anything(path: Path) -> None:
     text = "time,label,acc_1,acc_2\n0,first,1,\n1,second,2,nan\n"
-    (found,) = read(path, text, Asked(sensors=frozenset({"acc_1"}))).functions
+    (found,) = read(path, text, SignalRequest(sensors=frozenset({"acc_1"}))).functions
     assert found.values.tolist() == [1.0, 2.0]
 
 
@@ -88,14 +88,14 @@ def test_spectra_of_klipper(path: Path) -> None:
     text = "freq,psd_x,psd_y,psd_z,psd_xyz,mzv(59.0),ei(70.8)\n"
     text += "0.8,1e-1,2e-1,3e-1,6e-1,0.99,0.99\n1.6,1,2,3,6,0.9,0.9\n"
     found = read(path, text).functions
-    assert [(one.kind, one.response) for one in found] == [(Kind.SPECTRUM, name) for name in "xyz"]
+    assert [(one.kind, one.response) for one in found] == [(FunctionKind.SPECTRUM, name) for name in "xyz"]
     assert found[2].values.tolist() == [0.3, 3.0]
     assert found[0].abscissa.tolist() == [0.8, 1.6]
     for name in ("y", "psd_y"):
-        (one,) = read(path, text, Asked(sensors=frozenset({name}))).functions
+        (one,) = read(path, text, SignalRequest(sensors=frozenset({name}))).functions
         assert (one.response, one.values.tolist()) == ("y", [0.2, 2.0])
     (one,) = read(path, "frequency [kHz],acc_1\n0.01,1\n0.02,2\n").functions
-    assert (one.kind, one.response, one.abscissa.tolist()) == (Kind.SPECTRUM, "acc_1", [10.0, 20.0])
+    assert (one.kind, one.response, one.abscissa.tolist()) == (FunctionKind.SPECTRUM, "acc_1", [10.0, 20.0])
 
 
 @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ def test_a_coherence_outside_0_to_1_is_refused(
 
 def test_a_coherence_that_is_rounded_is_read(path: Path) -> None:
     functions = read(path, "frequency,re:a,im:a,coh:a\n1,1,2,1.0000001\n2,1,2,-1e-7\n").functions
-    assert functions[1].kind is Kind.COHERENCE
+    assert functions[1].kind is FunctionKind.COHERENCE
 
 
 def test_frequency_responses_and_coherences(path: Path) -> None:
@@ -129,10 +129,10 @@ def test_frequency_responses_and_coherences(path: Path) -> None:
     text += "1,1,2,0.5,3,4,1,0\n2,5,6,1,7,8,1,0\n"
     found = read(path, text).functions
     assert [(one.kind, one.response, one.reference) for one in found] == [
-        (Kind.FRF, "a", "h1"),
-        (Kind.COHERENCE, "a", "h1"),
-        (Kind.FRF, "12:+X", ""),
-        (Kind.COHERENCE, "12:+X", ""),
+        (FunctionKind.FRF, "a", "h1"),
+        (FunctionKind.COHERENCE, "a", "h1"),
+        (FunctionKind.FRF, "12:+X", ""),
+        (FunctionKind.COHERENCE, "12:+X", ""),
     ]
     assert found[0].values.tolist() == [1 + 2j, 5 + 6j]
     assert (found[0].unit, found[0].reference_unit) == ("m/s^2", "N")

@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, Kind, SignalFile
+from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 
-def read(folder: Path, text: str, asked: Asked = Asked()) -> SignalFile:  # noqa: B008
+def read(folder: Path, text: str, asked: SignalRequest = SignalRequest()) -> SignalFile:  # noqa: B008
     path = folder / "table.csv"
     path.write_text(text, encoding="utf-8")
     return read_signals(path, asked)
 
 
-X_AND_Y = Asked(sensors=frozenset({"x", "y"}))
+X_AND_Y = SignalRequest(sensors=frozenset({"x", "y"}))
 #: Each holds x = 1.5, -2.5, 4 and y = 2, 3, 5 at 0, 0.25 and 0.5 s.
 ENDS = {
     "commas": "time,x,y\n0,1.5,2,\n0.25,-2.5,3,\n0.5,4,5,\n",
@@ -42,7 +42,7 @@ def test_separators_after_the_last_cell_of_rows(tmp_path: Path, form: str) -> No
 
 
 def test_separators_after_rows_without_names(tmp_path: Path) -> None:
-    x, _ = read(tmp_path, "0,1.5,2,\n0.25,-2.5,3,\n", Asked(columns=("time", "x", "y"))).functions
+    x, _ = read(tmp_path, "0,1.5,2,\n0.25,-2.5,3,\n", SignalRequest(columns=("time", "x", "y"))).functions
     assert x.values.tolist() == [1.5, -2.5]
 
 
@@ -62,7 +62,7 @@ def test_a_missing_or_extra_value_stays_one(tmp_path: Path, rows: str, message: 
 
 @pytest.mark.parametrize("force", ["Force [N]", "FORCE (N)", "Force in N"])
 def test_names_in_capitals_or_not(tmp_path: Path, force: str) -> None:
-    found = read(tmp_path, f"Time;X;{force}\n0;1,5;2\n0,25;-2,5;3\n", Asked(sensors=frozenset({"x"})))
+    found = read(tmp_path, f"Time;X;{force}\n0;1,5;2\n0,25;-2,5;3\n", SignalRequest(sensors=frozenset({"x"})))
     x, hammer = found.functions
     assert (x.response, x.force, x.values.tolist()) == ("x", False, [1.5, -2.5])
     assert (hammer.response, hammer.force, hammer.unit) == ("force", True, "N")
@@ -72,16 +72,18 @@ def test_a_name_that_is_there_as_it_is_prevails(tmp_path: Path) -> None:
     text = "time,x,X,Force,force\n0,1,2,3,4\n1,5,6,7,9\n"
     found = {one.response: one.values.tolist() for one in read(tmp_path, text).functions}
     assert found == {"x": [1.0, 5.0], "X": [2.0, 6.0], "Force": [3.0, 7.0], "force": [4.0, 9.0]}
-    (sensor,) = read(tmp_path, "time,Force\n0,1\n1,2\n", Asked(sensors=frozenset({"Force"}))).functions
+    (sensor,) = read(
+        tmp_path, "time,Force\n0,1\n1,2\n", SignalRequest(sensors=frozenset({"Force"}))
+    ).functions
     assert (sensor.response, sensor.force) == ("Force", False)
 
 
 def test_functions_of_frequency_in_capitals(tmp_path: Path) -> None:
     text = "Freq,RE:Acc/1:+X,IM:Acc/1:+X,COH:Acc/1:+X\n1,1,2,1\n2,3,4,0.5\n"
-    frf, coherence = read(tmp_path, text, Asked(sensors=frozenset({"acc"}))).functions
-    assert (frf.kind, frf.response, frf.reference) == (Kind.FRF, "acc", "1:+X")
+    frf, coherence = read(tmp_path, text, SignalRequest(sensors=frozenset({"acc"}))).functions
+    assert (frf.kind, frf.response, frf.reference) == (FunctionKind.FRF, "acc", "1:+X")
     assert frf.values.tolist() == [1 + 2j, 3 + 4j]
-    assert coherence.kind is Kind.COHERENCE
+    assert coherence.kind is FunctionKind.COHERENCE
 
 
 NAMED = "elapsed_ms,hammer [N],ch 3,force\n0,1,10,7\n250,2,20,8\n"
@@ -90,7 +92,7 @@ NAMED = "elapsed_ms,hammer [N],ch 3,force\n0,1,10,7\n250,2,20,8\n"
 def test_the_record_may_say_what_columns_are_called(tmp_path: Path) -> None:
     names = {"time": "elapsed_ms", "force": "hammer", "x": "Ch 3"}
     x, force = sorted(
-        read(tmp_path, NAMED, Asked(sensors=frozenset({"x"}), names=names)).functions,
+        read(tmp_path, NAMED, SignalRequest(sensors=frozenset({"x"}), names=names)).functions,
         key=lambda one: one.force,
     )
     assert (x.response, x.abscissa.tolist(), x.values.tolist()) == ("x", [0.0, 0.25], [10.0, 20.0])
@@ -99,7 +101,7 @@ def test_the_record_may_say_what_columns_are_called(tmp_path: Path) -> None:
 
 def test_the_names_found_are_in_the_errors(tmp_path: Path) -> None:
     with pytest.raises(MeasurementError) as error:
-        read(tmp_path, NAMED, Asked(names={"time": "elapsed_ms", "force": "hammmer"}))
+        read(tmp_path, NAMED, SignalRequest(names={"time": "elapsed_ms", "force": "hammmer"}))
     assert 'expected "hammmer", which the record names as its force, found "elapsed_ms"' in str(error.value)
     assert 'did you mean "hammer"?' in str(error.value)
     with pytest.raises(MeasurementError) as error:
@@ -125,7 +127,9 @@ COUNTED = "sample,x\n0,1.5\n1,-2.5\n2,4\n"
 
 @pytest.mark.parametrize("comment", RATES)
 def test_a_rate_in_the_comments_stands_in_for_times(tmp_path: Path, comment: str) -> None:
-    found = read(tmp_path, f"# logger 3, 12 bit\n{comment}\n{COUNTED}", Asked(sensors=frozenset({"x"})))
+    found = read(
+        tmp_path, f"# logger 3, 12 bit\n{comment}\n{COUNTED}", SignalRequest(sensors=frozenset({"x"}))
+    )
     np.testing.assert_allclose(found.functions[0].abscissa, np.arange(3) / RATES[comment], rtol=1e-15)
     assert len(found.messages) == 1
     assert f"it has no times: its rate, {RATES[comment]:g} Hz, is that of its comment" in found.messages[0]
@@ -154,7 +158,7 @@ def test_rates_that_contradict_each_other_are_asked_for(tmp_path: Path) -> None:
     text = f"# sample rate: 3200 Hz\n# ODR = 3187.5 Hz\n{COUNTED}"
     with pytest.raises(MeasurementError, match=r"found 3200 Hz and 3187.5 Hz .*rate = \"3200 Hz\""):
         read(tmp_path, text)
-    found = read(tmp_path, text, Asked(3187.5))
+    found = read(tmp_path, text, SignalRequest(3187.5))
     assert found.functions[-1].abscissa[1] == 1.0 / 3187.5
     assert "the file states a rate of 3200 Hz; that of the record, 3187.5 Hz, is used" in found.messages[0]
 
@@ -168,7 +172,7 @@ def test_times_prevail_over_a_rate_in_the_comments(tmp_path: Path) -> None:
 
 def test_counted_samples_show_what_is_missing(tmp_path: Path) -> None:
     rows = "".join(f"{number},{number % 7}\n" for number in range(5, 45) if number not in (20, 21))
-    found = read(tmp_path, f"# sample rate: 100 Hz\nCount,x\n{rows}", Asked(sensors=frozenset({"x"})))
+    found = read(tmp_path, f"# sample rate: 100 Hz\nCount,x\n{rows}", SignalRequest(sensors=frozenset({"x"})))
     expected = [(number - 5) / 100.0 for number in range(5, 45) if number not in (20, 21)]
     np.testing.assert_allclose(found.functions[0].abscissa, expected, rtol=1e-15)
     assert 'its column "Count" shows that 2 samples are missing' in found.messages[-1]
@@ -177,14 +181,14 @@ def test_counted_samples_show_what_is_missing(tmp_path: Path) -> None:
 @pytest.mark.parametrize("counts", [range(0, 200, 5), [k % 16 for k in range(40)], [3] * 40])
 def test_other_numbers_in_such_a_column_do_not_matter(tmp_path: Path, counts: list[int]) -> None:
     rows = "".join(f"{number},{k % 7}\n" for k, number in enumerate(counts))
-    found = read(tmp_path, f"n,x\n{rows}", Asked(100.0, frozenset({"x"})))
+    found = read(tmp_path, f"n,x\n{rows}", SignalRequest(100.0, frozenset({"x"})))
     np.testing.assert_allclose(found.functions[0].abscissa, np.arange(40) / 100.0, rtol=1e-15)
 
 
 def test_times_that_count_samples_are_none_beside_a_rate(tmp_path: Path) -> None:
     text = "time,x\n0,1.5\n1,-2.5\n2,4\n"
     assert read(tmp_path, text).functions[0].abscissa.tolist() == [0.0, 1.0, 2.0]
-    for asked, comment in ((Asked(4.0), ""), (Asked(), "# rate 4\n")):
+    for asked, comment in ((SignalRequest(4.0), ""), (SignalRequest(), "# rate 4\n")):
         found = read(tmp_path, f"{comment}{text}", asked)
         assert found.functions[0].abscissa.tolist() == [0.0, 0.25, 0.5]
         assert 'its column "time" counts samples, of 4 Hz' in found.messages[-1]

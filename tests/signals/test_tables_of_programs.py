@@ -8,12 +8,17 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, Kind, SignalFile
+from pkmodes.signals.functions import FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 from pkmodes.signals.sampling import as_sampled, even_pieces
 
 
-def read(folder: Path, text: str, asked: Asked = Asked(), name: str = "table.csv") -> SignalFile:  # noqa: B008
+def read(
+    folder: Path,
+    text: str,
+    asked: SignalRequest = SignalRequest(),  # noqa: B008
+    name: str = "table.csv",
+) -> SignalFile:
     path = folder / name
     path.write_text(text, encoding="utf-8")
     return read_signals(path, asked)
@@ -56,7 +61,7 @@ def test_signals_as_programs_write_them(tmp_path: Path, form: str) -> None:
 def test_a_sensor_may_be_called_as_the_whole_cell(tmp_path: Path) -> None:
     text = '"Time (s)","Acceleration x (m/s^2)"\n0,1.5\n0.25,-2.5\n'
     for name in ("Acceleration x (m/s^2)", "Acceleration x"):
-        (found,) = read(tmp_path, text, Asked(sensors=frozenset({name}))).functions
+        (found,) = read(tmp_path, text, SignalRequest(sensors=frozenset({name}))).functions
         assert (found.response, found.unit) == (name, "m/s^2")
         assert found.abscissa.tolist() == [0.0, 0.25]
 
@@ -64,28 +69,32 @@ def test_a_sensor_may_be_called_as_the_whole_cell(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("overflows", "said"), [(0, 0), (3, 1)])
 def test_files_of_a_printers_firmware_state_their_rate(tmp_path: Path, overflows: int, said: int) -> None:
     text = f"Sample,x,y\n0,1.5,2\n1,-2.5,3\nRate 800, overflows {overflows}\n"
-    found = read(tmp_path, text, Asked(sensors=ACCELEROMETER))
+    found = read(tmp_path, text, SignalRequest(sensors=ACCELEROMETER))
     assert found.functions[0].abscissa.tolist() == [0.0, 1 / 800]
     assert len(found.messages) == said
     assert all(f"Rate 800, overflows {overflows}" in one for one in found.messages)
-    own = read(tmp_path, text, Asked(rate=400.0, sensors=ACCELEROMETER))
+    own = read(tmp_path, text, SignalRequest(rate=400.0, sensors=ACCELEROMETER))
     assert own.functions[0].abscissa.tolist() == [0.0, 1 / 400], "the record prevails"
     assert any("states a rate of 800 Hz; that of the record, 400 Hz" in one for one in own.messages)
     with pytest.raises(
         MeasurementError, match='the text "Failed to collect data from accelerometer"'
     ) as error:
-        read(tmp_path, "Sample,x,y\n0,1.5,2\nFailed to collect data from accelerometer\n", Asked(rate=1.0))
+        read(
+            tmp_path,
+            "Sample,x,y\n0,1.5,2\nFailed to collect data from accelerometer\n",
+            SignalRequest(rate=1.0),
+        )
     assert error.value.where.endswith("table.csv: line 3")
 
 
 def test_columns_may_be_named_from_outside(tmp_path: Path) -> None:
-    named = Asked(columns=("time [ms]", "x", "y"))
+    named = SignalRequest(columns=("time [ms]", "x", "y"))
     for text in ("0\t1.5\t2\n250\t-2.5\t3\n", "0 1,5 2\n250 -2,5 3\n", "a,b,c\n0,1.5,2\n250,-2.5,3\n"):
         first, second = read(tmp_path, text, named).functions
         assert (first.response, second.response) == ("x", "y")
         assert (first.values.tolist(), first.abscissa.tolist()) == ([1.5, -2.5], [0.0, 0.25])
     with pytest.raises(MeasurementError, match="expected the names of 3 columns, found 2"):
-        read(tmp_path, "0\t1.5\t2\n", Asked(columns=("time", "x")))
+        read(tmp_path, "0\t1.5\t2\n", SignalRequest(columns=("time", "x")))
     with pytest.raises(MeasurementError) as error:
         read(tmp_path, "0\t1.5\t2\n250\t-2.5\t3\n")
     assert 'columns = ["time", "acc_1"]' in error.value.remedy
@@ -111,8 +120,8 @@ POLAR = {
 
 @pytest.mark.parametrize("form", POLAR)
 def test_magnitude_and_phase(tmp_path: Path, form: str) -> None:
-    (found,) = read(tmp_path, polar(*POLAR[form]), Asked(sensors=frozenset({"s1"}))).functions
-    assert (found.kind, found.response) == (Kind.FRF, "s1")
+    (found,) = read(tmp_path, polar(*POLAR[form]), SignalRequest(sensors=frozenset({"s1"}))).functions
+    assert (found.kind, found.response) == (FunctionKind.FRF, "s1")
     np.testing.assert_allclose(found.values, H, rtol=1e-13)
 
 
@@ -167,7 +176,7 @@ def test_times_printed_with_few_digits_are_even(rate: float, digits: int, repeat
 
 def test_values_may_be_missing_outside_the_band(tmp_path: Path) -> None:
     text = "frequency [kHz];re:s1;im:s1\n0;nan;nan\n0,001;;3\n0,002;4;5\n0,003;6;7\n0,004;8;NaN\n"
-    asked = Asked(band=(2.0, 3.5))
+    asked = SignalRequest(band=(2.0, 3.5))
     (found,) = read(tmp_path, text, asked).functions
     assert found.abscissa.tolist() == [2.0, 3.0]
     assert found.values.tolist() == [4 + 5j, 6 + 7j]

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from pkmodes.campaign.campaign import read_campaign
 from pkmodes.campaign.identify import identify
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Kind
+from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reading import read_signals
 from signals.universal import dataset, dataset58, dataset58b, packed
 
@@ -25,7 +25,7 @@ DATA = Path(__file__).parent / "data"
 
 def test_binary_double_precision() -> None:
     (sine,) = read_signals(DATA / "binary8byte.uff").functions
-    assert (sine.kind, sine.response, sine.unit, sine.abscissa.size) == (Kind.TIME, "1", "g0", 250)
+    assert (sine.kind, sine.response, sine.unit, sine.abscissa.size) == (FunctionKind.TIME, "1", "g0", 250)
     assert sine.abscissa[-1] == pytest.approx(2.49)
     # the file says: sine 5 Hz, sampled at 100 Hz; the time step of single precision adds up
     np.testing.assert_allclose(sine.values, np.sin(2 * np.pi * 5.0 * sine.abscissa), atol=1e-5)
@@ -33,7 +33,7 @@ def test_binary_double_precision() -> None:
 
 def test_a_header_outside_ascii() -> None:
     (response,) = read_signals(DATA / "non_ascii_header.uff").functions
-    assert (response.kind, response.unit, response.reference_unit) == (Kind.FRF, "m/s^2", "N")
+    assert (response.kind, response.unit, response.reference_unit) == (FunctionKind.FRF, "m/s^2", "N")
     np.testing.assert_allclose(response.abscissa, 0.195313 * np.arange(6), rtol=1e-12)
     assert response.values[0] == 0.407994
     assert response.values[-1] == 3.75037 + 2.93363j
@@ -48,7 +48,7 @@ def test_an_incomplete_last_line() -> None:
 
 def test_uneven_lines_of_a_spectrum() -> None:
     (spectrum,) = read_signals(DATA / "sample_dataset58_psd.uff").functions
-    assert (spectrum.kind, spectrum.unit, spectrum.abscissa.size) == (Kind.SPECTRUM, "g0^2/Hz", 3201)
+    assert (spectrum.kind, spectrum.unit, spectrum.abscissa.size) == (FunctionKind.SPECTRUM, "g0^2/Hz", 3201)
     assert spectrum.abscissa[:3].tolist() == [0.0, 1.0, 2.0]
     assert spectrum.values[:3].tolist() == [0.0, 1.255863e-06, 4.311770e-07]
 

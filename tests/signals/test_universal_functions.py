@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, Function, Kind
+from pkmodes.signals.functions import Function, FunctionKind, SignalRequest
 from pkmodes.signals.reading import read_signals
 from signals.universal import END, dataset, dataset58, dataset58b, header58, packed
 
@@ -35,7 +35,7 @@ def path(tmp_path: Path) -> Path:
 def test_even_real_values_of_text(path: Path, ordinate: int) -> None:
     function = only(path, dataset58(NUMBERS, ordinate=ordinate, start=0.5))
     assert (function.kind, function.response, function.reference, function.unit, function.force) == (
-        Kind.TIME,
+        FunctionKind.TIME,
         "12:+X",
         "",
         "m/s^2",
@@ -48,7 +48,7 @@ def test_even_real_values_of_text(path: Path, ordinate: int) -> None:
 
 def test_even_complex_values_of_text(path: Path) -> None:
     function = only(path, dataset58(PAIRS, ordinate=5, step=2.0, **FRF))
-    assert (function.kind, function.response, function.reference) == (Kind.FRF, "12:+X", "3:-Y")
+    assert (function.kind, function.response, function.reference) == (FunctionKind.FRF, "12:+X", "3:-Y")
     assert (function.unit, function.reference_unit) == ("m/s^2", "N")
     assert function.abscissa.tolist() == [0.0, 2.0, 4.0, 6.0]
     assert function.values.tolist() == COMPLEX
@@ -137,7 +137,7 @@ def test_datasets_of_text_and_bytes_in_one_file_with_others_skipped(path: Path) 
 def test_only_wanted_sensors_and_forces_are_kept(path: Path) -> None:
     force = dataset58(NUMBERS, response=(1, 3), quantity=(13, "N"))
     path.write_bytes(force + dataset58(NUMBERS) + dataset58(NUMBERS, response=(12, 2)))
-    found = read_signals(path, Asked(sensors=frozenset({"12:+Y"}))).functions
+    found = read_signals(path, SignalRequest(sensors=frozenset({"12:+Y"}))).functions
     assert [(one.response, one.force, one.unit) for one in found] == [
         ("1:+Z", True, "N"),
         ("12:+Y", False, "m/s^2"),
@@ -184,7 +184,7 @@ def test_spectra_and_coherences(path: Path) -> None:
     other = dataset58([1.0, 2.0, 3.0, 4.0], function=7, **lines)
     path.write_bytes(psd + auto + cross + coherence + force + other)
     found = read_signals(path)
-    assert [one.kind for one in found.functions] == [Kind.SPECTRUM] * 3 + [Kind.COHERENCE]
+    assert [one.kind for one in found.functions] == [FunctionKind.SPECTRUM] * 3 + [FunctionKind.COHERENCE]
     assert [one.reference for one in found.functions] == ["", "", "3:+X", "3:+X"]
     assert found.functions[2].values.tolist() == [5.0, 2.0]
     assert found.functions[3].values.tolist() == [1.0, 0.5, 0.25, 1.0]
@@ -267,7 +267,7 @@ def test_functions_of_one_label_are_told_apart_by_their_number(path: Path) -> No
     path.write_bytes(first + other + second)
 
     def found(*names: str) -> list[tuple[str, float]]:
-        asked = Asked(sensors=frozenset(names) if names else None)
+        asked = SignalRequest(sensors=frozenset(names) if names else None)
         return [(one.response, float(one.values[0].real)) for one in read_signals(path, asked).functions]
 
     assert found() == [("1:-Z", 5.0), ("2:+Z", 9.0), ("1:-Z#2", 7.0)]
@@ -281,7 +281,7 @@ def test_functions_of_one_label_are_told_apart_by_their_number(path: Path) -> No
 def test_names_of_columns_are_refused_for_a_universal_file(path: Path) -> None:
     path.write_bytes(dataset58(NUMBERS))
     with pytest.raises(MeasurementError, match="found a universal file"):
-        read_signals(path, Asked(names={"force": "1:+Z"}))
+        read_signals(path, SignalRequest(names={"force": "1:+Z"}))
 
 
 @pytest.mark.parametrize(
@@ -353,11 +353,11 @@ def test_gaps_of_functions_of_frequency_outside_the_band_are_no_damage(path: Pat
         b"  9.00000E+00", f"{gap:>13}".encode()
     )
     path.write_bytes(text)
-    (function,) = read_signals(path, Asked(band=(1.0, 6.0))).functions
+    (function,) = read_signals(path, SignalRequest(band=(1.0, 6.0))).functions
     assert np.isnan(function.values[0])
     assert function.values[1:].tolist() == COMPLEX[1:]
     with pytest.raises(MeasurementError, match=r"expected finite numbers, found .* as value 1"):
-        read_signals(path, Asked(band=(0.0, 6.0)))
+        read_signals(path, SignalRequest(band=(0.0, 6.0)))
 
 
 def test_gaps_of_binary_functions_and_of_spectra(path: Path) -> None:
@@ -366,13 +366,13 @@ def test_gaps_of_binary_functions_and_of_spectra(path: Path) -> None:
     coherence = dataset58([1.0, 0.5, np.nan, 1.0], function=6, reference=(3, 1), **lines)
     path.write_bytes(binary + coherence + dataset58([1.0, 2.0, np.inf, 4.0], function=9, **lines))
     for band in ((0.0, 2.0), (6.0, 6.0)):
-        for one in read_signals(path, Asked(band=band)).functions:
+        for one in read_signals(path, SignalRequest(band=band)).functions:
             assert np.isnan(one.values).tolist() == [False, False, True, False]
     with pytest.raises(MeasurementError, match="as value 3"):
-        read_signals(path, Asked(band=(0.0, 4.0)))
+        read_signals(path, SignalRequest(band=(0.0, 4.0)))
     path.write_bytes(dataset58([1.0, np.nan, 1.0, 1.0]))  # in time, nothing is outside a band
     with pytest.raises(MeasurementError, match="as value 2"):
-        read_signals(path, Asked(band=(100.0, 200.0)))
+        read_signals(path, SignalRequest(band=(100.0, 200.0)))
 
 
 def test_a_file_that_changes_after_reading_is_noticed(path: Path) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.functions import SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 #: Two channels of four samples, parts of full scale.
@@ -41,7 +41,7 @@ def packed(bits: int) -> bytes:
     return b"".join(int(number).to_bytes(bits // 8, "little", signed=True) for number in numbers)
 
 
-def read(folder: Path, content: bytes, asked: Asked = Asked()) -> SignalFile:  # noqa: B008
+def read(folder: Path, content: bytes, asked: SignalRequest = SignalRequest()) -> SignalFile:  # noqa: B008
     path = folder / "hit.wav"
     path.write_bytes(content)
     return read_signals(path, asked)
@@ -84,21 +84,22 @@ def test_a_single_channel(tmp_path: Path) -> None:
 
 def test_the_channel_without_a_sensor_is_the_force_where_one_is_needed(tmp_path: Path) -> None:
     content = FORMS["16 bits"]
-    found = read(tmp_path, content, Asked(sensors=frozenset({"2"}), force=True))
+    found = read(tmp_path, content, SignalRequest(sensors=frozenset({"2"}), force=True))
     assert {one.response: one.force for one in found.functions} == {"force": True, "2": False}
     assert "channel 1, which is that of no sensor, is taken for the force" in found.messages[-1]
     found = read(
-        tmp_path, content, Asked(sensors=frozenset({"a"}), names={"force": "2", "a": "1"}, force=True)
+        tmp_path, content, SignalRequest(sensors=frozenset({"a"}), names={"force": "2", "a": "1"}, force=True)
     )
     assert {one.response: one.values[0] for one in found.functions} == {"a": 0.0, "force": 0.5}
     assert len(found.messages) == 1
-    (alone,) = read(tmp_path, content, Asked(sensors=frozenset({"2"}))).functions
+    (alone,) = read(tmp_path, content, SignalRequest(sensors=frozenset({"2"}))).functions
     assert not alone.force
     three = wav(
         form(channels=4, each=8), chunk(b"data", packed(16))
     )  # which of three is the force is not known
     assert [
-        one.response for one in read(tmp_path, three, Asked(sensors=frozenset({"2"}), force=True)).functions
+        one.response
+        for one in read(tmp_path, three, SignalRequest(sensors=frozenset({"2"}), force=True)).functions
     ] == ["2"]
 
 

@@ -12,7 +12,7 @@ import pytest
 import pkmodes
 from helpers.robots.one_of_each import POSES
 from pkmodes.view import poses_around
-from pkmodes.view.interpolation import FINE, deviations, largest_around, mean_frequency
+from pkmodes.view.interpolation import FINE, interpolation_errors, largest_around, mean_frequency
 from pkmodes.view.pairing import paired_modes
 
 ROBOTS = Path(__file__).parents[2] / "robots"
@@ -22,13 +22,13 @@ def test_springs_in_series_are_interpolated_exactly() -> None:
     """A mass on a bar of length x has f^-2 = (2 pi)^2 m x / EA, which is linear in x."""
     x = np.array([0.2, 0.5, 1.1])
     frequency = lambda at: 40.0 / np.sqrt(at)  # noqa: E731 - the closed form
-    found = deviations(
+    found = interpolation_errors(
         frequency(x)[:, None], np.zeros((3, 1), dtype=int), np.arange(3), (x,), lambda at: frequency(at)
     )
     assert found.shape == (5, 1)
     np.testing.assert_allclose(found[1::2], 0.0, atol=1e-14)
     assert np.isnan(found[::2]).all(), "at the states themselves nothing is interpolated"
-    off = deviations(
+    off = interpolation_errors(
         frequency(x)[:, None], np.zeros((3, 1), dtype=int), np.arange(3), (x,), lambda at: 1.1 * frequency(at)
     )
     np.testing.assert_allclose(off[1::2], 1.0 / 1.1 - 1.0)
@@ -36,7 +36,7 @@ def test_springs_in_series_are_interpolated_exactly() -> None:
 
 def test_a_cell_without_one_of_its_corners_has_no_deviation_but_its_other_edges_have() -> None:
     places = np.array([[0, 1, 2], [3, -1, 4]])
-    found = deviations(
+    found = interpolation_errors(
         np.full((5, 1), 10.0),
         np.zeros((5, 1), dtype=int),
         places,
@@ -53,7 +53,7 @@ def test_the_error_inside_a_cell_is_the_largest_of_its_middle_and_its_sides() ->
     places, x = np.array([[0, 1], [2, 3]]), np.array([0.0, 1.0])
     at = np.stack(np.meshgrid(x, x, indexing="ij"), axis=-1).reshape(-1, 2)
     order = np.zeros((4, 1), dtype=int)
-    found = deviations(corner(at)[:, None], order, places, (x, x), lambda at: corner(at)[:, None])
+    found = interpolation_errors(corner(at)[:, None], order, places, (x, x), lambda at: corner(at)[:, None])
     off = {y: ((1.0 + 0.5 * y + 0.05) / (1.0 + 0.5 * y + 0.025)) ** -0.5 - 1.0 for y in (0.0, 0.5, 1.0)}
     np.testing.assert_allclose(found[1, :, 0], [off[0.0], off[0.5], off[1.0]], rtol=1e-12)
     np.testing.assert_allclose(found[[0, 2], 1, 0], 0.0, atol=1e-15)
@@ -82,11 +82,11 @@ def test_points_beside_the_middle_are_checked_too() -> None:
     x, order = np.array([0.0, 1.0]), np.zeros((2, 1), dtype=int)
     frequency = lambda at: (1.0 + at**6) ** -0.5  # noqa: E731 - as above
     checked = (0.25, 0.5, 0.75)
-    found = deviations(frequency(x)[:, None], order, np.arange(2), (x,), frequency, checked)
+    found = interpolation_errors(frequency(x)[:, None], order, np.arange(2), (x,), frequency, checked)
     off = [((1.0 + t) / (1.0 + t**6)) ** -0.5 - 1.0 for t in checked]
     np.testing.assert_allclose(found[1], min(off), rtol=1e-12)
     assert min(off) == off[2] < off[1] < 0.0
-    only = deviations(frequency(x)[:, None], order, np.arange(2), (x,), frequency, (0.25,))
+    only = interpolation_errors(frequency(x)[:, None], order, np.arange(2), (x,), frequency, (0.25,))
     np.testing.assert_allclose(only[1], off[0], rtol=1e-12)
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pkmodes.campaign.boards import Board, together, with_clocks
+from pkmodes.campaign.boards import Board, boards_together, with_clocks
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import FileModes, Fit
+from pkmodes.campaign.found import FileFit, FileModes
 from pkmodes.campaign.sensor_functions import in_file
 from pkmodes.campaign.time_records import BRIDGED, TimeSignals, time_signals, with_bridges, with_levels
 from pkmodes.core.base.errors import MeasurementError, shown
@@ -31,7 +31,7 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
     """
     recording, delays, columns = _beside(path, record, setup, campaign)
 
-    def identified(variants: Sequence[TimeSignals]) -> tuple[Fit, tuple[str, ...]]:
+    def identified(variants: Sequence[TimeSignals]) -> tuple[FileFit, tuple[str, ...]]:
         estimate, messages = identify_responses(
             recording.step,
             variants[0].pieces,
@@ -39,7 +39,9 @@ def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) ->
             tones=campaign.tones,
             edits=campaign.asked(record),
         )
-        return Fit(estimate, recording.names), tuple(f"{recording.source}: {message}" for message in messages)
+        return FileFit(estimate, recording.names), tuple(
+            f"{recording.source}: {message}" for message in messages
+        )
 
     with in_file(recording.source), _gaps_named(recording):
         fit, messages = with_bridges(identified, [recording], recording.source)
@@ -109,7 +111,7 @@ def _beside(
         name: Board(board.source, board.step, board.starts, board.pieces)
         for name, board in {setup: signals, **other_boards}.items()
     }
-    aligned = together(boards, record.clocks, record.band)
+    aligned = boards_together(boards, record.clocks, record.band)
     all_signals = (signals, *other_boards.values())
     bridged = any(board.once_more is not None for board in all_signals)
     caveats = (

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
-from pkmodes.campaign.description import RecordTable, uncertain
+from pkmodes.campaign.description import RecordTable, value_and_sigma
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.identification.clocks import Delay, delay, rough_delay
 from pkmodes.identification.estimates import Mode, turned_real
@@ -94,7 +94,7 @@ def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str
             f'{{ {other_boards[0]} = {{ value = "12 ms", sigma = "3 ms" }} }}'
         )
         raise MeasurementError(problem, where, remedy)
-    return {name: Clock(*uncertain(table.clock[name], "s", f"{where}.{name}")) for name in other_boards}
+    return {name: Clock(*value_and_sigma(table.clock[name], "s", f"{where}.{name}")) for name in other_boards}
 
 
 class UnknownOffsetError(Exception):
@@ -169,7 +169,9 @@ class Together:
     messages: tuple[str, ...]
 
 
-def together(boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tuple[float, float]) -> Together:
+def boards_together(
+    boards: Mapping[str, Board], clocks: Mapping[str, Clock], band: tuple[float, float]
+) -> Together:
     """Return the signals of all boards by the clock of the first one.
 
     Raises

@@ -15,18 +15,18 @@ from pkmodes.campaign.description import (
     RecordTable,
     band_of,
     frequency,
-    quantity,
     read_description,
     share,
-    uncertain,
+    si_value,
+    value_and_sigma,
 )
 from pkmodes.campaign.mounts import Platform
-from pkmodes.campaign.sensors import NONE, Place, Sensor, forces_of, names_of, sensors_of
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.campaign.sensors import NONE, MotionSensor, Transducer, forces_of, names_in_files, sensors_of
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
 from pkmodes.core.model import Model
 from pkmodes.core.robot.reading import read_robot
 from pkmodes.core.robot.report_fields import read_report
-from pkmodes.identification.asked import NOTHING, Asked
+from pkmodes.identification.asked import NOTHING, RequestedModes
 from pkmodes.measured.rules import PRINTABLE, is_label
 from pkmodes.updating.channels import channels
 from pkmodes.updating.load_cases import settable
@@ -114,7 +114,7 @@ class Campaign:
         Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
     tones : tuple of float
         Of mains, fans and motors [Hz]: these and their multiples are not modes.
-    edits : mapping of str to Asked
+    edits : mapping of str to RequestedModes
         What the user decides about the modes of records, by their labels.
     report : mapping of str to str
         Fields of the head of its report, which prevail over those of the robot.
@@ -127,10 +127,10 @@ class Campaign:
     channels: Mapping[str, str]
     repeatability: float | None
     tones: tuple[float, ...]
-    sensors: tuple[Sensor, ...]
-    forces: tuple[Place, ...]
+    sensors: tuple[MotionSensor, ...]
+    forces: tuple[Transducer, ...]
     records: tuple[Record, ...]
-    edits: Mapping[str, Asked]
+    edits: Mapping[str, RequestedModes]
     report: Mapping[str, str] = field(default_factory=dict)
     signs_of_file: bool = False
 
@@ -139,19 +139,19 @@ class Campaign:
         """The axes along and about which the platform moves."""
         return _platform(self.model)
 
-    def sensors_in(self, setup: str) -> dict[str, Sensor]:
+    def sensors_in(self, setup: str) -> dict[str, MotionSensor]:
         """Return the sensors that apply to a setup, by name."""
         return {sensor.name: sensor for sensor in self.sensors if sensor.setup in (None, setup)}
 
-    def forces_in(self, setup: str) -> dict[str, Place]:
+    def forces_in(self, setup: str) -> dict[str, Transducer]:
         """Return the forces that apply to a setup, by name."""
         return {force.name: force for force in self.forces if force.setup in (None, setup)}
 
-    def asked(self, record: Record) -> Asked:
+    def asked(self, record: Record) -> RequestedModes:
         """Return the user's edits of the modes of a record."""
         return self.edits.get(record.pose, NOTHING)
 
-    def places_at(self, record: Record) -> dict[str, Place]:
+    def places_at(self, record: Record) -> dict[str, Transducer]:
         """Return sensors and forces of all setups, by key, as oriented at the pose of a record."""
         R = self.platform.rotation(record.point)
         return {place.key: place.where_turned(R) for place in (*self.sensors, *self.forces)}
@@ -301,7 +301,7 @@ def _record(
         rate=None if record_table.rate is None else frequency(record_table.rate, f"{where}.rate", "3200 Hz"),
         columns=record_table.columns if isinstance(record_table.columns, dict) else {},
         header=tuple(record_table.columns) if isinstance(record_table.columns, list) else (),
-        names=names_of(record_table, table.sensor, where),
+        names=names_in_files(record_table, table.sensor, where),
         invert=record_table.invert,
         conjugate=record_table.conjugate,
         clocks={} if record_table.clock is None else clocks_of(record_table, files, where),
@@ -309,7 +309,7 @@ def _record(
 
 
 def _time(text: str, where: str) -> float:
-    value = quantity(text, "s", where)
+    value = si_value(text, "s", where)
     if value <= 0.0:
         raise MeasurementError(
             f"expected a time above 0, found {shown(text)}", where, 'for example: "0.35 s"'
@@ -329,13 +329,16 @@ def _point(
     units = {component.name: component.unit for component in model.mechanism.pose}
     for name in record_table.at:
         if name not in units:
-            raise MeasurementError(f"unknown component {shown(name)}", f"{where}.at", nearest(name, units))
+            raise MeasurementError(
+                f"unknown component {shown(name)}", f"{where}.at", nearest_name(name, units)
+            )
     missing = [name for name in units if name not in record_table.at]
     if missing:
         problem = f"expected {', '.join(units)}, found no {', '.join(missing)}"
         raise MeasurementError(problem, f"{where}.at", 'for example: at = { x = "600 mm", ... }')
     both = {
-        name: uncertain(record_table.at[name], unit, f"{where}.at.{name}") for name, unit in units.items()
+        name: value_and_sigma(record_table.at[name], unit, f"{where}.at.{name}")
+        for name, unit in units.items()
     }
     point = {name: value for name, (value, _) in both.items()}
     try:
@@ -357,9 +360,9 @@ def _settings(record_table: RecordTable, model: Model | None, where: str) -> dic
         if path not in settable_units:
             problem = f"unknown parameter path {shown(path)}"
             raise MeasurementError(
-                problem, f"{where}.set", nearest(path, settable_units, "see docs/sensitivities.md")
+                problem, f"{where}.set", nearest_name(path, settable_units, "see docs/sensitivities.md")
             )
-        values[path] = quantity(value, settable_units[path], f"{where}.set.{path}")
+        values[path] = si_value(value, settable_units[path], f"{where}.set.{path}")
     try:
         model.robot.with_values(values)
     except PkmodesError as error:
@@ -377,16 +380,18 @@ def _check_labels(records: tuple[Record, ...], source: str) -> None:
             raise MeasurementError(problem, f"{source}: record.{record.number}.pose", remedy)
 
 
-def _edits(tables: Sequence[EditTable], records: tuple[Record, ...], source: str) -> dict[str, Asked]:
+def _edits(
+    tables: Sequence[EditTable], records: tuple[Record, ...], source: str
+) -> dict[str, RequestedModes]:
     labels = [record.pose for record in records]
-    edits: dict[str, Asked] = {}
+    edits: dict[str, RequestedModes] = {}
     for i, edit in enumerate(tables, start=1):
         where, label = f"{source}: edit.{i}", edit.pose.strip()
         if label not in labels:
             problem = f"no record has the label {shown(edit.pose)}"
-            raise MeasurementError(problem, f"{where}.pose", nearest(edit.pose, labels))
+            raise MeasurementError(problem, f"{where}.pose", nearest_name(edit.pose, labels))
         strike = tuple(frequency(text, f"{where}.strike") for text in edit.strike)
         add = tuple(frequency(text, f"{where}.add") for text in edit.add)
         before = edits.get(label, NOTHING)
-        edits[label] = Asked(before.strike + strike, before.add + add)
+        edits[label] = RequestedModes(before.strike + strike, before.add + add)
     return edits

@@ -10,7 +10,7 @@ from typing import Any, Literal, NoReturn
 import msgspec
 from msgspec import Struct, field
 
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.base.toml import MOST_PARTS, long_key
 from pkmodes.core.robot.columns import frequency_factor
 from pkmodes.core.robot.units import (
@@ -35,18 +35,18 @@ PLACE = re.compile(r"(.*) - at `\$(.*)`")
 Given = str | int | float
 
 
-class Part(Struct, frozen=True, forbid_unknown_fields=True):
+class CampaignPart(Struct, frozen=True, forbid_unknown_fields=True):
     """A table of the file: another key than its attributes is an error."""
 
 
-class Uncertain(Part, frozen=True):
+class Uncertain(CampaignPart, frozen=True):
     """A quantity with its standard deviation."""
 
     value: str | int | float
     sigma: str | int | float = 0
 
 
-class SensorTable(Part, frozen=True):
+class SensorTable(CampaignPart, frozen=True):
     """``[[sensor]]``: one measured direction."""
 
     name: str
@@ -58,7 +58,7 @@ class SensorTable(Part, frozen=True):
     setup: str | None = None
 
 
-class ForceTable(Part, frozen=True):
+class ForceTable(CampaignPart, frozen=True):
     """``[[force]]``: where a reference of the files acts."""
 
     name: str
@@ -68,7 +68,7 @@ class ForceTable(Part, frozen=True):
     setup: str | None = None
 
 
-class RecordTable(Part, frozen=True):
+class RecordTable(CampaignPart, frozen=True):
     """``[[record]]``: what was measured at one pose, in one load case."""
 
     pose: str
@@ -89,7 +89,7 @@ class RecordTable(Part, frozen=True):
     clock: str | dict[str, str | int | float | Uncertain] | None = None
 
 
-class EditTable(Part, frozen=True):
+class EditTable(CampaignPart, frozen=True):
     """``[[edit]]``: what the user decides about the modes of a record."""
 
     pose: str
@@ -97,7 +97,7 @@ class EditTable(Part, frozen=True):
     add: list[str] = []
 
 
-class CampaignTable(Part, frozen=True):
+class CampaignTable(CampaignPart, frozen=True):
     """The whole file."""
 
     format: Literal[1]
@@ -116,7 +116,7 @@ class CampaignTable(Part, frozen=True):
 
 
 #: Tables by the last part of their path in the file.
-TABLES: dict[str, type[Part]] = {
+TABLES: dict[str, type[CampaignPart]] = {
     "sensor": SensorTable,
     "force": ForceTable,
     "record": RecordTable,
@@ -142,10 +142,10 @@ def read_description(path: Path) -> CampaignTable:
         document = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # also integers with too many digits
         _refuse(f"not valid TOML: {error}", source, "fix the syntax at that place")
-    return described(document, source)
+    return campaign_tables(document, source)
 
 
-def described(document: dict[str, Any], source: str) -> CampaignTable:
+def campaign_tables(document: dict[str, Any], source: str) -> CampaignTable:
     """Return the tables of a parsed file; `source` names it in messages."""
     try:
         return msgspec.convert(document, CampaignTable)
@@ -166,7 +166,7 @@ def _translate(text: str, source: str) -> NoReturn:
         _refuse(
             f"unknown key {shown(match[1])}",
             where,
-            nearest(match[1], known_keys) if known_keys else "remove it",
+            nearest_name(match[1], known_keys) if known_keys else "remove it",
         )
     if match := MISSING.fullmatch(problem):
         _refuse(
@@ -243,14 +243,14 @@ def share(text: str, where: str) -> float:
     MeasurementError
         If it is not one.
     """
-    value = quantity(text, "1", where)
+    value = si_value(text, "1", where)
     if not 0.0 <= value < 1.0:
         problem = f"expected a share of at least 0 and below 100 %, found {shown(text)}"
         raise MeasurementError(problem, where, 'for example: "0.2 %"')
     return value
 
 
-def quantity(raw_value: Given, unit: str, where: str) -> float:
+def si_value(raw_value: Given, unit: str, where: str) -> float:
     """Return a quantity in SI units; a bare number only where the unit is 1.
 
     Raises
@@ -265,7 +265,7 @@ def quantity(raw_value: Given, unit: str, where: str) -> float:
         raise MeasurementError(str(error), where, remedy) from None
 
 
-def uncertain(raw_value: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:
+def value_and_sigma(raw_value: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:
     """Return a quantity in SI units and its standard deviation, 0 where none is given.
 
     Raises
@@ -274,9 +274,9 @@ def uncertain(raw_value: Given | Uncertain, unit: str, where: str) -> tuple[floa
         If one of them is not a quantity of this unit, or the standard deviation is negative.
     """
     if not isinstance(raw_value, Uncertain):
-        return quantity(raw_value, unit, where), 0.0
-    sigma = 0.0 if raw_value.sigma == 0 else quantity(raw_value.sigma, unit, f"{where}.sigma")
+        return si_value(raw_value, unit, where), 0.0
+    sigma = 0.0 if raw_value.sigma == 0 else si_value(raw_value.sigma, unit, f"{where}.sigma")
     if sigma < 0.0:
         problem = f"expected a standard deviation of at least 0, found {shown(raw_value.sigma)}"
         raise MeasurementError(problem, f"{where}.sigma", "give its size")
-    return quantity(raw_value.value, unit, f"{where}.value"), sigma
+    return si_value(raw_value.value, unit, f"{where}.value"), sigma

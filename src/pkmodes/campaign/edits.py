@@ -11,16 +11,16 @@ import numpy as np
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.found import Found
 from pkmodes.campaign.grouping import grouped
-from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.results import IdentifiedMode
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.asked import Asked, nearest
+from pkmodes.identification.asked import RequestedModes, nearest_frequency
 
 #: Two added modes are the same if their frequencies differ by less, relative: separate fits do not end so close.
 SAME = 1e-4
 
 
-def check_asked(edits: Asked, record: Record, kind: Kind, source: str) -> None:
+def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source: str) -> None:
     """Refuse frequencies at which no mode can be added, before anything is read.
 
     Raises
@@ -61,7 +61,7 @@ def added_group(candidates: Sequence[Found | str], frequency: float, least: floa
 def edited(
     modes: Sequence[IdentifiedMode],
     added: Sequence[IdentifiedMode],
-    edits: Asked,
+    edits: RequestedModes,
     pose: str,
     source: str,
 ) -> tuple[list[IdentifiedMode], list[float]]:
@@ -76,7 +76,7 @@ def edited(
     """
     kept, struck = list(modes), []
     for frequency in edits.strike:
-        i = nearest([mode.frequency for mode in kept], frequency)
+        i = nearest_frequency([mode.frequency for mode in kept], frequency)
         if i is None:
             frequencies = ", ".join(f"{mode.frequency:.4g}" for mode in kept) or "none"
             problem = f"no mode of {pose} lies within 1 % of {frequency:g} Hz, found {frequencies} Hz"
@@ -89,7 +89,7 @@ def edited(
             )
             refuse_added(edits.add[k], f"{problem} ({pose})", source)
     for mode in added:
-        i = nearest([reported.frequency for reported in kept], mode.frequency)
+        i = nearest_frequency([reported.frequency for reported in kept], mode.frequency)
         if i is not None:
             del kept[i]
     return sorted([*kept, *added], key=lambda mode: mode.frequency), struck

@@ -89,7 +89,7 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class FileFit:
     """The fit of a file, kept for inspection.
 
     Attributes
@@ -121,7 +121,7 @@ class FileModes:
         Names of the sensors and, without their signs, of the forces in the file; None if it needs none.
     added : tuple of Found or str
         For each frequency at which the user requested a mode: the mode, or why there is none.
-    fit : Fit or None
+    fit : FileFit or None
         None for modes that are already identified.
     unnamed : tuple of str
         References of the file, if the campaign names none of them: its shapes are then at the sensors.
@@ -133,7 +133,7 @@ class FileModes:
     messages: tuple[str, ...]
     names_in_file: frozenset[str] | None
     added: tuple[Found | str, ...] = ()
-    fit: Fit | None = None
+    fit: FileFit | None = None
     unnamed: tuple[str, ...] = ()
     forces: tuple[str, ...] = ()
 
@@ -165,7 +165,7 @@ def found_of(mode: Mode, names: Sequence[str], references: Sequence[str] = ()) -
 
 
 def modes_of_fit(
-    fit: Fit,
+    fit: FileFit,
     messages: Sequence[str],
     names_in_file: frozenset[str],
     convert: Callable[[Mode], Found] | None = None,

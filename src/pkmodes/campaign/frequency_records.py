@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.conjugates import phase_checked
-from pkmodes.campaign.found import NAMELESS, FileModes, Fit, Found, modes_of_fit
+from pkmodes.campaign.found import NAMELESS, FileFit, FileModes, Found, modes_of_fit
 from pkmodes.campaign.quotients import force_factor, inverted
 from pkmodes.campaign.sensor_functions import (
     ACCELERATION,
@@ -23,14 +23,14 @@ from pkmodes.campaign.sensor_functions import (
     refuse_repeated,
     sensor_functions,
 )
-from pkmodes.campaign.sensors import Place, Sensor, unsigned
+from pkmodes.campaign.sensors import MotionSensor, Transducer, unsigned
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.frf_identification import identify_frf
 from pkmodes.identification.frf_model_errors import not_linear
 from pkmodes.identification.spectra import identify_spectrum
 from pkmodes.identification.tones import no_bandwidth
-from pkmodes.signals.functions import Function, Kind
+from pkmodes.signals.functions import Function, FunctionKind
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -125,7 +125,9 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
         If the file is faulty, or its functions are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.FRF, frozenset(sensors), record, signs=campaign.signs_of_file)
+    functions = sensor_functions(
+        path, FunctionKind.FRF, frozenset(sensors), record, signs=campaign.signs_of_file
+    )
     read = functions.read
     if record.invert:
         functions = replace(functions, used=inverted(functions.used, read.source))
@@ -149,7 +151,7 @@ def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -
     return ResponseFile(read.source, responses, frozenset(names_in_file), messages)
 
 
-def frf_fit(responses: Responses, averages: int | None, record: Record, campaign: Campaign) -> Fit:
+def frf_fit(responses: Responses, averages: int | None, record: Record, campaign: Campaign) -> FileFit:
     """Fit frequency response functions in the band of a record; `averages` is None if unknown."""
     estimate = identify_frf(
         responses.frequencies,
@@ -164,10 +166,10 @@ def frf_fit(responses: Responses, averages: int | None, record: Record, campaign
     )
     inside = slice(*np.searchsorted(responses.frequencies, estimate.frequencies[[0, -1]]) + np.array([0, 1]))
     coherence = None if responses.coherence is None else responses.coherence[inside]
-    return Fit(estimate, responses.names, responses.references, coherence)
+    return FileFit(estimate, responses.names, responses.references, coherence)
 
 
-def remarks_on(fit: Fit, source: str) -> list[str]:
+def remarks_on(fit: FileFit, source: str) -> list[str]:
     """Return messages about lines without bandwidth, and about spurious modes of a nonlinear machine."""
     estimate = fit.estimate
     remarks = [no_bandwidth(tone) for tone in estimate.tones]
@@ -178,8 +180,8 @@ def remarks_on(fit: Fit, source: str) -> list[str]:
 
 def responses_of(
     functions: SensorFunctions,
-    sensors: Mapping[str, Sensor],
-    forces: Mapping[str, Place],
+    sensors: Mapping[str, MotionSensor],
+    forces: Mapping[str, Transducer],
     channels: Mapping[str, str],
 ) -> Responses:
     """Arrange the frequency response functions of a file.
@@ -234,14 +236,16 @@ def _coherence(
     coherence = np.full((len(f), len(rows), len(columns)), np.nan)
     for function in functions:
         matches = (
-            function.kind is Kind.COHERENCE and function.response in rows and function.reference in columns
+            function.kind is FunctionKind.COHERENCE
+            and function.response in rows
+            and function.reference in columns
         )
         if matches and np.array_equal(function.abscissa, f):
             coherence[:, rows.index(function.response), columns.index(function.reference)] = function.values
     return coherence if np.isfinite(coherence).any() else None
 
 
-def of_reference(name: str, forces: Mapping[str, Place]) -> Place | None:
+def of_reference(name: str, forces: Mapping[str, Transducer]) -> Transducer | None:
     """Return the force of a reference, ignoring signs in names; a nameless reference is that of the only force."""
     named = next(
         (place for force_name, place in forces.items() if unsigned(force_name) == unsigned(name)), None
@@ -261,7 +265,7 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
     """
     sensors = campaign.sensors_in(setup)
     names = frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})
-    functions = sensor_functions(path, Kind.SPECTRUM, names, record)
+    functions = sensor_functions(path, FunctionKind.SPECTRUM, names, record)
     read, used = functions.read, functions.used
     f = used[0].abscissa
     power = np.stack([np.abs(function.values) for function in used], axis=1)
@@ -281,4 +285,4 @@ def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -
         {function.response for function in used} | {f"psd_{function.response}" for function in used}
     )
     responses = tuple(function.response for function in used)
-    return modes_of_fit(Fit(estimate, responses), all_messages, names_in_file, converted)
+    return modes_of_fit(FileFit(estimate, responses), all_messages, names_in_file, converted)

@@ -17,10 +17,10 @@ from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, Found, check_shape
 from pkmodes.campaign.grouping import APART
 from pkmodes.campaign.shapes import UNDETERMINED, combined, left_blank
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.robot.columns import frequency_factor, parted
 from pkmodes.core.robot.units import QuantityError, base_units
-from pkmodes.measured.cells import Notation
+from pkmodes.measured.cells import TableNotation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.meanings import likely_meaning, worded
@@ -170,7 +170,9 @@ def _places(
     unknown = [key for key in columns if key not in NUMBERS and key != "pose" and not key.startswith(SHAPE)]
     if unknown:
         known_columns = ["pose", *NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
-        _refuse(f"unknown column {shown(unknown[0])} in columns", where, nearest(unknown[0], known_columns))
+        _refuse(
+            f"unknown column {shown(unknown[0])} in columns", where, nearest_name(unknown[0], known_columns)
+        )
     theirs = {name: key for key, name in columns.items()}
     if len(theirs) < len(columns):
         _refuse("two entries of columns name the same column", where, "give each its own")
@@ -183,7 +185,9 @@ def _places(
         if name.startswith(SHAPE) and name.removeprefix(SHAPE) not in channels:
             channel = name.removeprefix(SHAPE)
             _refuse(
-                f"unknown channel {shown(channel)}", f"{where}, column {i + 1}", nearest(channel, channels)
+                f"unknown channel {shown(channel)}",
+                f"{where}, column {i + 1}",
+                nearest_name(channel, channels),
             )
         if name in NUMBERS or name == "pose" or name.startswith(SHAPE):
             if name in places:
@@ -194,7 +198,9 @@ def _places(
     present = {*names, *(parted(cell, list(theirs))[0] for cell in names)}
     missing = [name for name in columns.values() if name not in present]
     if missing:
-        _refuse(f"expected the column {shown(missing[0])}, found none", where, nearest(missing[0], names))
+        _refuse(
+            f"expected the column {shown(missing[0])}, found none", where, nearest_name(missing[0], names)
+        )
     if "frequency" not in places:
         standard_columns = [*NUMBERS, *(f"{SHAPE}{name}" for name in channels)]
         meant: dict[str, str] = {}
@@ -232,7 +238,7 @@ def _mode(
     cells: list[str],
     places: Mapping[str, tuple[int, Decimal | None]],
     names: list[str],
-    notation: Notation,
+    notation: TableNotation,
     where: str,
 ) -> Found:
     values: dict[str, float] = {}

@@ -13,13 +13,13 @@ from pkmodes.campaign.copies import refuse_copied_visits
 from pkmodes.campaign.edits import edited
 from pkmodes.campaign.kinds import KINDS
 from pkmodes.campaign.levels import level_messages, with_half
-from pkmodes.campaign.measuring import Measured, measured
+from pkmodes.campaign.measuring import MeasuredRecord, measured
 from pkmodes.campaign.missing import refuse_missing
 from pkmodes.campaign.results import Identification, IdentifiedMode, Parts, RecordResult
 from pkmodes.campaign.revisits import revisited
-from pkmodes.campaign.sensors import Place
+from pkmodes.campaign.sensors import Transducer
 from pkmodes.campaign.shapes import UNCERTAIN, UNDETERMINED, Combined, combined, left_blank, turned_shape
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.identification.asked import NOTHING
 from pkmodes.identification.estimates import collinearity
 from pkmodes.identification.spectra import LEAST as LEAST_LINE
@@ -55,13 +55,15 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
     """
     if campaign.repeatability is None:
         refuse_copied_visits(campaign.records, campaign.source)
-    outcomes: list[Measured] = []
+    outcomes: list[MeasuredRecord] = []
     for record in campaign.records:
         say(f"record {record.number} of {len(campaign.records)}: {record.pose}")
         kind = KINDS.get(record.kind)
         where = f"{campaign.source}: record.{record.number}.kind"
         if kind is None:
-            raise MeasurementError(f"unknown kind {shown(record.kind)}", where, nearest(record.kind, KINDS))
+            raise MeasurementError(
+                f"unknown kind {shown(record.kind)}", where, nearest_name(record.kind, KINDS)
+            )
         outcomes.append(measured(record, kind, campaign, keep_going, inspect))
     if not any(
         outcome.left_out for outcome in outcomes
@@ -80,7 +82,7 @@ def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = Fa
     return Identification(results, repeatability, _measurements_of(results, campaign), tuple(notes))
 
 
-def _check_some_left(measured: Sequence[Measured], source: str) -> None:
+def _check_some_left(measured: Sequence[MeasuredRecord], source: str) -> None:
     """Refuse a campaign whose files are all faulty, giving the reason for the first."""
     left_out = [file for outcome in measured for file in outcome.left_out]
     if left_out and not any(outcome.means or outcome.added for outcome in measured):
@@ -88,7 +90,7 @@ def _check_some_left(measured: Sequence[Measured], source: str) -> None:
         raise MeasurementError(f"{problem}: {left_out[0].reason}", source, "correct the files")
 
 
-def _result(measured: Measured, campaign: Campaign, repeatability: float) -> RecordResult:
+def _result(measured: MeasuredRecord, campaign: Campaign, repeatability: float) -> RecordResult:
     record, messages = measured.record, list(measured.messages)
     places = {} if KINDS[record.kind].by_channel else campaign.places_at(record)
     modes = [_mode(mean, places, repeatability) for mean in measured.means]
@@ -136,7 +138,7 @@ def _result(measured: Measured, campaign: Campaign, repeatability: float) -> Rec
 
 
 def _mode(
-    mean: Mean, places: Mapping[str, Place], repeatability: float, edit: str | None = None
+    mean: Mean, places: Mapping[str, Transducer], repeatability: float, edit: str | None = None
 ) -> IdentifiedMode:
     mode = mean.mode
     of_shape = np.array([mean.shape_scatter, mode.sigma_shape])

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import NAMELESS, FileModes, Fit
+from pkmodes.campaign.found import NAMELESS, FileFit, FileModes
 from pkmodes.campaign.frequency_records import Responses, frf_fit, of_reference, remarks_on
-from pkmodes.campaign.roving import Point
+from pkmodes.campaign.roving import RovingPoint
 from pkmodes.campaign.sensor_functions import asked_of, in_file
-from pkmodes.campaign.sensors import Place, unsigned
+from pkmodes.campaign.sensors import Transducer, unsigned
 from pkmodes.campaign.time_records import TimeSignals, time_signals, with_bridges, with_levels
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.identification.estimates import Estimate, Mode
@@ -41,7 +41,7 @@ class _Blows:
     """The signals of a file of blows, and the campaign's force that acts in it; None if the campaign has none."""
 
     signals: TimeSignals
-    acting: Place | None
+    acting: Transducer | None
 
 
 def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
@@ -60,12 +60,12 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
     return replace(file_modes, names_in_file=names_in_file, unnamed=unnamed, forces=names)
 
 
-def roving_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:
+def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the blows at all points of a hammer that roved, their shapes by the keys of the forces.
 
     Parameters
     ----------
-    points : mapping of str to Point
+    points : mapping of str to RovingPoint
         A file of each setup, each with a force of the campaign.
 
     Raises
@@ -119,7 +119,7 @@ def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
     raise MeasurementError("expected a force, found none", source, remedy)
 
 
-def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Place | None:
+def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Transducer | None:
     """Return the force of the campaign that is measured in a file, None if it has none in this setup.
 
     Raises
@@ -144,7 +144,7 @@ def _modes(
     record: Record,
     campaign: Campaign,
     source: str,
-    points: Sequence[Point] = (),
+    points: Sequence[RovingPoint] = (),
 ) -> FileModes:
     """Return the modes of files of blows, with shapes at the named forces, or else at the sensors."""
     signals = [file.signals for file in files]
@@ -162,8 +162,8 @@ def _fit(
     record: Record,
     campaign: Campaign,
     source: str,
-    points: Sequence[Point],
-) -> tuple[Fit, tuple[str, ...]]:
+    points: Sequence[RovingPoint],
+) -> tuple[FileFit, tuple[str, ...]]:
     """Return the fit of files of blows, and messages about it."""
     hits, step, sensors = record.hits, signals[0].step, signals[0].names
     messages = list[str]()

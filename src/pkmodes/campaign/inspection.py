@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.found import Fit
+from pkmodes.campaign.found import FileFit
 from pkmodes.identification.estimates import Stabilisation
 
 Array = NDArray[np.float64]
@@ -23,7 +23,7 @@ PARTS = 180
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class InspectedFunction:
     """A function of a file.
 
     Attributes
@@ -57,7 +57,7 @@ class Inspection:
     stabilisation : Stabilisation
     frequencies, total : ndarray, shape (f,)
         Sum of the magnitudes of all measured functions, each relative to its rms.
-    curves : tuple of Curve
+    curves : tuple of InspectedFunction
         Those that show the modes best; each mode appears in at least one of them as far as there is room.
     functions : int
         Number of functions from which they were chosen.
@@ -71,7 +71,7 @@ class Inspection:
     stabilisation: Stabilisation
     frequencies: Array
     total: Array
-    curves: tuple[Curve, ...]
+    curves: tuple[InspectedFunction, ...]
     functions: int
     tones: tuple[float, ...]
 
@@ -94,7 +94,7 @@ class Repeats:
     modes: tuple[Mapping[int, float], ...]
 
 
-def inspection(setup: str, file: str, further_files: int, fit: Fit) -> Inspection:
+def inspection(setup: str, file: str, further_files: int, fit: FileFit) -> Inspection:
     """Return what is drawn of the fit of one of several files."""
     estimate = fit.estimate
     f, (F, S, R) = estimate.frequencies, estimate.measured.shape
@@ -126,12 +126,12 @@ def inspection(setup: str, file: str, further_files: int, fit: Fit) -> Inspectio
     )
 
 
-def _curve(fit: Fit, s: int, r: int) -> Curve:
+def _curve(fit: FileFit, s: int, r: int) -> InspectedFunction:
     estimate = fit.estimate
     measured = estimate.measured[:, s, r]
     shown = thinned(np.abs(measured))
     name = fit.responses[s] + (f" / {fit.references[r]}" if fit.references else "")
-    return Curve(
+    return InspectedFunction(
         name,
         estimate.frequencies[shown],
         measured[shown],

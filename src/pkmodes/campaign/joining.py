@@ -23,7 +23,9 @@ from pkmodes.campaign.levels import widest
 SURE = 2.0
 
 
-def joined(setups: Mapping[str, Sequence[Mean]], repeatability: float = 0.0) -> tuple[list[Mean], list[str]]:
+def joined_setups(
+    setups: Mapping[str, Sequence[Mean]], repeatability: float = 0.0
+) -> tuple[list[Mean], list[str]]:
     """Return the modes of all setups of a record, and messages about those that differ or could not be joined.
 
     The mean over setups is weighted by their inverse variances.  If setups differ by more than these explain, their

@@ -15,12 +15,12 @@ from pkmodes.campaign.found import FileModes
 from pkmodes.campaign.frequency_records import frf_modes, spectrum_modes
 from pkmodes.campaign.identified_modes import identified_modes
 from pkmodes.campaign.impact_records import impact_modes, roving_modes
-from pkmodes.campaign.roving import Point
+from pkmodes.campaign.roving import RovingPoint
 from pkmodes.campaign.roving_functions import roving_frf_modes
 
 
 @dataclass(frozen=True)
-class Kind:
+class RecordKind:
     """A kind of record.
 
     Attributes
@@ -41,14 +41,14 @@ class Kind:
     find: Callable[[Path, Record, str, Campaign], FileModes]
     by_channel: bool = False
     signals: bool = True
-    roving: Callable[[Mapping[str, Point], Record, Campaign], FileModes] | None = None
+    roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes] | None = None
     forces: bool = False
 
 
 KINDS = {
-    "frf": Kind(frf_modes, roving=roving_frf_modes, forces=True),
-    "impact": Kind(impact_modes, roving=roving_modes, forces=True),
-    "ambient": Kind(ambient_modes),
-    "spectrum": Kind(spectrum_modes),
-    "modes": Kind(identified_modes, by_channel=True, signals=False),
+    "frf": RecordKind(frf_modes, roving=roving_frf_modes, forces=True),
+    "impact": RecordKind(impact_modes, roving=roving_modes, forces=True),
+    "ambient": RecordKind(ambient_modes),
+    "spectrum": RecordKind(spectrum_modes),
+    "modes": RecordKind(identified_modes, by_channel=True, signals=False),
 }

@@ -15,11 +15,11 @@ from pkmodes.campaign.edits import added_group, check_asked, refuse_added
 from pkmodes.campaign.found import FileModes, Found
 from pkmodes.campaign.grouping import grouped
 from pkmodes.campaign.inspection import Inspection, Repeats, inspection
-from pkmodes.campaign.joining import joined
-from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.joining import joined_setups
+from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.missing import Places, lacking, places_in, unnamed
 from pkmodes.campaign.results import LeftOut
-from pkmodes.campaign.roving import Point, change_of, points_of
+from pkmodes.campaign.roving import RovingPoint, change_of, points_of
 from pkmodes.campaign.roving_functions import ApartError
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.identification.asked import NEAR
@@ -30,7 +30,7 @@ OFTEN = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class MeasuredRecord:
     """The modes of a record over its repeats and setups, before they are edited.
 
     Attributes
@@ -55,7 +55,7 @@ class Measured:
 
 @dataclass(frozen=True, eq=False)
 class _Setup:
-    """The readable files of a setup, messages about them, and those left out; `places` as in `Measured`."""
+    """The readable files of a setup, messages about them, and those left out; `places` as in `MeasuredRecord`."""
 
     names: Sequence[str]
     file_modes: Sequence[FileModes]
@@ -66,8 +66,8 @@ class _Setup:
 
 
 def measured(
-    record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool = False
-) -> Measured:
+    record: Record, kind: RecordKind, campaign: Campaign, keep_going: bool, inspect: bool = False
+) -> MeasuredRecord:
     """Return the modes of a record.
 
     Parameters
@@ -90,7 +90,9 @@ def measured(
         return replace(separate, messages=[message, *separate.messages])
 
 
-def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool) -> Measured:
+def _measured(
+    record: Record, kind: RecordKind, campaign: Campaign, keep_going: bool, inspect: bool
+) -> MeasuredRecord:
     edits = campaign.asked(record)
     check_asked(edits, record, kind, campaign.source)
     setups = _setups(record, kind, campaign, keep_going, inspect)
@@ -117,7 +119,7 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
         repeats.append(
             Repeats(name, tuple(setup.names), tuple(map(_frequencies, [*groups, *added_groups.values()])))
         )
-    joint_means, notes = joined(means, campaign.repeatability or 0.0) if means else ([], [])
+    joint_means, notes = joined_setups(means, campaign.repeatability or 0.0) if means else ([], [])
     further = [
         _joined(frequency, by_setup, record, campaign, notes)
         for frequency, by_setup in added.items()
@@ -133,11 +135,11 @@ def _measured(record: Record, kind: Kind, campaign: Campaign, keep_going: bool, 
     all_messages = [*messages, *(f"{record.pose}: {note}" for note in notes)]
     left_out = [faulty for setup in setups.values() for faulty in setup.left_out]
     inspections = [setup.inspection for setup in setups.values() if setup.inspection is not None]
-    return Measured(record, joint_means, further, left_out, all_messages, inspections, repeats, places)
+    return MeasuredRecord(record, joint_means, further, left_out, all_messages, inspections, repeats, places)
 
 
 def _setups(
-    record: Record, kind: Kind, campaign: Campaign, keep_going: bool, inspect: bool
+    record: Record, kind: RecordKind, campaign: Campaign, keep_going: bool, inspect: bool
 ) -> dict[str, _Setup]:
     """Return the setups of a record; those of a roving hammer are merged into one."""
     setups = {}
@@ -155,7 +157,7 @@ def _setups(
 
 def _together(
     setups: dict[str, _Setup],
-    roving: Callable[[Mapping[str, Point], Record, Campaign], FileModes],
+    roving: Callable[[Mapping[str, RovingPoint], Record, Campaign], FileModes],
     record: Record,
     campaign: Campaign,
     keep_going: bool,
@@ -175,7 +177,7 @@ def _together(
         f"{record.pose}, file {i} of each setup": partial(
             roving,
             {
-                name: Point(path, files[name][path].modes, change.factors[name])
+                name: RovingPoint(path, files[name][path].modes, change.factors[name])
                 for name, path in paths.items()
             },
             record,
@@ -266,7 +268,7 @@ def _read(
     return _Setup(read, results, messages, left_out, drawn)
 
 
-def _find(path: Path, record: Record, setup: str, kind: Kind, campaign: Campaign) -> FileModes:
+def _find(path: Path, record: Record, setup: str, kind: RecordKind, campaign: Campaign) -> FileModes:
     """Return the modes of a file of a setup, by the keys of its sensors and forces."""
     file_modes = kind.find(path, record, setup, campaign)
     return file_modes if kind.by_channel else file_modes.changed(lambda mode: _named(mode, setup, campaign))
@@ -299,7 +301,7 @@ def _joined(
     if not fitted:
         reasons = [outcome for outcome in by_setup.values() if isinstance(outcome, str)]
         refuse_added(frequency, f"{reasons[0]} ({record.pose})", campaign.source)
-    means, joining_notes = joined(fitted, campaign.repeatability or 0.0)
+    means, joining_notes = joined_setups(fitted, campaign.repeatability or 0.0)
     notes += joining_notes
     return min(means, key=lambda mean: abs(mean.mode.frequency - frequency))
 

@@ -10,10 +10,10 @@ from pathlib import Path
 
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes
-from pkmodes.campaign.kinds import Kind
+from pkmodes.campaign.kinds import RecordKind
 from pkmodes.campaign.sensor_functions import asked_of
-from pkmodes.campaign.sensors import Place, Sensor, unsigned
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.campaign.sensors import MotionSensor, Transducer, unsigned
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.signals.reading import read_signals
 from pkmodes.support.ordering import joined, listed
 
@@ -24,7 +24,7 @@ MOST = 6
 
 
 def places_in(
-    names_in_file: frozenset[str] | None, record: Record, setup: str, kind: Kind, campaign: Campaign
+    names_in_file: frozenset[str] | None, record: Record, setup: str, kind: RecordKind, campaign: Campaign
 ) -> Places:
     """Return whether a file has the places that apply to its setup; empty for a file that needs none.
 
@@ -45,8 +45,8 @@ def places_in(
     return presence | {_label(force): unsigned(name) in names_in_file for name, force in forces.items()}
 
 
-def _label(place: Place) -> str:
-    return f"the {'sensor' if isinstance(place, Sensor) else 'force'} {shown(place.key)}"
+def _label(place: Transducer) -> str:
+    return f"the {'sensor' if isinstance(place, MotionSensor) else 'force'} {shown(place.key)}"
 
 
 def lacking(pose: str, setups: Sequence[Sequence[tuple[Path, Places]]]) -> list[str]:
@@ -95,12 +95,12 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
         main_paths = [path for record, path in wanting if record is first]
         beside = [path for main_path in main_paths for path in first.beside(main_path).values()]
         paths = first.setups[place.setup] if place.setup is not None else [*main_paths, *beside]
-        of_sensors = isinstance(place, Sensor)
+        of_sensors = isinstance(place, MotionSensor)
         names = list(dict.fromkeys(name for path in paths for name in _names(path, first, of_sensors)))
         listing = listed([shown(name) for name in names], MOST) or "none"
         new = [name for name in names if name not in {place.name for place in places.values()}]
         problem = f"expected {label} in a file, found {listing} in those of {first.pose}"
-        remedy = nearest(place.name, new, "correct the name, or remove it from the campaign")
+        remedy = nearest_name(place.name, new, "correct the name, or remove it from the campaign")
         if not names and not of_sensors:
             remedy = (
                 "these files do not name their force: give each [[force]] the setup in which it acts alone"
@@ -108,7 +108,7 @@ def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campa
         raise MeasurementError(problem, f"{campaign.source}: {where}.name", remedy)
 
 
-def _numbered(kind: str, places: Sequence[Place]) -> dict[str, Place]:
+def _numbered(kind: str, places: Sequence[Transducer]) -> dict[str, Transducer]:
     return {f"{kind}.{i}": place for i, place in enumerate(places, start=1)}
 
 

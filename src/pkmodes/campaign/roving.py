@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.averaging import Mean, grouped_means
 from pkmodes.campaign.campaign import Campaign
 from pkmodes.campaign.found import FileModes, Found
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -26,7 +26,7 @@ SHIFT = 0.15
 
 
 @dataclass(frozen=True, eq=False)
-class Point:
+class RovingPoint:
     """A file of a point that was hit.
 
     Attributes
@@ -76,13 +76,13 @@ class Point:
         def response(factor: float) -> Complex:
             moved = factor * poles - (1.0 / exponential if exponential else 0.0)
             kept = np.ones(len(moved)) if length is None else 1.0 - np.exp(moved * length)
-            return Modes(moved, factor * kept[:, None] * shapes, parts).response(frequencies)
+            return IdentifiedModes(moved, factor * kept[:, None] * shapes, parts).response(frequencies)
 
         return response(self.factor) - response(1.0)
 
 
 @dataclass(frozen=True)
-class Change:
+class RovingChange:
     """The change of a machine from point to point, and the largest allowed, both relative to its frequencies.
 
     Attributes
@@ -128,7 +128,7 @@ def _hit(setup: str, files: Iterable[FileModes], campaign: Campaign) -> frozense
     return frozenset(set.intersection(*hit))
 
 
-def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
+def change_of(points: Mapping[str, Sequence[Mean]]) -> RovingChange:
     """Return by how much the machine changed from point to point, given the modes of each.
 
     Warming and settling shift all modes; differences in single modes come from fits of modes that a point hardly
@@ -141,7 +141,7 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
     ]
     groups = [group for group in groups if len(group) > 1]
     if not groups:
-        return Change(0.0, np.inf, dict.fromkeys(points, 1.0))
+        return RovingChange(0.0, np.inf, dict.fromkeys(points, 1.0))
     widths = [min(_allowed(mode) / mode.frequency for mode in group.values()) for group in groups]
     logs, sigma = (np.full((len(groups), len(points)), np.nan) for _ in range(2))
     for k, group in enumerate(groups):
@@ -160,7 +160,7 @@ def change_of(points: Mapping[str, Sequence[Mean]]) -> Change:
     factors = {
         setup: float(np.exp(0.5 * (low + high) - shift)) for setup, shift in zip(points, sure, strict=True)
     }
-    return Change(float(-np.expm1(low - high)), float(np.median(widths)), factors)
+    return RovingChange(float(-np.expm1(low - high)), float(np.median(widths)), factors)
 
 
 def _median(values: Array, sigma: Array) -> float:

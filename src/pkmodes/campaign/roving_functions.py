@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from pkmodes.campaign.campaign import Campaign, Record
 from pkmodes.campaign.found import FileModes, modes_of_fit
 from pkmodes.campaign.frequency_records import ResponseFile, Responses, frf_fit, read_responses, remarks_on
-from pkmodes.campaign.roving import Point
+from pkmodes.campaign.roving import RovingPoint
 from pkmodes.campaign.sensor_functions import in_file
 from pkmodes.core.base.errors import shown
 
@@ -29,12 +29,12 @@ class ApartError(Exception):
     """Why the files of several points cannot be fitted together."""
 
 
-def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Campaign) -> FileModes:
+def roving_frf_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the functions at all points of a hammer that roved, their shapes by the keys of the forces.
 
     Parameters
     ----------
-    points : mapping of str to Point
+    points : mapping of str to RovingPoint
         A file of each setup, each with references that forces of the campaign name.
 
     Raises
@@ -45,7 +45,7 @@ def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Camp
         If their lines differ, or no sensor is in all of them.
     """
     files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
-    responses, left_out = together(files, record.band)
+    responses, left_out = points_together(files, record.band)
     with in_file(record.pose):
         fit = frf_fit(responses, record.averages, record, campaign)
     messages = [message for file in files for message in file.messages]
@@ -57,7 +57,7 @@ def roving_frf_modes(points: Mapping[str, Point], record: Record, campaign: Camp
     return modes_of_fit(fit, [*messages, *remarks_on(fit, record.pose)], names_in_file)
 
 
-def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
+def _by_key(point: RovingPoint, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
     """Return a file's functions, corrected to the machine in mid-change, with its forces by their keys."""
     read = read_responses(point.path, record, setup, campaign)
     responses, forces = read.responses, campaign.forces_in(setup)
@@ -66,7 +66,7 @@ def _by_key(point: Point, record: Record, setup: str, campaign: Campaign) -> Res
     return replace(read, responses=replace(responses, names=names, values=responses.values + change))
 
 
-def together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
+def points_together(files: Sequence[ResponseFile], band: tuple[float, float]) -> tuple[Responses, str]:
     """Return the functions of several points as those of one file, and the names of sensors that only some have.
 
     A point in several files gets the mean of its functions.

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 from pkmodes.campaign.campaign import Record
 from pkmodes.campaign.motion import Motion, motion, motion_or_none
-from pkmodes.campaign.sensors import Sensor, check_motion, signed
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.campaign.sensors import MotionSensor, check_motion, signed
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.core.robot.units import LARGEST, SMALLEST
-from pkmodes.signals.functions import Asked, Function, Kind, SignalFile
+from pkmodes.signals.functions import Function, FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.reading import read_signals
 
 #: All sensors are converted to accelerations, which most of them measure.
@@ -26,9 +26,9 @@ ACCELERATION = 2
 SAME = 1e-3
 #: The content that a file should have, and its abscissa, in words.
 WORDS = {
-    Kind.FRF: ("frequency response functions", "frequencies"),
-    Kind.TIME: ("signals in time", "times"),
-    Kind.SPECTRUM: ("power spectra", "frequencies"),
+    FunctionKind.FRF: ("frequency response functions", "frequencies"),
+    FunctionKind.TIME: ("signals in time", "times"),
+    FunctionKind.SPECTRUM: ("power spectra", "frequencies"),
 }
 
 
@@ -48,14 +48,14 @@ class SensorFunctions:
     used: tuple[Function, ...]
 
 
-def asked_of(record: Record, names: frozenset[str] | None = None) -> Asked:
+def asked_of(record: Record, names: frozenset[str] | None = None) -> SignalRequest:
     """Return the request for a file of a record: the functions of some sensors, all by default."""
     blows = record.kind == "impact"
-    return Asked(record.rate, names, record.header, record.band, names=record.names, force=blows)
+    return SignalRequest(record.rate, names, record.header, record.band, names=record.names, force=blows)
 
 
 def sensor_functions(
-    path: Path, kind: Kind, names: frozenset[str], record: Record, *, signs: bool = False
+    path: Path, kind: FunctionKind, names: frozenset[str], record: Record, *, signs: bool = False
 ) -> SensorFunctions:
     """Read the functions of the named sensors.
 
@@ -82,7 +82,7 @@ def sensor_functions(
     used = [
         function
         for function in of_kind
-        if function.response in names or (not names and kind is Kind.SPECTRUM)
+        if function.response in names or (not names and kind is FunctionKind.SPECTRUM)
     ]
     if not used:
         _refuse_unknown_names(path, kind, names, replace(request, sensors=None))
@@ -94,7 +94,9 @@ def sensor_functions(
     return SensorFunctions(read, tuple(used))
 
 
-def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], request: Asked) -> None:
+def _refuse_unknown_names(
+    path: Path, kind: FunctionKind, names: frozenset[str], request: SignalRequest
+) -> None:
     """Refuse a file without the campaign's sensors, listing what it has instead."""
     read = read_signals(path, request)
     available = list(
@@ -110,7 +112,7 @@ def _refuse_unknown_names(path: Path, kind: Kind, names: frozenset[str], request
         )
     problem = f"expected a sensor of the campaign, found {', '.join(map(shown, available[:6]))}"
     remedy = f"add [[sensor]] for each measured direction, named as in the file: name = {shown(available[0])}"
-    remedy = nearest(available[0], names, remedy) if names else remedy
+    remedy = nearest_name(available[0], names, remedy) if names else remedy
     raise MeasurementError(problem, read.source, remedy)
 
 
@@ -120,7 +122,7 @@ def refuse_repeated(name: str, subject: str, source: str) -> NoReturn:
     raise MeasurementError(f"{subject} occurs twice", source, f"{remedy}; give repeats as files of their own")
 
 
-def motion_of(function: Function, sensor: Sensor, channels: Mapping[str, str], source: str) -> Motion:
+def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, str], source: str) -> Motion:
     """Return the motion that a function measures: as the campaign declares, else by the unit in the file.
 
     Raises

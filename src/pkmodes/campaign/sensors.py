@@ -10,12 +10,12 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.description import ForceTable, RecordTable, SensorTable, quantity
+from pkmodes.campaign.description import ForceTable, RecordTable, SensorTable, si_value
 from pkmodes.campaign.motion import Motion, motion, motion_of_voltage
 from pkmodes.campaign.mounts import DISPLACEMENT, ORIGIN, ROTATION, Mount, Platform, Vector, along
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.response.directions import unit_direction
-from pkmodes.signals.functions import WORDS, Function, Kind, computed
+from pkmodes.signals.functions import WORDS, Function, FunctionKind, computed
 from pkmodes.support.ordering import joined
 
 #: Channel of a sensor that helps to find modes but appears in no shape.
@@ -28,7 +28,7 @@ NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ](?:#[0-9]+)?")
 
 
 @dataclass(frozen=True)
-class Place:
+class Transducer:
     """A place where a force acts or a sensor measures.
 
     Attributes
@@ -59,7 +59,7 @@ class Place:
 
 
 @dataclass(frozen=True)
-class Sensor(Place):
+class MotionSensor(Transducer):
     """A sensor.
 
     Attributes
@@ -77,7 +77,7 @@ def sensors_of(
     platform: Platform,
     setups: Collection[str],
     source: str,
-) -> tuple[Sensor, ...]:
+) -> tuple[MotionSensor, ...]:
     """Check the sensors of a campaign.
 
     Parameters
@@ -100,7 +100,7 @@ def sensors_of(
         place = _place(table, channel_units, platform, setups, where, angular=of is not None and of.angular)
         if of is not None:
             check_motion(of, place, channel_units, f"{where}.unit")
-        sensors.append(Sensor(place.name, place.setup, place.weights, of, mount=place.mount))
+        sensors.append(MotionSensor(place.name, place.setup, place.weights, of, mount=place.mount))
     _check_names(sensors, f"{source}: sensor")
     return tuple(sensors)
 
@@ -111,7 +111,7 @@ def forces_of(
     platform: Platform,
     setups: Collection[str],
     source: str,
-) -> tuple[Place, ...]:
+) -> tuple[Transducer, ...]:
     """Check the forces of a campaign: see `sensors_of`."""
     forces = [
         _place(table, channel_units, platform, setups, f"{source}: force.{i}")
@@ -121,7 +121,7 @@ def forces_of(
     return tuple(forces)
 
 
-def names_of(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
+def names_in_files(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
     """Check the names by which the files of a record call time, frequency, force and the sensors.
 
     Raises
@@ -133,7 +133,7 @@ def names_of(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> 
     for name in table.names:
         if name not in known_names:
             problem = f"expected time, frequency, force or a sensor of the campaign, found {shown(name)}"
-            raise MeasurementError(problem, f"{where}.names", nearest(name, known_names))
+            raise MeasurementError(problem, f"{where}.names", nearest_name(name, known_names))
     if table.names and table.kind == IDENTIFIED:
         problem = f"expected a record of signals with names, found the kind {shown(table.kind)}"
         raise MeasurementError(
@@ -155,14 +155,16 @@ def _place(
     where: str,
     *,
     angular: bool = False,
-) -> Place:
+) -> Transducer:
     if not table.name:
         raise MeasurementError("expected a name, found none", f"{where}.name", "give its name in the files")
     if table.setup is not None and table.setup not in setups:
         problem = f"no record has the setup {shown(table.setup)}"
         known_setups = [name for name in setups if name]
         remedy = (
-            nearest(table.setup, known_setups) if known_setups else "leave it out: files are a plain list"
+            nearest_name(table.setup, known_setups)
+            if known_setups
+            else "leave it out: files are a plain list"
         )
         raise MeasurementError(problem, f"{where}.setup", remedy)
     if (table.channel is None) == (table.direction is None):
@@ -181,13 +183,13 @@ def _place(
             for name, component in zip(platform.directions, unit, strict=True)
             if component
         }
-        return Place(table.name, table.setup, weights)
+        return Transducer(table.name, table.setup, weights)
     channel, sign = str(table.channel), 1.0
     if channel not in channel_units and channel != NONE and channel.startswith("-"):
         channel, sign = channel[1:].lstrip(), -1.0
     if channel not in channel_units and channel != NONE:
         raise MeasurementError(
-            f"unknown channel {shown(channel)}", f"{where}.channel", nearest(channel, channel_units)
+            f"unknown channel {shown(channel)}", f"{where}.channel", nearest_name(channel, channel_units)
         )
     if table.at is not None and channel not in platform.components:
         problem = f"the channel {shown(channel)} is no motion of a platform, and has no place on one"
@@ -198,11 +200,11 @@ def _place(
     if platform.rotations and channel in platform.components:
         axis = along([channel[len(ROTATION) :]], [sign])
         return _mounted(table, Mount(axis, False, at, channel.startswith(ROTATION), platform))
-    return Place(table.name, table.setup, {} if channel == NONE else {channel: sign})
+    return Transducer(table.name, table.setup, {} if channel == NONE else {channel: sign})
 
 
-def _mounted(table: SensorTable | ForceTable, mount: Mount) -> Place:
-    return Place(table.name, table.setup, mount.weights(np.eye(3)), mount=mount)
+def _mounted(table: SensorTable | ForceTable, mount: Mount) -> Transducer:
+    return Transducer(table.name, table.setup, mount.weights(np.eye(3)), mount=mount)
 
 
 def _at(table: SensorTable | ForceTable, where: str) -> Vector:
@@ -212,7 +214,7 @@ def _at(table: SensorTable | ForceTable, where: str) -> Vector:
     if len(table.at) != len(ORIGIN):
         problem = f"expected three lengths, along x, y, z of the platform, found {len(table.at)}"
         raise MeasurementError(problem, where, f"for example: {EXAMPLE_OF_AT}")
-    x, y, z = (quantity(coordinate, "m", where) for coordinate in table.at)
+    x, y, z = (si_value(coordinate, "m", where) for coordinate in table.at)
     return x, y, z
 
 
@@ -253,7 +255,7 @@ def _motion(table: SensorTable, where: str) -> Motion | None:
     return motion(table.unit, f"{where}.unit")
 
 
-def check_motion(measured: Motion, place: Place, channel_units: Mapping[str, str], where: str) -> None:
+def check_motion(measured: Motion, place: Transducer, channel_units: Mapping[str, str], where: str) -> None:
     """Refuse a linear motion for an angle, and an angular one for a length.
 
     Raises
@@ -270,7 +272,7 @@ def check_motion(measured: Motion, place: Place, channel_units: Mapping[str, str
             raise MeasurementError(f"{channel} cannot have {kind} motion", where, remedy)
 
 
-def _check_names(places: Sequence[Place], where: str) -> None:
+def _check_names(places: Sequence[Transducer], where: str) -> None:
     for i, place in enumerate(places):
         for earlier in places[:i]:
             if place.name == earlier.name and (
@@ -285,7 +287,7 @@ def _check_names(places: Sequence[Place], where: str) -> None:
 def signed(function: Function) -> Function:
     """Return a function along the positive directions of its degrees of freedom; a coherence has no sign."""
     negative = [end for end in (function.response, function.reference) if NEGATIVE.fullmatch(end)]
-    has_sign = function.kind in (Kind.FRF, Kind.TIME)
+    has_sign = function.kind in (FunctionKind.FRF, FunctionKind.TIME)
     return computed(function, np.negative) if has_sign and len(negative) == 1 else function
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.campaign.mounts import ROTATION, spread
-from pkmodes.campaign.sensors import Place
+from pkmodes.campaign.sensors import Transducer
 from pkmodes.identification.estimates import turned_real
 from pkmodes.support.ordering import joined
 
@@ -50,14 +50,16 @@ class Combined:
     uncertain: tuple[str, ...] = ()
 
 
-def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: float = np.nan) -> Combined:
+def combined(
+    shape: Mapping[str, complex], places: Mapping[str, Transducer], sigma: float = np.nan
+) -> Combined:
     """Return a shape by channel.
 
     Parameters
     ----------
     shape : mapping of str to complex
         By sensor.
-    places : mapping of str to Place
+    places : mapping of str to Transducer
         The sensors, by the same names, at the pose of the shape; those without weights appear in no shape.
     sigma : float, optional
         Standard deviation of each sensor's component, relative to the largest.
@@ -81,7 +83,7 @@ def combined(shape: Mapping[str, complex], places: Mapping[str, Place], sigma: f
     return Combined(better, growth, undetermined, tuple(name for name in values if name not in better))
 
 
-def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str]]:
+def _together(used: Sequence[str], places: Mapping[str, Transducer]) -> list[list[str]]:
     """Return the sensors in groups that share no channel: of hundreds of sensors, most are in a group of one."""
     group_of: dict[str, list[str]] = {}
     for name in used:
@@ -93,7 +95,7 @@ def _together(used: Sequence[str], places: Mapping[str, Place]) -> list[list[str
 
 
 def _solved(
-    names: Sequence[str], shape: Mapping[str, complex], places: Mapping[str, Place]
+    names: Sequence[str], shape: Mapping[str, complex], places: Mapping[str, Transducer]
 ) -> tuple[dict[str, complex], dict[str, float]]:
     """Return the channels that sensors determine, and the rms error of each for an error of 1 at every sensor."""
     channels = list(dict.fromkeys(channel for name in names for channel in places[name].weights))
@@ -112,7 +114,7 @@ def _solved(
 
 
 def _lengths(
-    names: Sequence[str], channels: Sequence[str], places: Mapping[str, Place]
+    names: Sequence[str], channels: Sequence[str], places: Mapping[str, Transducer]
 ) -> tuple[Array, Array]:
     """Return the lengths that turn rotations of sensors and of channels into metres; 1 for everything else."""
     mounts = [mount for name in names if (mount := places[name].mount) is not None]

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pkmodes.campaign.campaign import Campaign, Record
-from pkmodes.campaign.found import FileModes, Fit, modes_of_fit
+from pkmodes.campaign.found import FileFit, FileModes, modes_of_fit
 from pkmodes.campaign.grouping import APART
 from pkmodes.campaign.quotients import force_in
 from pkmodes.campaign.sensor_faults import overloads, silent
@@ -29,7 +29,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.identification.estimates import Mode
 from pkmodes.identification.level import levels
 from pkmodes.signals.checks import FEWEST
-from pkmodes.signals.functions import Kind
+from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reduction import reduced, reduction
 from pkmodes.signals.sampling import Piece, even_pieces, stated_pieces
 from pkmodes.signals.sensor_faults import stopped
@@ -114,7 +114,9 @@ def time_signals(
         If the file is faulty, has none of the campaign's sensors, or its signals differ in their times.
     """
     sensors = campaign.sensors_in(setup)
-    functions = sensor_functions(path, Kind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file)
+    functions = sensor_functions(
+        path, FunctionKind.TIME, frozenset(sensors), record, signs=campaign.signs_of_file
+    )
     read, used = functions.read, functions.used
     time = used[0].abscissa
     forces = [function for function in read.functions if function.force]
@@ -220,10 +222,10 @@ def _lost(time: Array, pieces: Sequence[Piece]) -> float:
 
 
 def with_bridges(
-    find: Callable[[Sequence[TimeSignals]], tuple[Fit, tuple[str, ...]]],
+    find: Callable[[Sequence[TimeSignals]], tuple[FileFit, tuple[str, ...]]],
     recordings: Sequence[TimeSignals],
     source: str,
-) -> tuple[Fit, tuple[str, ...]]:
+) -> tuple[FileFit, tuple[str, ...]]:
     """Return the fit of signals and messages about it, with the effect of interpolated samples in its sigmas.
 
     It is the change from interpolating as many further samples, relative to the standard deviations, rms over all
@@ -258,13 +260,13 @@ def with_bridges(
 
 
 def with_levels(
-    fit: Fit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
+    fit: FileFit, messages: Sequence[str], signals: TimeSignals, exponential: float | None = None
 ) -> FileModes:
     """Return the modes of a file with their levels.
 
     Parameters
     ----------
-    fit : Fit
+    fit : FileFit
         With shapes in accelerations of the file's sensors.
     exponential : float, optional
         Time constant of a window that the responses have had [s].

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pkmodes.cli.delivery import deliver
-from pkmodes.cli.diagnosing import failing, names_of, progress_lines
+from pkmodes.cli.diagnosing import failing, progress_lines, split_names
 from pkmodes.cli.options import (
     FILE,
     band_of,
@@ -103,9 +103,9 @@ def changed(
     for file in states:
         check_order(robot, file, "pkmodes changed")
     check_targets(json_file, [robot, *states], report_target(report_to))
-    names = None if candidates is None else names_of(candidates, "--candidates")
-    held = None if holdout is None else [] if holdout.strip() == "none" else names_of(holdout, "--holdout")
-    failures = frozenset() if fail_on is None else failing(names_of(fail_on, "--fail-on"))
+    names = None if candidates is None else split_names(candidates, "--candidates")
+    held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
+    failures = frozenset() if fail_on is None else failing(split_names(fail_on, "--fail-on"))
     from pkmodes import updating  # SciPy is loaded only where it is used
 
     declared = read_robot(robot)

@@ -6,9 +6,9 @@ from pkmodes.cli import diagnosis_tables
 from pkmodes.cli.terminal import Terminal
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.states.result import Change
-from pkmodes.report.changed import changes, summary, what_to_do
+from pkmodes.report.changed import changes, changes_summary, what_to_do
 from pkmodes.report.numbers import errors
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 
 
 def show_changes(robot: Robot, result: Change, limit: int | None) -> None:
@@ -19,8 +19,8 @@ def show_changes(robot: Robot, result: Change, limit: int | None) -> None:
     limit : int or None
         Modes that are printed, those that changed most; None for all.
     """
-    terminal, setting = Terminal(), Setting(robot.name, robot, None, (), None)
-    head = summary(result, setting)
+    terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
+    head = changes_summary(result, setting)
     terminal.summary(head)
     for name, change in result.by_state.items() or [(result.states[-1], result)]:
         if result.by_state:

@@ -99,26 +99,26 @@ def compare(
     result = updating.compare(declared, data)
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     content, limit = result.as_json(declared.name), len(result.rows) if everything else WORST
-    deliver(json_file, content, lambda: show(declared, data, result, limit), report)
+    deliver(json_file, content, lambda: show_comparison(declared, data, result, limit), report)
 
 
-def show(robot: Robot, data: Measurements, result: Comparison, limit: int) -> None:
+def show_comparison(robot: Robot, data: Measurements, result: Comparison, limit: int) -> None:
     """Print a comparison, with the measured modes that differ most, or all in the order of the poses."""
     from pkmodes.cli.measured_rows import rows_in_words, settings_in_words
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.plots.evidence import Evidence
-    from pkmodes.report.comparison import by_mode, summary
+    from pkmodes.plots.evidence import PlottedEvidence
+    from pkmodes.report.comparison import by_mode, comparison_summary
     from pkmodes.report.mode_table import mode_table
-    from pkmodes.report.setting import Setting
+    from pkmodes.report.setting import ReportSetting
 
-    terminal, setting = Terminal(), Setting(robot.name, robot, data, (), None)
-    head = summary(result, setting)
+    terminal, setting = Terminal(), ReportSetting(robot.name, robot, data, (), None)
+    head = comparison_summary(result, setting)
     terminal.summary(head)
     terminal.show(*by_mode(result))
     if result.unpaired and limit < len(result.rows):
         terminal.line()
         terminal.line(f"unmatched measured modes: {rows_in_words(result.unpaired)}")
-    terminal.show(mode_table(result, Evidence.of(result, data), setting, limit, paired=True))
+    terminal.show(mode_table(result, PlottedEvidence.of(result, data), setting, limit, paired=True))
     if limit < len(result.rows):
         terminal.line("--all prints every row.")
     if settings := settings_in_words(setting, result.rows):

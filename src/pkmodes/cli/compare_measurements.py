@@ -21,14 +21,14 @@ def compare_measurement_files(
     from pkmodes.cli.terminal import Terminal
     from pkmodes.measured.compared import compare_measurements
     from pkmodes.report.measured_shapes import shape_tables
-    from pkmodes.report.measurements import changes, summary
+    from pkmodes.report.measurements import changes, measurements_summary
     from pkmodes.updating.reading import read_any
 
     first, second = (read_any(file, band, drives=drives) for file in files)
     result = compare_measurements(first, second)
 
     def show() -> None:
-        terminal, limit, head = Terminal(), None if everything else MOST, summary(result)
+        terminal, limit, head = Terminal(), None if everything else MOST, measurements_summary(result)
         terminal.summary(head)
         terminal.show(*changes(result, limit), *shape_tables(result, limit))
         terminal.notes(head)

@@ -20,7 +20,7 @@ from pkmodes.support.progress import say
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
-    from pkmodes.maps.poses import Grid, Places
+    from pkmodes.maps.poses import Places, PoseGrid
     from pkmodes.report.sources import Source
 
 #: Approximate number of poses in a workspace, and most poses compared: all are held in memory at once.
@@ -55,7 +55,7 @@ def compare_robot_files(
 
 
 def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
-    from pkmodes.maps.poses import Grid
+    from pkmodes.maps.poses import PoseGrid
     from pkmodes.maps.workspace import reachable_by, within
 
     if places is None:
@@ -64,20 +64,20 @@ def _points(first: Model, second: Model, places: Places | None) -> np.ndarray:
     if count > MOST:
         raise PkmodesError(f"expected at most {MOST:,} poses, found {count:,}", "poses", "give fewer")
     points = np.asarray(places.points(np.arange(count)))
-    if isinstance(places, Grid) and places.used:
+    if isinstance(places, PoseGrid) and places.used:
         points = points[within(first)(points) | within(second)(points)]
     return points
 
 
-def _plane(places: Places | None) -> Grid | None:
+def _plane(places: Places | None) -> PoseGrid | None:
     """Return the given grid if it is a plane."""
-    from pkmodes.maps.poses import Grid
+    from pkmodes.maps.poses import PoseGrid
 
-    return places if isinstance(places, Grid) and sum(n > 1 for n in places.shape) == 2 else None
+    return places if isinstance(places, PoseGrid) and sum(n > 1 for n in places.shape) == 2 else None
 
 
 def _page(
-    first: Model, second: Model, content: dict[str, Any], sources: Sequence[Source], plane: Grid | None
+    first: Model, second: Model, content: dict[str, Any], sources: Sequence[Source], plane: PoseGrid | None
 ) -> str:
     from pkmodes.report.robots import robots_report
 
@@ -89,12 +89,12 @@ def _print(
     files: tuple[Path, Path], models: tuple[Model, Model], content: dict[str, Any], limit: int | None
 ) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.robot_values import frequencies, summary, values
+    from pkmodes.report.robot_values import different_values, frequencies, robots_summary
 
-    terminal, head = Terminal(), summary(*models, content)
+    terminal, head = Terminal(), robots_summary(*models, content)
     terminal.heading(f"first:  {content['first']} ({files[0]})")
     terminal.heading(f"second: {content['second']} ({files[1]})")
     terminal.line()
     terminal.summary(head)
-    terminal.show(*values(models[0], content, limit), *frequencies(content))
+    terminal.show(*different_values(models[0], content, limit), *frequencies(content))
     terminal.notes(head)

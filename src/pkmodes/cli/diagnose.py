@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pkmodes.cli.delivery import ResultFile, deliver
-from pkmodes.cli.diagnosing import failing, names_of, progress_lines
+from pkmodes.cli.diagnosing import failing, progress_lines, split_names
 from pkmodes.cli.options import (
     FILE,
     band_of,
@@ -134,11 +134,11 @@ def diagnose(
     save_target = Target("--save-robot", save_to, "the corrected robot")
     effect_target = Target("--save-effect", effect_to, "the effect")
     check_targets(json_file, [robot, modes], save_target, effect_target, report_target(report_to))
-    names = None if candidates is None else names_of(candidates, "--candidates")
-    held = None if holdout is None else [] if holdout.strip() == "none" else names_of(holdout, "--holdout")
-    failures = frozenset() if fail_on is None else failing(names_of(fail_on, "--fail-on"))
+    names = None if candidates is None else split_names(candidates, "--candidates")
+    held = None if holdout is None else [] if holdout.strip() == "none" else split_names(holdout, "--holdout")
+    failures = frozenset() if fail_on is None else failing(split_names(fail_on, "--fail-on"))
     from pkmodes import updating  # SciPy is loaded only where it is used
-    from pkmodes.cli.diagnosis_tables import show
+    from pkmodes.cli.diagnosis_tables import show_diagnosis
     from pkmodes.measured.statements import parse_prior, parse_usable
     from pkmodes.updating.corrected_robot import corrected_robot
     from pkmodes.updating.saved_term import effect_text, robot_with_term, term_to_save
@@ -178,7 +178,14 @@ def diagnose(
     )
     report = report_file(report_to, lambda: page_of(result, declared, data, sources))
     try:
-        deliver(json_file, result.as_json(), lambda: show(declared, result), robot_file, effect_file, report)
+        deliver(
+            json_file,
+            result.as_json(),
+            lambda: show_diagnosis(declared, result),
+            robot_file,
+            effect_file,
+            report,
+        )
     finally:  # also where another file cannot be written
         if unsaved:
             why = f"the verdict is {result.verdict}, which leaves nothing to correct"

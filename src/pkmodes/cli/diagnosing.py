@@ -10,7 +10,7 @@ from contextlib import contextmanager
 import click
 
 from pkmodes.cli.progress import on_terminal
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.support.progress import say
 
 #: The word for all verdicts that are failures: all except adequate.
@@ -19,7 +19,7 @@ ANY = "any"
 SECONDS = 5.0
 
 
-def names_of(text: str, option: str) -> list[str]:
+def split_names(text: str, option: str) -> list[str]:
     """Split names at commas; as in the measurements, a name with a comma is written in double quotes."""
     try:
         (cells,) = csv.reader([text], strict=True, skipinitialspace=True)
@@ -67,7 +67,7 @@ def failing(names: Sequence[str]) -> frozenset[str]:
     choices, failures = (*VERDICTS, ANY), set[str]()
     for name in names:
         if name not in choices:
-            remedy = nearest(name, choices, f"choose from {', '.join(choices)}")
+            remedy = nearest_name(name, choices, f"choose from {', '.join(choices)}")
             raise PkmodesError(f"unknown verdict {shown(name)}", "--fail-on", remedy)
         failures |= {word for word, verdict in VERDICTS.items() if verdict.fails} if name == ANY else {name}
     return frozenset(failures)

@@ -22,8 +22,8 @@ from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.report.action import action
 from pkmodes.report.beyond import beyond
 from pkmodes.report.damping import factors, refitted
-from pkmodes.report.numbers import errors, values
-from pkmodes.report.setting import Setting
+from pkmodes.report.numbers import errors, fitted_value_tables
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import p_in_words, plain, rounded
@@ -33,9 +33,9 @@ from pkmodes.support.ordering import sorted_labels
 MOST_LIMITS = 5
 
 
-def show(robot: Robot, result: Diagnosis) -> None:
+def show_diagnosis(robot: Robot, result: Diagnosis) -> None:
     """Print the diagnosis of a robot."""
-    terminal, setting = Terminal(), Setting(robot.name, robot, None, (), None)
+    terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
     terminal.heading(f"{robot.name}: {result.verdict}")
     terminal.line(result.reason, "  ")
     terminal.show(action(result, setting))
@@ -46,17 +46,17 @@ def show(robot: Robot, result: Diagnosis) -> None:
     _counts(terminal, robot, result)
     if settings := settings_in_words(setting, result.rows):
         terminal.line(settings)
-    terminal.show(*values(result, setting))
+    terminal.show(*fitted_value_tables(result, setting))
     _remarks(terminal, setting, result)
 
 
-def show_causes(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
+def show_causes(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
     """Print the causes found, and what one thing at one place would explain."""
     _explained(terminal, result)
     _beyond(terminal, result, setting)
 
 
-def _beyond(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
+def _beyond(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
     """Print what one thing at one place would explain that the catalogue does not."""
     if result.beyond is None:
         return
@@ -140,7 +140,7 @@ def _values(terminal: Terminal, effect: Finding, corrected: Sequence[Corrected])
             terminal.line(why, "    ")
 
 
-def _damping(terminal: Terminal, result: Diagnosis, setting: Setting) -> None:
+def _damping(terminal: Terminal, result: Diagnosis, setting: ReportSetting) -> None:
     """Print the verdict on damping, which changes nothing above."""
     damping = result.damping
     if not damping.measured:
@@ -165,7 +165,7 @@ def _counts(terminal: Terminal, robot: Robot, result: Diagnosis) -> None:
         terminal.line(f"motors held: {poses_in_words(labels)}")
 
 
-def _remarks(terminal: Terminal, setting: Setting, result: Diagnosis) -> None:
+def _remarks(terminal: Terminal, setting: ReportSetting, result: Diagnosis) -> None:
     remarks = []
     if result.outliers:
         remarks.append(f"set aside as outliers: {rows_in_words(result.outliers)}")

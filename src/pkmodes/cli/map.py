@@ -164,9 +164,9 @@ def _counted() -> Callable[[int, int], None]:
 def _print(model: Model, content: dict[str, Any]) -> None:
     """Print the summary of a map of a robot, from `pkmodes.maps.summary.summary_of`."""
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.map_summary import ranges, summary
+    from pkmodes.report.map_summary import ranges, summary_of_map
 
-    terminal, head = Terminal(), summary(model, content)
+    terminal, head = Terminal(), summary_of_map(model, content)
     terminal.summary(head)
     terminal.show(ranges(model, content))
     terminal.notes(head)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pkmodes.diagnosis.compare import ComparedRow
 from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.support.ordering import listed, sorted_labels
 
 #: Most rows, poses or settings named in a line; the JSON has all of them.
@@ -25,7 +25,7 @@ def poses_in_words(labels: Sequence[str]) -> str:
     return f"pose{'' if len(labels) == 1 else 's'} {listed(labels, MOST)}"
 
 
-def settings_in_words(setting: Setting, rows: Rows) -> str:
+def settings_in_words(setting: ReportSetting, rows: Rows) -> str:
     """Return what the measurements set, and at which poses; empty where they set nothing."""
     at = {row.pose: setting.load(row.load).plain for row in rows if row.load}
     loads: dict[str, list[str]] = {}

@@ -279,11 +279,11 @@ def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
 
 def _print(model: Model, result: FrequencyResponse, over: MeasuredResponse | None) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.response import largest, summary
+    from pkmodes.report.response import largest, response_summary
     from pkmodes.response.drawn_channels import DrawnChannels
 
     terminal, drawn = Terminal(), DrawnChannels.of(result, over)
-    head = summary(model, result, drawn)
+    head = response_summary(model, result, drawn)
     terminal.summary(head)
     terminal.show(largest(drawn))
     terminal.notes(head)

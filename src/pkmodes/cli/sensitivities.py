@@ -170,7 +170,7 @@ def _page(model: Model, content: dict[str, Any], sources: Sequence[Source]) -> s
 
 def _print(model: Model, content: dict[str, Any], by_name: bool, everything: bool) -> None:
     from pkmodes.cli.terminal import Terminal
-    from pkmodes.report.sensitivity_tables import acting, per_cent, per_sigma, per_unit, summary
+    from pkmodes.report.sensitivity_tables import acting, per_cent, per_sigma, per_unit, sensitivities_summary
     from pkmodes.sensitivity.changes import PERCENT, SIGMA, changes_at
 
     terminal, pose, drives = Terminal(), content["pose"], content["drives"]
@@ -179,7 +179,7 @@ def _print(model: Model, content: dict[str, Any], by_name: bool, everything: boo
     chosen = [paths[t] for t in depends if content["values"][t]] if full else None
     percent = changes_at(model, pose, drives, PERCENT, chosen or None)
     sigma = changes_at(model, pose, drives, SIGMA) if stated_sigmas(model.robot) else None
-    head = summary(model, percent, sigma, content, chosen_only=by_name and bool(chosen))
+    head = sensitivities_summary(model, percent, sigma, content, chosen_only=by_name and bool(chosen))
     terminal.summary(head)
     if percent.largest_of_all() and (chosen or not full):
         terminal.show(per_cent(model, percent, content, None if full else MOST))

@@ -294,7 +294,7 @@ def _of_robot(
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.report.firmware_lines import firmware_lines, schedule_lines
-        from pkmodes.report.shaper import machine, shapers_table, summary
+        from pkmodes.report.shaper import machine, shaper_summary, shapers_table
         from pkmodes.report.shaper_schedule import schedule_blocks
 
         printed: list[Shown] = [
@@ -304,7 +304,7 @@ def _of_robot(
             *firmware_lines(content),
             *schedule_lines(content),
         ]
-        return summary(model, choice, content), printed
+        return shaper_summary(model, choice, content), printed
 
     return _Result(content, page, blocks)
 
@@ -321,10 +321,10 @@ def _of_measured(choice: Choice, spectrum: MeasuredSpectrum | None, sources: Seq
 
     def blocks() -> tuple[Summary, Sequence[Shown]]:
         from pkmodes.report.firmware_lines import firmware_lines
-        from pkmodes.report.shaper_measured import modes_table, shapers_table, summary
+        from pkmodes.report.shaper_measured import measured_shaper_summary, modes_table, shapers_table
 
         printed: list[Shown] = [shapers_table(choice), modes_table(content, MOST), *firmware_lines(content)]
-        return summary(choice, content), printed
+        return measured_shaper_summary(choice, content), printed
 
     return _Result(content, page, blocks)
 

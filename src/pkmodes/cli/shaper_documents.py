@@ -276,7 +276,7 @@ class MeasuredShaperDocument(Document, frozen=True):
 def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | None) -> ShaperDocument:
     """Return the result for a robot."""
     from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.remarks import remarks
+    from pkmodes.shaping.remarks import firmware_remarks
 
     best = choice.candidates[choice.recommended]
     spectrum_part, spectrum_notes = SpectrumDocument.seen(spectrum, choice)
@@ -292,7 +292,7 @@ def shaper_document(model: Model, choice: Choice, spectrum: MeasuredSpectrum | N
         firmware=lines_of(best),
         firmware_versions=lines_by_version(choice),
         schedule=None if choice.schedule is None else _schedule(choice, choice.schedule),
-        notes=[*choice.notes, *remarks(choice), *spectrum_notes],
+        notes=[*choice.notes, *firmware_remarks(choice), *spectrum_notes],
     )
 
 
@@ -353,7 +353,7 @@ def _design(candidate: Candidate) -> dict[str, list[float]]:
 def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> MeasuredShaperDocument:
     """Return the result for measured modes."""
     from pkmodes.shaping.choice import lines_of
-    from pkmodes.shaping.remarks import remarks
+    from pkmodes.shaping.remarks import firmware_remarks
 
     at = of_measured(choice)
     data, best = at.data, choice.candidates[choice.recommended]
@@ -394,5 +394,5 @@ def measured_document(choice: Choice, spectrum: MeasuredSpectrum | None) -> Meas
         spectrum=spectrum_part,
         firmware=lines_of(best),
         firmware_versions=lines_by_version(choice),
-        notes=[*choice.notes, *remarks(choice), *spectrum_notes],
+        notes=[*choice.notes, *firmware_remarks(choice), *spectrum_notes],
     )

@@ -25,7 +25,7 @@ from pkmodes.cli.options import (
 )
 from pkmodes.cli.poses import pose_of
 from pkmodes.cli.targets import Target, check_targets
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.support.documents import Document
 from pkmodes.support.progress import say
 from pkmodes.support.replacing import check_replaced, holds
@@ -171,7 +171,7 @@ def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
         if not equals or not path or not span:
             raise PkmodesError(f"expected PATH=START:STOP, found {shown(part)}", VARY, EXAMPLE)
         if path not in units:
-            remedy = nearest(path, units, "see docs/sensitivities.md for the paths")
+            remedy = nearest_name(path, units, "see docs/sensitivities.md for the paths")
             raise PkmodesError(f"unknown parameter path {shown(path)}", VARY, remedy)
         if path in ranges:
             raise PkmodesError(f"{path} is given twice", VARY, "give its range once")

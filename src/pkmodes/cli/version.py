@@ -59,7 +59,7 @@ def facts() -> Iterator[tuple[str, str]]:
     yield "C compiler", "none" if cc is None else f"{' '.join(cc)}{_version_of(cc)}"
     try:
         yield "compiled libraries are kept in", str(loader.cache_folder())
-    except loader.UnavailableError as error:
+    except loader.NoLibraryError as error:
         yield "compiled libraries are kept in", error.why
 
 

@@ -29,11 +29,11 @@ from pkmodes.core.robot.pose_table import by_name
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.usable import reasons_of
 from pkmodes.core.solve.backends import AUTO, checked_threads, chosen, solver_of
-from pkmodes.core.solve.batch import run
+from pkmodes.core.solve.batch import run_job
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.fields import FIELDS
 from pkmodes.core.solve.gravity import gravitational_stiffness
-from pkmodes.core.solve.mode_fields import Later, ModeFields, Plan
+from pkmodes.core.solve.mode_fields import FieldPlan, Later, ModeFields
 from pkmodes.core.solve.results import Modes, PoseCheck, Statics
 from pkmodes.core.solve.solver import Solver
 from pkmodes.core.system.dissipation import Dissipation
@@ -77,7 +77,7 @@ class Model:
         self._solvers: dict[tuple[str, str], Solver] = {}
         self._solved: dict[str, Evaluation] = {}
         self._fields_of: dict[tuple[object, ...], ModeFields] = {}
-        self._plans: dict[tuple[object, ...], Plan] = {}
+        self._plans: dict[tuple[object, ...], FieldPlan] = {}
         #: Results that applications keep between calls, each under a key of its own.
         self.kept: dict[object, Any] = {}
 
@@ -592,7 +592,7 @@ class Model:
         self, fields: ModeFields, poses: ArrayLike, on_error: OnError, out: Out, threads: int
     ) -> tuple[CheckedPoses, dict[str, Array]]:
         """Evaluate fields at poses."""
-        return run(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
+        return run_job(fields.job, self.robot, self.max_condition, poses, on_error, out, threads)
 
     def _fields(
         self, names: Sequence[str], solver: Solver, drives: str, extra: Mapping[str, Any] | None = None
@@ -608,7 +608,7 @@ class Model:
                 self._fields_of[key] = fields
         return fields
 
-    def _plan(self, requested: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> Plan:
+    def _plan(self, requested: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> FieldPlan:
         """Return what a call does; kept, so that a call for one pose takes microseconds.
 
         Parameters
@@ -635,7 +635,7 @@ class Model:
             if requested is None and FIELDS[name].on_demand and name not in solver.at_hand
         ]
         at_once = [name for name in names if name not in shared and name not in later]
-        plan = self._plans[key] = Plan(
+        plan = self._plans[key] = FieldPlan(
             fields=self._fields(at_once, solver, drives),
             shared=shared,
             later={name: self._fields([name], solver, drives) for name in later},

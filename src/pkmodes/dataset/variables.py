@@ -27,7 +27,7 @@ WITHIN = {INDEPENDENT: COORDINATE, LINEAR: DIRECTION}
 
 
 @dataclass(frozen=True)
-class Variable:
+class DatasetVariable:
     """A variable of the dataset.
 
     Attributes
@@ -52,18 +52,20 @@ class Variable:
 
 #: Variables that say which poses could be evaluated, and those of tracked modes.
 OF_POSES = (
-    Variable("valid", (), "1", "whether the pose could be evaluated"),
-    Variable("reason", (), "1", "why the pose could not be evaluated, empty where it could"),
+    DatasetVariable("valid", (), "1", "whether the pose could be evaluated"),
+    DatasetVariable("reason", (), "1", "why the pose could not be evaluated, empty where it could"),
 )
 OF_TRACKING = (
-    Variable("rank", (MODE,), "1", "place of the tracked mode among the vibration modes, by frequency"),
-    Variable("tracking", (MODE,), "1", "events between this pose and its neighbours in the map"),
+    DatasetVariable(
+        "rank", (MODE,), "1", "place of the tracked mode among the vibration modes, by frequency"
+    ),
+    DatasetVariable("tracking", (MODE,), "1", "events between this pose and its neighbours in the map"),
 )
 
 
 def variables(
     mechanism: Mechanism, normal: str | None, conditions: frozenset[str], tracked: bool
-) -> tuple[Variable, ...]:
+) -> tuple[DatasetVariable, ...]:
     """Return the variables of a map.
 
     Parameters
@@ -95,13 +97,13 @@ def dims_of(field: Field) -> tuple[str, ...]:
     return tuple(WITHIN.get(dim, dim) for dim in field.dims)
 
 
-def _variable(field: Field, mechanism: Mechanism, normal: str | None, shapes: bool) -> Variable:
+def _variable(field: Field, mechanism: Mechanism, normal: str | None, shapes: bool) -> DatasetVariable:
     comment = field.comment
     if shapes and INDEPENDENT in field.dims:
         comment = "NaN for coordinates that do not follow from the pose"
     if mechanism.rotations and LINEAR in field.dims:
         comment = f"{comment}; NaN for rotations"
-    return Variable(
+    return DatasetVariable(
         field.variable,
         dims_of(field),
         field.units_of(mechanism),

@@ -27,11 +27,11 @@ from pkmodes.diagnosis.structure.checks import (
 )
 from pkmodes.diagnosis.structure.kept import Kept
 from pkmodes.diagnosis.structure.modes import (
-    Modes,
+    SetupModes,
     UnstableError,
     UnusableError,
     changes_of,
-    modes_of,
+    setup_modes,
     shape_rates_of,
 )
 from pkmodes.diagnosis.structure.supplied import Derivatives, Matrices, Pair, Supplied
@@ -46,7 +46,7 @@ class _Solved(NamedTuple):
     """Matrices and modes of one setup."""
 
     pair: Pair
-    modes: Modes
+    modes: SetupModes
 
 
 class MatrixStructure:
@@ -240,7 +240,7 @@ class MatrixStructure:
         for setup in self.setups:
             pair = self._supplied.at(self._declared, setup, finite=True)
             try:
-                modes_of(pair, self.rigid)
+                setup_modes(pair, self.rigid)
             except UnusableError as error:
                 if isinstance(error, UnstableError) and kind is not UnstableError:
                     continue
@@ -270,7 +270,7 @@ class MatrixStructure:
         if pair is None:
             return None
         try:  # matrices without modes are not an error here: a fit may try any value within the bounds
-            return _Solved(pair, modes_of(pair, self.rigid))
+            return _Solved(pair, setup_modes(pair, self.rigid))
         except UnusableError:
             return None
 

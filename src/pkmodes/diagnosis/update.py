@@ -25,7 +25,7 @@ from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.one_state import split
 from pkmodes.diagnosis.problem import Candidate, Structure, reached_bounds
 from pkmodes.diagnosis.readings.amplitude import notes_on_amplitude
-from pkmodes.diagnosis.readings.table import declared_otherwise, explained_otherwise, remarks
+from pkmodes.diagnosis.readings.table import declared_otherwise, explained_otherwise, reading_remarks
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
 from pkmodes.diagnosis.verdict.notes import notes
 from pkmodes.diagnosis.verdict.rows import Error, Row
@@ -148,7 +148,7 @@ def update(
     messages = [
         *declared_otherwise(fitter),
         *explained_otherwise(fitter, fit),
-        *remarks(setups.stage(fit.values), fitter.criteria.readings),
+        *reading_remarks(setups.stage(fit.values), fitter.criteria.readings),
         *notes_on_amplitude(fitter, fit.values),
     ]
     held_by_prior = [p.name for p in updated if p.resolution < 0.05]

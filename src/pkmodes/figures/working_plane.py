@@ -8,7 +8,7 @@ import numpy as np
 
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.maps.mapping import map_of
-from pkmodes.maps.poses import Grid
+from pkmodes.maps.poses import PoseGrid
 from pkmodes.maps.workspace import reachable
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ POSES, VOLUME = 8_000, 40_000
 WIDE = 0.5
 
 
-def working_plane(model: Model) -> Grid:
+def working_plane(model: Model) -> PoseGrid:
     """Choose the working plane of a robot.
 
     Parameters
@@ -32,7 +32,7 @@ def working_plane(model: Model) -> Grid:
 
     Returns
     -------
-    Grid
+    PoseGrid
         Perpendicular to the third direction of the platform's motion, among planes of at least half of the largest
         area; the whole workspace of a mechanism that moves in two directions.  A platform that can turn does not.
 
@@ -66,7 +66,7 @@ def working_plane(model: Model) -> Grid:
     # An odd number of values: one of them lies on the centre line.
     axes = {name: np.linspace(*ends[name], 2 * round(size[name] / step / 2) + 1) for name in in_plane}
     axes |= {name: volume.axes[name] for name in turning}
-    return Grid({name: axes.get(name, np.array([best])) for name in names}, volume.used)
+    return PoseGrid({name: axes.get(name, np.array([best])) for name in names}, volume.used)
 
 
 def best_conditioned(dataset: xarray.Dataset, normal: str) -> float:

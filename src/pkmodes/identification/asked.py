@@ -19,7 +19,7 @@ REACH = 0.03
 
 
 @dataclass(frozen=True)
-class Asked:
+class RequestedModes:
     """Frequencies that the user names [Hz].
 
     Attributes
@@ -35,29 +35,31 @@ class Asked:
 
 
 #: No edits.
-NOTHING = Asked()
+NOTHING = RequestedModes()
 
 
-def nearest(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
+def nearest_frequency(frequencies: Sequence[float] | NDArray[np.float64], target: float) -> int | None:
     """Return the index of the frequency nearest to a target, None if none is within `NEAR`."""
     away = np.abs(np.asarray(frequencies, float) / target - 1.0)
     return int(away.argmin()) if away.size and away.min() <= NEAR else None
 
 
-def struck(frequencies: NDArray[np.float64], edits: Asked) -> NDArray[np.bool_]:
+def struck(frequencies: NDArray[np.float64], edits: RequestedModes) -> NDArray[np.bool_]:
     """Return which of the frequencies (N,) are struck out."""
     dropped = np.zeros(len(frequencies), bool)
     for target in edits.strike:
-        i = nearest(np.where(dropped, np.inf, frequencies), target)
+        i = nearest_frequency(np.where(dropped, np.inf, frequencies), target)
         if i is not None:
             dropped[i] = True
     return dropped
 
 
-def replaced(frequencies: Sequence[float] | NDArray[np.float64], edits: Asked, added: float) -> int | None:
+def replaced(
+    frequencies: Sequence[float] | NDArray[np.float64], edits: RequestedModes, added: float
+) -> int | None:
     """Return which of the frequencies an added mode replaces, None for none; those struck out are not replaced."""
     candidates = np.asarray(frequencies, float)
-    return nearest(np.where(struck(candidates, edits), np.inf, candidates), added)
+    return nearest_frequency(np.where(struck(candidates, edits), np.inf, candidates), added)
 
 
 def within_reach(frequency: float, target: float) -> bool:

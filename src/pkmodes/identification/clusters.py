@@ -36,7 +36,7 @@ SHARE = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Candidate:
+class PoleCluster:
     """A cluster of poles.
 
     Attributes
@@ -57,7 +57,7 @@ class Candidate:
     order_count: int
 
 
-def candidates(by_order: Sequence[OrderPoles], low: float, high: float) -> list[Candidate]:
+def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
     """Return the clusters that are large enough, by ascending frequency.
 
     Parameters
@@ -118,7 +118,7 @@ def _alike(vectors: Complex) -> Array:
     return np.asarray(np.abs(units.conj() @ units.T) ** 2)
 
 
-def _candidate(poles: Complex, shapes: Complex, parts: Complex, count: int) -> Candidate:
+def _candidate(poles: Complex, shapes: Complex, parts: Complex, count: int) -> PoleCluster:
     middle = complex(np.median(poles.real), np.median(poles.imag))
     nearest = int(np.argmin(np.abs(poles - middle)))
-    return Candidate(middle, shapes[nearest], parts[nearest], count)
+    return PoleCluster(middle, shapes[nearest], parts[nearest], count)

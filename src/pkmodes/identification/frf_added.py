@@ -14,13 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import REACH, Asked, nearest, struck, within_reach
+from pkmodes.identification.asked import REACH, RequestedModes, nearest_frequency, struck, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.frf_covariance import Uncertainty
-from pkmodes.identification.frf_lines import Lines
+from pkmodes.identification.frf_lines import FrequencyLines
 from pkmodes.identification.frf_refinement import copies, group_fit, groups, settled, significant
-from pkmodes.identification.frf_search import hidden, joined
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.frf_search import hidden, with_poles
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -41,7 +41,7 @@ class WithAdded:
 
     Attributes
     ----------
-    modes : Modes
+    modes : IdentifiedModes
     bounds : Uncertainty
     added : tuple of int or str
         For each requested frequency, the index of its mode, or why there is none.
@@ -49,13 +49,15 @@ class WithAdded:
         Which of the original modes are struck out, and not among these.
     """
 
-    modes: Modes
+    modes: IdentifiedModes
     bounds: Uncertainty
     added: tuple[int | str, ...]
     struck: NDArray[np.bool_]
 
 
-def with_added(data: Lines, modes: Modes, bounds: Uncertainty, edits: Asked) -> WithAdded:
+def with_added(
+    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, edits: RequestedModes
+) -> WithAdded:
     """Return modes (N) with those that the user requests; each replaces a mode within 1 % of it."""
     if not edits.add:
         return WithAdded(modes, bounds, (), np.zeros(len(modes.poles), bool))
@@ -80,17 +82,17 @@ def with_added(data: Lines, modes: Modes, bounds: Uncertainty, edits: Asked) -> 
 
 
 def _added(
-    data: Lines, modes: Modes, owner: NDArray[np.int64], target: float
-) -> tuple[Modes, NDArray[np.bool_]] | str:
+    data: FrequencyLines, modes: IdentifiedModes, owner: NDArray[np.int64], target: float
+) -> tuple[IdentifiedModes, NDArray[np.bool_]] | str:
     """Return modes with one more, the last, and which of the former remain; or why there is none."""
     reported = owner < 0
-    replaced = nearest(np.where(reported, modes.frequencies, np.inf), target)
+    replaced = nearest_frequency(np.where(reported, modes.frequencies, np.inf), target)
     kept = np.ones(len(modes.poles), bool)
     if replaced is not None:
         kept[replaced] = False
     base = modes.only(kept)
     ends: list[float] = []
-    accepted: list[tuple[float, Modes, NDArray[np.bool_]]] = []
+    accepted: list[tuple[float, IdentifiedModes, NDArray[np.bool_]]] = []
     for trial in _trials(data, base, target):
         again, remaining = trial, kept.copy()
         for k in range(len(again.poles) - 1):
@@ -120,9 +122,9 @@ def _added(
     )
 
 
-def _trials(data: Lines, base: Modes, target: float) -> Iterator[Modes]:
+def _trials(data: FrequencyLines, base: IdentifiedModes, target: float) -> Iterator[IdentifiedModes]:
     """Yield the modes with one fitted near a frequency, the nearest first."""
-    trials: list[Modes] = []
+    trials: list[IdentifiedModes] = []
     for pole in _starts(data, base, target):
         trial = _with(data, base, pole)
         new = trial.poles[-1]
@@ -132,7 +134,7 @@ def _trials(data: Lines, base: Modes, target: float) -> Iterator[Modes]:
     yield from sorted(trials, key=lambda trial: abs(abs(trial.poles[-1]) - 2.0 * math.pi * target))
 
 
-def _starts(data: Lines, base: Modes, target: float) -> list[complex]:
+def _starts(data: FrequencyLines, base: IdentifiedModes, target: float) -> list[complex]:
     """Return starting poles of a fit: at the frequency, and where the residual stands out near it."""
     starts = [2.0 * math.pi * target * complex(-ratio, math.sqrt(1.0 - ratio**2)) for ratio in RATIOS]
     near = np.abs(data.frequencies / target - 1.0) <= 2.0 * REACH
@@ -143,19 +145,19 @@ def _starts(data: Lines, base: Modes, target: float) -> list[complex]:
     return starts + [pole for pole in hidden_poles if within_reach(abs(pole) / (2.0 * math.pi), target)]
 
 
-def _with(data: Lines, base: Modes, pole: complex) -> Modes:
+def _with(data: FrequencyLines, base: IdentifiedModes, pole: complex) -> IdentifiedModes:
     """Return modes with one more, the last, fitted from a pole together with those that overlap it."""
     remainder = data.H - base.response(data.frequencies)  # each fit projects out the smooth part
-    modes = joined(base, np.array([pole]), data.frequencies, remainder)
+    modes = with_poles(base, np.array([pole]), data.frequencies, remainder)
     last = len(modes.poles) - 1
     members = next(group for group in groups(modes.poles) if last in group)
     fit = group_fit(data, modes, members).fit
     poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
     poles[members], shapes[members], parts[members] = fit.poles, fit.shapes, fit.participation
-    return Modes(poles, shapes, parts)
+    return IdentifiedModes(poles, shapes, parts)
 
 
-def _threshold(data: Lines, target: float) -> float:
+def _threshold(data: FrequencyLines, target: float) -> float:
     """Return the energy over noise that noise alone exceeds with probability `FALSE_ALARM` near a frequency."""
     lines = int((np.abs(data.frequencies / target - 1.0) <= REACH).sum())
     return significant(data, FALSE_ALARM, max(lines, 1))

@@ -27,7 +27,7 @@ from numpy.typing import NDArray
 from scipy.special import erf
 
 from pkmodes.identification.frf_noise import correlated
-from pkmodes.identification.frf_polish import Fit, Window, basis, columns, polish
+from pkmodes.identification.frf_polish import Window, WindowFit, basis, columns, polish
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -59,13 +59,13 @@ class Uncertainty:
     strength: Array
 
 
-def residual(at: Window, fit: Fit) -> Complex:
+def residual(at: Window, fit: WindowFit) -> Complex:
     """Return the residual of the fit, (F, S, R)."""
     E = basis(at, fit.poles)[:, : len(fit.poles)]
     return np.asarray(at.H - np.tensordot(E, fit.residues, 1))
 
 
-def removed(at: Window, fit: Fit) -> Complex:
+def removed(at: Window, fit: WindowFit) -> Complex:
     """Return orthonormal columns that a fit removes from the noise of the lines, (F, K).
 
     Several channels share a pole, which removes less than a column from each: the derivative is left out for two or
@@ -78,7 +78,7 @@ def removed(at: Window, fit: Fit) -> Complex:
     return np.concatenate([at.smooth, space], axis=1)
 
 
-def channel_covariance(at: Window, fit: Fit, place: NDArray[np.int64], correlation: Complex) -> Complex:
+def channel_covariance(at: Window, fit: WindowFit, place: NDArray[np.int64], correlation: Complex) -> Complex:
     """Return the covariance of the noise between channels, (S R, S R), from the residual."""
     remainder = residual(at, fit).reshape(len(at.s), -1)
     space = removed(at, fit)
@@ -88,14 +88,14 @@ def channel_covariance(at: Window, fit: Fit, place: NDArray[np.int64], correlati
 
 
 def uncertainty(
-    at: Window, fit: Fit, channels: Complex, place: NDArray[np.int64], correlation: Complex
+    at: Window, fit: WindowFit, channels: Complex, place: NDArray[np.int64], correlation: Complex
 ) -> Uncertainty:
     """Return the uncertainty of a fit.
 
     Parameters
     ----------
     at : Window
-    fit : Fit
+    fit : WindowFit
     channels : ndarray of complex128, shape (S R, S R)
         Covariance of the noise between channels.
     place : ndarray of int64, shape (F,)
@@ -171,7 +171,7 @@ def common_sigma(sigmas: Array) -> float:
     return high
 
 
-def _strength(at: Window, fit: Fit, channels: Complex, gram: Complex, spread: Complex) -> Array:
+def _strength(at: Window, fit: WindowFit, channels: Complex, gram: Complex, spread: Complex) -> Array:
     """Return the energy of each mode that the others cannot replace, relative to that of noise."""
     N = len(fit.poles)
     block = gram[:N, :N]
@@ -184,7 +184,7 @@ def _strength(at: Window, fit: Fit, channels: Complex, gram: Complex, spread: Co
     return np.asarray(energy / np.maximum(variance, 1e-300) + math.ulp(0.0))
 
 
-def by_reference(at: Window, fit: Fit) -> tuple[Complex, Array]:
+def by_reference(at: Window, fit: WindowFit) -> tuple[Complex, Array]:
     """Return the poles of each reference alone, (R, N) [1/s], NaN where unknown, and their variances (R, N)."""
     (N, R), S = fit.participation.shape, fit.shapes.shape[1]
     poles, variances = np.full((R, N), np.nan, complex), np.full((R, N), np.nan)

@@ -13,19 +13,19 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, Asked, nearest
-from pkmodes.identification.clusters import candidates, orders_with, usable_poles
+from pkmodes.identification.asked import NOTHING, RequestedModes, nearest_frequency
+from pkmodes.identification.clusters import orders_with, pole_clusters, usable_poles
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 from pkmodes.identification.frf_added import with_added
 from pkmodes.identification.frf_covariance import Uncertainty, common_sigma, component_sigmas, determined
 from pkmodes.identification.frf_estimates import without_window
-from pkmodes.identification.frf_lines import Lines, at_tones, used_lines
+from pkmodes.identification.frf_lines import FrequencyLines, at_tones, used_lines
 from pkmodes.identification.frf_model_errors import with_model_error, without_model_errors
 from pkmodes.identification.frf_refinement import refined, significant
-from pkmodes.identification.frf_search import hidden, joined
-from pkmodes.identification.frf_skirts import NARROW, Line, distinct, without_bandwidth
+from pkmodes.identification.frf_search import hidden, with_poles
+from pkmodes.identification.frf_skirts import NARROW, Line, distinct_tones, without_bandwidth
 from pkmodes.identification.lscf import OrderPoles, lscf
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 from pkmodes.identification.residues import lsfd, with_residual_terms
 
 Array = NDArray[np.float64]
@@ -58,7 +58,7 @@ def identify_frf(
     averages: int | None = None,
     exponential: float | None = None,
     tones: Sequence[float] = (),
-    edits: Asked = NOTHING,
+    edits: RequestedModes = NOTHING,
 ) -> Estimate:
     """Identify the modes in a band.
 
@@ -80,7 +80,7 @@ def identify_frf(
         Time constant of an exponential window of the responses [s].
     tones : sequence of float
         Lines at these frequencies and their multiples are not modes [Hz].
-    edits : Asked
+    edits : RequestedModes
         Modes that the user adds.
 
     Raises
@@ -107,7 +107,7 @@ def identify_frf(
         lines += new_tones
     modes, bounds, error, left_out = without_model_errors(data, modes, bounds, low, high)
 
-    def mode(modes: Modes, bounds: Uncertainty, m: int) -> Mode:
+    def mode(modes: IdentifiedModes, bounds: Uncertainty, m: int) -> Mode:
         found_in = orders_with(by_order, modes.poles[m]), len(by_order)
         return _mode(modes, with_model_error(modes, bounds, error), m, scale, exponential, found_in)
 
@@ -135,22 +135,22 @@ def identify_frf(
             i if isinstance(i, str) else mode(extended.modes, extended.bounds, i) if kept[i] else OUTSIDE
             for i in extended.added
         ),
-        tones=distinct(lines, step),
+        tones=distinct_tones(lines, step),
         model_error=error,
         left_out=tuple(
             frequency
             for frequency in left_out
-            if band[0] <= frequency <= band[1] and nearest(edits.add, frequency) is None
+            if band[0] <= frequency <= band[1] and nearest_frequency(edits.add, frequency) is None
         ),
     )
 
 
-def _unasked(lines: list[Line], edits: Asked) -> list[Line]:
+def _unasked(lines: list[Line], edits: RequestedModes) -> list[Line]:
     """Return the lines at which the user has not requested a mode."""
-    return [line for line in lines if nearest(edits.add, line.frequency) is None]
+    return [line for line in lines if nearest_frequency(edits.add, line.frequency) is None]
 
 
-def _by_order(data: Lines) -> list[OrderPoles]:
+def _by_order(data: FrequencyLines) -> list[OrderPoles]:
     """Return poles from all complete sensors; if there are none, from all functions as of a single reference."""
     measured = data.measured
     complete = np.logical_and.reduce(measured, axis=1)
@@ -165,9 +165,9 @@ def _by_order(data: Lines) -> list[OrderPoles]:
     return lscf(data.frequencies, values, weights / weights.max(), [int(n) for n in orders])
 
 
-def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float) -> Modes:
+def _candidates(by_order: list[OrderPoles], data: FrequencyLines, low: float, high: float) -> IdentifiedModes:
     """Return the clusters as a starting point, with participations of 1 if theirs do not match the references."""
-    clusters = candidates(by_order, low, high)
+    clusters = pole_clusters(by_order, low, high)
     R, N = data.H.shape[2], len(clusters)
     poles = np.array([cluster.pole for cluster in clusters], complex)
     shared = all(cluster.participation.size == R for cluster in clusters)
@@ -175,26 +175,28 @@ def _candidates(by_order: list[OrderPoles], data: Lines, low: float, high: float
         [cluster.participation if shared else np.ones(R) for cluster in clusters], complex
     ).reshape(N, R)
     first = lsfd(data.frequencies, data.H, data.weights(), poles, parts, 0)
-    return Modes(poles, np.nan_to_num(first.shapes), parts)
+    return IdentifiedModes(poles, np.nan_to_num(first.shapes), parts)
 
 
 def _with_hidden(
-    data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float, power: int
-) -> tuple[Modes, Uncertainty]:
+    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, low: float, high: float, power: int
+) -> tuple[IdentifiedModes, Uncertainty]:
     """Return the modes with those that a search finds in their residual."""
     for _ in range(MOST_SEARCHES):
         fit = _response(data, modes, power, data.frequencies)
         poles = hidden(data, fit, significant(data))
         if not len(poles):
             break
-        extended, more_bounds = refined(data, joined(modes, poles, data.frequencies, data.H - fit), low, high)
+        extended, more_bounds = refined(
+            data, with_poles(modes, poles, data.frequencies, data.H - fit), low, high
+        )
         if len(extended.poles) <= len(modes.poles):
             break
         modes, bounds = extended, more_bounds
     return modes, bounds
 
 
-def _response(data: Lines, modes: Modes, power: int, frequencies: Array) -> Complex:
+def _response(data: FrequencyLines, modes: IdentifiedModes, power: int, frequencies: Array) -> Complex:
     """Return the modes with residual terms, in the units of `data`, (F, S, R), at frequencies [Hz]."""
     displacement = replace(modes, shapes=modes.shapes / modes.poles[:, None] ** power)
     full = with_residual_terms(data.frequencies, data.H, data.weights(), displacement, power)
@@ -202,7 +204,11 @@ def _response(data: Lines, modes: Modes, power: int, frequencies: Array) -> Comp
 
 
 def _in_band(
-    modes: Modes, data: Lines, band: tuple[float, float], exponential: float | None, tones: Sequence[float]
+    modes: IdentifiedModes,
+    data: FrequencyLines,
+    band: tuple[float, float],
+    exponential: float | None,
+    tones: Sequence[float],
 ) -> NDArray[np.bool_]:
     poles = without_window(modes.poles, exponential)
     frequency = np.abs(poles) / (2.0 * math.pi)
@@ -212,7 +218,7 @@ def _in_band(
 
 
 def _mode(
-    modes: Modes,
+    modes: IdentifiedModes,
     bounds: Uncertainty,
     m: int,
     scale: Array,

@@ -28,7 +28,7 @@ SPREAD = 2.1
 
 
 @dataclass(frozen=True, eq=False)
-class Lines:
+class FrequencyLines:
     """Functions to be fitted.
 
     Attributes
@@ -79,7 +79,7 @@ def used_lines(
     exponential: float | None,
     tones: Sequence[float],
     found_tones: Sequence[float] = (),
-) -> tuple[Lines, Array]:
+) -> tuple[FrequencyLines, Array]:
     """Return the lines that are used, relative to the rms of each sensor, and these rms values.
 
     Lines at a multiple of a stated tone and around a tone that was found are left out.
@@ -109,7 +109,7 @@ def used_lines(
         variance = _smoothed(np.maximum(variance, 1e-3 * difference_variance(values)))
     correlation = None if exponential is None else exponential_correlation(step, exponential, LAGS * 4)
     place = np.round((f[used] - f[0]) / step).astype(np.int64)
-    return Lines(f[used], place, values, variance, correlation, stated), scale
+    return FrequencyLines(f[used], place, values, variance, correlation, stated), scale
 
 
 def at_tones(f: Array, tones: Sequence[float], step: float) -> NDArray[np.bool_]:

@@ -23,10 +23,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.frf_covariance import Uncertainty, residual
-from pkmodes.identification.frf_lines import Lines
+from pkmodes.identification.frf_lines import FrequencyLines
 from pkmodes.identification.frf_noise import LAGS
 from pkmodes.identification.frf_refinement import copies, group_fit, groups, refined, settled
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 from pkmodes.support.numbers import plain
 
 Array = NDArray[np.float64]
@@ -60,7 +60,7 @@ class Remaining(NamedTuple):
 
     Attributes
     ----------
-    modes : Modes
+    modes : IdentifiedModes
     bounds : Uncertainty
         Without the error.
     error : float
@@ -69,20 +69,20 @@ class Remaining(NamedTuple):
         Frequencies of the spurious ones [Hz], ascending.
     """
 
-    modes: Modes
+    modes: IdentifiedModes
     bounds: Uncertainty
     error: float
     left_out: Array
 
 
 def without_model_errors(
-    data: Lines, modes: Modes, bounds: Uncertainty, low: float, high: float
+    data: FrequencyLines, modes: IdentifiedModes, bounds: Uncertainty, low: float, high: float
 ) -> Remaining:
     """Return the modes without those that only fit an error of the model.
 
     Parameters
     ----------
-    data : Lines
+    data : FrequencyLines
     modes, bounds
         As returned by `refined`.
     low, high : float
@@ -96,7 +96,7 @@ def without_model_errors(
     return Remaining(modes, bounds, error, np.sort(left_out))
 
 
-def with_model_error(modes: Modes, bounds: Uncertainty, error: float) -> Uncertainty:
+def with_model_error(modes: IdentifiedModes, bounds: Uncertainty, error: float) -> Uncertainty:
     """Return uncertainties including the effect of an error, a fraction of the functions, on each pole and shape.
 
     The shape of a weak mode beside a strong one has an error in proportion to the strong one.
@@ -135,7 +135,7 @@ def not_linear(error: float, left_out: Sequence[float]) -> str:
 # Beside peaks --------------------------------------------------------------------------------------------------
 
 
-def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
+def _beside_a_peak(data: FrequencyLines, modes: IdentifiedModes) -> NDArray[np.bool_]:
     """Return modes that only fit the remainder of one mode at a peak, for the highest peak that has any."""
     drop = np.zeros(len(modes.poles), bool)
     if data.measured.any(axis=1).sum() < ENOUGH:
@@ -153,7 +153,7 @@ def _beside_a_peak(data: Lines, modes: Modes) -> NDArray[np.bool_]:
     return drop
 
 
-def _beside(modes: Modes, height: Array, k: int) -> Index:
+def _beside(modes: IdentifiedModes, height: Array, k: int) -> Index:
     """Return the lower modes that are within a bandwidth of a mode, directly or through others of them."""
     width, at = np.abs(modes.poles.real), modes.poles.imag
     members = np.arange(len(height)) == k
@@ -165,7 +165,7 @@ def _beside(modes: Modes, height: Array, k: int) -> Index:
         members = grown
 
 
-def _left_without(data: Lines, modes: Modes, dropped: Index, k: int) -> float:
+def _left_without(data: FrequencyLines, modes: IdentifiedModes, dropped: Index, k: int) -> float:
     """Return the remainder of a fit without some modes, relative to mode k at its peak or the functions at theirs."""
     kept = ~np.isin(np.arange(len(modes.poles)), dropped)
     fewer, place = modes.only(kept), int(kept[:k].sum())
@@ -192,7 +192,7 @@ def _part(remainder: Complex, whole: Complex, s: Complex, pole: complex) -> floa
 # On their skirts -----------------------------------------------------------------------------------------------
 
 
-def _on_skirts(data: Lines, modes: Modes) -> NDArray[np.bool_]:
+def _on_skirts(data: FrequencyLines, modes: IdentifiedModes) -> NDArray[np.bool_]:
     """Return weak modes that are not much larger than the error of the strong ones at most peaks."""
     size = _relative_sizes(data, modes)
     strong = size >= STRONG
@@ -208,7 +208,7 @@ def _at_most_peaks(errors: Array) -> float:
     return float(finite[(len(finite) - 1) // 2]) if len(finite) >= PEAKS else 0.0
 
 
-def _relative_sizes(data: Lines, modes: Modes) -> Array:
+def _relative_sizes(data: FrequencyLines, modes: IdentifiedModes) -> Array:
     """Return the size of each mode at the line nearest to it, relative to that of all others there, (N,)."""
     measured, at = data.measured, modes.poles.imag / (2.0 * math.pi)
     nearest = np.abs(data.frequencies - at[:, None]).argmin(axis=1)
@@ -218,7 +218,7 @@ def _relative_sizes(data: Lines, modes: Modes) -> Array:
     return np.asarray(np.linalg.norm(own_response, axis=1) / np.maximum(other_sizes, 1e-300))
 
 
-def slow_errors(data: Lines, modes: Modes) -> Array:
+def slow_errors(data: FrequencyLines, modes: IdentifiedModes) -> Array:
     """Return the fraction of the functions at each peak that modes leave and that varies slowly over the lines, (N,).
 
     Residuals at lines some way apart are uncorrelated if they are noise, and correlated if they are a model error.
@@ -245,7 +245,7 @@ def slow_errors(data: Lines, modes: Modes) -> Array:
     return errors
 
 
-def _left(data: Lines, modes: Modes) -> Complex:
+def _left(data: FrequencyLines, modes: IdentifiedModes) -> Complex:
     """Return the residual of modes, without its smooth part, at the lines of their groups, (F, S, R)."""
     remainder = np.zeros(data.H.shape, complex)
     for members in groups(modes.poles):

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -61,7 +61,7 @@ class Window:
 
 
 @dataclass(frozen=True, eq=False)
-class Fit(Modes):
+class WindowFit(IdentifiedModes):
     """Modes fitted in a window.
 
     Attributes
@@ -106,7 +106,7 @@ def basis(at: Window, poles: Complex) -> Complex:
     return np.asarray(E - at.smooth @ (at.smooth.conj().T @ E))
 
 
-def polish(at: Window, poles: Complex, participation: Complex) -> Fit:
+def polish(at: Window, poles: Complex, participation: Complex) -> WindowFit:
     """Fit modes from a starting point.
 
     Parameters
@@ -141,7 +141,7 @@ def polish(at: Window, poles: Complex, participation: Complex) -> Fit:
         if damping > LAST_DAMPING:
             converged = float(np.abs(gradient[:N]).max()) < np.inf
             break
-    return Fit(*state, cost, converged)
+    return WindowFit(*state, cost, converged)
 
 
 def columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64], Complex]:

@@ -30,10 +30,10 @@ from pkmodes.identification.frf_covariance import (
     residual,
     uncertainty,
 )
-from pkmodes.identification.frf_lines import Lines
+from pkmodes.identification.frf_lines import FrequencyLines
 from pkmodes.identification.frf_noise import line_sigma, residual_correlation
-from pkmodes.identification.frf_polish import Fit, Window, polish, window
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.frf_polish import Window, WindowFit, polish, window
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -99,16 +99,18 @@ class GroupFit:
     at: Window
     place: NDArray[np.int64]
     lines: NDArray[np.int64]
-    fit: Fit
+    fit: WindowFit
 
 
-def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, Uncertainty]:
+def refined(
+    data: FrequencyLines, start: IdentifiedModes, low: float, high: float
+) -> tuple[IdentifiedModes, Uncertainty]:
     """Return the modes that remain of candidates, with the uncertainty of their fit.
 
     Parameters
     ----------
-    data : Lines
-    start : Modes
+    data : FrequencyLines
+    start : IdentifiedModes
         Candidates; their shapes are not used.
     low, high : float
         Range of frequencies that a mode may have [Hz].
@@ -138,7 +140,7 @@ def refined(data: Lines, start: Modes, low: float, high: float) -> tuple[Modes, 
     return modes, _with_references(modes, _uncertainties(data, modes, fits), fits)
 
 
-def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
+def settled(data: FrequencyLines, start: IdentifiedModes) -> tuple[IdentifiedModes, Uncertainty]:
     """Return modes fitted until they no longer change, none of them dropped, with the uncertainty of their fit."""
     modes = start
     for _ in range(MOST_SWEEPS):
@@ -149,7 +151,7 @@ def settled(data: Lines, start: Modes) -> tuple[Modes, Uncertainty]:
     return modes, _with_references(modes, _uncertainties(data, modes, fits), fits)
 
 
-def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
+def _with_references(modes: IdentifiedModes, bounds: Uncertainty, fits: list[GroupFit]) -> Uncertainty:
     """Return uncertainties including the scatter between references, for modes that several of them see."""
     (N, R), size = modes.participation.shape, np.abs(modes.poles)
     if R < 2:
@@ -176,25 +178,25 @@ def _with_references(modes: Modes, bounds: Uncertainty, fits: list[GroupFit]) ->
     return replace(bounds, poles=sigmas)
 
 
-def significant(data: Lines, false_alarm: float = FALSE_ALARM, lines: int | None = None) -> float:
+def significant(data: FrequencyLines, false_alarm: float = FALSE_ALARM, lines: int | None = None) -> float:
     """Return the relative energy that noise alone exceeds with a given probability over lines, all by default."""
     tried = DAMPINGS * (len(data.frequencies) if lines is None else lines)
     return float(gamma.isf(false_alarm / tried, max(int(data.measured.sum()), 1)))
 
 
-def _sweep(data: Lines, modes: Modes) -> tuple[list[GroupFit], Modes]:
+def _sweep(data: FrequencyLines, modes: IdentifiedModes) -> tuple[list[GroupFit], IdentifiedModes]:
     """Fit each group in turn, with the latest fits of the others subtracted."""
     fits = []
     poles, shapes, parts = modes.poles.copy(), modes.shapes.copy(), modes.participation.copy()
     for members in groups(poles):
-        fitted = group_fit(data, Modes(poles, shapes, parts), members)
+        fitted = group_fit(data, IdentifiedModes(poles, shapes, parts), members)
         poles[members], shapes[members] = fitted.fit.poles, fitted.fit.shapes
         parts[members] = fitted.fit.participation
         fits.append(fitted)
-    return fits, Modes(poles, shapes, parts)
+    return fits, IdentifiedModes(poles, shapes, parts)
 
 
-def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit:
+def group_fit(data: FrequencyLines, modes: IdentifiedModes, members: NDArray[np.int64]) -> GroupFit:
     """Fit some of the modes to the lines around them, with the others subtracted."""
     poles = modes.poles
     lines = lines_around(data.frequencies, poles[members])
@@ -208,7 +210,10 @@ def group_fit(data: Lines, modes: Modes, members: NDArray[np.int64]) -> GroupFit
 
 
 def without_others(
-    data: Lines, modes: Modes, members: NDArray[np.int64], lines: NDArray[np.int64] | NDArray[np.bool_]
+    data: FrequencyLines,
+    modes: IdentifiedModes,
+    members: NDArray[np.int64],
+    lines: NDArray[np.int64] | NDArray[np.bool_],
 ) -> Complex:
     """Return the functions at some lines without the other modes, and without the conjugates of all modes."""
     outside = np.setdiff1d(np.arange(len(modes.poles)), members)
@@ -217,14 +222,14 @@ def without_others(
     return np.asarray(H - np.tensordot(1.0 / (s - modes.poles.conj()), residues.conj(), 1))
 
 
-def _line_sigma(at: Window, fit: Fit, weights: Array, H: Complex) -> Array:
+def _line_sigma(at: Window, fit: WindowFit, weights: Array, H: Complex) -> Array:
     measured = weights > 0.0
     scale = np.sqrt(weights[measured])
     remainder = residual(at, fit)
     return line_sigma(remainder[:, measured] * scale, (H - remainder)[:, measured] * scale)
 
 
-def _noise_of(at: Window, fit: Fit, variance: Array) -> Array:
+def _noise_of(at: Window, fit: WindowFit, variance: Array) -> Array:
     """Return the variance of each channel from its residual."""
     squares = (np.abs(residual(at, fit)) ** 2).sum(axis=0) / max(len(at.s) - removed(at, fit).shape[1], 1)
     return np.asarray(np.where(at.weights > 0.0, np.maximum(squares, 1e-12 * np.abs(variance)), np.nan))
@@ -234,7 +239,7 @@ def _inverse(variance: Array) -> Array:
     return np.where(np.isfinite(variance), 1.0 / np.where(variance > 0.0, variance, np.inf), 0.0)
 
 
-def _uncertainties(data: Lines, modes: Modes, fits: list[GroupFit]) -> Uncertainty:
+def _uncertainties(data: FrequencyLines, modes: IdentifiedModes, fits: list[GroupFit]) -> Uncertainty:
     correlation = data.correlation if data.correlation is not None else _correlation(fits)
     N, S = modes.shapes.shape
     poles, shapes, strength = np.empty((N, 2)), np.empty((N, S, S), complex), np.empty(N)
@@ -266,7 +271,7 @@ def _correlation(fits: list[GroupFit]) -> Complex:
     )
 
 
-def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
+def _not_modes(modes: IdentifiedModes, fits: list[GroupFit], low: float, high: float) -> NDArray[np.bool_]:
     """Return which fits failed or left the range of frequency or damping of a mode."""
     frequency = modes.frequencies
     damping = -modes.poles.real / np.abs(modes.poles)
@@ -276,7 +281,9 @@ def _not_modes(modes: Modes, fits: list[GroupFit], low: float, high: float) -> N
     return wrong
 
 
-def _weakest(modes: Modes, strength: Array, fits: list[GroupFit], threshold: float) -> NDArray[np.bool_]:
+def _weakest(
+    modes: IdentifiedModes, strength: Array, fits: list[GroupFit], threshold: float
+) -> NDArray[np.bool_]:
     """Return the weakest mode of each group if it is not significant: without it, its neighbours become stronger."""
     drop = np.zeros(len(modes.poles), bool)
     for fitted in fits:
@@ -285,7 +292,7 @@ def _weakest(modes: Modes, strength: Array, fits: list[GroupFit], threshold: flo
     return drop
 
 
-def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.bool_]:
+def _copies(modes: IdentifiedModes, strength: Array, fits: list[GroupFit]) -> NDArray[np.bool_]:
     drop = np.zeros(len(modes.poles), bool)
     for fitted in fits:
         for a, i in enumerate(fitted.members):
@@ -295,7 +302,7 @@ def _copies(modes: Modes, strength: Array, fits: list[GroupFit]) -> NDArray[np.b
     return drop
 
 
-def copies(modes: Modes, i: int, k: int, near: float = COPY_NEAR) -> bool:
+def copies(modes: IdentifiedModes, i: int, k: int, near: float = COPY_NEAR) -> bool:
     """Return whether two modes are closer than a fraction of a bandwidth and so similar that they may be one."""
     width = abs(modes.poles[i].real) + abs(modes.poles[k].real)
     close = abs(modes.poles[i].imag - modes.poles[k].imag) < near * width

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from scipy.signal import fftconvolve
 
 from pkmodes.identification.clusters import HIGHEST_DAMPING
-from pkmodes.identification.frf_lines import Lines
+from pkmodes.identification.frf_lines import FrequencyLines
 from pkmodes.identification.frf_noise import MEDIAN, PARTS, correlated
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -32,12 +32,12 @@ SMOOTH = 3
 MODEL_ERROR = 0.05
 
 
-def hidden(data: Lines, fit: Complex, least: float) -> Complex:
+def hidden(data: FrequencyLines, fit: Complex, least: float) -> Complex:
     """Return starting poles of modes in a residual, (N,) [1/s], the strongest of each neighbourhood.
 
     Parameters
     ----------
-    data : Lines
+    data : FrequencyLines
     fit : ndarray of complex128, shape (F, S, R)
         Response of the modes so far.
     least : float
@@ -72,13 +72,15 @@ def hidden(data: Lines, fit: Complex, least: float) -> Complex:
     return np.array(poles, complex)
 
 
-def joined(modes: Modes, poles: Complex, frequencies: Array, remainder: Complex) -> Modes:
+def with_poles(
+    modes: IdentifiedModes, poles: Complex, frequencies: Array, remainder: Complex
+) -> IdentifiedModes:
     """Return modes with further poles, whose shapes and participations are those of the remainder there."""
     remainder = np.nan_to_num(remainder)
     nearest = np.abs(frequencies - poles.imag[:, None] / (2.0 * math.pi)).argmin(axis=1)
     peaks = remainder[nearest] * -poles.real[:, None, None]
     parts = np.linalg.svd(peaks)[2][:, 0]
-    return Modes(
+    return IdentifiedModes(
         np.concatenate([modes.poles, poles]),
         np.concatenate([modes.shapes, np.einsum("nsr,nr->ns", peaks, parts.conj())]),
         np.concatenate([modes.participation, parts]),

@@ -20,11 +20,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import gamma
 
-from pkmodes.identification.frf_lines import SPREAD, Lines
+from pkmodes.identification.frf_lines import SPREAD, FrequencyLines
 from pkmodes.identification.frf_noise import MEDIAN
 from pkmodes.identification.frf_polish import basis, polish, window
 from pkmodes.identification.frf_refinement import without_others
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -61,7 +61,7 @@ class Line:
     sure: bool
 
 
-def without_bandwidth(data: Lines, modes: Modes) -> list[Line]:
+def without_bandwidth(data: FrequencyLines, modes: IdentifiedModes) -> list[Line]:
     """Return the lines without bandwidth among narrow modes."""
     step = data.step
     narrow = np.flatnonzero(modes.half_widths < NARROW * step)
@@ -76,7 +76,7 @@ def without_bandwidth(data: Lines, modes: Modes) -> list[Line]:
     return lines
 
 
-def distinct(lines: Sequence[Line], step: float) -> tuple[float, ...]:
+def distinct_tones(lines: Sequence[Line], step: float) -> tuple[float, ...]:
     """Return the frequencies of the tones [Hz]: of those found close together, in line spacings, the first."""
     kept: list[float] = []
     for line in lines:
@@ -92,7 +92,7 @@ def _clusters(places: Array, narrow: NDArray[np.int64]) -> list[NDArray[np.int64
 
 
 def _single(
-    data: Lines, modes: Modes, cluster: NDArray[np.int64], step: float
+    data: FrequencyLines, modes: IdentifiedModes, cluster: NDArray[np.int64], step: float
 ) -> tuple[tuple[Array, Complex], complex | None]:
     """Return the lines around a cluster without the other modes, and the one pole that fits them best."""
     centre = float(modes.poles[cluster].imag.mean()) / (2.0 * math.pi)

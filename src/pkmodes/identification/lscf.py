@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import toeplitz
 
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -38,7 +38,7 @@ RIDGE = 1e-13
 
 
 @dataclass(frozen=True, eq=False)
-class OrderPoles(Modes):
+class OrderPoles(IdentifiedModes):
     """Poles of one model order n, also unstable ones and those outside the band, with shapes at any scale."""
 
     order: int

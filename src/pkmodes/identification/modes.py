@@ -13,7 +13,7 @@ Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)
-class Modes:
+class IdentifiedModes:
     """Several modes.
 
     Attributes
@@ -45,9 +45,9 @@ class Modes:
         """Residues, (N, S, R)."""
         return np.asarray(self.shapes[:, :, None] * self.participation[:, None, :])
 
-    def only(self, kept: NDArray[np.bool_]) -> Modes:
+    def only(self, kept: NDArray[np.bool_]) -> IdentifiedModes:
         """Return some of the modes."""
-        return Modes(self.poles[kept], self.shapes[kept], self.participation[kept])
+        return IdentifiedModes(self.poles[kept], self.shapes[kept], self.participation[kept])
 
     def response(self, frequencies: Array) -> Complex:
         """Return the sum of the modes and their conjugates at frequencies [Hz], (F, S, R)."""

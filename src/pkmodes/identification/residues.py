@@ -18,14 +18,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.modes import Modes
+from pkmodes.identification.modes import IdentifiedModes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
 @dataclass(frozen=True, eq=False)
-class Residues(Modes):
+class Residues(IdentifiedModes):
     """Modes with residual terms: shapes phi, which are those of the displacement, and participations L.
 
     Attributes
@@ -103,7 +103,9 @@ def lsfd(
     return Residues(poles, shapes, parts, upper, lower, power)
 
 
-def with_residual_terms(frequencies: Array, H: Complex, weights: Array, modes: Modes, power: int) -> Residues:
+def with_residual_terms(
+    frequencies: Array, H: Complex, weights: Array, modes: IdentifiedModes, power: int
+) -> Residues:
     """Fit the residual terms alone, to known modes of the displacement; see `lsfd`."""
     s: Complex = np.asarray(2j * math.pi * frequencies, dtype=complex)
     derivative: Complex = np.asarray(s**power, dtype=complex)

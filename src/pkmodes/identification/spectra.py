@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.identification.asked import NOTHING, REACH, Asked, replaced, within_reach
+from pkmodes.identification.asked import NOTHING, REACH, RequestedModes, replaced, within_reach
 from pkmodes.identification.clusters import HIGHEST_DAMPING
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation
 
@@ -58,7 +58,7 @@ class _Peak:
 
 
 def identify_spectrum(
-    frequencies: Array, power: Array, *, band: tuple[float, float], edits: Asked = NOTHING
+    frequencies: Array, power: Array, *, band: tuple[float, float], edits: RequestedModes = NOTHING
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify frequencies from power spectra.
 
@@ -70,7 +70,7 @@ def identify_spectrum(
         Power spectral densities of S responses, at any scale.
     band : tuple of float
         Where modes are wanted [Hz].
-    edits : Asked
+    edits : RequestedModes
         Modes that the user adds: a maximum of any height near the frequency suffices.
 
     Returns

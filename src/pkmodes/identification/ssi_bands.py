@@ -35,7 +35,7 @@ FEWEST_PERIODS = 8.0
 
 
 @dataclass(frozen=True)
-class Part:
+class BandPart:
     """A part of the band.
 
     Attributes
@@ -70,7 +70,7 @@ class Part:
 
 
 @dataclass(frozen=True, eq=False)
-class Lines:
+class SpectralLines:
     """Spectral lines of one piece of a record.
 
     Attributes
@@ -85,10 +85,10 @@ class Lines:
     frequencies: Array
     values: Complex
 
-    def within(self, part: Part) -> Lines:
+    def within(self, part: BandPart) -> SpectralLines:
         """Return the lines of a part of the band."""
         inside = slice(*np.searchsorted(self.frequencies, [part.start, part.stop]))
-        return Lines(self.frequencies[inside], self.values[inside])
+        return SpectralLines(self.frequencies[inside], self.values[inside])
 
     @property
     def step(self) -> float:
@@ -96,7 +96,7 @@ class Lines:
         return float(self.frequencies[1] - self.frequencies[0])
 
 
-def parts(low: float, high: float, nyquist: float, seconds: float) -> list[Part]:
+def parts(low: float, high: float, nyquist: float, seconds: float) -> list[BandPart]:
     """Return the parts of a band [Hz] with guards that stay below the Nyquist frequency, for a length of record."""
     least = min(LEAST_LINES / seconds, high - low)
     ends = [low]
@@ -108,11 +108,11 @@ def parts(low: float, high: float, nyquist: float, seconds: float) -> list[Part]
     band_parts = []
     for a, b in pairwise(ends):
         guard = GUARD * (b - a)
-        band_parts.append(Part(a, b, max(a - guard, 0.0), min(b + guard, nyquist)))
+        band_parts.append(BandPart(a, b, max(a - guard, 0.0), min(b + guard, nyquist)))
     return band_parts
 
 
-def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[Lines]:
+def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[SpectralLines]:
     """Return spectral lines of pieces of a record, without their means.
 
     Parameters
@@ -128,11 +128,11 @@ def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[Line
     for piece in pieces:
         n = longest or len(piece)
         spectrum = np.fft.rfft(piece - piece.mean(axis=0), n, axis=0) * t_step / math.sqrt(0.5 * total)
-        spectra.append(Lines(np.asarray(np.fft.rfftfreq(n, t_step), float), spectrum))
+        spectra.append(SpectralLines(np.asarray(np.fft.rfftfreq(n, t_step), float), spectrum))
     return spectra
 
 
-def powers(padded: Sequence[Lines], part: Part) -> Complex:
+def powers(padded: Sequence[SpectralLines], part: BandPart) -> Complex:
     """Return the correlations (S, S) of a part of the band at the lag 0, between all responses.
 
     Products of all pairs of responses at each line would not fit into memory with hundreds of sensors.
@@ -145,14 +145,16 @@ def powers(padded: Sequence[Lines], part: Part) -> Complex:
     return np.asarray(sum(weighted))
 
 
-def correlations(padded: Sequence[Lines], part: Part, references: Array, lags: NDArray[np.int64]) -> Complex:
+def correlations(
+    padded: Sequence[SpectralLines], part: BandPart, references: Array, lags: NDArray[np.int64]
+) -> Complex:
     """Return correlations (K, S, r) of a part of the band at lags in samples of its analytic signal.
 
     Parameters
     ----------
-    padded : sequence of Lines
+    padded : sequence of SpectralLines
         Of pieces padded to the same length.
-    part : Part
+    part : BandPart
     references : ndarray, shape (S, r)
         Combinations of the responses.
     lags : ndarray, shape (K,)
@@ -169,8 +171,8 @@ def correlations(padded: Sequence[Lines], part: Part, references: Array, lags: N
 class PreparedRecord:
     """A record prepared for identification: its sensors relative to their rms, its lines padded and not."""
 
-    padded: list[Lines]
-    plain: list[Lines]
+    padded: list[SpectralLines]
+    plain: list[SpectralLines]
     scales: Array
     seconds: float
 

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, Asked, nearest, replaced
+from pkmodes.identification.asked import NOTHING, RequestedModes, nearest_frequency, replaced
 from pkmodes.identification.estimates import Estimate, Mode, Stabilisation, alike
 from pkmodes.identification.ssi_bands import PreparedRecord, parts, prepared, usable_pieces
 from pkmodes.identification.ssi_lines import lines_among
@@ -53,7 +53,7 @@ def identify_responses(
     *,
     band: tuple[float, float],
     tones: Sequence[float] = (),
-    edits: Asked = NOTHING,
+    edits: RequestedModes = NOTHING,
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify modes from responses without a force.
 
@@ -67,7 +67,7 @@ def identify_responses(
         Where modes are wanted [Hz].
     tones : sequence of float
         Frequencies of lines that are not modes, as are their multiples [Hz].
-    edits : Asked
+    edits : RequestedModes
         Modes that the user adds.
 
     Returns
@@ -100,7 +100,7 @@ def identify_responses(
         requested = part_requested | requested
     kept = [
         part_mode
-        for part_mode in beside_all(record, distinct(part_modes))
+        for part_mode in beside_all(record, distinct_modes(part_modes))
         if not rest_of_tone(part_mode.mode, found_tones, record)
     ]
     narrow = lines_among(record.plain, [part_mode.mode for part_mode in kept], found_tones)
@@ -120,7 +120,7 @@ def identify_responses(
     stabilisation = Stabilisation(
         np.array(ORDERS), tuple(np.concatenate(order_poles) for order_poles in poles)
     )
-    unasked = [line for line in narrow.values() if nearest(edits.add, line.frequency) is None]
+    unasked = [line for line in narrow.values() if nearest_frequency(edits.add, line.frequency) is None]
     found_tones = sorted((*found_tones, *unasked), key=lambda tone: tone.frequency)
     lines = tuple(tone.frequency for tone in found_tones if band[0] <= tone.frequency <= band[1])
     estimate = Estimate(modes, stabilisation, *_drawn(record, all_modes, band), added, lines)
@@ -189,7 +189,7 @@ def _sentences(tones: Sequence[Tone], modes: Sequence[Mode], seconds: float) -> 
     return tuple(sentences)
 
 
-def distinct(part_modes: Sequence[PartMode]) -> list[PartMode]:
+def distinct_modes(part_modes: Sequence[PartMode]) -> list[PartMode]:
     """Return the modes by frequency; of a mode that two overlapping parts found, keep the more central one."""
     kept: list[PartMode] = []
     for candidate in sorted(part_modes, key=_eccentricity):
@@ -227,7 +227,7 @@ def with_wanted(
     part_modes: Sequence[PartMode],
     requested: Wanted,
     tones: Sequence[Tone],
-    edits: Asked,
+    edits: RequestedModes,
 ) -> tuple[list[PartMode], Wanted]:
     """Return the modes that requested ones do not replace, and the requested ones without remainders of tones."""
     kept, outcomes = list(part_modes), dict(requested)

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.level import along_shape
-from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_bands import SpectralLines
 from pkmodes.identification.ssi_selection import Refined
 from pkmodes.identification.tones import Tone
 
@@ -66,12 +66,14 @@ class Followed:
     off: float
 
 
-def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequence[Tone]) -> dict[int, Tone]:
+def lines_among(
+    pieces: Sequence[SpectralLines], modes: Sequence[Refined], tones: Sequence[Tone]
+) -> dict[int, Tone]:
     """Return which modes are lines, or cannot be told from one, by index, with a message about each.
 
     Parameters
     ----------
-    pieces : sequence of Lines
+    pieces : sequence of SpectralLines
         Of the record, without padding.
     modes : sequence of Refined
     tones : sequence of Tone
@@ -101,7 +103,7 @@ def lines_among(pieces: Sequence[Lines], modes: Sequence[Refined], tones: Sequen
     return line_tones
 
 
-def followed(pieces: Sequence[Lines], mode: Refined) -> Followed:
+def followed(pieces: Sequence[SpectralLines], mode: Refined) -> Followed:
     """Return the statistics of a response's amplitude at a peak, over the pieces of a record."""
     width, along = mode.rate / (2.0 * math.pi), along_shape(mode.shape)
     powers, of_lines, away = [], [], []

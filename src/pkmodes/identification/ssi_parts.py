@@ -15,11 +15,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.identification.asked import NOTHING, REACH, Asked, replaced, struck, within_reach
-from pkmodes.identification.clusters import Candidate, candidates, orders_with, usable_poles
+from pkmodes.identification.asked import NOTHING, REACH, RequestedModes, replaced, struck, within_reach
+from pkmodes.identification.clusters import PoleCluster, orders_with, pole_clusters, usable_poles
 from pkmodes.identification.lscf import OrderPoles
 from pkmodes.identification.ssi import Order, order, subspace
-from pkmodes.identification.ssi_bands import Lines, Part, PreparedRecord, correlations, powers
+from pkmodes.identification.ssi_bands import BandPart, PreparedRecord, SpectralLines, correlations, powers
 from pkmodes.identification.ssi_selection import Refined, refined, start
 
 Array = NDArray[np.float64]
@@ -44,7 +44,7 @@ class PartMode:
     """A mode, the part of the band in which it was found, and its subspace identification."""
 
     mode: Refined
-    part: Part
+    part: BandPart
     orders: tuple[Order, ...]
     references: Array
     order_count: int
@@ -56,9 +56,9 @@ Wanted = dict[float, PartMode | str]
 
 def modes_of_part(
     record: PreparedRecord,
-    part: Part,
+    part: BandPart,
     poles: list[list[Complex]],
-    edits: Asked = NOTHING,
+    edits: RequestedModes = NOTHING,
 ) -> tuple[list[PartMode], Wanted]:
     """Return the modes of a part of the band, and those requested in it; add its poles to those of each order."""
     power = powers(record.padded, part)
@@ -80,7 +80,7 @@ def modes_of_part(
         inside = (s.imag >= 2 * math.pi * part.low) & (s.imag < 2 * math.pi * part.high)
         poles[k].append(s[inside & (s.real < 0.0)])
     margin = 0.5 * (part.low - part.start), 0.5 * (part.stop - part.high)
-    chosen = candidates(by_order, part.low - margin[0], part.high + margin[1])
+    chosen = pole_clusters(by_order, part.low - margin[0], part.high + margin[1])
 
     def part_mode(mode: Refined, pole: complex, count: int) -> PartMode:
         near = tuple(_rescaled(orders[k], levels) for k in _near(by_order, pole))
@@ -112,12 +112,12 @@ def _near(by_order: Sequence[OrderPoles], pole: complex) -> list[int]:
 
 
 def _selected(
-    record: PreparedRecord, part: Part, chosen: Sequence[Candidate]
-) -> list[tuple[Refined, Candidate]]:
+    record: PreparedRecord, part: BandPart, chosen: Sequence[PoleCluster]
+) -> list[tuple[Refined, PoleCluster]]:
     """Return the candidates that are modes: the strongest are tried first, then each is fitted beside the others."""
     ends = part.start, part.stop
     strength = [_strength(record, candidate) for candidate in chosen]
-    kept: list[tuple[Refined, Candidate]] = []
+    kept: list[tuple[Refined, PoleCluster]] = []
     for k in np.argsort(strength)[::-1]:
         candidate = chosen[k]
         mode = refined(
@@ -134,7 +134,7 @@ def _selected(
     return kept
 
 
-def _strength(record: PreparedRecord, candidate: Candidate) -> float:
+def _strength(record: PreparedRecord, candidate: PoleCluster) -> float:
     """Return the mean power of the lines within the bandwidth of a candidate, along its shape."""
     f, width = (
         candidate.pole.imag / (2 * math.pi),
@@ -151,8 +151,8 @@ def _strength(record: PreparedRecord, candidate: Candidate) -> float:
 def added(
     by_order: Sequence[OrderPoles],
     modes: Sequence[Refined],
-    edits: Asked,
-    lines: Sequence[Lines],
+    edits: RequestedModes,
+    lines: Sequence[SpectralLines],
     ends: tuple[float, float],
     target: float,
 ) -> Refined | str:
@@ -163,8 +163,8 @@ def added(
     by_order : sequence of OrderPoles
     modes : sequence of Refined
         Those found; those struck out, and the one that it replaces, are not fitted beside it.
-    edits : Asked
-    lines : sequence of Lines
+    edits : RequestedModes
+    lines : sequence of SpectralLines
         Of pieces without padding.
     ends : tuple of float
         Of the lines that may be used [Hz].
@@ -189,7 +189,7 @@ def added(
     return max((fit for fit in fits if abs(fit.frequency - first.frequency) < same), key=lambda fit: fit.gain)
 
 
-def _others(modes: Sequence[Refined], edits: Asked, target: float) -> list[Refined]:
+def _others(modes: Sequence[Refined], edits: RequestedModes, target: float) -> list[Refined]:
     """Return the modes that remain beside an added one."""
     f = np.array([mode.undamped for mode in modes])
     gone = struck(f, edits)

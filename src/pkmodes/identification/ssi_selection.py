@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.estimates import alike
-from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_bands import SpectralLines
 from pkmodes.identification.ssi_likelihood import PeakFit, Powers, fit_peaks
 
 Array = NDArray[np.float64]
@@ -84,7 +84,7 @@ def start(pole: complex, shape: Complex) -> Refined:
 def refined(
     mode: Refined,
     neighbours: Sequence[Refined],
-    lines: Sequence[Lines],
+    lines: Sequence[SpectralLines],
     ends: tuple[float, float],
     least: float = SIGNIFICANT,
 ) -> Refined | None:
@@ -94,7 +94,7 @@ def refined(
     ----------
     mode : Refined
     neighbours : sequence of Refined
-    lines : sequence of Lines
+    lines : sequence of SpectralLines
         Of pieces without padding.
     ends : tuple of float
         Of the lines that may be used [Hz].
@@ -171,7 +171,7 @@ def _filter(mode: Refined, reach: Sequence[Refined], far: Sequence[Refined]) -> 
     return row, remaining
 
 
-def _powers(lines: Sequence[Lines], row: Complex, low: float, high: float) -> Powers:
+def _powers(lines: Sequence[SpectralLines], row: Complex, low: float, high: float) -> Powers:
     """Return the power that passes a filter, between two frequencies."""
     frequencies, values, seconds = [], [], []
     for piece in lines:

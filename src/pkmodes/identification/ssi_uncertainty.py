@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.ssi import Order
-from pkmodes.identification.ssi_bands import Lines, Part
+from pkmodes.identification.ssi_bands import BandPart, SpectralLines
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -39,15 +39,21 @@ class Sigma:
 
 
 def sigma(
-    lines: Sequence[Lines], part: Part, references: Array, first: int, order: Order, i: int, scales: Array
+    lines: Sequence[SpectralLines],
+    part: BandPart,
+    references: Array,
+    first: int,
+    order: Order,
+    i: int,
+    scales: Array,
 ) -> Sigma:
     """Return the standard deviations of mode i of a model order.
 
     Parameters
     ----------
-    lines : sequence of Lines
+    lines : sequence of SpectralLines
         Of the pieces of the record, without padding.
-    part : Part
+    part : BandPart
     references : ndarray, shape (S, r)
     first : int
         First lag of the Hankel matrix.
@@ -80,7 +86,7 @@ def sigma(
 
 
 def _changes(
-    lines: Lines, part: Part, references: Array, first: int, order: Order, i: int
+    lines: SpectralLines, part: BandPart, references: Array, first: int, order: Order, i: int
 ) -> tuple[Complex, Complex]:
     """Return the contribution of each line to eigenvalue and shape: (F,) and (F, S)."""
     Y = lines.values

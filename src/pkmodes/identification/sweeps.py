@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.identification.level import along_shape, followed
-from pkmodes.identification.ssi_bands import Lines
+from pkmodes.identification.ssi_bands import SpectralLines
 from pkmodes.identification.ssi_selection import Refined
 
 #: Half width of the band-pass: in half bandwidths of the peak, and the least relative to the frequency.
@@ -36,12 +36,12 @@ ONE_PASS, SHORT = 0.6, 0.25
 AVERAGED = 2.0
 
 
-def at_end_of_line(lines: Lines, t_step: float, mode: Refined) -> bool:
+def at_end_of_line(lines: SpectralLines, t_step: float, mode: Refined) -> bool:
     """Return whether the line of a sweep begins, ends, turns back or stands still at a mode.
 
     Parameters
     ----------
-    lines : Lines
+    lines : SpectralLines
         Of the longest piece, without padding.
     t_step : float
         Between samples [s].

@@ -21,8 +21,8 @@ from pkmodes.core.system.evaluation import evaluation
 from pkmodes.core.system.motors import solved_system
 from pkmodes.dataset.attributes import attributes_of, imported, labels_of, meanings_of
 from pkmodes.dataset.variables import LIST, variables
-from pkmodes.maps.evaluating import Layout, codes
-from pkmodes.maps.poses import Grid, Places
+from pkmodes.maps.evaluating import MapLayout, codes
+from pkmodes.maps.poses import Places, PoseGrid
 from pkmodes.maps.tracking import Tracked
 from pkmodes.maps.variants import SAMPLE, Variants
 
@@ -38,7 +38,7 @@ def dataset_of(
     robot: Robot,
     places: Places,
     variants: Variants,
-    layout: Layout,
+    layout: MapLayout,
     arrays: Mapping[str, Any],
     tracked: Tracked | None = None,
 ) -> xarray.Dataset:
@@ -112,7 +112,7 @@ def _coordinates(robot: Robot, places: Places, variants: Variants) -> dict[str, 
             attributes = {"units": units.get(path, "1"), "long_name": f"parameter {path}, drawn"}
             coordinates[path] = (SAMPLE, values, attributes)
     about = {c.name: {"units": c.unit, "long_name": c.description} for c in robot.mechanism.pose}
-    if isinstance(places, Grid):
+    if isinstance(places, PoseGrid):
         coordinates |= {name: (name, places.axes[name], about[name]) for name in places.dims}
     else:
         coordinates |= {name: (LIST, places.table[:, i], about[name]) for i, name in enumerate(places.names)}

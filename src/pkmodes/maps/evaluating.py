@@ -44,7 +44,7 @@ Array = NDArray[Any]
 
 
 @dataclass(frozen=True)
-class Layout:
+class MapLayout:
     """Lengths along the axes of a map that come after the poses; the same for all of its robots.
 
     Attributes
@@ -70,12 +70,12 @@ class Layout:
         """Whether mode shapes are kept."""
         return SHAPES in self.conditions
 
-    def without_shapes(self) -> Layout:
+    def without_shapes(self) -> MapLayout:
         """Return the layout of a map that does not keep mode shapes."""
         return replace(self, conditions=self.conditions - {SHAPES})
 
 
-def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]]:
+def tails(robot: Robot, layout: MapLayout) -> dict[str, tuple[tuple[int, ...], str]]:
     """Return the shape at one pose, and the type, of each field."""
     coordinates = len(layout.coordinates)
     independent = coordinates if layout.shapes else None
@@ -85,7 +85,7 @@ def tails(robot: Robot, layout: Layout) -> dict[str, tuple[tuple[int, ...], str]
     return {**fields, "code": ((), "i1")}
 
 
-def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) -> Layout:
+def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) -> MapLayout:
     """Return the layout that holds the modes of all robots."""
     modes, order = 0, {}
     for robot in robots:
@@ -96,7 +96,7 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) 
     released = [q.name for effect in robots[0].mechanism.effects.values() for q in effect.coordinates]
     ordered = [q.name for q in robots[0].mechanism.coordinates] + released
     coordinates = tuple(sorted(order, key=ordered.index))
-    return Layout(modes, coordinates, conditions_of(robots, shapes, drives), backend, drives)
+    return MapLayout(modes, coordinates, conditions_of(robots, shapes, drives), backend, drives)
 
 
 @dataclass(frozen=True)
@@ -121,7 +121,7 @@ class Task:
     code: str
     max_condition: float
     normal: str | None
-    layout: Layout
+    layout: MapLayout
     used: bool = False
 
 
@@ -189,7 +189,7 @@ def codes(mechanism: Mechanism) -> tuple[str, ...]:
 
 
 def _place(
-    field: Field, values: Array, array: Array, model: Model, layout: Layout, valid: NDArray[np.bool_]
+    field: Field, values: Array, array: Array, model: Model, layout: MapLayout, valid: NDArray[np.bool_]
 ) -> None:
     """Place the values of a robot in an array with the modes and coordinates of all robots."""
     if field.dims[:1] == (MODE,):

@@ -89,7 +89,7 @@ def shown(dataset: xarray.Dataset) -> xarray.Dataset:
     return dataset.assign(frequency=dataset["frequency"].where(ordinary(with_medians(dataset))))
 
 
-def in_words(dataset: xarray.Dataset) -> str:
+def left_out_in_words(dataset: xarray.Dataset) -> str:
     """Return how many poses of a map `shown` leaves out, for a caption; empty if none."""
     judged = with_medians(dataset)
     near, moving = int((near_singular(judged) > 1.0).sum()), int(unstable(judged).sum())

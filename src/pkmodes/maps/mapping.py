@@ -23,10 +23,10 @@ from pkmodes.core.system.motors import solved_system
 from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.robot_text import text_of
 from pkmodes.maps.dataset import dataset_of
-from pkmodes.maps.evaluating import Layout, Task, code_of, layout_of, tails
+from pkmodes.maps.evaluating import MapLayout, Task, code_of, layout_of, tails
 from pkmodes.maps.map_file import MapFile
-from pkmodes.maps.poses import Grid, Places, places_of
-from pkmodes.maps.running import run
+from pkmodes.maps.poses import Places, PoseGrid, places_of
+from pkmodes.maps.running import run_tasks
 from pkmodes.maps.storage import SUFFIX, Store, Tails, damage_refused, in_memory, locked, on_disk
 from pkmodes.maps.tracking import Tracked, track
 from pkmodes.maps.variants import SAMPLE, Variants, variants_of
@@ -43,13 +43,13 @@ Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class MapPlan:
     """What a map computes."""
 
     model: Model
     places: Places
     variants: Variants
-    layout: Layout
+    layout: MapLayout
 
     @property
     def poses(self) -> int:
@@ -83,7 +83,7 @@ class Plan:
     @property
     def used(self) -> bool:
         """Whether poses beyond the usable limits of a robot are left out."""
-        return isinstance(self.places, Grid) and self.places.used
+        return isinstance(self.places, PoseGrid) and self.places.used
 
     @property
     def normal(self) -> str | None:
@@ -94,14 +94,16 @@ class Plan:
     def record(self) -> dict[str, Any]:
         """What determines the result, as JSON can hold it: an interrupted map is continued only with the same."""
         places = self.places
-        table = {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, Grid) else None
+        table = (
+            {name: v.tolist() for name, v in places.axes.items()} if isinstance(places, PoseGrid) else None
+        )
         return {
             "version": VERSION,
             "mechanism": code_of(self.model.mechanism),
             "robot": text_of(self.model.robot),
             "largest condition number": self.model.max_condition,
             "grid": table,
-            "poses": None if isinstance(places, Grid) else sha256(places.table.tobytes()).hexdigest(),
+            "poses": None if isinstance(places, PoseGrid) else sha256(places.table.tobytes()).hexdigest(),
             # Lists keep the order, on which that of the rows depends.
             "sweep": [[path, values.tolist()] for path, values in self.variants.swept.items()],
             "samples": [[path, values.tolist()] for path, values in self.variants.drawn.items()],
@@ -194,7 +196,7 @@ def map_of(
     variants = variants_of(model.robot, sweep, samples, seed)
     places = reachable(model) if grid is None else places_of(model.mechanism, grid)
     layout = layout_of(variants.robots, shapes or tracked, chosen(backend), checked_drives(drives))
-    plan = Plan(model, places, variants, layout)
+    plan = MapPlan(model, places, variants, layout)
     if tracked:
         _check_trackable(plan)
     sizes = tails(model.robot, layout)
@@ -221,7 +223,7 @@ def map_of(
     return file.opened() if kept is None else kept
 
 
-def _in_memory(plan: Plan, sizes: Tails) -> Store:
+def _in_memory(plan: MapPlan, sizes: Tails) -> Store:
     try:
         return in_memory(plan.rows, plan.task_count, sizes)
     except (MemoryError, ValueError):  # ValueError: more than an array can have
@@ -231,7 +233,9 @@ def _in_memory(plan: Plan, sizes: Tails) -> Store:
         ) from None
 
 
-def _fill(plan: Plan, store: Store, threads: int, scheduler: str | None, progress: Progress | None) -> None:
+def _fill(
+    plan: MapPlan, store: Store, threads: int, scheduler: str | None, progress: Progress | None
+) -> None:
     """Compute the tasks that are not done."""
     done = sum(plan.rows_of(i).stop - plan.rows_of(i).start for i in np.flatnonzero(store.done).tolist())
 
@@ -251,10 +255,10 @@ def _fill(plan: Plan, store: Store, threads: int, scheduler: str | None, progres
     if progress is not None:
         progress(done, plan.rows)
     if not store.done.all():
-        run(tasks(), put, finish, threads, scheduler)
+        run_tasks(tasks(), put, finish, threads, scheduler)
 
 
-def _refuse_outside(plan: Plan) -> NoReturn:
+def _refuse_outside(plan: MapPlan) -> NoReturn:
     """Refuse a map without a single pose that can be evaluated."""
     model, size = Model(plan.variants.robots[0], plan.model.max_condition), plan.poses
     sample = plan.places.points(np.unique(np.linspace(0, size - 1, min(size, 1000)).astype(int)))
@@ -262,7 +266,7 @@ def _refuse_outside(plan: Plan) -> NoReturn:
     sentence = sentence or model.reasons[USABLE]  # it can be reached
     of = " by any of its robots" if len(plan.variants.robots) > 1 else ""
     problem = f"none of the {plan.rows:,} poses of the map can be evaluated{of}; the first: {sentence}"
-    if isinstance(plan.places, Grid):
+    if isinstance(plan.places, PoseGrid):
         where, remedy = "grid", 'write them with their unit, such as "300 mm:800 mm:51"'
     else:
         name = next((component.name for component in model.mechanism.pose if component.unit == "m"), "x")
@@ -273,7 +277,7 @@ def _refuse_outside(plan: Plan) -> NoReturn:
     raise PkmodesError(problem, where, bounds_of(model, sample, remedy))
 
 
-def _check_trackable(plan: Plan) -> None:
+def _check_trackable(plan: MapPlan) -> None:
     drives = plan.layout.drives
     systems = [(system, solved_system(system, drives)) for system in map(evaluation, plan.variants.robots)]
     counts = {(system.coordinates, solved.rigid_modes) for system, solved in systems}
@@ -284,7 +288,7 @@ def _check_trackable(plan: Plan) -> None:
         )
 
 
-def track_plan(plan: Plan, arrays: Mapping[str, Any]) -> Tracked:
+def track_plan(plan: MapPlan, arrays: Mapping[str, Any]) -> Tracked:
     """Track the modes of a map; samples are compared with the first one."""
     robots, size = plan.variants.robots, plan.poses
 

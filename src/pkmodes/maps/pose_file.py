@@ -12,7 +12,7 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.columns import column_of
 from pkmodes.maps.poses import Poses
-from pkmodes.measured.cells import Notation
+from pkmodes.measured.cells import TableNotation
 from pkmodes.measured.csv_format import read_text
 from pkmodes.measured.csv_rows import read_lines
 from pkmodes.measured.rules import PRINTABLE
@@ -77,7 +77,7 @@ def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     return Poses(np.array(list(table.values())), tuple(units), labels)
 
 
-def _value(cell: str, factor: Decimal | None, notation: Notation, where: str) -> float:
+def _value(cell: str, factor: Decimal | None, notation: TableNotation, where: str) -> float:
     value = notation.number(cell, factor)
     if value is None:
         problem = f"expected a finite number, found {shown(cell) if cell else 'nothing'}"

@@ -20,7 +20,7 @@ EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'
 
 
 @dataclass(frozen=True, eq=False)
-class Grid:
+class PoseGrid:
     """Poses on a grid.
 
     Attributes
@@ -105,7 +105,7 @@ class Poses:
         return directions[2] if len(directions) > 2 else None
 
 
-Places = Grid | Poses
+Places = PoseGrid | Poses
 
 
 def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
@@ -113,7 +113,7 @@ def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike |
 
     Parameters
     ----------
-    poses : mapping of str to array_like, or array_like of shape (N, d), or Grid or Poses
+    poses : mapping of str to array_like, or array_like of shape (N, d), or PoseGrid or Poses
         Ascending values, or one number, for each component of the pose, rotations 0 where they are not given; or
         poses one after the other.
 
@@ -122,7 +122,7 @@ def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike |
     PoseError
         If a component is missing or unknown, or its values do not ascend; or if it is not an array of poses.
     """
-    if isinstance(poses, Grid | Poses):
+    if isinstance(poses, PoseGrid | Poses):
         return poses
     if not isinstance(poses, Mapping):
         points, _ = given_poses(poses_by_name(poses, mechanism), mechanism, "raise")
@@ -137,4 +137,6 @@ def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike |
     if missing:
         problem = f"expected values of {', '.join(names)}, found none of {', '.join(missing)}"
         raise PoseError(problem, "grid", f"give one number or several, {EXAMPLE}")
-    return Grid({name: ascending(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names})
+    return PoseGrid(
+        {name: ascending(poses[name], name, f"grid: {name}", EXAMPLE, PoseError) for name in names}
+    )

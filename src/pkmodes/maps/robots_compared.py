@@ -183,7 +183,7 @@ def _notes(declared: Differences, changes: FrequencyChanges, modes: Sequence[Mod
         yield "the two files declare the same robot"
 
 
-def headline(modes: Sequence[ModeChange]) -> str:
+def largest_difference(modes: Sequence[ModeChange]) -> str:
     """Return the largest difference of a mode that can be compared, as a sentence without a stop."""
     comparable = [mode for mode in modes if mode.comparable]
     if not comparable:

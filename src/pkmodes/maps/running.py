@@ -33,7 +33,7 @@ Put = Callable[[int, Values], None]
 Submit = Callable[[int, Task], Future[Values | None]]
 
 
-def run(
+def run_tasks(
     tasks: Iterable[tuple[int, Task]],
     put: Put,
     finish: Callable[[int], None],

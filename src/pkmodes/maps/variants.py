@@ -16,7 +16,7 @@ from pkmodes.core.robot.layout import lent
 from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.core.robot.robot import Robot
 from pkmodes.support.axes import swept_values
-from pkmodes.support.covariance import covariance_of, root_of, uncertain
+from pkmodes.support.covariance import covariance_of, root_of, sigmas_by_path
 
 Array = NDArray[np.float64]
 SAMPLE = "sample"
@@ -101,7 +101,7 @@ def _drawn(
     check_argument(samples, POSITIVE_INTEGER, "samples", "for example: 200")
     check_argument(seed, NATURAL_NUMBER, "seed", "for example: 0")
     swept_paths = taken(robot, swept)
-    spread = [path for path in uncertain(robot) if path not in swept_paths]
+    spread = [path for path in sigmas_by_path(robot) if path not in swept_paths]
     if not spread:
         problem = "no value of the robot has a standard deviation from which it could be drawn"
         remedy = 'declare some, such as mass = { value = "1.5 kg", sigma = "1 %" }'

@@ -27,11 +27,11 @@ from pkmodes.core.robot.usable import (
     Limits,
     Radius,
     SingularAngle,
-    in_words,
     is_box,
+    limits_in_words,
     of_component,
 )
-from pkmodes.maps.poses import Grid
+from pkmodes.maps.poses import PoseGrid
 from pkmodes.support.progress import say
 
 Array = NDArray[np.float64]
@@ -157,7 +157,7 @@ def _workspace_in_words(model: Model) -> str:
     low, high = box_of(model)
     names = [component.name for component in model.mechanism.pose]
     ends = map(Limits, low.tolist(), high.tolist())
-    return in_words(model.mechanism, dict(zip(names, ends, strict=True)))
+    return limits_in_words(model.mechanism, dict(zip(names, ends, strict=True)))
 
 
 def _drawn_and_reached(model: Model, rng: np.random.Generator, still: Mapping[int, float]) -> Array:
@@ -285,7 +285,7 @@ def usable_poses(model: Model) -> Array:
         drawn = drawn[model.check(drawn).valid]
         if (good := usable(drawn)).any():
             return drawn[good]
-    limits = in_words(model.mechanism, model.robot.usable)
+    limits = limits_in_words(model.mechanism, model.robot.usable)
     problem = f"no pose within the usable limits can be reached: {limits}"
     remedy = f"check the limits: the workspace lies within {_workspace_in_words(model)}"
     raise PoseError(problem, f"{model.robot.source}: {USABLE}", remedy)
@@ -309,7 +309,7 @@ def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
     return np.maximum(low, limits[0]), np.minimum(high, limits[1])
 
 
-def reachable(model: Model, poses: int = POSES) -> Grid:
+def reachable(model: Model, poses: int = POSES) -> PoseGrid:
     """Return a grid over the workspace of a robot, within its usable limits.
 
     Parameters
@@ -320,7 +320,7 @@ def reachable(model: Model, poses: int = POSES) -> Grid:
 
     Returns
     -------
-    Grid
+    PoseGrid
         Round values with the same step for all components of one unit.  Of several separate assemblies, such as the
         platform above and below the rails, the one that hangs lower is mapped.  A platform that can turn does not:
         see `resting`.
@@ -333,7 +333,7 @@ def reachable(model: Model, poses: int = POSES) -> Grid:
     return reachable_by([model], poses)
 
 
-def reachable_by(models: Sequence[Model], poses: int = POSES) -> Grid:
+def reachable_by(models: Sequence[Model], poses: int = POSES) -> PoseGrid:
     """Return a grid over the workspaces of several robots of one mechanism together: see `reachable`."""
     say("looking for the workspace")
     boxes = [usable_box(model) for model in models]
@@ -360,7 +360,7 @@ def reachable_by(models: Sequence[Model], poses: int = POSES) -> Grid:
         else:
             values = np.round(np.arange(first, last + 1) * step, 12) + 0.0
             axes[name] = np.clip(values, limits[0][i], limits[1][i])
-    return Grid(axes, used=not all(is_box(model.robot.usable) for model in models))
+    return PoseGrid(axes, used=not all(is_box(model.robot.usable) for model in models))
 
 
 def bounds_of(model: Model, tried: Array, in_millimetres: str) -> str:

@@ -38,7 +38,7 @@ CLEAR, KNOWN = 3.0, 0.5
 
 
 @dataclass(frozen=True)
-class Change:
+class FrequencyChange:
     """How the frequency of a mode changes from the lowest to the highest level at one position.
 
     Attributes
@@ -67,7 +67,7 @@ class AmplitudeDependence:
     ----------
     low, high : float
         The lowest and the highest level of setups that can be compared.
-    changes : tuple of Change
+    changes : tuple of FrequencyChange
         Of each mode at each position.
     squares : float
         What the trend explains of the scatter, in units of the stated variances.
@@ -79,7 +79,7 @@ class AmplitudeDependence:
 
     low: float
     high: float
-    changes: tuple[Change, ...]
+    changes: tuple[FrequencyChange, ...]
     squares: float
     p_value: float
     repeated: bool
@@ -90,7 +90,7 @@ class AmplitudeDependence:
         return self.p_value < SURE
 
     @property
-    def clearest(self) -> Change:
+    def clearest(self) -> FrequencyChange:
         """The change that is clearest against its error."""
         return max(self.changes, key=lambda change: abs(change.sigmas))
 
@@ -233,7 +233,7 @@ class _Plots:
         )
         return common, Stratum(beside[0] - individual[0], beside[1] - individual[1], *within_setups)
 
-    def changes(self) -> Iterator[Change]:
+    def changes(self) -> Iterator[FrequencyChange]:
         """Yield the change of each mode."""
         modes = _columns(self._mode)
         slopes = modes * (self._along - self._along.mean())[:, None]
@@ -245,7 +245,7 @@ class _Plots:
             span = float(np.ptp(self._along[of_mode]))
             sigma = span * float(np.sqrt(covariance[count + k, count + k]))
             highest = of_mode[int(self._along[of_mode].argmax())]
-            yield Change(int(self.rows[highest]), float(np.expm1(span * values[count + k])), sigma)
+            yield FrequencyChange(int(self.rows[highest]), float(np.expm1(span * values[count + k])), sigma)
 
     def _residual_sum(self, *designs: Array) -> tuple[float, int]:
         """Return the sum of squares that a linear model leaves, and its degrees of freedom."""

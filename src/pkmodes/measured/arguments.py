@@ -7,9 +7,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pkmodes.core.base.errors import MeasurementError, listed, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, listed, nearest_name, shown
 from pkmodes.measured.columns import Array
-from pkmodes.measured.quantities import QUANTITIES, Number, row_numbers
+from pkmodes.measured.quantities import QUANTITIES, NumberColumn, row_numbers
 
 
 def renamed_columns() -> dict[str, str]:
@@ -24,13 +24,13 @@ def nearest_argument(name: str) -> str:
     shapes = ["mode", "shapes", "shape_sigma"]
     names = ["points", "point_sigma", *values, *shapes, *sigmas, "band", "components", "settings", "level"]
     alternatives = {**renamed_columns(), "x": "points", "shape": "shapes"}
-    return nearest(alternatives.get(name, name), names)
+    return nearest_name(alternatives.get(name, name), names)
 
 
 def numbers_of(arrays: Mapping[str, ArrayLike | None], rows: int, source: str) -> dict[str, Array]:
     """Return the columns of all quantities, with the usual standard deviations where none are given."""
 
-    def column(number: Number, numbers: ArrayLike | None) -> Array:
+    def column(number: NumberColumn, numbers: ArrayLike | None) -> Array:
         present = number.required or numbers is not None
         return checked_array(numbers, number.argument, (rows,), source) if present else np.full(rows, np.nan)
 

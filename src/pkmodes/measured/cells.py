@@ -28,7 +28,7 @@ def separator_of(header: str) -> str:
     return commonest if commonest in text else ","
 
 
-class Notation(NamedTuple):
+class TableNotation(NamedTuple):
     """How a table is written.
 
     Attributes

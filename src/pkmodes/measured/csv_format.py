@@ -21,7 +21,7 @@ UTF_16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 WORKBOOKS = (b"PK\x03\x04", b"\xd0\xcf\x11\xe0")
 
 
-def read(path: str | PathLike[str], machine: Machine) -> Measurements:
+def read_csv(path: str | PathLike[str], machine: Machine) -> Measurements:
     """Read measurements, or raise an error for the first problem with its line and column."""
     source = fspath(path)
     lines = read_lines(read_text(Path(path), source), source)
@@ -56,7 +56,7 @@ def begins_with_a_header(head: bytes) -> bool:
     return "pose" in [cell.strip(' "').lower() for cell in header.split(separator_of(header))]
 
 
-CSV = Format("CSV", (".csv",), begins_with_a_header, read)
+CSV = Format("CSV", (".csv",), begins_with_a_header, read_csv)
 
 
 def decoded(content: bytes, errors: str = "strict") -> str:

@@ -12,9 +12,9 @@ import numpy as np
 
 from pkmodes.core.base.drives import DRIVES, FREE
 from pkmodes.core.base.errors import MeasurementError, shown
-from pkmodes.measured.cells import QUOTED, SEPARATORS, Notation, separator_of
+from pkmodes.measured.cells import QUOTED, SEPARATORS, TableNotation, separator_of
 from pkmodes.measured.columns import Stated
-from pkmodes.measured.header import SPREAD, TEXT, Column
+from pkmodes.measured.header import SPREAD, TEXT, HeaderColumn
 from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import LEVEL, required_columns, row_numbers
 from pkmodes.measured.rules import (
@@ -36,11 +36,11 @@ SEPARATOR = re.compile(r"\"?sep\s*=\s*(.)\"?[,;\t]*", re.IGNORECASE)
 QUOTED_COMMENT = re.compile(r"\"(#[^\"]*)\"[,;\t ]*")
 
 
-class Lines(NamedTuple):
+class CsvLines(NamedTuple):
     """Lines of cells with their line numbers, how they are written, and what comments say of all of them."""
 
     records: list[tuple[int, str]]
-    notation: Notation
+    notation: TableNotation
     band: tuple[float, float] | None
     drives: str | None
     state: str
@@ -83,7 +83,7 @@ class Lines(NamedTuple):
             yield where, cells
 
 
-def read_lines(text: str, source: str) -> Lines:
+def read_lines(text: str, source: str) -> CsvLines:
     """Split a file into its records, and what its comments say of the whole test.
 
     Raises
@@ -114,15 +114,15 @@ def read_lines(text: str, source: str) -> Lines:
             continue  # the header shows what it states
         elif text.strip(",; \t") and not text.startswith("#"):  # spreadsheet programs fill blank lines
             records.append((number, line))
-    notation = Notation(separator_of(records[0][1])) if records else Notation()
+    notation = TableNotation(separator_of(records[0][1])) if records else TableNotation()
     records = _without_ends(records, notation.separator)
     band, drives, state = (
         next((entry.value for entry in stated[name].values()), None) for name in ("band", "drives", "state")
     )
-    return Lines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
+    return CsvLines(records, notation, band, drives, state or "", stated["prior"], stated["usable"])
 
 
-def states_of(lines: Lines, cells: Sequence[str], source: str) -> list[str]:
+def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
     """Return the state of each row: of its column, else that of a comment; empty where neither names one.
 
     Parameters
@@ -148,7 +148,7 @@ def states_of(lines: Lines, cells: Sequence[str], source: str) -> list[str]:
     return states
 
 
-def of_state(lines: Lines, cells: Sequence[str], source: str, state: str | None) -> Lines:
+def of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
     """Return the lines of one state of the machine, which they then state.
 
     Parameters
@@ -194,8 +194,8 @@ def _without_ends(records: list[tuple[int, str]], separator: str) -> list[tuple[
 
 
 def read_table(
-    columns: Sequence[Column],
-    lines: Lines,
+    columns: Sequence[HeaderColumn],
+    lines: CsvLines,
     source: str,
     components: Mapping[str, str],
     drives: str | None = None,
@@ -280,7 +280,7 @@ def read_table(
 
 
 def _rotations_in_degrees(
-    columns: Sequence[Column], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
+    columns: Sequence[HeaderColumn], numbers: Mapping[str, Sequence[float]], components: Mapping[str, str]
 ) -> Iterator[Problem]:
     """Yield the first value of each pose rotation that cannot be in rad, if its column gives no unit."""
     for column in columns:
@@ -296,7 +296,7 @@ def _rotations_in_degrees(
                 break
 
 
-def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:
+def _as_written(quoted: Quoted, columns: Sequence[HeaderColumn], lines: CsvLines) -> str:
     """Format a number as in its cell, with the header's unit; also in SI units if these differ."""
     number = format(quoted.value, quoted.digits)
     place = [column.name for column in columns].index(quoted.column)
@@ -312,7 +312,7 @@ def _as_written(quoted: Quoted, columns: Sequence[Column], lines: Lines) -> str:
 def _measurements(
     texts: dict[str, list[str]],
     numbers: dict[str, list[float]],
-    lines: Lines,
+    lines: CsvLines,
     source: str,
     units: Mapping[str, str],
     components: Mapping[str, str],

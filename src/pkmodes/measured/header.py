@@ -38,7 +38,7 @@ MOTIONS = ("m", "rad")
 OTHER_MACHINE = "give the robot file of that machine, or measurements of this one"
 
 
-class Column(NamedTuple):
+class HeaderColumn(NamedTuple):
     """A column: name without the unit, text of the header, unit, and factor to SI (None without a unit).
 
     ``si`` is the unit assumed for a column without one, for messages; empty for ratios.
@@ -68,7 +68,7 @@ def components_of(
 
 def read_header(
     cells: Sequence[str], where: str, machine: Machine, components: Mapping[str, str]
-) -> list[Column]:
+) -> list[HeaderColumn]:
     """Read the columns of a header; each must be known and occur only once.
 
     Parameters
@@ -110,7 +110,7 @@ def read_header(
     names = [name for name, _ in parts]
     if not set(names) & set(required):
         _refuse(f"expected the names of the columns, found {shown(','.join(cells))}", where, help_text)
-    columns: list[Column] = []
+    columns: list[HeaderColumn] = []
     unknown = [i for i, name in enumerate(names) if name not in known_columns]
     if len(unknown) > 1 and not owners([names[i] for i in unknown], machine.others()):
         _refuse_all_unknown({i: cells[i] for i in unknown}, where, known_columns, names)
@@ -124,7 +124,7 @@ def read_header(
             problem = f"the column {shown(name)} is repeated, first as column {names.index(name) + 1}"
             _refuse(problem, place, "remove one of them")
         factor = None if unit is None else _factor(name, unit, place, channels, units)
-        columns.append(Column(name, cell, unit or "", factor, _plain(name, units)))
+        columns.append(HeaderColumn(name, cell, unit or "", factor, _plain(name, units)))
     for name in required:
         if name not in names:
             _refuse(f'the column "{name}" is missing', where, help_text)

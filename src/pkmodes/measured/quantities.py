@@ -49,7 +49,7 @@ class Range:
 
 
 @dataclass(frozen=True)
-class Number:
+class NumberColumn:
     """A column with one number for each mode.
 
     Attributes
@@ -105,7 +105,7 @@ IDENTITY = Transformation(np.asarray, lambda _, sigmas: sigmas, positive=False)
 
 
 @dataclass(frozen=True)
-class Quantity:
+class MeasuredQuantity:
     """A quantity measured of each mode, with its standard deviation.
 
     Attributes
@@ -116,8 +116,8 @@ class Quantity:
         Standard deviations of numbers for which none is stated.
     """
 
-    value: Number
-    sigma: Number
+    value: NumberColumn
+    sigma: NumberColumn
     transformation: Transformation
     usual_sigma: Callable[[Array], Array] | None = None
 
@@ -136,15 +136,15 @@ class Quantity:
         return np.asarray(measured - predicted)
 
 
-FREQUENCY = Quantity(
-    Number(
+FREQUENCY = MeasuredQuantity(
+    NumberColumn(
         "frequency",
         "frequency",
         "Hz",
         Range(SMALLEST, LARGEST, "a frequency above 0 Hz", "leave out rigid-body modes", blank=False),
         symbol="f",
     ),
-    Number(
+    NumberColumn(
         "sigma",
         "sigma",
         "Hz",
@@ -159,14 +159,14 @@ FREQUENCY = Quantity(
     ),
     LOGARITHM,
 )
-DAMPING = Quantity(
-    Number(
+DAMPING = MeasuredQuantity(
+    NumberColumn(
         "damping",
         "damping",
         "1",
         Range(0.0, BELOW_ONE, "a damping ratio of at least 0 and below 1", "write 0.02 for 2 %"),
     ),
-    Number(
+    NumberColumn(
         "sigma_damping",
         "damping_sigma",
         "1",
@@ -183,7 +183,7 @@ DAMPING = Quantity(
 #: All quantities by name, in the order in which messages list their columns.
 QUANTITIES = {quantity.value.column: quantity for quantity in (FREQUENCY, DAMPING)}
 #: Standard deviation of the components of a mode shape, which are columns of their own.
-SHAPE_SIGMA = Number(
+SHAPE_SIGMA = NumberColumn(
     "sigma_shape",
     "shape_sigma",
     "1",
@@ -195,7 +195,7 @@ SHAPE_SIGMA = Number(
     ),
 )
 #: Level of excitation of a pose, of any kind: only ratios matter.
-LEVEL = Number(
+LEVEL = NumberColumn(
     "level",
     "level",
     "",
@@ -208,13 +208,13 @@ LEVEL = Number(
 )
 
 
-def quantity_numbers() -> Iterator[Number]:
+def quantity_numbers() -> Iterator[NumberColumn]:
     """Yield the columns of all quantities, each standard deviation after its quantity."""
     for quantity in QUANTITIES.values():
         yield from (quantity.value, quantity.sigma)
 
 
-def row_numbers() -> tuple[Number, ...]:
+def row_numbers() -> tuple[NumberColumn, ...]:
     """Return all columns with one number for each mode."""
     return (*quantity_numbers(), SHAPE_SIGMA)
 

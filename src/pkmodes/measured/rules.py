@@ -17,7 +17,7 @@ from pkmodes.measured.quantities import (
     LEVEL,
     QUANTITIES,
     SHAPE_SIGMA,
-    Quantity,
+    MeasuredQuantity,
     Range,
     quantity_numbers,
 )
@@ -142,7 +142,7 @@ def value_problems(data: Columns, first: Integers) -> Iterator[Problem]:
         yield Problem(int(i), column, "expected a mode shape, found only zeros", remedy)
 
 
-def _quantity_problems(quantity: Quantity, data: Columns, rows: Integers) -> Iterator[Problem]:
+def _quantity_problems(quantity: MeasuredQuantity, data: Columns, rows: Integers) -> Iterator[Problem]:
     """Yield numbers of a quantity and standard deviations that are out of range."""
     value, sigma = quantity.value, quantity.sigma
     values, sigmas = data.numbers[value.argument], data.numbers[sigma.argument]

@@ -6,7 +6,7 @@ import numpy as np
 
 from pkmodes.plots import marks
 from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.plots.labels import short
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import INK
@@ -20,7 +20,7 @@ MOST_NAMED = 12
 SIGMAS = "difference [\u03c3]"
 
 
-def by_mode(evidence: Evidence) -> Drawing:
+def by_mode(evidence: PlottedEvidence) -> Drawing:
     """Return the relative differences of each mode's setups, one panel for each stage, on one scale."""
     mode, stages = evidence.mode(), evidence.stages
     place = mode + SPREAD * ((evidence.setup + 0.5) / len(evidence.labels) - 0.5)
@@ -52,7 +52,7 @@ def by_mode(evidence: Evidence) -> Drawing:
     return Drawing(draw)
 
 
-def _names(evidence: Evidence) -> list[str]:
+def _names(evidence: PlottedEvidence) -> list[str]:
     """Return the numbers of the modes, with their typical frequency if there is room."""
     mode, names = evidence.mode(), []
     for number in range(1, evidence.modes + 1):
@@ -62,7 +62,7 @@ def _names(evidence: Evidence) -> list[str]:
     return names
 
 
-def by_setup(evidence: Evidence) -> Drawing:
+def by_setup(evidence: PlottedEvidence) -> Drawing:
     """Return the differences at each setup in standard deviations, one panel for each stage."""
     stages = evidence.stages
 
@@ -80,12 +80,12 @@ def by_setup(evidence: Evidence) -> Drawing:
     return Drawing(draw)
 
 
-def varying_components(evidence: Evidence) -> list[int]:
+def varying_components(evidence: PlottedEvidence) -> list[int]:
     """Return the components of the pose that differ between setups."""
     return [k for k in range(len(evidence.components)) if np.ptp(evidence.points[:, k]) > 0.0]
 
 
-def against_pose(evidence: Evidence) -> Drawing | None:
+def against_pose(evidence: PlottedEvidence) -> Drawing | None:
     """Return the differences against each component of the pose that varies; None if none does."""
     varying, stages = varying_components(evidence), evidence.stages
     count = len(varying)

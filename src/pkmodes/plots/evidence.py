@@ -23,7 +23,7 @@ DECLARED, REFITTED, CORRECTED = "as declared", "refitted", "with the cause"
 
 
 @dataclass(frozen=True)
-class Stage:
+class ModelStage:
     """A stage of the model: its name in the JSON, its name for a person, and its predictions."""
 
     key: str
@@ -37,7 +37,7 @@ class Stage:
 
 
 @dataclass(frozen=True)
-class Evidence:
+class PlottedEvidence:
     """R measured modes at S setups, and the stages of the model.
 
     Attributes
@@ -49,7 +49,7 @@ class Evidence:
     measured, sigma : ndarray, shape (R,)
         Frequencies and their standard deviations [Hz].
     held_out, outlier : ndarray of bool, shape (R,)
-    stages : tuple of Stage
+    stages : tuple of ModelStage
         The declared model first; a comparison has no other.
     points : ndarray, shape (S, d)
         Poses in SI units; d = 0 where they are unknown or have no position.
@@ -66,7 +66,7 @@ class Evidence:
     sigma: Array
     held_out: Mask
     outlier: Mask
-    stages: tuple[Stage, ...]
+    stages: tuple[ModelStage, ...]
     points: Array
     components: tuple[str, ...]
     units: tuple[str, ...]
@@ -80,7 +80,7 @@ class Evidence:
         data: Measurements | None = None,
         place: str = "pose",
         spread: Array | None = None,
-    ) -> Evidence:
+    ) -> PlottedEvidence:
         """Return what a result shows.
 
         Parameters
@@ -124,7 +124,7 @@ class Evidence:
         )
 
     @property
-    def last(self) -> Stage:
+    def last(self) -> ModelStage:
         """The last stage, which has the verdict."""
         return self.stages[-1]
 
@@ -133,7 +133,7 @@ class Evidence:
         """Number of elastic modes up to the highest that was measured, at least 1."""
         return max(int(stage.predicted.mode.max(initial=1)) for stage in self.stages)
 
-    def difference(self, stage: Stage) -> Array:
+    def difference(self, stage: ModelStage) -> Array:
         """Return f_model / f_measured - 1, (R,), NaN if unmatched."""
         return stage.predicted.frequency / self.measured - 1.0
 
@@ -145,17 +145,17 @@ class Evidence:
         return modes
 
 
-def _in_order(stage: Stage, order: list[int]) -> Stage:
+def _in_order(stage: ModelStage, order: list[int]) -> ModelStage:
     """Return a stage with its setups in another order."""
     if order == list(range(len(order))):
         return stage
     return replace(stage, predicted=replace(stage.predicted, spectrum=stage.predicted.spectrum[order]))
 
 
-def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:
+def _stages(result: Diagnosis | Comparison) -> tuple[ModelStage, ...]:
     """Return the declared model, and the last stage of a diagnosis."""
     if isinstance(result, Comparison):
-        return () if result.stage is None else (Stage("predicted", DECLARED, result.stage),)
+        return () if result.stage is None else (ModelStage("predicted", DECLARED, result.stage),)
     predictions = result.stages
     if predictions is None:
         return ()
@@ -164,9 +164,9 @@ def _stages(result: Diagnosis | Comparison) -> tuple[Stage, ...]:
         if not isinstance(result, Change)
         else (f"as in {result.states[0]}", f"as in {result.states[0]}, on another day", "with what changed")
     )
-    stages = [Stage("before", declared, predictions.before)]
+    stages = [ModelStage("before", declared, predictions.before)]
     if predictions.after is not None:
-        stages.append(Stage("after", corrected, predictions.after))
+        stages.append(ModelStage("after", corrected, predictions.after))
     elif predictions.refit is not None:
-        stages.append(Stage("refit", refitted, predictions.refit))
+        stages.append(ModelStage("refit", refitted, predictions.refit))
     return tuple(stages)

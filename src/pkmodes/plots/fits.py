@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.campaign.inspection import Curve, Inspection
+from pkmodes.campaign.inspection import InspectedFunction, Inspection
 from pkmodes.identification.estimates import Stabilisation
 from pkmodes.plots.drawing import Drawing
 from pkmodes.plots.labels import decades, short
@@ -41,7 +41,7 @@ SYNTHESISED: dict[str, Any] = {"color": BLUE, "linewidth": 1.1, "label": "synthe
 
 
 @dataclass(frozen=True)
-class Lines:
+class MarkedFrequencies:
     """Frequencies that are marked [Hz]: modes with their numbers, modes struck out, and tones."""
 
     modes: Sequence[tuple[float, int, bool]]
@@ -49,7 +49,7 @@ class Lines:
     tones: Sequence[float]
 
 
-def stabilisation(inspection: Inspection, marked: Lines, band: tuple[float, float]) -> Drawing:
+def stabilisation(inspection: Inspection, marked: MarkedFrequencies, band: tuple[float, float]) -> Drawing:
     """Return the poles of all model orders over frequency, above the sum of the measured functions."""
 
     def draw(sheet: Sheet) -> None:
@@ -106,7 +106,7 @@ def _stable(poles: Complex, before: Complex) -> NDArray[np.bool_]:
     return np.asarray(near.any(axis=1))
 
 
-def _mark(panel: Panel, marked: Lines, band: tuple[float, float]) -> None:
+def _mark(panel: Panel, marked: MarkedFrequencies, band: tuple[float, float]) -> None:
     """Draw a line for each mode, with its number above, and for each mode struck out and each tone."""
     kinds: list[tuple[str, list[float], dict[str, Any]]] = [
         ("mode", [f for f, _, added in marked.modes if not added], {"color": INK, "alpha": 0.45}),
@@ -137,7 +137,9 @@ def rows_of(at: Sequence[float], names: Sequence[str]) -> list[int]:
     return rows
 
 
-def functions(inspection: Inspection, marked: Lines, band: tuple[float, float], phase: bool) -> Drawing:
+def functions(
+    inspection: Inspection, marked: MarkedFrequencies, band: tuple[float, float], phase: bool
+) -> Drawing:
     """Return functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
 
     Parameters
@@ -169,7 +171,7 @@ def functions(inspection: Inspection, marked: Lines, band: tuple[float, float], 
     return Drawing(draw)
 
 
-def _curve(panels: Sequence[Panel], curve: Curve, phase: bool, coherence: bool) -> None:
+def _curve(panels: Sequence[Panel], curve: InspectedFunction, phase: bool, coherence: bool) -> None:
     """Draw a function in its panels."""
     f, above = curve.frequencies, panels[0]
     above.axes.set_yscale("log")

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.evidence import Evidence, Stage
+from pkmodes.plots.evidence import ModelStage, PlottedEvidence
 from pkmodes.plots.labels import short
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
@@ -20,7 +20,7 @@ MOST_WRITTEN = 8
 LIGHT = 0.55
 
 
-def worst_setup(evidence: Evidence) -> int | None:
+def worst_setup(evidence: PlottedEvidence) -> int | None:
     """Return the setup with the lowest MAC of a paired mode at the last stage; None without shapes."""
     mac = evidence.last.predicted.mac
     if not np.isfinite(mac).any():
@@ -28,7 +28,7 @@ def worst_setup(evidence: Evidence) -> int | None:
     return int(evidence.setup[int(np.nanargmin(mac))])
 
 
-def mac_matrices(evidence: Evidence) -> Drawing | None:
+def mac_matrices(evidence: PlottedEvidence) -> Drawing | None:
     """Return MAC matrices, the mean over all setups and the setup with the lowest MAC; None without shapes.
 
     Rows are the measured modes, numbered as their partners at the last stage.
@@ -57,7 +57,7 @@ def mac_matrices(evidence: Evidence) -> Drawing | None:
     return Drawing(draw)
 
 
-def matrix(evidence: Evidence, stage: Stage, selected: NDArray[np.bool_]) -> Array:
+def matrix(evidence: PlottedEvidence, stage: ModelStage, selected: NDArray[np.bool_]) -> Array:
     """Return the mean MAC of measured modes (rows) and modes of the model, (M, M), NaN where there is no shape."""
     mode, count = evidence.mode(), evidence.modes
     macs = stage.predicted.macs

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.plots.labels import short
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
@@ -35,7 +35,7 @@ UNMATCHED: dict[str, Any] = {"marker": "x", "facecolor": VERMILLION, "label": "u
 COMPARED: dict[str, Any] = {**FITTED, "label": "measured mode"}
 
 
-def rows(panel: Panel, evidence: Evidence, x: Array, y: Array, size: float = 16.0) -> None:
+def rows(panel: Panel, evidence: PlottedEvidence, x: Array, y: Array, size: float = 16.0) -> None:
     """Mark each row at (x, y) by its kind; rows with a NaN are left out."""
     shown = np.isfinite(x) & np.isfinite(y)
     compared = len(evidence.stages) == 1
@@ -108,7 +108,7 @@ def noise(panel: Panel, sigmas: Array) -> None:
     panel.axes.set_ylim(-limit, limit)
 
 
-def setups(panel: Panel, evidence: Evidence, *, grid: bool = False) -> str:
+def setups(panel: Panel, evidence: PlottedEvidence, *, grid: bool = False) -> str:
     """Name the setups on the horizontal axis unless there are many; return its label.
 
     Parameters

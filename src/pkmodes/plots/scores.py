@@ -27,7 +27,7 @@ LEFT = 0.012
 LEAST = 1e-300
 
 
-def candidates(result: Diagnosis) -> Drawing | None:
+def candidate_scores(result: Diagnosis) -> Drawing | None:
     """Return the scores of the candidates, the most significant first; None if none was tested."""
     tested = sorted(result.candidates, key=lambda candidate: candidate.p_value)[:MOST]
     if not tested:

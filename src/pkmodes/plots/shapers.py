@@ -133,7 +133,7 @@ def _curves(sheet: Sheet, panel: Panel, x: Array, remaining: Mapping[str, Array]
 
 
 @dataclass(frozen=True)
-class Curve:
+class ShaperCurve:
     """What a shaper leaves of a mode at each frequency [%], by its name; `marked` for the recommended one."""
 
     name: str
@@ -161,7 +161,7 @@ class MarkedModes:
 
 
 def over_frequency(
-    frequencies: Array, curves: Sequence[Curve], spectrum: Spectrum | None, modes: MarkedModes | None
+    frequencies: Array, curves: Sequence[ShaperCurve], spectrum: Spectrum | None, modes: MarkedModes | None
 ) -> Drawing:
     """Draw what shapers leave of a mode at each frequency, over a measured spectrum where there is one.
 
@@ -169,7 +169,7 @@ def over_frequency(
     ----------
     frequencies : ndarray, shape (F,)
         Of the curves [Hz].
-    curves : sequence of Curve
+    curves : sequence of ShaperCurve
         The recommended one among them.
     """
     across = "frequency [Hz]"

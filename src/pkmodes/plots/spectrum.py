@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from pkmodes.plots import marks
 from pkmodes.plots.drawing import Drawing
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.plots.panel import Panel
 from pkmodes.plots.sheet import Sheet
 from pkmodes.plots.style import GREEN, GREY
@@ -26,7 +26,7 @@ STYLES = (
 SHADE, BAND = 0.25, "\u00b1 \u03c3 as declared"
 
 
-def spectrum(evidence: Evidence) -> Drawing:
+def spectrum(evidence: PlottedEvidence) -> Drawing:
     """Return the frequencies of all setups: dots are measured, lines are the model.
 
     Bands are one standard deviation of the declared values on either side of the declared model.

@@ -20,7 +20,7 @@ from pkmodes.diagnosis.verdict.terms import DECLARED, Beyond, TermClass
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
 from pkmodes.report.blocks import Cell, Facts
 from pkmodes.report.formatting import clean, label, named, number, plural, pointer, sentence, unit
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import CHANGES
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain, rounded
@@ -58,7 +58,7 @@ SUREST = 0.99
 MOST = 5
 
 
-def action(result: Diagnosis, setting: Setting) -> Facts:
+def action(result: Diagnosis, setting: ReportSetting) -> Facts:
     """Return what to inspect, its effect in hertz, how certain that is, and what to measure next."""
     effect = _effect(result, setting)
     return Facts(
@@ -71,7 +71,7 @@ def action(result: Diagnosis, setting: Setting) -> Facts:
     )
 
 
-def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
+def _inspect(result: Diagnosis, setting: ReportSetting) -> Iterator[Entry]:
     """Yield where to look for each cause, or for each remaining explanation."""
     causes = [effect.members for effect in result.effects]
     if term_class := _beyond(result):
@@ -93,7 +93,7 @@ def _inspect(result: Diagnosis, setting: Setting) -> Iterator[Entry]:
         yield "inspect", [Cell(sentence(f"{VERDICTS[result.verdict].inspect}{also}"))]
 
 
-def _where(name: str, result: Diagnosis, setting: Setting) -> str:
+def _where(name: str, result: Diagnosis, setting: ReportSetting) -> str:
     """Return where to look for a cause; its sentence if no advice is listed."""
     if name in result.alone:
         joint_change, (_, colon, advice) = result.alone[name], WHERE.get(name, "").partition(": ")
@@ -114,7 +114,7 @@ def _beyond(result: Diagnosis) -> TermClass | None:
     return result.beyond.found if result.beyond is not None and not result.effects else None
 
 
-def _effect(result: Diagnosis, setting: Setting) -> list[Cell]:
+def _effect(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     """Return the effect of the causes on the frequencies at the measured poses; empty without causes.
 
     Modes are matched by rank; where a cause adds modes, such as those of a moving frame, by frequency.
@@ -311,7 +311,7 @@ def _size(result: Diagnosis) -> str:
     return f"{plain(100.0 * part, 2)} % (one standard deviation)"
 
 
-def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
+def _next(result: Diagnosis, setting: ReportSetting) -> list[Cell]:
     """Return the measurement that is expected to separate the explanations best, or why none is proposed."""
     proposed = result.next_measurement
     if proposed is None:
@@ -331,7 +331,7 @@ def _next(result: Diagnosis, setting: Setting) -> list[Cell]:
     return [*cells, Cell(f"{text} {told}"), sigmas, Cell(f"standard deviations.{caveat}"), *load]
 
 
-def _motors(result: Diagnosis, setting: Setting, proposed: NextMeasurement) -> str:
+def _motors(result: Diagnosis, setting: ReportSetting, proposed: NextMeasurement) -> str:
     """Return what to do with the motors; free ones that yield, as declared or claimed, are not called free."""
     if setting.robot is None or proposed.drives != FREE:
         return proposed.motors

@@ -7,13 +7,22 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Error
 from pkmodes.diagnosis.verdict.terms import Beyond, TermClass
 from pkmodes.report.blocks import Cell, Column, Paragraph, Table
-from pkmodes.report.formatting import clean, p_value, pointer, prose, sentence, three_digits, uncertain, unit
+from pkmodes.report.formatting import (
+    clean,
+    p_value,
+    pointer,
+    prose,
+    sentence,
+    three_digits,
+    uncertain_cell,
+    unit,
+)
 from pkmodes.report.numbers import percent
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 
 
-def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
+def beyond(result: Diagnosis, setting: ReportSetting) -> list[Paragraph | Table]:
     """Return what terms explain; empty if none was tried."""
     terms = result.beyond
     if terms is None:
@@ -24,7 +33,7 @@ def beyond(result: Diagnosis, setting: Setting) -> list[Paragraph | Table]:
     return blocks
 
 
-def _classes(terms: Beyond, setting: Setting) -> Table:
+def _classes(terms: Beyond, setting: ReportSetting) -> Table:
     """Return the explanations that remain with their values, a row for each parameter."""
     rows = []
     for k, group in enumerate(terms.classes):
@@ -42,7 +51,7 @@ def _classes(terms: Beyond, setting: Setting) -> Table:
 
 
 def _member(
-    group: TermClass, name: str, at: str, setting: Setting, k: int, of_class: str
+    group: TermClass, name: str, at: str, setting: ReportSetting, k: int, of_class: str
 ) -> list[list[Cell]]:
     member, rows = group.finding.member(name), []
     for value in group.finding.alternatives[name]:
@@ -54,7 +63,7 @@ def _member(
                 Cell(str(k + 1), k + 1),
                 Cell.named(clean(member.words), clean(name)),
                 Cell(words),
-                uncertain(
+                uncertain_cell(
                     value.value, value.sigma, at_parameter + pointer("value"), at_parameter + pointer("sigma")
                 ),
                 Cell(unit(value.unit)),

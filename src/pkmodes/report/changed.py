@@ -10,7 +10,7 @@ from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.states.words import between
 from pkmodes.diagnosis.verdict.findings import Corrected, Finding, Value
 from pkmodes.diagnosis.verdict.rows import Row
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.action import action
 from pkmodes.report.beyond import beyond
@@ -30,7 +30,7 @@ from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import page
 from pkmodes.report.places import picture
 from pkmodes.report.sections import glossary, view_section
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 from pkmodes.support.numbers import rounded
 
@@ -47,7 +47,7 @@ MOST = 300
 TONES: dict[bool | None, Colour] = {True: "found", False: "good", None: "plain"}
 
 
-def headline(result: Change, setting: Setting) -> str:
+def change_headline(result: Change, setting: ReportSetting) -> str:
     """Return what changed since the trusted state, as a title."""
     trusted = result.states[0]
     if result.by_state:
@@ -64,7 +64,7 @@ def headline(result: Change, setting: Setting) -> str:
     return clean(f"Changed since {trusted}: {_best(result, setting)}")
 
 
-def _best(result: Change, setting: Setting) -> str:
+def _best(result: Change, setting: ReportSetting) -> str:
     """Return the best explanation with its size, and how many others act alike."""
     if len(result.effects) > 1:
         return result.what.removeprefix("change ").removeprefix("found: ")
@@ -92,7 +92,7 @@ def _claimed(result: Change) -> tuple[Finding, Sequence[Corrected]]:
     return term_class.finding, term_class.corrected
 
 
-def _size(value: Value, values: Sequence[Corrected], setting: Setting) -> str:
+def _size(value: Value, values: Sequence[Corrected], setting: ReportSetting) -> str:
     """Return the change of a declared value in per cent, or the size of what was not there before."""
     before = next((parameter.declared for parameter in values if parameter.name == value.name), 0.0)
     if before and (words := setting.words(value.name)):
@@ -110,7 +110,7 @@ def _of_day(result: Change) -> list[str]:
     ]
 
 
-def summary(result: Change, setting: Setting) -> Summary:
+def changes_summary(result: Change, setting: ReportSetting) -> Summary:
     """Return the header of the page."""
     facts = [
         ("states", Cell(clean(" \u2192 ".join(result.states)), len(result.states))),
@@ -129,7 +129,7 @@ def summary(result: Change, setting: Setting) -> Summary:
         subject=setting.title(row.drives for row in result.rows),
         kind="What changed",
         verdict="" if result.by_state or term is not None else result.verdict,
-        headline=headline(result, setting).replace(" +- ", " \u00b1 "),
+        headline=change_headline(result, setting).replace(" +- ", " \u00b1 "),
         reason=prose(sentence(result.reason)),
         tone=TONES[result.changed],
         notes=[prose(sentence(note)) for note in result.notes],
@@ -139,7 +139,7 @@ def summary(result: Change, setting: Setting) -> Summary:
     )
 
 
-def what_to_do(result: Change, setting: Setting) -> Facts:
+def what_to_do(result: Change, setting: ReportSetting) -> Facts:
     """Return what to inspect, what it does, how sure that is, and what to measure next, in the words of a change."""
     trusted, later = result.states
 
@@ -229,7 +229,7 @@ def _explained(row: Row) -> float | None:
     return None if row.after is None or not row.before else row.after / row.before - 1.0
 
 
-def change_page(result: Change, evidence: Evidence, setting: Setting) -> str:
+def change_page(result: Change, evidence: PlottedEvidence, setting: ReportSetting) -> str:
     """Return the page of what changed as HTML."""
     title = "What remains" if result.survivors else "What changed"
     where = [] if result.by_state else picture(result, evidence, setting)
@@ -240,23 +240,24 @@ def change_page(result: Change, evidence: Evidence, setting: Setting) -> str:
         *([Section("place", "Where it is", where)] if where else []),
         Section("errors", "Error before and after", numbers.errors(result)),
         *(_of_states(result, setting) if result.by_state else figures.sections(evidence)),
-        Section("candidates", "What may have changed", explanations.candidates(result)),
-        Section("values", "Values before and after", numbers.values(result, setting)),
+        Section("candidates", "What may have changed", explanations.candidate_blocks(result)),
+        Section("values", "Values before and after", numbers.fitted_value_tables(result, setting)),
         *view_section(setting.view),
         *([] if result.by_state else [_rows(result, evidence, setting)]),
         glossary(diagnosed=True),
         setting.origin(evidence),
     ]
     return page(
-        summary(result, setting), [replace(section, folded=section.name not in OPEN) for section in sections]
+        changes_summary(result, setting),
+        [replace(section, folded=section.name not in OPEN) for section in sections],
     )
 
 
-def _rows(result: Change, evidence: Evidence, setting: Setting) -> Section:
+def _rows(result: Change, evidence: PlottedEvidence, setting: ReportSetting) -> Section:
     return Section("rows", "All measured modes beside the model", [mode_table(result, evidence, setting)])
 
 
-def _of_states(result: Change, setting: Setting) -> Sequence[Section]:
+def _of_states(result: Change, setting: ReportSetting) -> Sequence[Section]:
     """Return a section for each later state."""
     return [
         Section(

@@ -12,14 +12,14 @@ from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.report.blocks import Cell, Column, Summary, Table
 from pkmodes.report.formatting import number, p_value, plural, pointer, prose, three_digits
 from pkmodes.report.numbers import percent
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 
 if TYPE_CHECKING:
     from pkmodes.diagnosis.verdict.verdicts import Colour
 
 
-def summary(result: Comparison, setting: Setting) -> Summary:
+def comparison_summary(result: Comparison, setting: ReportSetting) -> Summary:
     """Return what the differences mean, and how large they are."""
     headline, reason, tone = judged(result)
     count, places = len(result.rows), len({row.pose for row in result.rows})

@@ -20,11 +20,11 @@ from pkmodes.report.formatting import (
     sentence,
     shortened,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit,
     unit_cell,
 )
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import CHANGES
 from pkmodes.report.tables import table
 
@@ -36,7 +36,7 @@ MOST = 300
 RATIOS = {"damping_before": "as declared [%]", "damping_after": "as diagnosed [%]"}
 
 
-def damping(result: Diagnosis, setting: Setting) -> list[Block]:
+def damping(result: Diagnosis, setting: ReportSetting) -> list[Block]:
     """Return what the damping shows, and the ratios of all modes; empty if damping was not measured."""
     damping_result = result.damping
     if not damping_result.measured:
@@ -63,12 +63,12 @@ def damping(result: Diagnosis, setting: Setting) -> list[Block]:
     return blocks
 
 
-def refitted(damping_result: Damping, setting: Setting) -> list[Paragraph | Facts]:
+def refitted(damping_result: Damping, setting: ReportSetting) -> list[Paragraph | Facts]:
     """Return the uncertain losses, fitted within their priors."""
     entries = []
     for value in damping_result.refitted:
         at = pointer(TOP, "refitted", value.name)
-        after = uncertain(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
+        after = uncertain_cell(value.after, value.sigma, at + pointer("after"), at + pointer("sigma"))
         before = figures(value.before, 6, at + pointer("before"))
         entries.append(
             (_named(value.name, setting), [after, unit_cell(value.unit), Cell("instead of"), before])
@@ -76,7 +76,7 @@ def refitted(damping_result: Damping, setting: Setting) -> list[Paragraph | Fact
     return [Paragraph("Uncertain losses, refitted within their priors:"), Facts(entries)] if entries else []
 
 
-def _named(path: str, setting: Setting) -> str:
+def _named(path: str, setting: ReportSetting) -> str:
     """Return a loss in words, with its path."""
     words = setting.words(path)
     return f"{words} ({clean(path)})" if words else clean(path)
@@ -141,7 +141,7 @@ def _row(i: int, row: Row) -> list[Cell]:
     measured = three_digits(row.damping, at + pointer("damping"), scale=100.0)
     if row.damping is not None and row.sigma_damping_used is not None:
         places = at + pointer("damping"), at + pointer("sigma_damping_used")
-        measured = uncertain(row.damping, row.sigma_damping_used, *places, scale=100.0)
+        measured = uncertain_cell(row.damping, row.sigma_damping_used, *places, scale=100.0)
     stated = three_digits(row.sigma_damping, at + pointer("sigma_damping"), scale=100.0)
     ratios = [three_digits(getattr(row, key), at + pointer(key), scale=100.0) for key in RATIOS]
     return [

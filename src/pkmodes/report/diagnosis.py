@@ -12,7 +12,7 @@ from pkmodes.diagnosis.verdict import naming
 from pkmodes.diagnosis.verdict.findings import Finding, believed, why_larger
 from pkmodes.diagnosis.verdict.result import Diagnosis, key
 from pkmodes.diagnosis.verdict.verdicts import VERDICTS
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report import explanations, figures, numbers
 from pkmodes.report.action import action
 from pkmodes.report.beyond import beyond
@@ -26,14 +26,14 @@ from pkmodes.report.formatting import (
     sentence,
     shortened,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit,
 )
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import page
 from pkmodes.report.places import picture
 from pkmodes.report.sections import glossary, view_section
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.stability import stability_sentence
 from pkmodes.updating.corrected_robot import corrected_robot
 
@@ -45,14 +45,14 @@ MOST = 5
 NO_END = "\\ No newline at end of file"
 
 
-def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> str:
+def diagnosis_page(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> str:
     """Return the report of a diagnosis as HTML."""
     causes = explanations.causes(result, setting)
     title = (
         "Remaining explanations" if result.survivors else "Cause" + ("s" if len(result.effects) > 1 else "")
     )
     fitted = [
-        *numbers.values(result, setting),
+        *numbers.fitted_value_tables(result, setting),
         *numbers.pulls(result, setting),
         *numbers.correlations(result),
     ]
@@ -63,7 +63,7 @@ def diagnosis_page(result: Diagnosis, evidence: Evidence, setting: Setting) -> s
         *([Section("place", "Where it is", where)] if (where := picture(result, evidence, setting)) else []),
         *figures.sections(evidence),
         *([Section("damping", "Damping", ratios)] if (ratios := damping(result, setting)) else []),
-        Section("candidates", "Candidates", explanations.candidates(result)),
+        Section("candidates", "Candidates", explanations.candidate_blocks(result)),
         Section("values", "Values before and after", fitted),
         *_stability(result),
         Section("correction", "Correction", _correction(result, setting.robot)),
@@ -83,13 +83,13 @@ def _stability(result: Diagnosis) -> list[Section]:
     return [Section("stability", "Stability", [Paragraph(sentence(clean(tried)))])] if tried else []
 
 
-def _summary(result: Diagnosis, setting: Setting) -> Summary:
+def _summary(result: Diagnosis, setting: ReportSetting) -> Summary:
     facts = [(name, cell) for name, cell in _facts(result, setting) if cell.value is not None]
     return Summary(
         subject=setting.title(row.drives for row in result.rows),
         kind="Diagnosis",
         verdict=result.verdict,
-        headline=headline(result),
+        headline=verdict_headline(result),
         reason=prose(sentence(result.reason) + _larger(result)),
         tone=VERDICTS[result.verdict].colour,
         notes=[prose(sentence(note)) for note in (*result.notes, *_of_damping(result))],
@@ -120,18 +120,18 @@ def _of_damping(result: Diagnosis) -> list[str]:
     )
 
 
-def headline(result: Diagnosis) -> str:
+def verdict_headline(result: Diagnosis) -> str:
     """Return the verdict as a sentence, with the causes and what matters of the refitted values."""
     if result.beyond is not None and not result.effects and (words := result.beyond.words(naming.LONGEST)):
         return clean(words)
-    causes = clean(naming.found(result.effects, naming.LONGEST)) if result.effects else ""
+    causes = clean(naming.found_in_words(result.effects, naming.LONGEST)) if result.effects else ""
     verdict = VERDICTS[result.verdict].sentence.format(
         causes=causes, s="s" if len(result.effects) > 1 else ""
     )
     return f"{verdict}; {clean(result.headline)}" if result.headline else verdict
 
 
-def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
+def _facts(result: Diagnosis, setting: ReportSetting) -> list[tuple[str, Cell]]:
     """Return the sizes of the causes, and the errors of the first and the last stage."""
     facts: list[tuple[str, Cell]] = []
     for i, effect in enumerate(result.effects):
@@ -159,13 +159,15 @@ def _facts(result: Diagnosis, setting: Setting) -> list[tuple[str, Cell]]:
     return facts
 
 
-def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+def _sizes(result: Diagnosis, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
     """Return the values of a cause, with reliable standard deviations."""
     effect = result.effects[i]
     facts, relative = list[tuple[str, Cell]](), effect.relative()
     if effect.alone is not None:
         joint_change, at = effect.alone, pointer("effects", i, "term_change")
-        cell = uncertain(joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0)
+        cell = uncertain_cell(
+            joint_change.change, joint_change.sigma, f"{at}/value", f"{at}/sigma", scale=100.0
+        )
         facts.append(
             (
                 f"{clean(joint_change.joint.words)} alone: change of its {clean(joint_change.joint.quantity)} [%]",
@@ -176,14 +178,14 @@ def _sizes(result: Diagnosis, i: int, setting: Setting) -> list[tuple[str, Cell]
         keys = ("effects", i, "relative" if relative else "parameters", key(value))
         sigma = pointer(*keys, "sigma" if relative else "saved_sigma")
         saved = believed(value, result.corrected)
-        cell = uncertain(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
+        cell = uncertain_cell(value.value, saved.sigma, pointer(*keys, "value"), sigma, fit=saved.fit_sigma)
         name = clean(key(value))
         title = f"{name} relative to the mean" if relative else setting.words(value.name) or name
         facts.append((f"{title} [{unit(value.unit)}]" if unit(value.unit) else title, cell))
     return facts
 
 
-def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, Cell]]:
+def _class_sizes(effect: Finding, i: int, setting: ReportSetting) -> list[tuple[str, Cell]]:
     """Return the value of each member of a class; only the number of members if there are too many."""
     facts: list[tuple[str, Cell]] = []
     for name in effect.members:
@@ -191,7 +193,7 @@ def _class_sizes(effect: Finding, i: int, setting: Setting) -> list[tuple[str, C
         also = ", implausible" if effect.member(name).implausible else ""
         for value in effect.alternatives[name]:
             keys = ("effects", i, "alternatives", name, key(value))
-            cell = uncertain(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
+            cell = uncertain_cell(value.value, value.sigma, pointer(*keys, "value"), pointer(*keys, "sigma"))
             title = setting.words(value.name) or clean(effect.member(name).words)
             of = f" [{unit(value.unit)}]" if unit(value.unit) else ""
             facts.append((f"{start}{also}: {title}{of}", cell))
@@ -252,7 +254,7 @@ def _lines(text: str) -> list[str]:
     return [*visible[:-1], f"{visible[-1]}\n{NO_END}"] if rest else visible
 
 
-def _origin(result: Diagnosis, evidence: Evidence, setting: Setting) -> Section:
+def _origin(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> Section:
     facts: list[tuple[str, list[Cell]]] = []
     if result.scatter:
         at = pointer("pose_scatter")

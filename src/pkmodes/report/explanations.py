@@ -19,10 +19,10 @@ from pkmodes.report.formatting import (
     pointer,
     prose,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit,
 )
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed
 
@@ -32,7 +32,7 @@ MOST = 200
 SHOWN = 3
 
 
-def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Block]:
+def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> list[Block]:
     """Return the causes found with their classes, or the explanations that remain.
 
     Parameters
@@ -60,7 +60,7 @@ def causes(result: Diagnosis | Damping, setting: Setting, *top: str) -> list[Blo
             joint_change = effect.alone
             of, place = at + pointer("term_change", "value"), at + pointer("term_change", "sigma")
             term = f"({clean(joint_change.joint.term)})" if joint_change.joint.term else ""
-            value = uncertain(joint_change.change, joint_change.sigma, of, place, scale=100.0)
+            value = uncertain_cell(joint_change.change, joint_change.sigma, of, place, scale=100.0)
             entries.append((f"{clean(joint_change.joint.words)} alone", [value, Cell(f"% {term}".rstrip())]))
         blocks += [Facts(entries), *_relative(effect, at, setting)]
         blocks.append(_members(effect, result.corrected, at, setting, sentences))
@@ -83,7 +83,7 @@ def _members(
     effect: Finding,
     corrected: Sequence[Corrected],
     place: str,
-    setting: Setting,
+    setting: ReportSetting,
     sentences: Mapping[str, str],
 ) -> Table:
     """Return the values of the cause, and those of each other member of its class, as if it were the cause.
@@ -102,7 +102,7 @@ def _members(
                 [
                     Cell.named(clean(sentences.get(member, "")), clean(member)),
                     Cell.named(setting.words(value.name), clean(value.name)),
-                    uncertain(
+                    uncertain_cell(
                         value.value,
                         shown.sigma,
                         at + pointer("value"),
@@ -132,7 +132,7 @@ def _members(
     return table(caption, columns, rows)
 
 
-def _relative(effect: Finding, place: str, setting: Setting) -> list[Block]:
+def _relative(effect: Finding, place: str, setting: ReportSetting) -> list[Block]:
     """Return the values relative to their mean, where the mean is far less certain."""
     rows = []
     for value in effect.relative():
@@ -140,7 +140,7 @@ def _relative(effect: Finding, place: str, setting: Setting) -> list[Block]:
         rows.append(
             [
                 Cell.named(setting.words(value.name), clean(value.name)),
-                uncertain(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
+                uncertain_cell(value.value, value.sigma, at + pointer("value"), at + pointer("sigma")),
                 Cell(unit(value.unit)),
             ]
         )
@@ -151,13 +151,13 @@ def _relative(effect: Finding, place: str, setting: Setting) -> list[Block]:
     return [table(caption, columns, rows)]
 
 
-def candidates(result: Diagnosis) -> list[Block]:
+def candidate_blocks(result: Diagnosis) -> list[Block]:
     """Return all candidates with their scores, classes and smallest visible sizes."""
     if not result.candidates:
         names = [clean(name) for name in result.undetectable]
         about: list[Block] = [Paragraph("Nothing is said about"), Listing(names, names=True)] if names else []
         return [Paragraph("No candidate was tested."), *_limits(result), *about]
-    figure = scores.candidates(result)
+    figure = scores.candidate_scores(result)
     best = min(result.candidates, key=lambda candidate: candidate.p_value)
     blocks: list[Block] = []
     if figure is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from pkmodes.plots import differences, spectrum
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.mac_matrices import mac_matrices, worst_setup
 from pkmodes.report.blocks import Block, Paragraph, Picture, Section
@@ -13,7 +13,7 @@ from pkmodes.report.formatting import plural, shortened
 from pkmodes.support.numbers import plain
 
 
-def sections(evidence: Evidence) -> list[Section]:
+def sections(evidence: PlottedEvidence) -> list[Section]:
     """Return the sections of the figures: mode by mode, pose by pose, and the shapes."""
     first, *further = mode_figures(evidence)
     further += pose_figures(evidence)
@@ -25,7 +25,7 @@ def sections(evidence: Evidence) -> list[Section]:
     ]
 
 
-def mode_figures(evidence: Evidence) -> list[Block]:
+def mode_figures(evidence: PlottedEvidence) -> list[Block]:
     """Return the measured modes beside the model: what differs by mode and by pose, then all frequencies."""
     if not evidence.stages:
         return [Paragraph("The result has no predictions to show.")]
@@ -67,7 +67,7 @@ def mode_figures(evidence: Evidence) -> list[Block]:
     return [*blocks, overview]
 
 
-def pose_figures(evidence: Evidence) -> list[Block]:
+def pose_figures(evidence: PlottedEvidence) -> list[Block]:
     """Return the residual against the components of the pose; empty if the poses are unknown."""
     figure = differences.against_pose(evidence) if _paired(evidence) else None
     if figure is None:
@@ -84,7 +84,7 @@ def pose_figures(evidence: Evidence) -> list[Block]:
     ]
 
 
-def shape_figures(evidence: Evidence) -> list[Block]:
+def shape_figures(evidence: PlottedEvidence) -> list[Block]:
     """Return the MAC matrices, or a sentence where no shapes were measured."""
     figure = mac_matrices(evidence) if _paired(evidence) else None
     if figure is None:
@@ -107,7 +107,7 @@ def shape_figures(evidence: Evidence) -> list[Block]:
     ]
 
 
-def _spread(evidence: Evidence) -> str:
+def _spread(evidence: PlottedEvidence) -> str:
     """Return the explanation of the bands; empty without any."""
     if evidence.spread is None or not (evidence.spread > 0.0).any():
         return ""
@@ -122,11 +122,11 @@ def _spread(evidence: Evidence) -> str:
     )
 
 
-def _paired(evidence: Evidence) -> bool:
+def _paired(evidence: PlottedEvidence) -> bool:
     return any(stage.paired.any() for stage in evidence.stages)
 
 
-def _marks(evidence: Evidence) -> str:
+def _marks(evidence: PlottedEvidence) -> str:
     """Return what the marks mean where there is more than one kind."""
     kinds = ["filled dots were fitted"]
     if (evidence.held_out & ~evidence.outlier).any():
@@ -136,7 +136,7 @@ def _marks(evidence: Evidence) -> str:
     return f" {', '.join(kinds).capitalize()}." if len(kinds) > 1 else ""
 
 
-def _unmatched(evidence: Evidence) -> str:
+def _unmatched(evidence: PlottedEvidence) -> str:
     count = int((~evidence.last.paired).sum())
     return (
         f"{plural(count, 'measured mode')} without a partner in the model."
@@ -145,7 +145,7 @@ def _unmatched(evidence: Evidence) -> str:
     )
 
 
-def _rms(evidence: Evidence) -> str:
+def _rms(evidence: PlottedEvidence) -> str:
     parts = []
     for stage in evidence.stages:
         fitted = evidence.difference(stage)[stage.paired & ~evidence.outlier]
@@ -154,7 +154,7 @@ def _rms(evidence: Evidence) -> str:
     return "; ".join(parts)
 
 
-def _largest(evidence: Evidence) -> str:
+def _largest(evidence: PlottedEvidence) -> str:
     parts = []
     for stage in evidence.stages:
         if stage.paired.any():

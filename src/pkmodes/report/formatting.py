@@ -93,7 +93,7 @@ def _cell(value: float | None, write: Callable[[float], str], at: str, strong: b
     return Cell(typeset(text), float(value), at, strong, plain=unsigned(text))
 
 
-def uncertain(
+def uncertain_cell(
     value: float,
     sigma: float,
     at: str = "",
@@ -144,7 +144,7 @@ def unit(name: str) -> str:
     return "" if name == "1" else product.replace("^2", "\u00b2").replace("^3", "\u00b3")
 
 
-def quantity(value: float, name: str, digits: int = 6) -> Cell:
+def quantity_cell(value: float, name: str, digits: int = 6) -> Cell:
     """Return a number with its unit as a cell."""
     text, symbol = plain(value, digits), "" if name == "1" else f" {clean(name)}"
     return Cell(f"{typeset(text)} {unit(name)}".rstrip(), value, plain=text + symbol)

@@ -13,7 +13,16 @@ from pkmodes.campaign.inspection import Inspection
 from pkmodes.campaign.results import IdentifiedMode, RecordResult
 from pkmodes.plots import fits, identified_modes
 from pkmodes.report.blocks import Block, Cell, Column, Facts, Listing, Paragraph, Picture, Section, Table
-from pkmodes.report.formatting import clean, hertz, number, plural, pointer, sentence, shortened, uncertain
+from pkmodes.report.formatting import (
+    clean,
+    hertz,
+    number,
+    plural,
+    pointer,
+    sentence,
+    shortened,
+    uncertain_cell,
+)
 from pkmodes.report.tables import table
 from pkmodes.support.motors import motors_in_words
 from pkmodes.support.numbers import plain
@@ -113,7 +122,9 @@ def modes_table(index: int, modes: Sequence[Mapping[str, Any]]) -> Table:
         parts = mode["sigma_parts"]
         cells = [
             Cell(str(k + 1)),
-            uncertain(mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")),
+            uncertain_cell(
+                mode["frequency"], mode["sigma"], pointer(*at, "frequency"), pointer(*at, "sigma")
+            ),
         ]
         cells += [_two_digits(parts[key], pointer(*at, "sigma_parts", key)) for key in parts]
         if damped:
@@ -148,7 +159,7 @@ def _damping(mode: Mapping[str, Any], at: Sequence[object]) -> Cell:
     ratio, sigma, place = mode["damping"], mode["sigma_damping"], pointer(*at, "damping")
     if ratio is None or sigma is None:
         return number(ratio, ".3g", place, scale=100.0)
-    return uncertain(ratio, sigma, place, pointer(*at, "sigma_damping"), scale=100.0)
+    return uncertain_cell(ratio, sigma, place, pointer(*at, "sigma_damping"), scale=100.0)
 
 
 def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> list[Block]:
@@ -164,7 +175,7 @@ def _fit(inspection: Inspection, result: RecordResult, campaign: Campaign) -> li
     multiples = [
         tone * k for tone in campaign.tones for k in range(1, int(high / tone) + 1) if tone * k >= low
     ]
-    marked = fits.Lines(
+    marked = fits.MarkedFrequencies(
         [(mode.frequency, k, bool(mode.edited)) for k, mode in enumerate(result.modes, start=1)],
         result.struck,
         sorted({*inspection.tones, *multiples}),

@@ -24,7 +24,7 @@ from pkmodes.report.blocks import (
 from pkmodes.report.explorer import explorer_of
 from pkmodes.report.formatting import clean, shortened
 from pkmodes.report.map_planes import declared_values, plane_of, swept_paths, swept_pictures
-from pkmodes.report.map_summary import axis_units, ranges, summary
+from pkmodes.report.map_summary import axis_units, ranges, summary_of_map
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin, view_section
 from pkmodes.report.sources import Source, known_sources
@@ -85,7 +85,7 @@ def map_report(
         *_figures(model, dataset),
         origin(sources, model.mechanism, _about(content), str(dataset.attrs["version"])),
     ]
-    return page(summary(model, content), sections)
+    return page(summary_of_map(model, content), sections)
 
 
 def middle_of(model: Model, dataset: xarray.Dataset) -> list[float] | None:

@@ -9,7 +9,7 @@ import numpy as np
 
 from pkmodes.core.robot.usable import USABLE
 from pkmodes.figures.working_plane import best_conditioned, working_plane
-from pkmodes.maps.poses import Grid
+from pkmodes.maps.poses import PoseGrid
 from pkmodes.plots import maps
 from pkmodes.plots.labels import typeset
 from pkmodes.plots.plane import Plane, where
@@ -35,12 +35,12 @@ def swept_paths(dataset: xarray.Dataset) -> list[str]:
     return [str(dim) for dim in dataset["frequency"].dims if "." in str(dim) and dataset.sizes[dim] > 1]
 
 
-def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[Grid | None, str, str]:
+def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, str, str]:
     """Choose the plane in which the report of a map draws the robot, and describe it.
 
     Returns
     -------
-    Grid or None
+    PoseGrid or None
         The plane of the map, thinned out where it is finer than a picture; of a map over three components, one of
         its planes if parameters were swept, otherwise the working plane, if that lies in the map.  None where a
         sweep, or a map of one pose, has no plane.
@@ -87,19 +87,19 @@ def nearest_to_zero(values: np.ndarray) -> np.ndarray:
     return values[[np.argmin(np.abs(values))]]
 
 
-def _thinned(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> Grid:
+def _thinned(axes: dict[str, np.ndarray], dataset: xarray.Dataset) -> PoseGrid:
     used = bool((dataset["reason"] == USABLE).any())
-    return Grid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()}, used)
+    return PoseGrid({name: values[:: -(-len(values) // FINEST)] for name, values in axes.items()}, used)
 
 
 def swept_pictures(
-    model: Model, dataset: xarray.Dataset, plane: Grid, units: dict[str, str]
+    model: Model, dataset: xarray.Dataset, plane: PoseGrid, units: dict[str, str]
 ) -> Iterator[Picture | Paragraph]:
     """Draw the frequencies in the plane of a sweep, at its first and its last values.
 
     Parameters
     ----------
-    plane : Grid
+    plane : PoseGrid
         From `plane_of`: poses of the map.
     units : dict
         Units of parameters, by path.

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 NO_BREAK_PER_CENT = "\N{NO-BREAK SPACE}%"
 
 
-def summary(model: Model, content: dict[str, Any]) -> Summary:
+def summary_of_map(model: Model, content: dict[str, Any]) -> Summary:
     """Return where the lowest frequency lies, and what was mapped."""
     headline = _headline(content)
     share = content["valid"] / content["poses"]

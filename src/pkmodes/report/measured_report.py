@@ -14,16 +14,16 @@ from pkmodes.diagnosis.compare import Comparison
 from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.measured.measurements import Measurements
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report import figures
 from pkmodes.report.blocks import Section
 from pkmodes.report.changed import change_page
-from pkmodes.report.comparison import by_mode, summary
+from pkmodes.report.comparison import by_mode, comparison_summary
 from pkmodes.report.diagnosis import diagnosis_page
 from pkmodes.report.mode_table import mode_table
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import glossary, view_section
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.updating.declared_spread import declared_spread
 
@@ -81,9 +81,9 @@ def report(
     subject = title if title is not None else "Structure" if declared is None else declared.name
     if isinstance(result, Change) and result.by_state:
         data = None  # the rows are of several measurements
-    setting = Setting(subject, declared, data, tuple(sources), view)
+    setting = ReportSetting(subject, declared, data, tuple(sources), view)
     spread = None if declared is None or data is None else declared_spread(declared, data)
-    evidence = Evidence.of(result, data, "setup" if declared is None else "pose", spread)
+    evidence = PlottedEvidence.of(result, data, "setup" if declared is None else "pose", spread)
     if isinstance(result, Comparison):
         return _comparison_page(result, evidence, setting)
     if isinstance(result, Change):
@@ -91,7 +91,7 @@ def report(
     return diagnosis_page(result, evidence, setting)
 
 
-def _comparison_page(result: Comparison, evidence: Evidence, setting: Setting) -> str:
+def _comparison_page(result: Comparison, evidence: PlottedEvidence, setting: ReportSetting) -> str:
     """Return the report of a comparison as HTML."""
     sections = [
         *figures.sections(evidence),
@@ -100,4 +100,4 @@ def _comparison_page(result: Comparison, evidence: Evidence, setting: Setting) -
         glossary(diagnosed=False),
         setting.origin(evidence),
     ]
-    return page(summary(result, setting), sections)
+    return page(comparison_summary(result, setting), sections)

@@ -22,7 +22,7 @@ def mode_name(pair: ModePair) -> str:
     return f"{mode} at {shortened(pair.pose)}"
 
 
-def deviations(sigmas: float | None) -> str:
+def deviations_in_words(sigmas: float | None) -> str:
     """Return a number of standard deviations within a sentence."""
     size = abs(sigmas or 0.0)
     return f"{size:.{1 if size < 9.95 else 0}f} sigma"
@@ -36,7 +36,7 @@ def where(result: MeasurementsCompared) -> list[str]:
         increased = place.index > 1.0
         sentences.append(
             f"Of the strain energy at {shortened(place.pose)}, {'more' if increased else 'less'} is between {low} "
-            f"and {high}: index {place.index:.3g} ({deviations(place.sigmas)}), as where stiffness is "
+            f"and {high}: index {place.index:.3g} ({deviations_in_words(place.sigmas)}), as where stiffness is "
             f"{'lost' if increased else 'gained'} there, or a mass changed."
         )
     trusted = [
@@ -46,7 +46,7 @@ def where(result: MeasurementsCompared) -> list[str]:
     moved.sort(key=lambda entry: -abs(entry[1][0].sigmas or 0.0))
     for pair, places in moved[:MODES]:
         at = ", ".join(
-            f"{shortened(place.channel)} ({deviations(place.sigmas)})" for place in places[:CHANNELS]
+            f"{shortened(place.channel)} ({deviations_in_words(place.sigmas)})" for place in places[:CHANNELS]
         )
         sentences.append(f"The shape of {mode_name(pair)} differs most at {at}; its MAC is {pair.mac:.3f}.")
     if len(moved) > MODES:

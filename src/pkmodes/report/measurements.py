@@ -8,7 +8,7 @@ from pkmodes.measured.comparison import MeasurementsCompared, ModePair
 from pkmodes.measured.significance import LEAST_COMMON, LEVEL, CommonChange
 from pkmodes.report.blocks import Cell, Column, Summary, Table
 from pkmodes.report.formatting import NOTHING, number, p_value, plural, pointer, shortened, three_digits
-from pkmodes.report.measured_shapes import deviations, mode_name, where
+from pkmodes.report.measured_shapes import deviations_in_words, mode_name, where
 from pkmodes.report.numbers import percent
 from pkmodes.report.tables import table
 from pkmodes.support.numbers import p_text, plain
@@ -24,7 +24,7 @@ FACTOR = (
 )
 
 
-def summary(result: MeasurementsCompared) -> Summary:
+def measurements_summary(result: MeasurementsCompared) -> Summary:
     """Return whether the measurements differ, and by how much."""
     headline, reason, tone = _judged(result)
     pairs, common = len(result.pairs), result.common
@@ -99,7 +99,7 @@ def _single_change(result: MeasurementsCompared, pair: ModePair) -> tuple[float,
 def _change(relative: float | None, sigmas: float | None) -> str:
     """Return a change in per cent and its standard deviations."""
     change = 100.0 * (relative or 0.0)
-    return f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} % ({deviations(sigmas)})"
+    return f"{'-' if change < 0.0 else '+'}{plain(abs(change), 3)} % ({deviations_in_words(sigmas)})"
 
 
 def _sharing(common: CommonChange | None, count: int) -> str:

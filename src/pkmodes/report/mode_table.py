@@ -8,10 +8,10 @@ from pkmodes.diagnosis.compare import ComparedRow, Comparison
 from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.measured.quantities import FREQUENCY
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.formatting import hertz, label, number, plural, pointer
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 
 #: Most rows on the page; beyond that, only those that differ most.
@@ -22,8 +22,8 @@ MEASURED = {Diagnosis: ("frequency_hz", "sigma_hz"), Comparison: ("measured", "s
 
 def mode_table(
     result: Diagnosis | Comparison,
-    evidence: Evidence,
-    setting: Setting,
+    evidence: PlottedEvidence,
+    setting: ReportSetting,
     max_rows: int = MOST,
     *,
     paired: bool = False,
@@ -89,7 +89,7 @@ def mode_table(
     return table(caption, columns, lines, groups, note, heads=2 + mixed)
 
 
-def _numbers(result: Diagnosis | Comparison, evidence: Evidence, i: int) -> list[Cell]:
+def _numbers(result: Diagnosis | Comparison, evidence: PlottedEvidence, i: int) -> list[Cell]:
     """Return the mode, the measured frequency, and the model at each stage of one row."""
     row = result.rows[i]
     mode = int(evidence.mode()[i]) if evidence.stages else 0
@@ -116,7 +116,7 @@ def _damping(row: ComparedRow, i: int) -> list[Cell]:
     return [number(getattr(row, key), ".3g", pointer("rows", i, key), scale=100.0) for key in keys]
 
 
-def _remark(row: Row | ComparedRow, evidence: Evidence, i: int) -> str:
+def _remark(row: Row | ComparedRow, evidence: PlottedEvidence, i: int) -> str:
     words = []
     if isinstance(row, Row):
         words += ["held out"] * row.held_out + ["set aside"] * row.outlier
@@ -127,13 +127,13 @@ def _remark(row: Row | ComparedRow, evidence: Evidence, i: int) -> str:
     return ", ".join(words)
 
 
-def _order(evidence: Evidence) -> list[int]:
+def _order(evidence: PlottedEvidence) -> list[int]:
     """Return the rows by pose and frequency."""
     order: list[int] = np.lexsort((evidence.measured, evidence.setup)).tolist()
     return order
 
 
-def _worst(evidence: Evidence) -> list[int]:
+def _worst(evidence: PlottedEvidence) -> list[int]:
     """Return the rows by their difference at the last stage, unmatched ones first."""
     if not evidence.stages:
         return _order(evidence)

@@ -16,17 +16,17 @@ from pkmodes.diagnosis.verdict.result import Diagnosis
 from pkmodes.report import shaper_measured
 from pkmodes.report.blocks import Cell, Column, Table
 from pkmodes.report.comparison import by_mode, judged
-from pkmodes.report.diagnosis import headline
+from pkmodes.report.diagnosis import verdict_headline
 from pkmodes.report.formatting import figures, plural, sentence, unit, unit_cell
-from pkmodes.report.numbers import errors, values
-from pkmodes.report.setting import Setting
+from pkmodes.report.numbers import errors, fitted_value_tables
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.shaper import shapers_table
 from pkmodes.report.shaper_schedule import schedule_blocks
 from pkmodes.response.moves import Move
 from pkmodes.shaping.measured_modes import MeasuredRinging
 from pkmodes.shaping.results import Choice
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.words import in_words
+from pkmodes.support.words import meaning_of
 
 Array = NDArray[np.float64]
 #: Most rows of a table.
@@ -85,7 +85,7 @@ def of_robot(robot: Robot) -> str:
             figures(quantity.value),
             figures(quantity.sigma, 2),
             unit_cell(quantity.unit),
-            Cell(in_words(robot.mechanism, path)),
+            Cell(meaning_of(robot.mechanism, path)),
         ]
         for path, quantity in list(robot.quantities.items())[:ROWS]
     ]
@@ -126,9 +126,13 @@ def of_comparison(result: Comparison) -> str:
 
 def of_diagnosis(result: Diagnosis) -> str:
     """Return what was found and why, the errors before and after, and the fitted values."""
-    setting = Setting("", None, None, (), None)
-    tables = [block for block in (*errors(result), *values(result, setting)) if isinstance(block, Table)]
-    return _words(headline(result), result.reason) + "".join(map(_html, tables))
+    setting = ReportSetting("", None, None, (), None)
+    tables = [
+        block
+        for block in (*errors(result), *fitted_value_tables(result, setting))
+        if isinstance(block, Table)
+    ]
+    return _words(verdict_headline(result), result.reason) + "".join(map(_html, tables))
 
 
 def _words(strong: str, reason: str) -> str:

@@ -16,10 +16,10 @@ from pkmodes.report.formatting import (
     plural,
     pointer,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit_cell,
 )
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.report.tables import table
 from pkmodes.support.ordering import listed, sorted_labels
 
@@ -58,7 +58,7 @@ def percent(relative: float | None, at: str = "", strong: bool = False) -> Cell:
     return number(relative, form, at, scale=100.0, strong=strong)
 
 
-def values(result: Diagnosis, setting: Setting) -> list[Table | Paragraph]:
+def fitted_value_tables(result: Diagnosis, setting: ReportSetting) -> list[Table | Paragraph]:
     """Return the fitted values, with what was declared about them."""
     corrected = _corrected(result)
     if not corrected:
@@ -87,7 +87,7 @@ def _corrected(result: Diagnosis) -> list[Corrected]:
     return [value for value in result.corrected if value.name not in of_losses]
 
 
-def pulls(result: Diagnosis, setting: Setting) -> list[Picture]:
+def pulls(result: Diagnosis, setting: ReportSetting) -> list[Picture]:
     """Return the figure of how far the fit moved each uncertain value; empty if none has a prior."""
     corrected = _corrected(result)
     figure = scores.pulls(corrected, setting.words)
@@ -148,7 +148,7 @@ def correlations(result: Diagnosis) -> list[Picture]:
     return pictures
 
 
-def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
+def _value(result: Diagnosis, value: Corrected, setting: ReportSetting) -> list[Cell]:
     """Return a row; its numbers are in the JSON under refitted, or with the cause."""
     before, after, sigma, saved = "", "", "", ""
     role = "fitted"
@@ -167,7 +167,7 @@ def _value(result: Diagnosis, value: Corrected, setting: Setting) -> list[Cell]:
         Cell.named(setting.words(value.name), clean(value.name.removeprefix("effects."))),
         Cell(f"{role}, at a bound" if value.at_bound else role),
         figures(value.declared, 6, before),
-        uncertain(value.value, value.saved_sigma, after, saved, fit=value.sigma),
+        uncertain_cell(value.value, value.saved_sigma, after, saved, fit=value.sigma),
         figures(value.sigma, 2, sigma),
         unit_cell(value.unit),
         figures(prior, 2),

@@ -11,11 +11,11 @@ from pkmodes.core.model import Model
 from pkmodes.core.robot.robot import Robot
 from pkmodes.diagnosis.states.result import Change
 from pkmodes.diagnosis.verdict.result import Diagnosis
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.plots.places import Marked, places
 from pkmodes.report.blocks import Block, Picture
 from pkmodes.report.formatting import clean
-from pkmodes.report.setting import Setting
+from pkmodes.report.setting import ReportSetting
 from pkmodes.view import scene
 from pkmodes_description import Element
 
@@ -48,7 +48,7 @@ def marked_elements(result: Diagnosis, robot: Robot) -> frozenset[int]:
     return frozenset(i for mark in marks if mark is not None for i in mark.elements)
 
 
-def picture(result: Diagnosis, evidence: Evidence, setting: Setting) -> list[Block]:
+def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting) -> list[Block]:
     """Return a picture of the machine with these places in colour; empty if it shows none of them."""
     if setting.robot is None:
         return []

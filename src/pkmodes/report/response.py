@@ -23,7 +23,7 @@ from pkmodes.report.formatting import (
     pointer,
     shortened,
     three_digits,
-    uncertain,
+    uncertain_cell,
     unit,
     unit_cell,
 )
@@ -92,10 +92,10 @@ def response_report(
         Section("modes", "Modes of the model", [_modes(model, response)]),
         origin(sources, model.mechanism),
     ]
-    return page(summary(model, response, drawn), sections)
+    return page(response_summary(model, response, drawn), sections)
 
 
-def summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
+def response_summary(model: Model, response: FrequencyResponse, drawn: DrawnChannels) -> Summary:
     """Return which channel responds most, and where."""
     at = placed(model.mechanism, response.poses[response.one(())], "g").replace("-", MINUS)
     measured = {} if drawn.measured is None else drawn.measured[1]
@@ -263,7 +263,7 @@ def _modes(model: Model, response: FrequencyResponse) -> Block:
         rows.append(
             [
                 Cell(str(i + 1 - rigid)),
-                uncertain(f, sigma) if sigma > 0.0 else hertz(f),
+                uncertain_cell(f, sigma) if sigma > 0.0 else hertz(f),
                 three_digits(float(modes.damping_ratios[i]), scale=100.0),
                 *(number(float(part) + 0.0, ".3f") for part in moved[i]),
             ]

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from pkmodes.core.robot.report_fields import common_head
-from pkmodes.maps.robots_compared import ModeChange, headline
+from pkmodes.maps.robots_compared import ModeChange, largest_difference
 from pkmodes.plots.labels import MINUS
 from pkmodes.report.blocks import Cell, Column, Listing, Paragraph, Summary, Table
 from pkmodes.report.formatting import clean, number, pointer, shortened, thousands, unit_cell
 from pkmodes.support.motors import motors_of_both
-from pkmodes.support.words import in_words
+from pkmodes.support.words import meaning_of
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -27,7 +27,7 @@ SIGMAS = {"first_sigma": "\u03c3, first", "second_sigma": "\u03c3, second"}
 Shared = Paragraph | Listing | Table
 
 
-def summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
+def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
     """Return which frequency differs most, and what was compared."""
     poses, doing = content["poses"], motors_of_both(first.robot, second.robot, content["drives"])
     differ = len(content["values"])
@@ -42,7 +42,7 @@ def summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
     return Summary(
         subject=f"{names}, {doing}",
         kind="Comparison of robots",
-        headline=headline([ModeChange(**mode) for mode in content["modes"]]).replace("-", MINUS),
+        headline=largest_difference([ModeChange(**mode) for mode in content["modes"]]).replace("-", MINUS),
         reason="Differences are second minus first, relative to the first.",
         notes=[clean(note) for note in content["notes"]],
         facts=facts,
@@ -50,7 +50,7 @@ def summary(first: Model, second: Model, content: dict[str, Any]) -> Summary:
     )
 
 
-def values(first: Model, content: dict[str, Any], max_rows: int | None = None) -> Iterator[Shared]:
+def different_values(first: Model, content: dict[str, Any], max_rows: int | None = None) -> Iterator[Shared]:
     """Yield what the files declare differently.
 
     Parameters
@@ -71,7 +71,7 @@ def values(first: Model, content: dict[str, Any], max_rows: int | None = None) -
         ]
         rows = [
             [
-                Cell.named(clean(in_words(first.robot.mechanism, value["path"])), clean(value["path"])),
+                Cell.named(clean(meaning_of(first.robot.mechanism, value["path"])), clean(value["path"])),
                 number(value["first"], ".6g", pointer("values", i, "first")),
                 number(value["second"], ".6g", pointer("values", i, "second")),
                 number(value["relative"], "+.2f", pointer("values", i, "relative"), scale=100.0),

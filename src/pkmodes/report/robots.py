@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pkmodes.figures.quantities import points_of
 from pkmodes.figures.working_plane import working_plane
 from pkmodes.maps.mapping import map_of
-from pkmodes.maps.poses import Grid
+from pkmodes.maps.poses import PoseGrid
 from pkmodes.maps.robots_compared import NOTHING, compare_frequencies
 from pkmodes.plots.changes import relative_changes, scale_of
 from pkmodes.plots.plane import Plane, where
@@ -20,7 +20,7 @@ from pkmodes.report.blocks import (
 )
 from pkmodes.report.formatting import plural, shortened
 from pkmodes.report.page import need_report, page
-from pkmodes.report.robot_values import frequencies, summary, values
+from pkmodes.report.robot_values import different_values, frequencies, robots_summary
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 
@@ -33,7 +33,7 @@ def robots_report(
     second: Model,
     content: dict[str, Any],
     sources: Sequence[Source],
-    places: Grid | None = None,
+    places: PoseGrid | None = None,
 ) -> str:
     """Return the report of two robots of one mechanism.
 
@@ -43,7 +43,7 @@ def robots_report(
         The JSON of ``pkmodes compare``.
     sources : sequence of Source
         The robot files.
-    places : Grid, optional
+    places : PoseGrid, optional
         The plane of the pictures; by default the working plane of the first robot.
 
     Raises
@@ -54,15 +54,15 @@ def robots_report(
     need_report()
     considered = sum(content["poses"].values())
     sections = [
-        Section("values", "What the files declare differently", list(values(first, content))),
+        Section("values", "What the files declare differently", list(different_values(first, content))),
         Section("frequencies", "Frequencies over the poses that both reach", list(frequencies(content))),
         *_pictures(first, second, content["drives"], places),
         origin(sources, first.mechanism, [("poses", [Cell(f"{plural(considered, 'pose')} considered")])]),
     ]
-    return page(summary(first, second, content), sections)
+    return page(robots_summary(first, second, content), sections)
 
 
-def _pictures(first: Model, second: Model, drives: str, places: Grid | None) -> Iterator[Section]:
+def _pictures(first: Model, second: Model, drives: str, places: PoseGrid | None) -> Iterator[Section]:
     components = [component.name for component in first.mechanism.pose]
     if len(components) < 2:
         return

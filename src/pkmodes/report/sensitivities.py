@@ -11,7 +11,7 @@ from pkmodes.plots.tornado import PANELS, tornado
 from pkmodes.report.blocks import Block, Cell, Paragraph, Picture, Section, Table
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
-from pkmodes.report.sensitivity_tables import NAMED, per_cent, per_sigma, summary
+from pkmodes.report.sensitivity_tables import NAMED, per_cent, per_sigma, sensitivities_summary
 from pkmodes.report.sources import Source, known_sources
 from pkmodes.sensitivity.changes import PERCENT, SIGMA, Changes, changes_at
 from pkmodes.sensitivity.spread import stated_sigmas
@@ -57,7 +57,7 @@ def sensitivities_report(
         Section("sigma", "Standard deviations of the robot file", _per_sigma(model, sigma)),
         origin(sources, model.mechanism, [("rigid-body modes", [Cell(str(content["rigid_modes"]))])]),
     ]
-    return page(summary(model, percent, sigma, content), sections)
+    return page(sensitivities_summary(model, percent, sigma, content), sections)
 
 
 def _per_cent(model: Model, changes: Changes, content: dict[str, Any]) -> list[Block]:

@@ -18,16 +18,16 @@ from pkmodes.report.formatting import (
     hertz,
     number,
     pointer,
-    quantity,
+    quantity_cell,
     sentence,
     shortened,
-    uncertain,
+    uncertain_cell,
     unit_cell,
 )
 from pkmodes.sensitivity.changes import CORRELATED, Changes, coinciding
 from pkmodes.sensitivity.spread import stated_sigmas
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.words import in_words
+from pkmodes.support.words import meaning_of
 
 if TYPE_CHECKING:
     from pkmodes.core.model import Model
@@ -41,7 +41,7 @@ NAMED = 2
 ROUNDING, ROUNDING_BY_UNIT = 1e-9, 1e-15
 
 
-def summary(
+def sensitivities_summary(
     model: Model,
     percent: Changes,
     sigma: Changes | None,
@@ -71,7 +71,7 @@ def summary(
     for mode, frequency in enumerate(percent.frequencies.tolist()):
         error = 0.0 if sigma is None or sigma.together is None else float(sigma.together[mode])
         place = pointer("frequencies_hz", rigid + mode)
-        cell = uncertain(frequency, error, place) if error > 0.0 else hertz(frequency, place)
+        cell = uncertain_cell(frequency, error, place) if error > 0.0 else hertz(frequency, place)
         facts.append((f"mode {mode + 1} [Hz]", cell))
     return Summary(
         subject=shortened(content["robot"]),
@@ -86,13 +86,13 @@ def summary(
 
 def _named(model: Model, path: str) -> str:
     """Return what a quantity is within a sentence: in words, with its path."""
-    words = clean(in_words(model.robot.mechanism, path))
+    words = clean(meaning_of(model.robot.mechanism, path))
     return f"the {words} ({clean(path)})" if words else clean(path)
 
 
 def _quantity(model: Model, paths: Sequence[str]) -> Cell:
     """Return the quantities of a row: in words, and their paths beneath."""
-    words = [clean(in_words(model.robot.mechanism, path)) for path in paths]
+    words = [clean(meaning_of(model.robot.mechanism, path)) for path in paths]
     return Cell.named(", ".join(words) if all(words) else "", clean(", ".join(paths)))
 
 
@@ -108,7 +108,7 @@ def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: 
     rigid, paths, rows = content["rigid_modes"], content["parameters"], []
     for i in order[:max_rows]:
         indices = [paths.index(name) for name in changes.paths[i] if name in paths]
-        values = [quantity(content["values"][t], content["units"][t], 5).text for t in indices]
+        values = [quantity_cell(content["values"][t], content["units"][t], 5).text for t in indices]
         row = [_quantity(model, changes.names[i]), Cell(", ".join(values) or NOTHING)]
         for mode, frequency in enumerate(frequencies):
             value, place = float(100.0 * changes.changes[i, mode] / frequency), ""
@@ -133,7 +133,7 @@ def per_sigma(model: Model, changes: Changes) -> Table:
     for i in changes.largest_of_all():
         (path,) = changes.names[i]
         symbol = model.robot.quantities[path].unit
-        row = [_quantity(model, [path]), quantity(sigmas[path], symbol, 3)]
+        row = [_quantity(model, [path]), quantity_cell(sigmas[path], symbol, 3)]
         rows.append([*row, *(number(float(value), "+.3f") for value in changes.changes[i])])
     combined = [number(float(value), ".3f", strong=True) for value in changes.together]
     rows.append([Cell("all together", strong=True), Cell(""), *combined])

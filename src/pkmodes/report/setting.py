@@ -9,18 +9,18 @@ from functools import cached_property
 from pkmodes.core.robot.report_fields import head_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.measured.measurements import Measurements
-from pkmodes.plots.evidence import Evidence
+from pkmodes.plots.evidence import PlottedEvidence
 from pkmodes.report.blocks import Cell, Section
-from pkmodes.report.formatting import clean, plural, quantity, shortened
+from pkmodes.report.formatting import clean, plural, quantity_cell, shortened
 from pkmodes.report.sections import origin
 from pkmodes.report.sources import Source
 from pkmodes.support.motors import motors_in_words
-from pkmodes.support.words import in_words
+from pkmodes.support.words import meaning_of
 from pkmodes.updating.load_cases import settable
 
 
 @dataclass(frozen=True)
-class Setting:
+class ReportSetting:
     """The circumstances of a result.
 
     Attributes
@@ -56,17 +56,19 @@ class Setting:
 
     def words(self, path: str) -> str:
         """Return what the path of a value means; empty where the robot does not describe it."""
-        return "" if self.robot is None else clean(in_words(self.robot.mechanism, path))
+        return "" if self.robot is None else clean(meaning_of(self.robot.mechanism, path))
 
     def load(self, load: Mapping[str, float]) -> Cell:
         """Return the values set at a pose as a cell."""
-        cells = {path: quantity(value, self._units.get(path, "1")) for path, value in load.items()}
+        cells = {path: quantity_cell(value, self._units.get(path, "1")) for path, value in load.items()}
         return Cell(
             ", ".join(f"{clean(path)} = {cell.text}" for path, cell in cells.items()),
             plain=", ".join(f"{path} = {cell.plain}" for path, cell in cells.items()),
         )
 
-    def origin(self, evidence: Evidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()) -> Section:
+    def origin(
+        self, evidence: PlottedEvidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()
+    ) -> Section:
         """Return the section of data and versions.
 
         Parameters

@@ -82,10 +82,10 @@ def shaper_report(
         Section("firmware", "Lines for firmware", [*firmware_lines(content), *schedule_lines(content)]),
         origin(sources, model.mechanism),
     ]
-    return page(summary(model, choice, content), sections)
+    return page(shaper_summary(model, choice, content), sections)
 
 
-def summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
+def shaper_summary(model: Model, choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
     best, unshaped = choice.candidates[choice.recommended], choice.unshaped
     at = pointer("shapers", choice.recommended, "left", "worst")

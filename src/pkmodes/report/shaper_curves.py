@@ -36,7 +36,7 @@ def over_frequency(choice: Choice, spectrum: MeasuredSpectrum | None) -> tuple[D
         design = f"{candidate.kind} ({design_of(candidate)}): {plain(100.0 * candidate.left.worst, 2)} %"
         remaining = 100.0 * residual(candidate.shaper, f, candidate.damping_ratio)
         curves.append(
-            shapers.Curve(
+            shapers.ShaperCurve(
                 design + (", recommended" if candidate is best else ""), remaining, candidate is best
             )
         )

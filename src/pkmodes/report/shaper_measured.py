@@ -8,7 +8,7 @@ from typing import Any
 
 from pkmodes.report.blocks import Cell, Column, Section, Summary, Table
 from pkmodes.report.firmware_lines import firmware_lines
-from pkmodes.report.formatting import clean, label, number, plural, pointer, shortened, uncertain
+from pkmodes.report.formatting import clean, label, number, plural, pointer, shortened, uncertain_cell
 from pkmodes.report.page import need_report, page
 from pkmodes.report.sections import origin
 from pkmodes.report.shaper import as_sentence, why_recommended
@@ -56,10 +56,10 @@ def measured_shaper_report(
         Section("firmware", "Lines for firmware", firmware_lines(content)),
         origin(sources, None),
     ]
-    return page(summary(choice, content), sections)
+    return page(measured_shaper_summary(choice, content), sections)
 
 
-def summary(choice: Choice, content: dict[str, Any]) -> Summary:
+def measured_shaper_summary(choice: Choice, content: dict[str, Any]) -> Summary:
     """Return the recommended shaper, and what it leaves."""
     best = choice.candidates[choice.recommended]
     remaining = of_measured(choice).shares(best)
@@ -141,7 +141,7 @@ def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
             [
                 label(mode["pose"]),
                 number(mode["line"], ".0f", pointer(*at, "line")),
-                uncertain(
+                uncertain_cell(
                     mode["frequency_hz"],
                     mode["sigma_hz"],
                     pointer(*at, "frequency_hz"),

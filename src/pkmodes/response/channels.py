@@ -84,7 +84,7 @@ def control_library() -> Any:
 
 
 @dataclass(frozen=True)
-class Asked:
+class ResponseRequest:
     """What is requested of a robot: a quantity of some outputs per some inputs."""
 
     model: Model
@@ -96,7 +96,7 @@ class Asked:
     @classmethod
     def of(
         cls, model: Model, inputs: Sequence[str], outputs: Sequence[Output], quantity: str, drives: str
-    ) -> Asked:
+    ) -> ResponseRequest:
         """Return what is requested by name.
 
         Raises

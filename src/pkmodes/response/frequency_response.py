@@ -21,7 +21,7 @@ from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.dataset.attributes import imported
 from pkmodes.dataset.variables import dims_of_poses
-from pkmodes.response.channels import Asked, Channels, control_library
+from pkmodes.response.channels import Channels, ResponseRequest, control_library
 from pkmodes.response.equations import equations
 from pkmodes.response.linearised import LinearisedRobot, nan_in_both_parts
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
@@ -232,7 +232,7 @@ def frequency_response(
     >>> float(found.frequencies[abs(found.values[:, 0, 0]).argmax()].round(1))
     36.2
     """
-    request = Asked.of(model, inputs, outputs, quantity, drives)
+    request = ResponseRequest.of(model, inputs, outputs, quantity, drives)
     hertz = checked_frequencies(frequencies, model.solved(drives).rigid_modes, drives)
     omega = 2.0 * np.pi * hertz
     checked = model.checked(poses, on_error)

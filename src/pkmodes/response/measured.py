@@ -9,8 +9,8 @@ from os import PathLike, fspath
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
-from pkmodes.signals.functions import Kind
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
+from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
@@ -67,7 +67,7 @@ class MeasuredResponse:
         common = {name: values for name, values in self.channels.items() if name in names}
         if not common:
             problem = f"expected a channel of {', '.join(names)}, found {', '.join(self.channels)}"
-            raise PkmodesError(problem, self.source, nearest(next(iter(self.channels)), names))
+            raise PkmodesError(problem, self.source, nearest_name(next(iter(self.channels)), names))
         return common
 
 
@@ -93,7 +93,7 @@ def read_response(path: str | PathLike[str]) -> MeasuredResponse:
     """
     source = fspath(path)
     read = read_signals(path)
-    functions = [function for function in read.functions if function.kind is Kind.FRF]
+    functions = [function for function in read.functions if function.kind is FunctionKind.FRF]
     if not functions:
         raise MeasurementError("expected frequency response functions, found none", source, REMEDY)
     f, channels = functions[0].abscissa, {}

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import FREE, HELD
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.model import Model
 from pkmodes.response.directions import unit_direction
@@ -154,7 +154,7 @@ def _chosen(where: str, names: Any, ports: Mapping[str, Port]) -> tuple[Port, ..
         )
     for i, name in enumerate(listed):
         if not isinstance(name, str) or name not in ports:
-            raise PkmodesError(f"unknown name {shown(name)}", where, nearest(str(name), ports))
+            raise PkmodesError(f"unknown name {shown(name)}", where, nearest_name(str(name), ports))
         if name in listed[:i]:
             raise PkmodesError(f"{shown(name)} is given twice", where, "give each name once")
     return tuple(ports[name] for name in listed)

@@ -30,7 +30,7 @@ from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.core.solve.backends import AUTO
 from pkmodes.core.system.evaluation import number_of_modes
-from pkmodes.response.channels import Asked, Channels, Index, control_library
+from pkmodes.response.channels import Channels, Index, ResponseRequest, control_library
 from pkmodes.response.linearised import LinearisedRobot
 from pkmodes.response.ports import QUANTITIES, Output, Port, input_vectors, output_vectors, prescribed
 from pkmodes.support.writing import write_file
@@ -273,7 +273,7 @@ def state_space(
     >>> system.discretized(0.001).at().dt
     0.001
     """
-    request = Asked.of(model, inputs, outputs, quantity, drives)
+    request = ResponseRequest.of(model, inputs, outputs, quantity, drives)
     into, out = request.inputs, request.outputs
     system = model.solved(drives)
     count = number_of_modes(system)

@@ -190,7 +190,7 @@ def _one_line(text: str) -> str:
 
 
 @dataclass(frozen=True)
-class Notation:
+class ValueNotation:
     """A notation for values of one dimension.
 
     Attributes
@@ -206,7 +206,7 @@ class Notation:
     after: str = ""
 
     @classmethod
-    def of(cls, item: object, unit: str) -> Notation:
+    def of(cls, item: object, unit: str) -> ValueNotation:
         """Return the notation of a value of a TOML document whose SI unit is `unit`."""
         if not isinstance(item, String) or (match := NUMBER.fullmatch(item)) is None:
             return cls()  # a bare number
@@ -219,7 +219,7 @@ class Notation:
         return cls(scale, quote, re.sub(r"[\r\n]+", " ", item[match.end(1) :]) + quote)
 
     @classmethod
-    def si(cls, unit: str) -> Notation:
+    def si(cls, unit: str) -> ValueNotation:
         """Return the notation for a value that is new in the document."""
         return cls() if unit == "1" else cls(1.0, '"', f' {unit.replace(" ", "*")}"')
 
@@ -232,7 +232,7 @@ class Notation:
 
         Rounded down, it would be smaller than that in a table of correlations, which has more digits.
         """
-        notation = Notation() if "%" in self.after else self
+        notation = ValueNotation() if "%" in self.after else self
         digits = Decimal(repr(value / notation.scale))
         written = Context(prec=SIGMA_DIGITS, rounding=ROUND_CEILING).plus(digits)
         return f"{notation.before}{float(written):.{SIGMA_DIGITS}g}{notation.after}"

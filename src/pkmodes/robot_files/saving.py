@@ -14,7 +14,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest, shown
+from pkmodes.core.base.errors import OutputError, PkmodesError, RobotFileError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot.covariance import CORRELATION, COVARIANCE, PATHS, SIGMA, Covariance
 from pkmodes.core.robot.declaration import Declaration, changeable
@@ -23,8 +23,8 @@ from pkmodes.core.robot.parameter_groups import elements_of, groups_by_path
 from pkmodes.core.robot.reading import read_robot, robot_from_document
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.robot.units import Quantity
-from pkmodes.robot_files.editing import Keys, Notation, TomlText
-from pkmodes.support.covariance import joined, uncertain
+from pkmodes.robot_files.editing import Keys, TomlText, ValueNotation
+from pkmodes.support.covariance import joined_covariance, sigmas_by_path
 from pkmodes.support.writing import write_file
 from pkmodes_description import ParameterGroup
 
@@ -109,7 +109,7 @@ def _elements(path: str, correction: Correction, robot: Declaration) -> dict[str
     if path in (groups := groups_by_path(robot.mechanism)):
         return _of_group(groups[path], correction, robot)
     if path not in changeable(robot):
-        remedy = nearest(path, changeable(robot), "see docs/robot-file.md for the values")
+        remedy = nearest_name(path, changeable(robot), "see docs/robot-file.md for the values")
         _refuse(f"there is no value {shown(path)} to change", robot.source, remedy)
     return {path: replace(correction, value=float(correction.value))}
 
@@ -223,8 +223,8 @@ def _correlate(
     tables = list(robot.covariance)
     touched = [i for i, table in enumerate(tables) if set(table.paths) & set(new.paths)]
     reduced = [rest for i in touched if (rest := tables[i].without(new.paths)).paths]
-    sigmas = {**uncertain(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
-    merged = joined([new, *reduced], sigmas)
+    sigmas = {**sigmas_by_path(robot), **{path: edit.sigma for path, edit in edits.items() if edit.sigma}}
+    merged = joined_covariance([new, *reduced], sigmas)
     values = {
         PATHS: _listed(f'"{path}"' for path in merged.paths),
         **({} if merged.sigmas is None else {SIGMA: _listed(f"{s:.{SIGMA_DIGITS}g}" for s in merged.sigmas)}),
@@ -274,7 +274,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity)
     """Change an existing value, keeping its notation."""
     written = document.find(keys)
     if isinstance(written, dict):
-        notation = Notation.of(written["value"], before.unit)
+        notation = ValueNotation.of(written["value"], before.unit)
         document.replace((*keys, "value"), notation.number(edit.value, edit.digits))
         relative = "%" in str(written.get("sigma", ""))
         if edit.sigma is not None and "sigma" not in written:
@@ -286,7 +286,7 @@ def _rewrite(document: TomlText, keys: Keys, edit: Correction, before: Quantity)
         document.comment((*keys, "value"), edit.note)
     else:
         document.replace(
-            keys, Notation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
+            keys, ValueNotation.of(written, before.unit).quantity(edit.value, edit.sigma, edit.digits)
         )
         document.comment(keys, edit.note)
 
@@ -296,7 +296,7 @@ def _new_value(document: TomlText, mechanism: Mechanism, path: str, unit: str, e
     item = by_path(mechanism).get(path)
     shared = document.find(_keys(mechanism, item.shared)) if item is not None and item.shared else None
     shared = shared["value"] if isinstance(shared, dict) else shared
-    notation = Notation.si(unit) if shared is None else Notation.of(shared, unit)
+    notation = ValueNotation.si(unit) if shared is None else ValueNotation.of(shared, unit)
     return notation.quantity(edit.value, edit.sigma, edit.digits)
 
 

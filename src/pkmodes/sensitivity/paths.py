@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.robot.layout import EFFECTS, Item, Slot, by_path, effect_parameters, items, lent, takers
-from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, value_of, weights_of
+from pkmodes.core.robot.parameter_groups import group_value, groups_by_path, items_of, weights_of
 from pkmodes.core.robot.robot import Robot
 
 #: The unit of a path, and the weight with which each number changes along it.
@@ -83,10 +83,10 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
         alternatives = [
             candidate for candidate in available if candidate.endswith(f".{path}")
         ]  # of every axis, in place of the shared value
-        remedy = nearest(path, alternatives, "choose a quantity that changes masses or stiffnesses")
+        remedy = nearest_name(path, alternatives, "choose a quantity that changes masses or stiffnesses")
         raise PkmodesError(problem, robot.source, remedy)
     if path not in available:
-        remedy = nearest(path, available, "see docs/sensitivities.md for the paths")
+        remedy = nearest_name(path, available, "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     unit, weights = available[path]
     group = groups_by_path(robot.mechanism).get(path)
@@ -94,7 +94,7 @@ def _resolved(robot: Robot, path: str, available: Mapping[str, Moves]) -> Parame
         item = items_of(robot.mechanism, group)[0]
         problem = f"{path} cannot vary: a {item.key.name} that is zero has no direction"
         raise PkmodesError(problem, robot.source, f"use elements such as {item.numbers[0].path}")
-    value = _value(robot, next(iter(weights))) if group is None else value_of(robot, group)
+    value = _value(robot, next(iter(weights))) if group is None else group_value(robot, group)
     return ParameterPath(path, value, unit, weights)
 
 

@@ -21,7 +21,7 @@ from pkmodes.core.robot.layout import effect_parameters
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import AUTO, checked_threads
-from pkmodes.core.solve.batch import run
+from pkmodes.core.solve.batch import run_job
 from pkmodes.core.solve.field_arrays import FieldArrays, Fields, Out, chosen_fields
 from pkmodes.core.solve.results import ChosenFields
 from pkmodes.core.solve.solver import Solver
@@ -243,7 +243,7 @@ def sensitivities_at(
             requested,
             lambda p: _in_parts(lambda part: _at(resolved, part, limit, requested, solvers), p),
         )
-        checked, arrays = run(job, robot, model.max_condition, poses, on_error, out, count)
+        checked, arrays = run_job(job, robot, model.max_condition, poses, on_error, out, count)
     else:
         checked = model.checked(poses, on_error)
         aside = on_error == "raise" and len(system.coordinates) > system.first

@@ -30,14 +30,14 @@ from pkmodes.sensitivity.modes import groups
 from pkmodes.sensitivity.paths import ParameterPath, paths
 from pkmodes.sensitivity.relative import CLOSE, rates_of
 from pkmodes.sensitivity.sensitivities import ResolvedPaths
-from pkmodes.support.covariance import covariance_of, root_of, uncertain
+from pkmodes.support.covariance import covariance_of, root_of, sigmas_by_path
 
 Array = NDArray[np.float64]
 
 
 def stated_sigmas(robot: Robot) -> dict[str, float]:
     """Return the standard deviations of a robot file by path [SI], of those values that can change a frequency."""
-    stated = uncertain(robot)
+    stated = sigmas_by_path(robot)
     varying = set(paths(robot)) if stated else set()  # damping ratios and loss factors change none
     return {path: sigma for path, sigma in stated.items() if path in varying}
 

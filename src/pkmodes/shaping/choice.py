@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.arguments import Constraint, check_argument, is_number, one_of
 from pkmodes.core.base.errors import PkmodesError
 from pkmodes.shaping.at_poses import check_factors, following
-from pkmodes.shaping.firmware import NAMES, VERSIONS, name_of, setting
+from pkmodes.shaping.firmware import NAMES, VERSIONS, setting, version_name
 from pkmodes.shaping.firmware import firmware as lines
 from pkmodes.shaping.firmware_impulses import has_own
 from pkmodes.shaping.fixed import best_fixed
@@ -129,7 +129,7 @@ def _as_made(candidates: Sequence[Candidate], version: str) -> list[str]:
     are = "is" if len(with_own_impulses) == 1 else "are"
     return [
         f"the fixed {joined(with_own_impulses)} {are} compared with the impulses that "
-        f"{name_of(version, version)} makes"
+        f"{version_name(version, version)} makes"
     ]
 
 
@@ -186,15 +186,15 @@ def _recommended(
         ]
         if not has:
             kinds = ", ".join(candidate.kind for candidate in fixed)
-            problem = f"{name_of(firmware or '')} has none of the shapers compared: {kinds}"
+            problem = f"{version_name(firmware or '')} has none of the shapers compared: {kinds}"
             raise PkmodesError(problem, "firmware", "compare others, such as zv, mzv and ei")
-        of = "" if firmware is None else f" that {name_of(firmware)} has"
+        of = "" if firmware is None else f" that {version_name(firmware)} has"
         problem = f"no fixed shaper{of} lasts at most {1e3 * (length or 0.0):.4g} ms"
         shortest = min(candidate.duration for candidate in has)
         raise PkmodesError(problem, "length", f"the shortest one lasts {1e3 * shortest:.4g} ms")
     if good:
         return best, notes
-    of = "" if firmware is None else f" of {name_of(firmware)}"
+    of = "" if firmware is None else f" of {version_name(firmware)}"
     notes.append(
         f"no fixed shaper{of} leaves at most {numbers.plain(100 * share, 3)} % {at.where_most}; the best one is "
         "recommended"

@@ -75,7 +75,7 @@ SAME = {"zvd": 0.99, "zvdd": 0.99, "mzv": 0.001, "2hump_ei": 0.03, "3hump_ei": 0
 IMPULSES, APART = 5, 1e-5
 
 
-def name_of(version: str, oldest: str | None = None) -> str:
+def version_name(version: str, oldest: str | None = None) -> str:
     """Return the name of a version with its dates; that of the firmware for the newest, unless an oldest is given.
 
     Parameters

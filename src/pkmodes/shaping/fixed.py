@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize, minimize_scalar
 
 from pkmodes.shaping.firmware_impulses import as_made, settled
-from pkmodes.shaping.kinds import names_of
+from pkmodes.shaping.kinds import factor_names
 from pkmodes.shaping.residual_vibration import residual
 from pkmodes.shaping.ringing import Ringing
 from pkmodes.shaping.shapers import Shaper, shaper
@@ -45,7 +45,7 @@ def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tupl
         Of the firmware whose impulses count, a key of `pkmodes.shaping.firmware.VERSIONS`; by default those of
         `pkmodes.shaping.shaper`, as for products.
     """
-    names, zeta = names_of(kind), at.mean_ratio
+    names, zeta = factor_names(kind), at.mean_ratio
     version = None if len(names) > 1 else version
     chosen = _chosen(at.unshaped, MOST // at.frequencies.shape[1])
     modes, weights = (at.frequencies[chosen], at.damping_ratios[chosen]), at.weights[chosen]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pkmodes.core.base.arguments import alternatives
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes_description.shapers import SHAPERS, Kind
 
 PRODUCT = "*"
@@ -19,22 +19,22 @@ def factors(kind: str) -> tuple[Kind, ...]:
     PkmodesError
         If a factor is not a kind of shaper (the message suggests the nearest).
     """
-    names = names_of(kind)
+    names = factor_names(kind)
     for name in names:
         if not isinstance(name, str) or name not in SHAPERS:
             of = f" in {shown(kind)}" if len(names) > 1 else ""
             problem = (
                 f"expected {alternatives(KINDS)}, or a product such as zv{PRODUCT}zv, found {shown(name)}{of}"
             )
-            raise PkmodesError(problem, "kind", nearest(name, KINDS))
+            raise PkmodesError(problem, "kind", nearest_name(name, KINDS))
     return tuple(SHAPERS[name] for name in names)
 
 
 def plain(kind: str) -> str:
     """Return the name of a kind without blanks."""
-    return PRODUCT.join(names_of(kind)) if isinstance(kind, str) else kind
+    return PRODUCT.join(factor_names(kind)) if isinstance(kind, str) else kind
 
 
-def names_of(kind: str) -> tuple[str, ...]:
+def factor_names(kind: str) -> tuple[str, ...]:
     """Return the names of the factors of a product, or the one name."""
     return tuple(name.strip() for name in kind.split(PRODUCT)) if isinstance(kind, str) else (kind,)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.functions import Kind
+from pkmodes.signals.functions import FunctionKind
 from pkmodes.signals.reading import read_signals
 
 Array = NDArray[np.float64]
@@ -20,8 +20,8 @@ BELOW, ABOVE = 0.5, 1.4
 NEAR = 0.02
 #: Other things that a file may hold, and what to do with them.
 OTHERS = {
-    Kind.TIME: "signals in time: give their spectrum (Klipper writes one with OUTPUT=resonances)",
-    Kind.FRF: "frequency responses: a spectrum has one column for each direction, such as psd_x",
+    FunctionKind.TIME: "signals in time: give their spectrum (Klipper writes one with OUTPUT=resonances)",
+    FunctionKind.FRF: "frequency responses: a spectrum has one column for each direction, such as psd_x",
 }
 
 
@@ -80,7 +80,7 @@ def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
     """
     source = fspath(path)
     read = read_signals(path)
-    spectra = [function for function in read.functions if function.kind is Kind.SPECTRUM]
+    spectra = [function for function in read.functions if function.kind is FunctionKind.SPECTRUM]
     if not spectra:
         kinds = [function.kind for function in read.functions]
         alternative = next((OTHERS[kind] for kind in OTHERS if kind in kinds), "none")

@@ -9,7 +9,7 @@ from pkmodes.support.numbers import plain
 from pkmodes.support.ordering import joined
 
 
-def remarks(choice: Choice) -> list[str]:
+def firmware_remarks(choice: Choice) -> list[str]:
     """Return sentences on firmware that lacks the recommended shaper, or makes a different one from its lines."""
     best = choice.candidates[choice.recommended]
     notes = _substitutes(choice, best)

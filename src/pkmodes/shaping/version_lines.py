@@ -9,7 +9,7 @@ import numpy as np
 from msgspec import Meta
 
 from pkmodes.shaping.choice import relative, shaped_by
-from pkmodes.shaping.firmware import NAMES, VERSIONS, name_of, setting
+from pkmodes.shaping.firmware import NAMES, VERSIONS, setting, version_name
 from pkmodes.shaping.firmware_impulses import as_made
 from pkmodes.shaping.results import Candidate, Choice, Schedule
 from pkmodes.shaping.schedule import each_setting
@@ -100,5 +100,5 @@ def _grouped(
                 groups[-1].append(version)
             else:
                 groups.append([version])
-        version_lines += [written(group[0], name_of(group[0], group[-1])) for group in groups]
+        version_lines += [written(group[0], version_name(group[0], group[-1])) for group in groups]
     return version_lines

@@ -21,16 +21,16 @@ from typing import TypeVar
 import msgspec
 import numpy as np
 
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.measured.formats import Format
 from pkmodes.signals.arrays import functions_of
-from pkmodes.signals.functions import Array, Asked, SignalFile
+from pkmodes.signals.functions import Array, SignalFile, SignalRequest
 from pkmodes.signals.sampling import as_sampled
 from pkmodes.signals.table import TABLE, tabulated
 from pkmodes.signals.table_text import check_text
 from pkmodes.signals.tar_files import tar_files
-from pkmodes.signals.variables import Variable
+from pkmodes.signals.variables import FileVariable
 from pkmodes.signals.zip_files import opened_zip
 from pkmodes.support.ordering import listed
 
@@ -57,19 +57,19 @@ INCOMPLETE = "the file is damaged or incomplete: copy it again"
 UNPACK = "unpack it, and name its files in the record"
 
 
-class Named(msgspec.Struct):
+class NamedMeasurement(msgspec.Struct):
     """The name of a measurement."""
 
     name: str
 
 
-class Measurement(Named):
+class Measurement(NamedMeasurement):
     """A measurement: times [s] and accelerations, as they are written."""
 
     samples: msgspec.Raw
 
 
-def read_shake_and_tune(path: Path, request: Asked) -> SignalFile:
+def read_shake_and_tune(path: Path, request: SignalRequest) -> SignalFile:
     """Read one measurement of Shake&Tune.
 
     Raises
@@ -86,7 +86,7 @@ def read_shake_and_tune(path: Path, request: Asked) -> SignalFile:
             problem += "before version 5.1"
             remedy = f"write each as a table {','.join(COLUMNS)}, or measure again with a newer version"
             raise MeasurementError(problem, source, remedy)
-        name = _decoded(line, Named, f"{source}: line {number}").name
+        name = _decoded(line, NamedMeasurement, f"{source}: line {number}").name
         if len(names) == MOST_FILES:
             raise MeasurementError(
                 f"expected at most {MOST_FILES:,} measurements, found more", source, INCOMPLETE
@@ -101,8 +101,8 @@ def read_shake_and_tune(path: Path, request: Asked) -> SignalFile:
     del kept
     samples = np.concatenate([np.empty((0, len(COLUMNS))), *parts])
 
-    def variable(name: str, values: Array) -> Variable:
-        return Variable(name, "an array", values.shape, lambda: values)
+    def variable(name: str, values: Array) -> FileVariable:
+        return FileVariable(name, "an array", values.shape, lambda: values)
 
     variables = [variable(name, values) for name, values in zip(COLUMNS, samples.T, strict=True)]
     variables[0] = variable(COLUMNS[0], as_sampled(samples[:, 0]))
@@ -175,7 +175,7 @@ def _unpacked(path: Path, source: str) -> Iterator[bytes]:
         raise MeasurementError("expected a complete file, found its beginning", source, INCOMPLETE)
 
 
-def read_archive(path: Path, request: Asked) -> SignalFile:
+def read_archive(path: Path, request: SignalRequest) -> SignalFile:
     """Read one table of a zip or tar archive.
 
     Raises
@@ -262,7 +262,7 @@ def _chosen(names: Mapping[str, object], requested_name: str, source: str, recor
         return requested_name
     listing = listed([*map(shown, names)], 6)
     if requested_name:
-        remedy = nearest(requested_name, names, f"it has {listing}")
+        remedy = nearest_name(requested_name, names, f"it has {listing}")
         raise MeasurementError(
             f"expected a {record_kind} {shown(requested_name)}, found none", source, remedy
         )

@@ -22,15 +22,15 @@ from pkmodes.signals.functions import (
     FORCE,
     MOST_NAMES,
     Array,
-    Asked,
     Complex,
     Function,
-    Kind,
+    FunctionKind,
     SignalFile,
+    SignalRequest,
     StoredFunction,
 )
 from pkmodes.signals.sampling import counts_samples, even_times
-from pkmodes.signals.variables import EXPANDED, MOST_VALUES, REMEDY, ROOM, Values, Variable, loaded
+from pkmodes.signals.variables import EXPANDED, MOST_VALUES, REMEDY, ROOM, FileVariable, Values, loaded
 from pkmodes.support.ordering import listed
 
 REFERENCE = "__"
@@ -71,7 +71,11 @@ class _Signal(NamedTuple):
 
 
 def functions_of(
-    variables: Sequence[Variable], source: str, request: Asked, file_kind: str, size: int | None = None
+    variables: Sequence[FileVariable],
+    source: str,
+    request: SignalRequest,
+    file_kind: str,
+    size: int | None = None,
 ) -> SignalFile:
     """Return the functions that variables hold; only the values of requested ones are read.
 
@@ -87,7 +91,7 @@ def functions_of(
     MeasurementError
         If there are no times, frequencies or rate, or arrays do not belong together.
     """
-    by_name: dict[str, Variable] = {}
+    by_name: dict[str, FileVariable] = {}
     fields = Counter(variable.name.rpartition(".")[2] for variable in variables)
     for variable in variables:
         field = variable.name.rpartition(".")[2]
@@ -109,7 +113,11 @@ def functions_of(
     several = _several(by_name, kind)
     forces = {FORCE, request.names.get(FORCE, "").lower()}
     for name, variable in by_name.items():
-        if name == named or (named is None and name == rate_of) or (name == FORCE and kind is not Kind.TIME):
+        if (
+            name == named
+            or (named is None and name == rate_of)
+            or (name == FORCE and kind is not FunctionKind.TIME)
+        ):
             continue
         in_variable = _signals(variable, kind, count, several if name.lower() in forces else None)
         if not in_variable:
@@ -129,7 +137,7 @@ def functions_of(
     if named is None and (rate is None or not all_signals):
         _refuse_nothing(by_name, skipped, source)
     signals = _called(all_signals, request, source)
-    forced = FORCE if kind is Kind.TIME else None
+    forced = FORCE if kind is FunctionKind.TIME else None
     requested = [
         signal for signal in signals if signal.name == forced or request.wants(signal.response, signal.name)
     ]
@@ -155,7 +163,7 @@ def functions_of(
         f"{source}: {name}: skipped: {description} holds no signals" for name, description in skipped.items()
     ]
     abscissa = None if named is None else _abscissa(load(named), f"{source}: {named}")
-    if abscissa is not None and kind is Kind.TIME and counts_samples(abscissa):
+    if abscissa is not None and kind is FunctionKind.TIME and counts_samples(abscissa):
         rate = _rate(None if rate_of is None else by_name[rate_of], request, source)
         messages += [] if rate is None else [f"{source}: {named} counts samples, of {rate:g} Hz"]
     if rate is not None:
@@ -168,14 +176,14 @@ def functions_of(
     return SignalFile(source, functions, (), tuple(messages))
 
 
-def _refuse_nothing(by_name: Mapping[str, Variable], skipped: Mapping[str, str], source: str) -> NoReturn:
+def _refuse_nothing(by_name: Mapping[str, FileVariable], skipped: Mapping[str, str], source: str) -> NoReturn:
     labels = [f"{name} ({skipped[name]})" if name in skipped else name for name in by_name]
     listing = listed(labels, MOST_NAMES) or "no variables"
     text = f"expected times, frequencies or a sampling rate, found {listing}"
     raise MeasurementError(text, source, f"{NAMES}; or {REMEDY}")
 
 
-def _naming(request: Asked, *, of_abscissa: bool) -> Asked:
+def _naming(request: SignalRequest, *, of_abscissa: bool) -> SignalRequest:
     """Return a request with the names of abscissas only, or of signals only."""
     names = {
         own_name: name for own_name, name in request.names.items() if (own_name in ABSCISSAS) is of_abscissa
@@ -183,7 +191,7 @@ def _naming(request: Asked, *, of_abscissa: bool) -> Asked:
     return replace(request, names=names)
 
 
-def _called(signals: Sequence[_Signal], request: Asked, source: str) -> list[_Signal]:
+def _called(signals: Sequence[_Signal], request: SignalRequest, source: str) -> list[_Signal]:
     """Return signals by their names here, without those that give way to others."""
     own_names = _naming(request, of_abscissa=False).own_names(
         dict.fromkeys(s.response for s in signals), source
@@ -198,17 +206,19 @@ def _called(signals: Sequence[_Signal], request: Asked, source: str) -> list[_Si
     return renamed
 
 
-def _several(by_name: Mapping[str, Variable], kind: Kind) -> int | None:
+def _several(by_name: Mapping[str, FileVariable], kind: FunctionKind) -> int | None:
     """Return the number of measurements in arrays of times, sensors and measurements; None if they do not agree."""
     counts = {
         variable.shape[2]
         for variable in by_name.values()
         if variable.shape is not None and len(variable.shape) == 3
     }
-    return counts.pop() if kind is Kind.TIME and len(counts) == 1 else None
+    return counts.pop() if kind is FunctionKind.TIME and len(counts) == 1 else None
 
 
-def _of_measurement(signals: Sequence[_Signal], request: Asked, source: str) -> tuple[list[_Signal], str]:
+def _of_measurement(
+    signals: Sequence[_Signal], request: SignalRequest, source: str
+) -> tuple[list[_Signal], str]:
     """Return the signals of the requested measurement, or of the only one, and its name for messages."""
     numbers = list(dict.fromkeys(signal.measurement for signal in signals if signal.measurement is not None))
     if not numbers:
@@ -231,7 +241,9 @@ def _of_measurement(signals: Sequence[_Signal], request: Asked, source: str) -> 
     return [signal for signal in signals if signal.measurement in (None, number)], place
 
 
-def _signals(variable: Variable, kind: Kind, count: int | None, blows: int | None = None) -> list[_Signal]:
+def _signals(
+    variable: FileVariable, kind: FunctionKind, count: int | None, blows: int | None = None
+) -> list[_Signal]:
     """Return the signals in a variable.
 
     Parameters
@@ -244,7 +256,7 @@ def _signals(variable: Variable, kind: Kind, count: int | None, blows: int | Non
     shape, lengths = variable.shape or (), variable.lengths
     if not lengths or max(lengths) < FEWEST:
         return []
-    spectral = kind is not Kind.TIME
+    spectral = kind is not FunctionKind.TIME
     if len(lengths) == 2 and lengths[1] == blows:
         shape = (lengths[0], 1, lengths[1])  # times x measurements
     of_measurements = not spectral and len(shape) == 3
@@ -277,7 +289,9 @@ def _signals(variable: Variable, kind: Kind, count: int | None, blows: int | Non
     return signals
 
 
-def _abscissa_name(by_name: Mapping[str, Variable], request: Asked, source: str) -> tuple[str | None, Kind]:
+def _abscissa_name(
+    by_name: Mapping[str, FileVariable], request: SignalRequest, source: str
+) -> tuple[str | None, FunctionKind]:
     """Return the name of the vector of times or frequencies, None if there is none, and the kind of the signals."""
     vectors = [
         name
@@ -293,7 +307,7 @@ def _abscissa_name(by_name: Mapping[str, Variable], request: Asked, source: str)
             raise MeasurementError(text, source, "leave one of them out")
         of_time = declared[0] if declared[0] is not declared[1] else places[0] < places[1]
         time, frequency = (time, None) if of_time else (None, frequency)
-    return time or frequency, Kind.TIME if frequency is None else Kind.FRF
+    return time or frequency, FunctionKind.TIME if frequency is None else FunctionKind.FRF
 
 
 def _first(names: Sequence[str], present_names: Sequence[str]) -> str | None:
@@ -309,7 +323,7 @@ def _first(names: Sequence[str], present_names: Sequence[str]) -> str | None:
     return None
 
 
-def _rate(variable: Variable | None, request: Asked, source: str) -> float | None:
+def _rate(variable: FileVariable | None, request: SignalRequest, source: str) -> float | None:
     """Return the sampling rate [Hz] of the record or of the file."""
     if variable is None:
         return request.rate
@@ -334,12 +348,12 @@ def _abscissa(values: Values, where: str) -> Array:
 
 def _function(
     signal: _Signal,
-    variable: Variable,
+    variable: FileVariable,
     load: Callable[[str], Values],
     abscissa: Array,
-    kind: Kind,
+    kind: FunctionKind,
     source: str,
-    request: Asked,
+    request: SignalRequest,
 ) -> Function:
     """Return the function of a signal; numbers that are not of double precision are kept as stored."""
     where = f"{source}: {signal.name}"
@@ -351,20 +365,20 @@ def _function(
     if length != abscissa.size:
         problem = f"expected {abscissa.size} values, one for each time or frequency, found {length}"
         raise MeasurementError(problem, where, "save vectors of one length, or remove this one")
-    inside = within(abscissa, None if kind is Kind.TIME else request.band)
+    inside = within(abscissa, None if kind is FunctionKind.TIME else request.band)
     is_complex = vector is not None and vector.dtype.kind == "c"
     if vector is not None and vector.dtype.kind not in "iu":
         check_finite(vector[inside], where, inside.start)
-        if kind is not Kind.TIME and not (finite := np.isfinite(vector)).all():
+        if kind is not FunctionKind.TIME and not (finite := np.isfinite(vector)).all():
             vector = np.where(finite, vector, np.nan)
-    if kind is Kind.TIME and is_complex:
+    if kind is FunctionKind.TIME and is_complex:
         problem = "expected a real signal, found complex values"
         raise MeasurementError(
             problem, where, 'name the abscissa "frequency" if these are frequency responses'
         )
-    if kind is not Kind.TIME:
-        kind = Kind.FRF if is_complex else Kind.SPECTRUM
-    force = kind is Kind.TIME and signal.name == FORCE
+    if kind is not FunctionKind.TIME:
+        kind = FunctionKind.FRF if is_complex else FunctionKind.SPECTRUM
+    force = kind is FunctionKind.TIME and signal.name == FORCE
     precision = np.complex128 if is_complex else np.float64
     if vector is not None and vector.dtype == precision:
         return Function(kind, signal.response, signal.reference, abscissa, vector, None, None, force)

@@ -122,7 +122,7 @@ def read_header(scanner: Scanner, lines: int = LINES) -> Header:
     return Header(function, response, reference, is_complex, double, spacing == 1, count, start, step, *axes)
 
 
-def name_of(dof: tuple[int, int]) -> str:
+def dof_name(dof: tuple[int, int]) -> str:
     """Return the name of a degree of freedom: ``12:+X``, or ``12`` without a direction."""
     node, direction = dof
     return f"{node}{DIRECTIONS.get(direction, '')}"

@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import MeasurementError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, nearest_name, shown
 from pkmodes.support.ordering import listed
 
-#: The signal in time besides sensors, and the names that a file may replace: see `Asked.names`.
+#: The signal in time besides sensors, and the names that a file may replace: see `SignalRequest.names`.
 FORCE = "force"
 WORDS = ("time", "frequency", FORCE)
 #: Most names in a file that an error shows.
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 
-class Kind(enum.StrEnum):
+class FunctionKind(enum.StrEnum):
     """What a function is."""
 
     TIME = "time"
@@ -37,7 +37,7 @@ class Function:
 
     Attributes
     ----------
-    kind : Kind
+    kind : FunctionKind
         Kind of function.
     response : str
         Name of the sensor: of the column, or of the degree of freedom of a universal file, such as ``12:+X``; ``12``
@@ -58,7 +58,7 @@ class Function:
         Whether the file states the kind of its values but no unit: ``unit`` is then that of SI.
     """
 
-    kind: Kind
+    kind: FunctionKind
     response: str
     reference: str
     abscissa: Array
@@ -167,7 +167,7 @@ class SignalFile:
 
 
 @dataclass(frozen=True)
-class Asked:
+class SignalRequest:
     """A request for the content of a file.
 
     Attributes
@@ -230,7 +230,7 @@ class Asked:
                 )
                 problem = f"expected {shown(theirs)}, which the record names as its {name}, found {listing}"
                 raise MeasurementError(
-                    problem, where, nearest(theirs, names_in_file, "correct the names of the record")
+                    problem, where, nearest_name(theirs, names_in_file, "correct the names of the record")
                 )
         meant = set(own_names.values())
         own_names |= {name: "" for name in names_in_file if name in meant and name not in own_names}

@@ -10,18 +10,18 @@ import numpy as np
 
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.signals.checks import FEWEST, check_abscissa, check_coherence, within
-from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, name_of, rotates
-from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, StoredFunction
+from pkmodes.signals.dataset58 import Axis, Header, Points, Stored, dof_name, rotates
+from pkmodes.signals.functions import Array, Complex, Function, FunctionKind, SignalRequest, StoredFunction
 from pkmodes.signals.units import NO_UNIT, FileUnits, hertz_in, quotient, seconds_in, unit_text
 
 #: Function types that can be read.
 KINDS = {
-    1: Kind.TIME,
-    2: Kind.SPECTRUM,
-    3: Kind.SPECTRUM,
-    4: Kind.FRF,
-    6: Kind.COHERENCE,
-    9: Kind.SPECTRUM,
+    1: FunctionKind.TIME,
+    2: FunctionKind.SPECTRUM,
+    3: FunctionKind.SPECTRUM,
+    4: FunctionKind.FRF,
+    6: FunctionKind.COHERENCE,
+    9: FunctionKind.SPECTRUM,
 }
 #: Function types that cannot be read, where a reason can be given.
 OTHERS = {
@@ -68,22 +68,22 @@ class Abscissas:
         return self.shared[key]
 
 
-def converted(values: Array | Complex, kind: Kind) -> Array | Complex:
+def converted(values: Array | Complex, kind: FunctionKind) -> Array | Complex:
     """Return values in the form of their kind: NaN for gaps, the magnitude of a cross spectrum, a real coherence."""
-    if kind is not Kind.TIME and not (finite := np.isfinite(values)).all():
+    if kind is not FunctionKind.TIME and not (finite := np.isfinite(values)).all():
         values = np.where(finite, values, np.nan)
-    if kind is Kind.FRF or not np.iscomplexobj(values):
+    if kind is FunctionKind.FRF or not np.iscomplexobj(values):
         return values
-    return np.abs(values) if kind is Kind.SPECTRUM else np.real(values).copy()
+    return np.abs(values) if kind is FunctionKind.SPECTRUM else np.real(values).copy()
 
 
-def _loaded(stored: Stored, kind: Kind) -> Array | Complex:
+def _loaded(stored: Stored, kind: FunctionKind) -> Array | Complex:
     """Return the values of a function from its file, in double precision."""
     return converted(stored.read("y"), kind)
 
 
 def function_of(
-    points: Points, units: FileUnits, abscissas: Abscissas, request: Asked
+    points: Points, units: FileUnits, abscissas: Abscissas, request: SignalRequest
 ) -> Function | str | None:
     """Return the function in a dataset 58.
 
@@ -95,7 +95,7 @@ def function_of(
         Of the file.
     abscissas : Abscissas
         Of the functions before it; one is added.
-    request : Asked
+    request : SignalRequest
         The request for the file.
 
     Returns
@@ -113,18 +113,18 @@ def function_of(
     if kind is None:
         kinds = "none of time, frequency response, coherence and power spectrum"
         return f"function type {header.function} is {OTHERS.get(header.function, kinds)}"
-    if header.abscissa.data_type not in (TIMES if kind is Kind.TIME else FREQUENCIES):
+    if header.abscissa.data_type not in (TIMES if kind is FunctionKind.TIME else FREQUENCIES):
         return f"data type {header.abscissa.data_type} of its abscissa is not that of a {kind} function"
     of_force = header.ordinate.data_type == FORCE
-    if of_force and kind is Kind.SPECTRUM:
+    if of_force and kind is FunctionKind.SPECTRUM:
         return "it is the spectrum of a force"
-    response = name_of(header.response)
-    force = of_force and kind is Kind.TIME
+    response = dof_name(header.response)
+    force = of_force and kind is FunctionKind.TIME
     if not (force or request.wants(response)):
         return None
-    factor = (seconds_in if kind is Kind.TIME else hertz_in)(header.abscissa.label) or 1.0
+    factor = (seconds_in if kind is FunctionKind.TIME else hertz_in)(header.abscissa.label) or 1.0
     abscissa = abscissas.of(points, factor)
-    points.check_finite(within(abscissa, None if kind is Kind.TIME else request.band))
+    points.check_finite(within(abscissa, None if kind is FunctionKind.TIME else request.band))
     _check(points, kind)
     unit, reference_unit = _units(header, kind, units)
     assumed = not units.stated and header.ordinate.label.lower() in NO_UNIT
@@ -143,31 +143,35 @@ def function_of(
     return Function(values=converted(points.values, kind), **common)
 
 
-def _check(points: Points, kind: Kind) -> None:
+def _check(points: Points, kind: FunctionKind) -> None:
     """Refuse data that do not suit the kind of function."""
     header, remedy = points.header, "export it again as what it is"
-    if kind is Kind.FRF and not header.complex:
+    if kind is FunctionKind.FRF and not header.complex:
         problem = "expected complex values of a frequency response, found real ones, which have no phase"
         raise MeasurementError(problem, points.where, remedy)
-    if kind is Kind.TIME and header.complex:
+    if kind is FunctionKind.TIME and header.complex:
         raise MeasurementError(
             "expected real values of a time signal, found complex ones", points.where, remedy
         )
     if header.count < FEWEST:
         problem = f"expected at least {FEWEST} points, found {header.count}"
         raise MeasurementError(problem, points.where, "export the whole measurement")
-    if kind is Kind.COHERENCE:
+    if kind is FunctionKind.COHERENCE:
         values = points.values.read("y") if isinstance(points.values, Stored) else points.values
         check_coherence(converted(values, kind), points.where)
 
 
-def _reference(header: Header, kind: Kind) -> str:
+def _reference(header: Header, kind: FunctionKind) -> str:
     """Return the name of the excitation; an auto spectrum states its own sensor there, which is no excitation."""
-    own_sensor = kind is Kind.SPECTRUM and header.reference == header.response
-    return "" if kind is Kind.TIME or own_sensor or header.reference == (0, 0) else name_of(header.reference)
+    own_sensor = kind is FunctionKind.SPECTRUM and header.reference == header.response
+    return (
+        ""
+        if kind is FunctionKind.TIME or own_sensor or header.reference == (0, 0)
+        else dof_name(header.reference)
+    )
 
 
-def _units(header: Header, kind: Kind, units: FileUnits) -> tuple[str | None, str | None]:
+def _units(header: Header, kind: FunctionKind, units: FileUnits) -> tuple[str | None, str | None]:
     """Return the units of the values, and of the force of a frequency response.
 
     A label states the unit of the numbers; the units of the file apply to functions without one.
@@ -178,12 +182,12 @@ def _units(header: Header, kind: Kind, units: FileUnits) -> tuple[str | None, st
             return unit_text(axis.label)
         return units.of_data(axis.data_type, rotates(dof))
 
-    if kind is Kind.COHERENCE:
+    if kind is FunctionKind.COHERENCE:
         return None, None
-    if kind is Kind.SPECTRUM:
+    if kind is FunctionKind.SPECTRUM:
         return unit_text(header.ordinate.label), None
     unit = of_axis(header.ordinate, header.response)
-    if kind is Kind.TIME:
+    if kind is FunctionKind.TIME:
         return unit, None
     reference = of_axis(header.denominator, header.reference)
     both = quotient(header.ordinate.label)

@@ -20,8 +20,8 @@ from pkmodes.signals.variables import (
     EXPANDED,
     LONGEST_NAME,
     ROOM,
+    FileVariable,
     Values,
-    Variable,
     at_most,
     loaded,
     no_numbers,
@@ -38,7 +38,7 @@ PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of a
 
 
 @contextmanager
-def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[Variable]]:
+def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[FileVariable]]:
     """Open a file and return its variables, whose values can be read while it is open.
 
     Raises
@@ -64,7 +64,7 @@ def _address(item: Any) -> int:
     return int(h5o.get_info(item.id).addr)
 
 
-def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterator[Variable]:
+def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterator[FileVariable]:
     """Yield the arrays of a group; those of a struct, which is a group in it, under the names of its fields.
 
     Parameters
@@ -92,7 +92,7 @@ def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterat
             yield _variable(item, full, limit)
         else:
             description = "a link that leads to nothing in the file" if item is None else "a type of numbers"
-            yield Variable(full, description, None, partial(no_numbers, full))
+            yield FileVariable(full, description, None, partial(no_numbers, full))
 
 
 def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
@@ -122,7 +122,7 @@ def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
     return item
 
 
-def _variable(item: Any, name: str, limit: int) -> Variable:
+def _variable(item: Any, name: str, limit: int) -> FileVariable:
     """Return the variable of a dataset."""
     of = _class(item)
     try:
@@ -131,13 +131,13 @@ def _variable(item: Any, name: str, limit: int) -> Variable:
         of, dtype = "variable of another type", np.dtype("V")
     if item.is_virtual or item.external:
         description = "an array whose values are in another file"
-        return Variable(name, description, None, partial(no_numbers, name))
+        return FileVariable(name, description, None, partial(no_numbers, name))
     if of in NO_NUMBERS or item.shape is None or not _is_of_numbers(dtype):
-        return Variable(name, f"a {of}", None, partial(no_numbers, name))
+        return FileVariable(name, f"a {of}", None, partial(no_numbers, name))
     shape = tuple(map(int, item.shape[::-1]))  # MATLAB stores columns one after the other
     description = f"an array of {' x '.join(map(str, shape))} values"
     size = 16 if dtype.names else dtype.itemsize
-    return Variable(name, description, shape, partial(_values, item, limit), size)
+    return FileVariable(name, description, shape, partial(_values, item, limit), size)
 
 
 def _class(item: Any) -> str:

@@ -10,10 +10,10 @@ from typing import Any, BinaryIO
 
 from pkmodes.measured.formats import Format
 from pkmodes.signals.arrays import functions_of
-from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.functions import SignalFile, SignalRequest
 from pkmodes.signals.hdf5_arrays import hdf5_variables
 from pkmodes.signals.matlab_arrays import DamagedError, variables
-from pkmodes.signals.variables import MOST_VARIABLES, Variable, at_most, loaded
+from pkmodes.signals.variables import MOST_VARIABLES, FileVariable, at_most, loaded
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 #: Non-numeric classes of variables in version 4, in words.
@@ -23,7 +23,7 @@ HEAD_OF_4, TYPES_OF_4, BYTES_OF_4 = 20, 10_000, {0: 8, 1: 4, 2: 4, 3: 2, 4: 2, 5
 WHAT = "MATLAB"
 
 
-def read(path: Path, request: Asked) -> SignalFile:
+def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
     """Read a MATLAB file.
 
     Raises
@@ -41,14 +41,14 @@ def read(path: Path, request: Asked) -> SignalFile:
         return functions_of(_variables(file, path, head, source), source, request, WHAT, path.stat().st_size)
 
 
-def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[Variable]:
+def _variables(file: BinaryIO, path: Path, head: bytes, source: str) -> list[FileVariable]:
     """Return all variables of a file; their values are read later."""
     if b"\0" in head[:4]:  # version 4 has no text at its beginning
         return loaded(lambda: _of_version_4(file, path), source, WHAT)
     return loaded(lambda: at_most(variables(file, path.stat().st_size)), source, WHAT)
 
 
-def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
+def _of_version_4(file: BinaryIO, path: Path) -> list[FileVariable]:
     """Return the variables of a file of version 4, which has matrices only."""
     from scipy.io import loadmat, whosmat
 
@@ -61,7 +61,9 @@ def _of_version_4(file: BinaryIO, path: Path) -> list[Variable]:
     for name, shape, of in whosmat(path, appendmat=False):
         numeric = of not in TEXTS
         description = f"an array of {' x '.join(map(str, shape))} values" if numeric else TEXTS[of]
-        matrices.append(Variable(name, description, tuple(shape) if numeric else None, partial(values, name)))
+        matrices.append(
+            FileVariable(name, description, tuple(shape) if numeric else None, partial(values, name))
+        )
     return matrices
 
 
@@ -86,9 +88,9 @@ def _check_sizes(file: BinaryIO, length: int) -> None:
             raise DamagedError(f"expected a variable of {rows} x {columns} values, found the end of the file")
 
 
-def recognises(head: bytes) -> bool:
+def is_matlab(head: bytes) -> bool:
     """Return whether a file is a MATLAB file of version 5 or later."""
     return head.startswith((b"MATLAB 5.0 MAT-file", b"MATLAB 7.3 MAT-file", HDF5))
 
 
-MATLAB = Format("MATLAB", (".mat",), recognises, read)
+MATLAB = Format("MATLAB", (".mat",), is_matlab, read_matlab)

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.errors import MeasurementError
-from pkmodes.signals.variables import LONGEST_NAME, MOST_VARIABLES, Variable, no_numbers
+from pkmodes.signals.variables import LONGEST_NAME, MOST_VARIABLES, FileVariable, no_numbers
 
 HEADER = 128
 MATRIX, COMPRESSED = 14, 15
@@ -169,7 +169,7 @@ class _Tag(NamedTuple):
     next: int
 
 
-def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
+def variables(file: BinaryIO, length: int) -> Iterator[FileVariable]:
     """Yield the variables of a MATLAB file.
 
     Parameters
@@ -205,7 +205,7 @@ def variables(file: BinaryIO, length: int) -> Iterator[Variable]:
 
 def _variables(
     element: _Element, at: int, end: int, order: str, name_in: str = "", depth: int = 0
-) -> Iterator[Variable]:
+) -> Iterator[FileVariable]:
     """Yield a variable from its parts between two places, or the fields of a struct.
 
     Parameters
@@ -232,7 +232,7 @@ def _variables(
         return
     if kind not in NUMERIC:
         description = CLASSES.get(kind, "another kind of variable")
-        yield Variable(text, description, None, partial(no_numbers, text))
+        yield FileVariable(text, description, None, partial(no_numbers, text))
         return
     description = f"an array of {' x '.join(map(str, sizes))} values"
     count = float(np.prod(sizes, dtype=np.float64)) if np.all(sizes >= 0) else np.inf
@@ -247,12 +247,12 @@ def _variables(
         if (stored := TYPES.get(tag.type, "f8"))[0] in "iu" and tag.size == count * int(stored[1]):
             place = element.start + tag.start
             again = partial(_again, element.reading.file.name, f"{order}{stored}", int(count), place)
-    yield Variable(text, description, shape, load, int(remaining // count) if count else 8, again)
+    yield FileVariable(text, description, shape, load, int(remaining // count) if count else 8, again)
 
 
 def _fields(
     element: _Element, at: int, end: int, order: str, struct_name: str, depth: int
-) -> Iterator[Variable]:
+) -> Iterator[FileVariable]:
     """Yield the variables that are the fields of a struct."""
     length = _tag(element, at, order, end)
     width_bytes = _part(element, length, TAG)

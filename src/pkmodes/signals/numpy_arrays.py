@@ -20,8 +20,8 @@ from numpy.lib import format as npy
 
 from pkmodes.measured.formats import Format
 from pkmodes.signals.arrays import functions_of
-from pkmodes.signals.functions import Asked, SignalFile
-from pkmodes.signals.variables import Variable, at_most, loaded
+from pkmodes.signals.functions import SignalFile, SignalRequest
+from pkmodes.signals.variables import FileVariable, at_most, loaded
 from pkmodes.signals.zip_files import opened_zip
 
 NPY, NPZ = b"\x93NUMPY", b"PK\x03\x04"
@@ -32,7 +32,7 @@ HEADER = 1 << 14
 LARGEST = 2_000_000_000
 
 
-def read(path: Path, request: Asked) -> SignalFile:
+def read_numpy(path: Path, request: SignalRequest) -> SignalFile:
     """Read a file of NumPy.
 
     Raises
@@ -60,7 +60,7 @@ def read(path: Path, request: Asked) -> SignalFile:
         return functions_of(variables, source, request, WHAT, path.stat().st_size)
 
 
-def _members(archive: zipfile.ZipFile, name: str) -> list[Variable]:
+def _members(archive: zipfile.ZipFile, name: str) -> list[FileVariable]:
     """Return an array of an archive, or those that are its fields; only its header is read."""
     with archive.open(name) as file:
         beginning = io.BytesIO(file.read(HEADER))
@@ -95,10 +95,10 @@ def _fields(dtype: np.dtype[Any]) -> Iterator[tuple[tuple[str, ...], np.dtype[An
             yield (name, *inner), kind
 
 
-def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> Variable:
+def _variable(name: str, shape: tuple[int, ...], dtype: Any, load: Callable[[], Any]) -> FileVariable:
     numeric = dtype.kind in "iufc"
     description = f"an array of {' x '.join(map(str, shape))} values" if numeric else str(dtype)
-    return Variable(
+    return FileVariable(
         name, description, (shape or (1,)) if numeric else None, partial(_values, load), dtype.itemsize
     )
 
@@ -107,9 +107,9 @@ def _values(load: Callable[[], Any]) -> Any:
     return np.ravel(load(), order="F")
 
 
-def recognises(head: bytes) -> bool:
+def is_numpy(head: bytes) -> bool:
     """Return whether a file is a NumPy file: an archive is one if its first member is an array."""
     return head.startswith(NPY) or (head.startswith(NPZ) and b".npy" in head[:256])
 
 
-NUMPY = Format("NumPy", (".npy", ".npz"), recognises, read)
+NUMPY = Format("NumPy", (".npy", ".npz"), is_numpy, read_numpy)

@@ -11,14 +11,14 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.csv_format import check_regular, unreadable
 from pkmodes.measured.formats import Format
 from pkmodes.signals.archives import ARCHIVE, SHAKE_AND_TUNE
-from pkmodes.signals.functions import Asked, SignalFile
+from pkmodes.signals.functions import SignalFile, SignalRequest
 from pkmodes.signals.matlab import MATLAB
 from pkmodes.signals.numpy_arrays import NUMPY
 from pkmodes.signals.table import TABLE
 from pkmodes.signals.universal_file import UNIVERSAL_FILE
 from pkmodes.signals.wav import WAV
 
-Reader = Callable[[Path, Asked], SignalFile]
+Reader = Callable[[Path, SignalRequest], SignalFile]
 #: Formats by name, in the order in which they are tried.
 FORMATS: dict[str, Format[Reader]] = {
     file_format.name: file_format
@@ -28,7 +28,7 @@ FORMATS: dict[str, Format[Reader]] = {
 SEVERAL = (SHAKE_AND_TUNE, ARCHIVE, MATLAB, NUMPY)
 #: Number of first bytes by which a format is recognised.
 HEAD = 4096
-EVERYTHING = Asked()
+EVERYTHING = SignalRequest()
 WHAT, REMEDY = "the signals", "give a universal file, a MATLAB, NumPy or WAV file, or a table in text"
 
 
@@ -45,7 +45,7 @@ def format_of(path: Path, head: bytes) -> Format[Reader] | None:
     return next(iter([*certain, *by_suffix, *by_content]), None)
 
 
-def read_signals(path: str | PathLike[str], request: Asked = EVERYTHING) -> SignalFile:
+def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING) -> SignalFile:
     """Read the measured signals or identified modes in a file.
 
     Parameters
@@ -53,7 +53,7 @@ def read_signals(path: str | PathLike[str], request: Asked = EVERYTHING) -> Sign
     path : path-like
         A universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one of
         several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``.
-    request : Asked
+    request : SignalRequest
         The request for its content; everything by default.
 
     Returns

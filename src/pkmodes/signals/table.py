@@ -18,9 +18,17 @@ from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, outside_coherence
 from pkmodes.signals.clock import is_clock, seconds_of
-from pkmodes.signals.functions import Array, Asked, Complex, Function, Kind, SignalFile, StoredFunction
+from pkmodes.signals.functions import (
+    Array,
+    Complex,
+    Function,
+    FunctionKind,
+    SignalFile,
+    SignalRequest,
+    StoredFunction,
+)
 from pkmodes.signals.sampling import as_sampled, counts_samples, even_times
-from pkmodes.signals.table_columns import Column, Layout, layout_of
+from pkmodes.signals.table_columns import FunctionColumn, TableLayout, layout_of
 from pkmodes.signals.table_programs import framed
 from pkmodes.signals.table_rates import (
     counted,
@@ -52,7 +60,7 @@ MOST_LOSSES, LONGEST_LOSS = 20, 500
 Numbers = NDArray[Any]
 
 
-def read(path: Path, request: Asked) -> SignalFile:
+def read_table(path: Path, request: SignalRequest) -> SignalFile:
     """Read a table.
 
     Raises
@@ -70,8 +78,8 @@ def read(path: Path, request: Asked) -> SignalFile:
         return tabulated(file.read(), source, request)
 
 
-def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
-    """Return the signals in the content of a table: see `read`."""
+def tabulated(content: bytes, source: str, request: SignalRequest) -> SignalFile:
+    """Return the signals in the content of a table: see `read_table`."""
     frame = framed(content, source)
     del content
     text = split_table(frame.content, source, request.columns)
@@ -85,7 +93,7 @@ def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
     rated = bool(rates_in(text.comments))
     layout = layout_of(text.names, f"{source}: line {text.header_line}", request, rated=rated)
     places = [place for column in layout.columns for place in column.places]
-    if layout.kind is Kind.FRF and layout.abscissa is not None and text.may_have_gaps:
+    if layout.kind is FunctionKind.FRF and layout.abscissa is not None and text.may_have_gaps:
         factor = _factor(layout, text)
         text = text.without_gaps(
             layout.abscissa, places, lambda number: _counts(factor * number, request.band)
@@ -114,7 +122,7 @@ def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
         abscissa, notes = _by_rate(rate, layout, rows, text)
         remarks += notes
     for column in layout.columns:
-        if column.kind is Kind.COHERENCE:
+        if column.kind is FunctionKind.COHERENCE:
             _check_coherence(column, numbers, text)
     channels = {f"{column.response}/{column.reference}".removesuffix("/") for column in layout.columns}
     stated = _stated(text.comments, channels)
@@ -123,14 +131,16 @@ def tabulated(content: bytes, source: str, request: Asked) -> SignalFile:
     return SignalFile(source, functions, (), messages, stated)
 
 
-def _counts_samples(layout: Layout, numbers: dict[int, Numbers]) -> bool:
+def _counts_samples(layout: TableLayout, numbers: dict[int, Numbers]) -> bool:
     """Return whether so-called times may be sample numbers."""
-    if layout.abscissa is None or layout.kind is not Kind.TIME or layout.label:
+    if layout.abscissa is None or layout.kind is not FunctionKind.TIME or layout.label:
         return False
     return counts_samples(numbers[layout.abscissa])
 
 
-def _rate(text: TableText, request: Asked, frame_rate: float | None) -> tuple[float | None, list[str]]:
+def _rate(
+    text: TableText, request: SignalRequest, frame_rate: float | None
+) -> tuple[float | None, list[str]]:
     """Return the rate [Hz] of the record, or else of the file, and messages about it."""
     if request.rate is None:
         return stated_rate(text.comments, text.source)
@@ -140,7 +150,7 @@ def _rate(text: TableText, request: Asked, frame_rate: float | None) -> tuple[fl
     return request.rate, [_other_rate(contradicting[0], request.rate)]
 
 
-def _by_rate(rate: float, layout: Layout, rows: int, text: TableText) -> tuple[Array, list[str]]:
+def _by_rate(rate: float, layout: TableLayout, rows: int, text: TableText) -> tuple[Array, list[str]]:
     """Return the times of all rows by a rate [Hz], and messages about samples that a column counts."""
     if layout.abscissa is not None:
         name = shown(text.names[layout.abscissa])
@@ -162,13 +172,13 @@ def _counted(place: int, text: TableText) -> Array | None:
     return counted(np.asarray(numbers, np.float64))
 
 
-def _abscissa(layout: Layout, numbers: dict[int, Numbers], text: TableText) -> Array:
+def _abscissa(layout: TableLayout, numbers: dict[int, Numbers], text: TableText) -> Array:
     """Return the times or frequencies of all rows."""
     assert layout.abscissa is not None
     name = text.names[layout.abscissa]
     abscissa = np.asarray(numbers[layout.abscissa], np.float64)
     abscissa *= _factor(layout, text)  # in place: a long table fills much of the memory
-    if layout.kind is Kind.TIME:
+    if layout.kind is FunctionKind.TIME:
         abscissa = as_sampled(abscissa)
     late = np.flatnonzero(abscissa[1:] <= abscissa[:-1])
     if late.size:
@@ -179,13 +189,15 @@ def _abscissa(layout: Layout, numbers: dict[int, Numbers], text: TableText) -> A
     return abscissa
 
 
-def _factor(layout: Layout, text: TableText) -> float:
+def _factor(layout: TableLayout, text: TableText) -> float:
     """Return the factor of the times or frequencies to s or Hz."""
     assert layout.abscissa is not None
-    factor = (seconds_in if layout.kind is Kind.TIME else hertz_in)(layout.label) if layout.label else 1.0
+    factor = (
+        (seconds_in if layout.kind is FunctionKind.TIME else hertz_in)(layout.label) if layout.label else 1.0
+    )
     if factor is None:
         where = f"{text.source}: line {text.header_line}, column {text.names[layout.abscissa]}"
-        expected = "time" if layout.kind is Kind.TIME else "frequency"
+        expected = "time" if layout.kind is FunctionKind.TIME else "frequency"
         raise MeasurementError(
             f"expected a unit of {expected}, found {shown(layout.label)}", where, "correct it"
         )
@@ -212,7 +224,7 @@ def _clock(place: int, text: TableText) -> Array:
     return times
 
 
-def _check_coherence(column: Column, numbers: dict[int, Numbers], text: TableText) -> None:
+def _check_coherence(column: FunctionColumn, numbers: dict[int, Numbers], text: TableText) -> None:
     """Refuse a coherence outside 0 to 1, with its line."""
     (place,) = column.places
     fault = outside_coherence(numbers[place])
@@ -223,13 +235,13 @@ def _check_coherence(column: Column, numbers: dict[int, Numbers], text: TableTex
 
 
 def _function(
-    column: Column, numbers: dict[int, Numbers], abscissa: Array, stated: dict[str, str], source: str
+    column: FunctionColumn, numbers: dict[int, Numbers], abscissa: Array, stated: dict[str, str], source: str
 ) -> Function:
     """Return a function, whose values are computed from the numbers of the table at each access."""
     parts = [numbers[place] for place in column.places]
     unit, reference_unit = unit_text(column.unit), None
     load: Callable[[], Array | Complex] = partial(np.asarray, parts[0], np.float64)
-    if column.kind is Kind.FRF:
+    if column.kind is FunctionKind.FRF:
         load = partial(_complex, parts[0], parts[1])
         if column.polar:
             load = partial(
@@ -237,7 +249,7 @@ def _function(
             )
         channel = f"{column.response}/{column.reference}".removesuffix("/")
         unit, reference_unit = quotient(column.unit or stated.get(f"unit {channel}", ""))
-    if column.kind is Kind.COHERENCE:
+    if column.kind is FunctionKind.COHERENCE:
         unit = None
     return StoredFunction(
         kind=column.kind,
@@ -257,7 +269,7 @@ def _complex(real: Numbers, imaginary: Numbers) -> Complex:
     return values
 
 
-def _phase_factor(column: Column, phase: Numbers, source: str) -> float:
+def _phase_factor(column: FunctionColumn, phase: Numbers, source: str) -> float:
     """Return the factor of a phase to radians; without a unit, it is in degrees if it is too large for radians."""
     label, largest = column.labels[1], float(max(phase.max(initial=0), -float(phase.min(initial=0))))
     where = f"{source}: phase of {column.response}"
@@ -327,4 +339,4 @@ def looks_like_text(head: bytes) -> bool:
     return strange == 0 and any(character.isalpha() for character in text)
 
 
-TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read)
+TABLE = Format("table", (".csv", ".tsv", ".txt", ".dat", ".lvm"), looks_like_text, read_table)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.core.robot.columns import parted
 from pkmodes.measured.meanings import worded
-from pkmodes.signals.functions import FORCE, MOST_NAMES, Asked, Kind
+from pkmodes.signals.functions import FORCE, MOST_NAMES, FunctionKind, SignalRequest
 from pkmodes.signals.units import hertz_in, seconds_in, unit_text
 from pkmodes.support.ordering import listed
 
@@ -34,7 +34,7 @@ DECIBELS = "db"
 
 
 @dataclass(frozen=True)
-class Column:
+class FunctionColumn:
     """A function in a table.
 
     Attributes
@@ -47,7 +47,7 @@ class Column:
         Whether the two are magnitude and phase.
     """
 
-    kind: Kind
+    kind: FunctionKind
     response: str
     reference: str
     places: tuple[int, ...]
@@ -67,16 +67,18 @@ class Column:
 
 
 @dataclass(frozen=True)
-class Layout:
+class TableLayout:
     """The columns of a table: that of the abscissa, None without one, with the label of its unit, and the others."""
 
     abscissa: int | None
     label: str
-    kind: Kind
-    columns: tuple[Column, ...]
+    kind: FunctionKind
+    columns: tuple[FunctionColumn, ...]
 
 
-def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool = False) -> Layout:
+def layout_of(
+    cells: Sequence[str], where: str, request: SignalRequest, *, rated: bool = False
+) -> TableLayout:
     """Return the layout of a table's columns.
 
     Parameters
@@ -85,7 +87,7 @@ def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool =
         Of the header, with units.
     where : str
         The line of the header, for messages.
-    request : Asked
+    request : SignalRequest
         The request for the file.
     rated : bool
         Whether the file states a rate, which stands in for times.
@@ -120,10 +122,10 @@ def layout_of(cells: Sequence[str], where: str, request: Asked, *, rated: bool =
     columns = _spectral(names, labels, where, request) if frequencies else _signals(names, labels, request)
     _refuse_repeated(columns, cells, where)
     place, label = next(iter(abscissas.items()), (None, ""))
-    return Layout(place, label, Kind.FRF if frequencies else Kind.TIME, tuple(columns))
+    return TableLayout(place, label, FunctionKind.FRF if frequencies else FunctionKind.TIME, tuple(columns))
 
 
-def _head(cell: str, request: Asked) -> tuple[str, str]:
+def _head(cell: str, request: SignalRequest) -> tuple[str, str]:
     """Return the name in a cell and the label of its unit, "" without one; the whole cell may name a sensor."""
     name, label = parted(cell, ())
     if label is None and (match := IN_PARENTHESES.fullmatch(cell)) is not None:
@@ -135,7 +137,7 @@ def _head(cell: str, request: Asked) -> tuple[str, str]:
     return (cell if whole else name), label or ""
 
 
-def _own_heads(heads: Sequence[tuple[str, str]], where: str, request: Asked) -> list[tuple[str, str]]:
+def _own_heads(heads: Sequence[tuple[str, str]], where: str, request: SignalRequest) -> list[tuple[str, str]]:
     """Return the names used here, "" for columns that are not read, and the labels of their units."""
     split = [SPECTRAL.fullmatch(name) for name, _ in heads]
     plain_names = [match[2].strip() if match else name for (name, _), match in zip(heads, split, strict=True)]
@@ -173,16 +175,18 @@ def _named(
     return labelled
 
 
-def _signals(names: Mapping[int, str], labels: Sequence[str], request: Asked) -> list[Column]:
+def _signals(names: Mapping[int, str], labels: Sequence[str], request: SignalRequest) -> list[FunctionColumn]:
     """Return the columns of a table of signals."""
     return [
-        Column(Kind.TIME, name, "", (i,), (labels[i],), name == FORCE)
+        FunctionColumn(FunctionKind.TIME, name, "", (i,), (labels[i],), name == FORCE)
         for i, name in names.items()
         if name == FORCE or request.wants(name)
     ]
 
 
-def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, request: Asked) -> list[Column]:
+def _spectral(
+    names: Mapping[int, str], labels: Sequence[str], where: str, request: SignalRequest
+) -> list[FunctionColumn]:
     """Return the columns of a table of functions of frequency."""
     columns = _bode(names, labels, request)
     taken = {place for column in columns for place in column.places}
@@ -211,20 +215,24 @@ def _spectral(names: Mapping[int, str], labels: Sequence[str], where: str, reque
                 both = (pair[0][0], pair[1][0])
                 of_both = (labels[both[0]], labels[both[1]])
                 polar = parts[0] == MAGNITUDE
-                columns.append(Column(Kind.FRF, response, reference, both, of_both, polar=polar))
+                columns.append(
+                    FunctionColumn(FunctionKind.FRF, response, reference, both, of_both, polar=polar)
+                )
         elif name.startswith(COHERENCE):
             if request.wants(response):
-                columns.append(Column(Kind.COHERENCE, response, reference, (i,), (labels[i],)))
+                columns.append(
+                    FunctionColumn(FunctionKind.COHERENCE, response, reference, (i,), (labels[i],))
+                )
         elif name.lower() in POWERS or (name.startswith(POWER) and request.sensors is not None):
             power = name[len(POWER) :]
             if request.wants(name, power):
-                columns.append(Column(Kind.SPECTRUM, power, "", (i,), (labels[i],)))
+                columns.append(FunctionColumn(FunctionKind.SPECTRUM, power, "", (i,), (labels[i],)))
         elif plain and request.wants(name):
-            columns.append(Column(Kind.SPECTRUM, name, "", (i,), (labels[i],)))
+            columns.append(FunctionColumn(FunctionKind.SPECTRUM, name, "", (i,), (labels[i],)))
     return columns
 
 
-def _bode(names: Mapping[int, str], labels: Sequence[str], request: Asked) -> list[Column]:
+def _bode(names: Mapping[int, str], labels: Sequence[str], request: SignalRequest) -> list[FunctionColumn]:
     """Return the frequency responses in columns such as ``Mag1 (dB)`` and ``Phase1 (deg)``.
 
     The sensor is named by the column of the magnitude, or by what follows the word in it.
@@ -239,13 +247,15 @@ def _bode(names: Mapping[int, str], labels: Sequence[str], request: Asked) -> li
         requested = [candidate for candidate in (names[i], short) if candidate and request.wants(candidate)]
         if key in phases and requested:
             j, _ = phases[key]
-            columns.append(Column(Kind.FRF, requested[0], "", (i, j), (labels[i], labels[j]), polar=True))
+            columns.append(
+                FunctionColumn(FunctionKind.FRF, requested[0], "", (i, j), (labels[i], labels[j]), polar=True)
+            )
     return columns
 
 
-def _refuse_repeated(columns: Sequence[Column], cells: Sequence[str], where: str) -> None:
+def _refuse_repeated(columns: Sequence[FunctionColumn], cells: Sequence[str], where: str) -> None:
     """Refuse two columns of one function."""
-    by_function: dict[tuple[Kind, str, str], Column] = {}
+    by_function: dict[tuple[FunctionKind, str, str], FunctionColumn] = {}
     for column in columns:
         first = by_function.setdefault((column.kind, column.response, column.reference), column)
         if first is not column:

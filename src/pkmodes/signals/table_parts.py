@@ -68,6 +68,6 @@ def narrow(values: NDArray[np.float64]) -> NDArray[Any]:
     return values
 
 
-def joined(parts: Sequence[NDArray[Any]]) -> NDArray[Any]:
+def joined_parts(parts: Sequence[NDArray[Any]]) -> NDArray[Any]:
     """Return parts of a column as one array, of the smallest type that holds the numbers of all."""
     return parts[0].copy() if len(parts) == 1 else np.concatenate(parts)

@@ -20,7 +20,7 @@ from pkmodes.measured.csv_format import WORKBOOKS
 from pkmodes.signals.clock import is_clock
 from pkmodes.signals.functions import Array
 from pkmodes.signals.scanning import text_of
-from pkmodes.signals.table_parts import check_lines, in_parts, joined, narrow, parts_of
+from pkmodes.signals.table_parts import check_lines, in_parts, joined_parts, narrow, parts_of
 from pkmodes.signals.table_rows import is_row, without_ends
 from pkmodes.signals.units import unit_text
 
@@ -108,7 +108,7 @@ class TableText:
             del numbers
         if not columns or not sum(part.size for part in columns[0]):
             raise MeasurementError("expected rows, found only a header", self.source, "add the rows")
-        return [joined(columns.pop(0)) for _ in places]
+        return [joined_parts(columns.pop(0)) for _ in places]
 
     def _numbers(self, part: bytes, places: Sequence[int]) -> Array | None:
         """Return columns of some of the lines, (columns, rows); None if a cell or a row is invalid."""

@@ -25,7 +25,7 @@ import numpy as np
 from pkmodes.core.base.errors import MeasurementError
 from pkmodes.measured.formats import Format
 from pkmodes.signals.dataset58 import read_points
-from pkmodes.signals.functions import Asked, Function, ModeShape, SignalFile
+from pkmodes.signals.functions import Function, ModeShape, SignalFile, SignalRequest
 from pkmodes.signals.functions58 import Abscissas, function_of
 from pkmodes.signals.mode_datasets import read_55, read_2414
 from pkmodes.signals.scanning import Binary, Scanner, begins_with_a_dataset, is_delimiter, numbers_in
@@ -45,7 +45,7 @@ OTHERS = {15: "nodes", 18: "coordinate systems", 82: "trace lines, which are for
 OTHERS |= {2411: "nodes", 2412: "elements", 2420: "coordinate systems"}
 
 
-def read(path: Path, request: Asked) -> SignalFile:
+def read_universal(path: Path, request: SignalRequest) -> SignalFile:
     """Read a universal file.
 
     Raises
@@ -84,7 +84,7 @@ def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) ->
             yield function
 
 
-def _read(path: Path, request: Asked, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
+def _read(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
     """Read a universal file that is in these units until it states others.
 
     Returns
@@ -205,4 +205,6 @@ def _units(scanner: Scanner) -> FileUnits:
     return FileUnits.of(float(factors[0]), float(factors[1]))
 
 
-UNIVERSAL_FILE = Format("universal file", (".uff", ".unv", ".ufb", ".uf"), begins_with_a_dataset, read)
+UNIVERSAL_FILE = Format(
+    "universal file", (".uff", ".unv", ".ufb", ".uf"), begins_with_a_dataset, read_universal
+)

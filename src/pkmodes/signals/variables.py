@@ -26,7 +26,7 @@ LONGEST_NAME = 1024
 REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matrix with a column for each"
 
 
-class Variable(NamedTuple):
+class FileVariable(NamedTuple):
     """A variable.
 
     Attributes
@@ -71,7 +71,7 @@ def no_numbers(name: str) -> NoReturn:
     raise ValueError(f"{name} is not an array of numbers")
 
 
-def at_most(variables: Iterable[Variable]) -> list[Variable]:
+def at_most(variables: Iterable[FileVariable]) -> list[FileVariable]:
     """Return the variables of a file.
 
     Raises

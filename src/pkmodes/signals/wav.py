@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from pkmodes.core.base.errors import MeasurementError, shown
 from pkmodes.measured.formats import Format
 from pkmodes.signals.checks import FEWEST, check_finite
-from pkmodes.signals.functions import FORCE, Array, Asked, Function, Kind, SignalFile
+from pkmodes.signals.functions import FORCE, Array, Function, FunctionKind, SignalFile, SignalRequest
 from pkmodes.signals.variables import MOST_VALUES, loaded
 
 RIFF, WAVE = (b"RIFF", b"RIFX"), b"WAVE"
@@ -42,7 +42,7 @@ class _Form(NamedTuple):
     bits: int
 
 
-def read(path: Path, request: Asked) -> SignalFile:
+def read_wav(path: Path, request: SignalRequest) -> SignalFile:
     """Read a sound file.
 
     Raises
@@ -68,7 +68,9 @@ def read(path: Path, request: Asked) -> SignalFile:
         if called and (called == FORCE or request.wants(called)):
             values = _parts_of_full_scale(stored)
             check_finite(values, f"{source}: channel {name}")
-            functions.append(Function(Kind.TIME, called, "", time, values, None, None, called == FORCE))
+            functions.append(
+                Function(FunctionKind.TIME, called, "", time, values, None, None, called == FORCE)
+            )
     return SignalFile(source, tuple(functions), (), tuple(messages))
 
 
@@ -139,9 +141,9 @@ def _problem(form: _Form, size: int) -> str | None:
     return None
 
 
-def recognises(head: bytes) -> bool:
+def is_wav(head: bytes) -> bool:
     """Return whether a file is a sound file."""
     return head.startswith(RIFF) and head[8:HEAD] == WAVE
 
 
-WAV = Format("WAV", (".wav",), recognises, read)
+WAV = Format("WAV", (".wav",), is_wav, read_wav)

@@ -15,7 +15,7 @@ from pkmodes.core.robot.robot import Robot
 Array = NDArray[np.float64]
 
 
-def uncertain(robot: Robot) -> dict[str, float]:
+def sigmas_by_path(robot: Robot) -> dict[str, float]:
     """Return the standard deviations above 0 of a robot by path [SI]; a value that an effect takes counts once."""
     twice = {path for path, table_path in lent(robot.mechanism).items() if table_path in robot.quantities}
     return {path: q.sigma for path, q in robot.quantities.items() if q.sigma and path not in twice}
@@ -26,7 +26,7 @@ def covariance_of(robot: Robot, paths: Sequence[str]) -> Array:
 
     The covariance of some values is that of all, without the others' rows and columns: those may have any value.
     """
-    sigmas = uncertain(robot)
+    sigmas = sigmas_by_path(robot)
     matrix = np.diag([sigmas[path] ** 2 for path in paths])
     place = {path: i for i, path in enumerate(paths)}
     for table in robot.covariance:
@@ -52,7 +52,7 @@ def priors_of(robot: Robot) -> dict[str, Prior]:
     A value and its table of correlations may state one standard deviation with different numbers of digits: that of
     the table counts, because small differences of strongly correlated values depend on its digits.
     """
-    declared, correlated = uncertain(robot), {}
+    declared, correlated = sigmas_by_path(robot), {}
     tables = [(table, _sigmas(table, declared)) for table in robot.covariance]
     sigmas = declared | {
         path: sigma
@@ -88,7 +88,7 @@ def _sigmas(table: Covariance, value_sigmas: Mapping[str, float]) -> list[float]
     return [value_sigmas[path] for path in table.paths] if table.sigmas is None else list(table.sigmas)
 
 
-def joined(tables: Sequence[Covariance], value_sigmas: Mapping[str, float]) -> Covariance:
+def joined_covariance(tables: Sequence[Covariance], value_sigmas: Mapping[str, float]) -> Covariance:
     """Return one table of the values of several, which stay independent of each other.
 
     Parameters

@@ -18,7 +18,7 @@ FORMULA = ":"
 ENTRY, ELEMENT = "j", "k"
 
 
-def in_words(mechanism: Mechanism, path: str) -> str:
+def meaning_of(mechanism: Mechanism, path: str) -> str:
     """Return what a path of a robot file means; empty where the mechanism does not describe it.
 
     Parameters

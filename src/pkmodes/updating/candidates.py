@@ -16,7 +16,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.robot.layout import GRAVITY, Item, by_path, lent, takers
 from pkmodes.core.robot.parameter_groups import groups_by_path, items_of, weights_of
 from pkmodes.core.robot.robot import Robot
@@ -24,7 +24,7 @@ from pkmodes.core.robot.units import with_unit
 from pkmodes.diagnosis.problem import Assumption, Candidate, Parameter
 from pkmodes.sensitivity.paths import ParameterPath, paths, resolve
 from pkmodes.support.covariance import Prior, priors_of
-from pkmodes.support.words import in_words
+from pkmodes.support.words import meaning_of
 from pkmodes.updating import frame
 from pkmodes.updating.joints import joints_of
 from pkmodes.updating.kinds import with_kinds
@@ -190,7 +190,7 @@ def _asked_for(robot: Robot, name: str, available: list[str]) -> Candidate:
     if name == path or path not in paths(robot):
         losses = [effect.name for effect in effects.values() if effect.dissipates]
         suggestions = [*available, *losses, *(f"{PREFIX}{p}" for p in paths(robot))]
-        remedy = nearest(name, suggestions, "use the names in docs/diagnosis.md")
+        remedy = nearest_name(name, suggestions, "use the names in docs/diagnosis.md")
         raise PkmodesError(f"unknown candidate {shown(name)}", "candidates", remedy)
     whole, item = groups_by_path(robot.mechanism).get(path), by_path(robot.mechanism).get(path)
     refuse_declared(path, _sigmas(robot, [path, *(_elements(robot, whole) if whole is not None else ())]))
@@ -301,7 +301,7 @@ def _suspected(robot: Robot) -> dict[str, Candidate]:
 
 def _wrong(robot: Robot, path: str) -> str:
     """Return the sentence of a suspected value, in the words of the mechanism's description."""
-    words = in_words(robot.mechanism, path).partition(",")[0]
+    words = meaning_of(robot.mechanism, path).partition(",")[0]
     return f"the declared {words or f'value of {path}'} is wrong"
 
 

@@ -26,7 +26,7 @@ from pkmodes.updating.candidates import EFFECTS, PREFIX
 from pkmodes.updating.joints import joints_of
 from pkmodes.updating.measured_robot import MeasuredRobot
 from pkmodes.updating.robot_structure import RobotStructure
-from pkmodes.updating.shared_values import deviations, in_use, of_one_machine
+from pkmodes.updating.shared_values import axis_deviations, in_use, of_one_machine
 
 #: Default names of the states; several later ones are numbered.
 BEFORE, AFTER = "before", "after"
@@ -93,7 +93,7 @@ def changed(
     """
     names, campaigns = _named(trusted, later, name)
     first = MeasuredRobot.of(model, trusted)
-    wrong = deviations(first.robot)
+    wrong = axis_deviations(first.robot)
     common = Trusted.of(names[0], _extended(first.structure(candidates=()), wrong), trusted)
     baseline = _as_trusted(first.robot, common.values)
     changes = {}

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.drives import FREE, HELD, other_drives
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.registry import Mechanism
 from pkmodes.core.robot.declaration import changeable
 from pkmodes.core.robot.layout import EFFECTS, Slot, effect_parameters, items
@@ -170,7 +170,7 @@ def load_cases(robot: Robot, data: Measurements) -> LoadCases:
     for path in data.settings:
         if path not in allowed:
             problem = f"{shown(f'{SET}{path}')} is not a value that can be set in {robot.source}"
-            remedy = nearest(path, allowed, "see docs/sensitivities.md for the paths")
+            remedy = nearest_name(path, allowed, "see docs/sensitivities.md for the paths")
             raise MeasurementError(problem, data.source, remedy)
     cases: dict[tuple[object, ...], LoadCase] = {}
     of = []

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
-from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError, nearest, shown
+from pkmodes.core.base.errors import MeasurementError, PkmodesError, PoseError, nearest_name, shown
 from pkmodes.core.mechanism.poses import LARGE, check_poses, placed
 from pkmodes.core.mechanism.registry import Mechanism, mechanism, names
 from pkmodes.core.model import Model
@@ -82,7 +82,7 @@ class MeasuredRobot:
                     problem = f"{shown(f'{SHAPE}{name}')} is a column of another machine: {whose}"
                     raise MeasurementError(problem, data.source, OTHER_MACHINE)
                 problem = f"{shown(name)} is not a coordinate of {robot.source}"
-                raise MeasurementError(problem, data.source, nearest(name, known_channels))
+                raise MeasurementError(problem, data.source, nearest_name(name, known_channels))
         loads = load_cases(robot, data)
         check_reachable(robot, data, loads)
         return cls(robot, data, loads)
@@ -200,7 +200,9 @@ def _refuse(robot: Robot, name: object, claimable: Sequence[str], where: str) ->
         state = "refitted anyway, within its sigma" if quantity.sigma else "known exactly"
         problem = f"{path} is not a candidate: the robot file gives a sigma, so it is {state}"
         raise PkmodesError(problem, where, "leave it out, or remove the sigma from the robot file")
-    raise PkmodesError(f"there is no candidate {shown(name)} for a prior", where, nearest(name, claimable))
+    raise PkmodesError(
+        f"there is no candidate {shown(name)} for a prior", where, nearest_name(name, claimable)
+    )
 
 
 def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:

@@ -221,7 +221,7 @@ def _by_solvers(
     )
 
 
-def together(systems: Sequence[ExtendedSystem]) -> Solver | None:
+def solver_of_several(systems: Sequence[ExtendedSystem]) -> Solver | None:
     """Return the solver of several robots together, if there is one."""
     try:
         solver = solver_of(stacked(systems, 1), MAX_CONDITION, chosen(AUTO)).inner

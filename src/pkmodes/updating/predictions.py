@@ -24,7 +24,7 @@ from pkmodes.sensitivity.locked import locked_joints
 from pkmodes.sensitivity.matrices import POSE, MatrixDerivatives, effect_fields, geometry_of
 from pkmodes.sensitivity.paths import ParameterPath
 from pkmodes.sensitivity.shapes import shape_derivatives
-from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reached, together
+from pkmodes.updating.modes_of_systems import modes_of_systems, modes_where_reached, solver_of_several
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -72,17 +72,17 @@ class Solved(NamedTuple):
             self.eigenvalues[part],
             self.shapes[part],
             self.channels[part],
-            None if self.solver is None else together(self.systems[robot : robot + 1]),
+            None if self.solver is None else solver_of_several(self.systems[robot : robot + 1]),
         )
 
 
 @overload
-def solved(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved: ...
+def solved_together(robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array) -> Solved: ...
 @overload
-def solved(
+def solved_together(
     robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array, *, checked: bool
 ) -> Solved | None: ...
-def solved(
+def solved_together(
     robots: Sequence[Robot], systems: Sequence[ExtendedSystem], points: Array, *, checked: bool = True
 ) -> Solved | None:
     """Solve robots with the same free coordinates together, at (B n, d) poses.
@@ -131,7 +131,7 @@ def derived(at: Solved, moves: Sequence[Moves], shape_rates: bool) -> Prediction
     return Prediction(at.eigenvalues, rates, at.channels, at.system.rigid_modes, along)
 
 
-def joined(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
+def joined_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Prediction:
     """Join the modes of parts of the setups; NaN for a setup that is in no part.
 
     Robots of different load cases may differ in their numbers of modes and rigid modes.  Rigid modes come first,

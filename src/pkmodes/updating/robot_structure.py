@@ -29,7 +29,7 @@ from pkmodes.updating.candidates import EFFECTS
 from pkmodes.updating.channels import channels, sensors
 from pkmodes.updating.load_cases import LoadCase, LoadCases, payloads
 from pkmodes.updating.losses import rates_of_losses
-from pkmodes.updating.predictions import Moves, Solved, derived, joined, solved
+from pkmodes.updating.predictions import Moves, Solved, derived, joined_modes, solved_together
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -49,7 +49,7 @@ class Machines(NamedTuple):
     where: Array
 
 
-class _Part(NamedTuple):
+class _SolvedSetups(NamedTuple):
     """Modes at some setups, for B robots of load cases that can be evaluated together."""
 
     rows: Index
@@ -98,7 +98,7 @@ class RobotStructure:
         self._free_paths = [
             {name: case.reduced(path) for name, path in self._moves.items()} for case in self.loads.cases
         ]
-        self._last: tuple[bytes, list[_Part]] | None = None
+        self._last: tuple[bytes, list[_SolvedSetups]] | None = None
         self._latest: tuple[object, Prediction] | None = None
 
     def __getstate__(self) -> dict[str, object]:
@@ -208,7 +208,7 @@ class RobotStructure:
                 for part, (rows, owners) in zip(parts, blocks, strict=True):
                     moves = [m for k in batched for m in self.moved_by(values[k], by[k], rows, owners)]
                     predictions.append(((first + rows).ravel(), derived(part, moves, shape_rates)))
-                batches.append(Batch(np.array(batched), joined(predictions, count * len(batched))))
+                batches.append(Batch(np.array(batched), joined_modes(predictions, count * len(batched))))
         return batches
 
     def position_rates(self, values: Array, *, shape_rates: bool = False) -> Prediction:
@@ -323,7 +323,7 @@ class RobotStructure:
         systems = [case.system(robot) for case, robot in zip(cases, robots, strict=True)]
         return Machines(robots, systems, self._where(values))
 
-    def _at_values(self, values: Array) -> list[_Part]:
+    def _at_values(self, values: Array) -> list[_SolvedSetups]:
         """Return the modes for one set of values; robots that can be are evaluated together."""
         key = values.tobytes()
         if (
@@ -336,7 +336,7 @@ class RobotStructure:
                 blocks = self._blocks(machines, self.reachable(machines))
                 parts = _solved_blocks([machines], blocks, checked=True)
             assert parts is not None
-            self._last = key, [_Part(*block, part) for block, part in zip(blocks, parts, strict=True)]
+            self._last = key, [_SolvedSetups(*block, part) for block, part in zip(blocks, parts, strict=True)]
         return self._last[1]
 
     def _blocks(self, machines: Machines, valid: NDArray[np.bool_]) -> list[tuple[Index, list[int]]]:
@@ -347,7 +347,7 @@ class RobotStructure:
         return [self.loads.arranged(cases, valid) for cases in alike.values()]
 
     def _joined(self, parts: Sequence[tuple[Index, Prediction]]) -> Prediction:
-        return joined(parts, len(self.points))
+        return joined_modes(parts, len(self.points))
 
     def _key(self, system: ExtendedSystem) -> object:
         """Return a key that is the same for robots that can be evaluated together."""
@@ -376,7 +376,7 @@ def _solved_blocks(
         robots = [at.robots[c] for at in sets for c in owners]
         systems = [at.systems[c] for at in sets for c in owners]
         points = [at.where[rows] for at in sets]
-        part = solved(robots, systems, np.concatenate(points), checked=checked) if sets else None
+        part = solved_together(robots, systems, np.concatenate(points), checked=checked) if sets else None
         if part is None:
             return None
         parts.append(part)

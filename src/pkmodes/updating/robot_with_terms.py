@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.diagnosis.problem import Batch, Candidate, Parameter, Prediction, Sensor
-from pkmodes.updating.predictions import Moves, concatenated, joined
+from pkmodes.updating.predictions import Moves, concatenated, joined_modes
 from pkmodes.updating.robot_structure import RobotStructure
 from pkmodes.updating.site_with_term import (
     PlacedTerm,
@@ -26,8 +26,8 @@ from pkmodes.updating.site_with_term import (
     held_motions,
     in_all_coordinates,
     matrices_with,
-    modes_of,
     platform_with,
+    term_modes,
     without_term,
 )
 from pkmodes.updating.term_candidates import term_candidates
@@ -127,7 +127,7 @@ class RobotWithTerms:
             for site, modes in self._modes(values, present)
             if modes is not None
         ]
-        return joined(parts, len(self.robot.points)) if parts else self._nothing(len(shifts.paths))
+        return joined_modes(parts, len(self.robot.points)) if parts else self._nothing(len(shifts.paths))
 
     def predict_many(
         self, values: Array, by: Sequence[Sequence[int]], *, shape_rates: bool = False
@@ -189,7 +189,7 @@ class RobotWithTerms:
             rows = (setups * np.arange(len(terms))[:, None] + site.setups).ravel()
             rates = np.zeros((*eigenvalues.shape, 0))
             parts.append((rows, Prediction(eigenvalues, rates, channels, of_terms[0].rigid)))
-        return joined(parts, setups * len(terms))
+        return joined_modes(parts, setups * len(terms))
 
     def _present(self, values: Array) -> PresentTerm | None:
         """Return the term that is present; with several, the first."""
@@ -214,7 +214,9 @@ class RobotWithTerms:
                 return self._nothing(len(by))
             of_absent = [(at.site.setups, self._by_terms(at, values, of_terms, shape_rates)) for at in absent]
             prediction = self.robot.predict(robot_values, of_robot, shape_rates=shape_rates)
-            return _in_order(prediction, joined(of_absent, len(self.robot.points)), by, self._robot_count)
+            return _in_order(
+                prediction, joined_modes(of_absent, len(self.robot.points)), by, self._robot_count
+            )
         parts = []
         for site, modes in self._modes(values, present):
             if modes is not None:
@@ -222,7 +224,7 @@ class RobotWithTerms:
                 prediction = at.of_robot(self._moves(values, of_robot, site), shape_rates)
                 term_prediction = self._by_terms(at, values, of_terms, shape_rates)
                 parts.append((site.setups, _in_order(prediction, term_prediction, by, self._robot_count)))
-        return joined(parts, len(self.robot.points)) if parts else self._nothing(len(by))
+        return joined_modes(parts, len(self.robot.points)) if parts else self._nothing(len(by))
 
     def _by_terms(self, at: TermRates, values: Array, by: Sequence[int], shape_rates: bool) -> Prediction:
         """Return the modes of a site with derivatives with respect to parameters of terms."""
@@ -265,7 +267,7 @@ class RobotWithTerms:
         key = values.tobytes()
         if self._last is None or self._last[0] != key:
             sites = self._at(values[: self._robot_count])
-            self._last = key, [(site, modes_of(site, self._matrices(site, present))) for site in sites]
+            self._last = key, [(site, term_modes(site, self._matrices(site, present))) for site in sites]
         return self._last[1]
 
     def _matrices(self, site: Site, present: PresentTerm) -> TermMatrices:

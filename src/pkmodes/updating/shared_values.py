@@ -34,7 +34,7 @@ SHARED = "shared."
 NEARER = 0.025
 
 
-def deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterPath]]:
+def axis_deviations(robot: Robot) -> tuple[list[Parameter], dict[str, ParameterPath]]:
     """Return the deviations of declared values from those of the machine, of each axis, and the path of each."""
     all_paths, parameters, moves = set(paths(robot)), [], {}
     shared = takers(robot.mechanism)

@@ -155,7 +155,7 @@ def eigenmodes(first: int, matrices: TermMatrices, M: Array, K: Array) -> tuple[
     return (eigenvalues, shapes) if np.isfinite(eigenvalues).all() else None
 
 
-def modes_of(site: Site, matrices: TermMatrices) -> TermModes | None:
+def term_modes(site: Site, matrices: TermMatrices) -> TermModes | None:
     """Return the modes of a site with a term; None where M and K are not those of a machine."""
     solution = eigenmodes(site.system.first, matrices, *matrices.in_free())
     return None if solution is None else TermModes(matrices, *solution)

@@ -37,15 +37,15 @@ GRAVITY = "gravity"
 NEAR = 1e-3
 
 
-class Change(NamedTuple):
+class TermContribution(NamedTuple):
     """What a term adds to M and K, (N, e + a, e + a): in all coordinates and a = 0 or 1 of its own, the last."""
 
     M: Array
     K: Array
 
-    def rates(self) -> Change:
+    def rates(self) -> TermContribution:
         """Return the derivatives, after a complex step."""
-        return Change(np.imag(self.M) / STEP, np.imag(self.K) / STEP)
+        return TermContribution(np.imag(self.M) / STEP, np.imag(self.K) / STEP)
 
 
 class Mounts(NamedTuple):
@@ -161,15 +161,15 @@ def changes_along(term: Term, system: ExtendedSystem, path: ParameterPath) -> bo
     return term.form == "mount" or any(field in moving for field, _ in path.weights)
 
 
-def change_of(term: Term, values: Values, at: Surroundings) -> Change:
+def change_of(term: Term, values: Values, at: Surroundings) -> TermContribution:
     """Return what a term changes, for values of its parameters."""
     return _FORMS[term.form](term, values, at)
 
 
-def _mass(term: Term, values: Values, at: Surroundings) -> Change:
+def _mass(term: Term, values: Values, at: Surroundings) -> TermContribution:
     (m,) = values
     M, G = _inertia(term, at)
-    return Change(m * M, m * G)
+    return TermContribution(m * M, m * G)
 
 
 def _inertia(term: Term, at: Surroundings) -> tuple[Array, Array]:
@@ -189,14 +189,14 @@ def strains(term: Term, at: Surroundings) -> Array:
     return np.stack(rows, axis=1)
 
 
-def _spring(term: Term, values: Values, at: Surroundings) -> Change:
+def _spring(term: Term, values: Values, at: Surroundings) -> TermContribution:
     (k,) = values
     rows = strains(term, at)
     K = k * (np.swapaxes(rows, -1, -2) @ rows)
-    return Change(np.zeros_like(K), K)
+    return TermContribution(np.zeros_like(K), K)
 
 
-def _mount(term: Term, values: Values, at: Surroundings) -> Change:
+def _mount(term: Term, values: Values, at: Surroundings) -> TermContribution:
     """Return the rows of a mount with its spring 1/c; without it for an infinite one."""
     c, mounts, w = values[0], at.mounts, term.mount
     M, M_own = mounts.M[:, w], mounts.M_own[:, w]
@@ -204,7 +204,7 @@ def _mount(term: Term, values: Values, at: Surroundings) -> Change:
         of_M, of_M_own = at.of_masses
         M, M_own = M + values[1] * of_M[w], M_own + values[1] * of_M_own[w]
     spring = 1.0 / c if c != 0.0 else 0.0
-    return Change(_bordered(M, M_own), _bordered(mounts.K[:, w], mounts.K_own[:, w] + spring))
+    return TermContribution(_bordered(M, M_own), _bordered(mounts.K[:, w], mounts.K_own[:, w] + spring))
 
 
 def _bordered(row: Array, diagonal: Array) -> Array:
@@ -216,7 +216,7 @@ def _bordered(row: Array, diagonal: Array) -> Array:
     return matrix
 
 
-def _resonator(term: Term, values: Values, at: Surroundings) -> Change:
+def _resonator(term: Term, values: Values, at: Surroundings) -> TermContribution:
     m, f = values
     M, G = _inertia(term, at)
     swing = at.motion[:, term.swings]
@@ -224,10 +224,10 @@ def _resonator(term: Term, values: Values, at: Surroundings) -> Change:
     inertia = _bordered(m * swing, m * unit)
     stiffness = _bordered(0.0 * m * G[:, 0], m * (2.0 * np.pi * f) ** 2 * unit)
     inertia[:, :e, :e], stiffness[:, :e, :e] = m * M, m * G
-    return Change(inertia, stiffness)
+    return TermContribution(inertia, stiffness)
 
 
-_FORMS: dict[str, Callable[[Term, Values, Surroundings], Change]] = {
+_FORMS: dict[str, Callable[[Term, Values, Surroundings], TermContribution]] = {
     "mass": _mass,
     "spring": _spring,
     "mount": _mount,

@@ -25,7 +25,7 @@ from pkmodes.updating.site_with_term import (
     in_all_coordinates,
     platform_with,
 )
-from pkmodes.updating.term_changes import Change, Surroundings, at_null, change_of, changes_along
+from pkmodes.updating.term_changes import Surroundings, TermContribution, at_null, change_of, changes_along
 from pkmodes_description import Term
 
 Array = NDArray[np.float64]
@@ -153,9 +153,9 @@ class TermRates:
             return self._absent(place.term, values)
         return _Rates(np.zeros_like(self.modes.shapes), np.zeros_like(self.modes.eigenvalues))
 
-    def _free(self, change: Change) -> Change:
+    def _free(self, change: TermContribution) -> TermContribution:
         free = self.modes.matrices.free
-        return Change(change.M[:, free[:, None], free], change.K[:, free[:, None], free])
+        return TermContribution(change.M[:, free[:, None], free], change.K[:, free[:, None], free])
 
     def _linear(self, dM: Array, dK: Array) -> _Rates:
         shapes, eigenvalues = self.modes.shapes, self.modes.eigenvalues

@@ -106,8 +106,11 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
     springs, index = present(
         Springs(named, *(np.concatenate([part.springs[k] for part in widened]) for k in (1, 2)))
     )
-    joined = {key: np.concatenate([getattr(part, key) for part in widened]) for key in _Part.PLACES}
-    modal = {key: np.concatenate([getattr(part, key)[:, :count] for part in widened]) for key in _Part.MODES}
+    joined = {key: np.concatenate([getattr(part, key) for part in widened]) for key in _MachineMotion.PLACES}
+    modal = {
+        key: np.concatenate([getattr(part, key)[:, :count] for part in widened])
+        for key in _MachineMotion.MODES
+    }
     strains = np.einsum("psn,pmn->pms", springs.strain, modal["shapes"])
     energies = 0.5 * springs.stiffness[:, None] * strains**2
     for i, k, part in zip(starts, ends, parts, strict=True):
@@ -144,7 +147,7 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
 
 
 @dataclass(frozen=True, eq=False)
-class _Part:
+class _MachineMotion:
     """What one machine gives at some poses; arrays as in `Scene`."""
 
     PLACES: ClassVar = ("poses", "points", "motions")
@@ -161,9 +164,9 @@ class _Part:
     platform_shapes: Array
 
 
-def _evaluated(model: Model, poses: Array, drives: str) -> _Part:
+def _evaluated(model: Model, poses: Array, drives: str) -> _MachineMotion:
     drawing, modes = RobotDrawing(model.robot), model.modes(poses, drives=drives)
-    return _Part(
+    return _MachineMotion(
         coordinates=modes.coordinates,
         springs=drawing.springs(modes.poses),
         rigid=modes.rigid_modes,
@@ -176,7 +179,7 @@ def _evaluated(model: Model, poses: Array, drives: str) -> _Part:
     )
 
 
-def _widened(part: _Part, coordinates: tuple[str, ...], named: tuple[Named, ...]) -> _Part:
+def _widened(part: _MachineMotion, coordinates: tuple[str, ...], named: tuple[Named, ...]) -> _MachineMotion:
     """Return a part with zeros for the coordinates and springs that only others have."""
     if part.coordinates == coordinates and part.springs.named == named:
         return part

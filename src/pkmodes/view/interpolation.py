@@ -36,7 +36,7 @@ def mean_frequency(frequencies: Array, weights: Array | None = None) -> Array:
     return interpolated
 
 
-def deviations(
+def interpolation_errors(
     frequencies: Array,
     order: Index,
     places: Index,

@@ -15,7 +15,7 @@ from pkmodes.core.mechanism.regular import regular_poses
 from pkmodes.core.model import Model
 from pkmodes.maps.workspace import hanging, resting, turning_box, usable_box, usable_poses, used, within
 from pkmodes.view.evaluating import scene
-from pkmodes.view.interpolation import FINE, deviations
+from pkmodes.view.interpolation import FINE, interpolation_errors
 from pkmodes.view.pairing import paired_modes
 from pkmodes.view.scene import Scene
 from pkmodes.view.workspace import workspace
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 STOPS = tuple(k / FINE for k in range(1, FINE))
 
 
-class Grid(NamedTuple):
+class ViewGrid(NamedTuple):
     """How densely a page covers the workspace.
 
     Attributes
@@ -43,8 +43,8 @@ class Grid(NamedTuple):
 
 #: Grids by the number of components: a page holds a few hundred poses.  At all stops of six components a large
 #: workspace has 16 million poses, which take five minutes.
-GRIDS = {1: Grid(41), 2: Grid(11), 3: Grid(7)}
-OF_MORE = Grid(3, STOPS[1::3], "at three stops in nine of each slider")
+GRIDS = {1: ViewGrid(41), 2: ViewGrid(11), 3: ViewGrid(7)}
+OF_MORE = ViewGrid(3, STOPS[1::3], "at three stops in nine of each slider")
 #: Number of regular poses searched for.
 SEEDS = 200
 
@@ -132,7 +132,7 @@ def poses_around(model: Model, pose: ArrayLike, *, drives: str = FREE) -> Scene:
         places=places,
         workspace=workspace(model, first, (low, high), inside),
         order=order,
-        deviations=deviations(
+        deviations=interpolation_errors(
             shown.frequencies[:, rigid:],
             order[:, rigid:] - rigid,
             places,

@@ -15,7 +15,7 @@ from pkmodes.core.mechanism.poses import OnError
 from pkmodes.core.model import Model
 from pkmodes.sensitivity.paths import resolve
 from pkmodes.view.evaluating import scene_of
-from pkmodes.view.interpolation import deviations
+from pkmodes.view.interpolation import interpolation_errors
 from pkmodes.view.pairing import paired_modes
 from pkmodes.view.scene import Scene
 from pkmodes_description import Named
@@ -116,7 +116,7 @@ def varied(model: Model, pose: ArrayLike, values: Mapping[str, ArrayLike], *, dr
         places=places,
         declared=declared,
         order=order,
-        deviations=deviations(vibrations, order[:, rigid:] - rigid, places, levels, exact),
+        deviations=interpolation_errors(vibrations, order[:, rigid:] - rigid, places, levels, exact),
         checked="half-way between them",
     )
 

@@ -33,7 +33,7 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
-def nearest(name: object, candidates: Iterable[str], otherwise: str = "") -> str:
+def nearest_name(name: object, candidates: Iterable[str], otherwise: str = "") -> str:
     """Return the remedy for an unknown name: the nearest known name, `otherwise`, or all known names."""
     names = list(candidates)
     by_lower = {candidate.lower(): candidate for candidate in reversed(names)}

@@ -87,7 +87,7 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
         return import_module(f"{self.package}.drawing")
 
 
-def described(package: str) -> Mechanism:
+def described_mechanism(package: str) -> Mechanism:
     """Return the mechanism that a package describes.
 
     Raises

@@ -9,8 +9,8 @@ from functools import cache
 from importlib.resources import files
 from os import PathLike
 
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
-from pkmodes.core.mechanism.described import Mechanism, described
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
+from pkmodes.core.mechanism.described import Mechanism, described_mechanism
 from pkmodes.core.mechanism.fitting import check_code
 from pkmodes.core.mechanism.packages import (
     OPTION,
@@ -72,7 +72,7 @@ def mechanism(name: str) -> Mechanism:
         return _read(f"{GENERATED}.{name}")
     if name in installed():
         return _fitting(installed()[name])
-    remedy = nearest(name, names(), f"known: {', '.join(names())}; add one of your own with {OPTION}")
+    remedy = nearest_name(name, names(), f"known: {', '.join(names())}; add one of your own with {OPTION}")
     raise PkmodesError(f"unknown mechanism {shown(name)}", "mechanism", remedy)
 
 
@@ -151,7 +151,7 @@ copyreg.pickle(Mechanism, lambda mechanism: (_unpickled, (mechanism.package, fol
 
 @cache
 def _read(package: str) -> Mechanism:
-    return described(package)
+    return described_mechanism(package)
 
 
 def _described_in(package: str) -> Mechanism:

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_number
-from pkmodes.core.base.errors import nearest, shown
+from pkmodes.core.base.errors import nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.layout import lent
@@ -119,7 +119,7 @@ def read_covariance(
             if key not in (PATHS, SIGMA, CORRELATION):
                 name = key if schema.is_bare(key) else shown(key)
                 valid_keys = (PATHS, CORRELATION, SIGMA)
-                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest(key, valid_keys))
+                problem(f"{where}.{name}", f"unknown key {shown(key)}", nearest_name(key, valid_keys))
         paths = _paths(table.get(PATHS), where, mechanism, quantities, number_of, number, problem)
         if paths is None:
             continue
@@ -173,7 +173,9 @@ def _not_uncertain(path: Any, quantities: Mapping[str, Quantity], example: str) 
     if not isinstance(path, str):
         return f"{expected}, found {shown(path)}", example
     if path not in quantities:
-        return f"{expected}, found {shown(path)}, which this file does not declare", nearest(path, quantities)
+        return f"{expected}, found {shown(path)}, which this file does not declare", nearest_name(
+            path, quantities
+        )
     sigma = quantities[path].sigma
     if not sigma:
         reason = "which has no sigma" if sigma is None else "whose sigma is 0: it is known exactly"

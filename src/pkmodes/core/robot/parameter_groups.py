@@ -31,7 +31,7 @@ def items_of(mechanism: Mechanism, group: ParameterGroup) -> list[Item]:
     return [item for item in items(mechanism) if item.key.field == group.field]
 
 
-def value_of(robot: Declaration, group: ParameterGroup) -> float:
+def group_value(robot: Declaration, group: ParameterGroup) -> float:
     """Return the value of a group in SI units."""
     first = _vectors(robot, group)[0]
     return float(first[1] - first[0]) if group.kind == "span" else float(np.linalg.norm(first))

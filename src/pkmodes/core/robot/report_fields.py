@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from pkmodes.core.base.errors import nearest, printable, shown
+from pkmodes.core.base.errors import nearest_name, printable, shown
 from pkmodes.core.robot import schema
 
 REPORT = "report"
@@ -40,7 +40,7 @@ def read_report(raw: Any, problem: Callable[[str, str, str], None]) -> dict[str,
     for name, entry in raw.items():
         place = f"{REPORT}.{name if schema.is_bare(name) else shown(name)}"
         if name not in TITLES:
-            problem(place, f"unknown key {shown(name)}", nearest(name, TITLES))
+            problem(place, f"unknown key {shown(name)}", nearest_name(name, TITLES))
         elif not isinstance(entry, str) or not entry.strip() or len(entry) > LONGEST:
             message = f"expected text of at most {LONGEST} characters, found {shown(entry)}"
             problem(place, message, f'write {name} = "...", or leave it out')

@@ -47,7 +47,7 @@ class RefusedError(ValueError):
         self.what, self.remedy, self.element = what, remedy, element
 
 
-def value_of(raw: Any, key: Key) -> Value:
+def key_value(raw: Any, key: Key) -> Value:
     """Read the value of a key.
 
     Returns

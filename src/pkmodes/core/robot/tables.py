@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import Any, TypeVar
 
-from pkmodes.core.base.errors import PkmodesError, RobotFileError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, RobotFileError, nearest_name, shown
 from pkmodes.core.mechanism import registry
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
@@ -131,7 +131,7 @@ class Tables:
 
     def _key(self, raw: Mapping[str, Any], key: Key, path: str, needed: bool = True) -> None:
         if key.name in raw:
-            value = self._read(raw[key.name], path, lambda entry: schema.value_of(entry, key))
+            value = self._read(raw[key.name], path, lambda entry: schema.key_value(entry, key))
             if value is not None:
                 self.values[path] = value
         elif needed and key.default is None:
@@ -173,7 +173,7 @@ class Tables:
             problem = f"the effect {name} does not apply to the mechanism {self.mechanism.name}"
             self.problem(path, problem, f"effects that apply: {', '.join(applicable)}")
         else:
-            self.problem(path, f"unknown effect {shown(name)}", nearest(name, applicable))
+            self.problem(path, f"unknown effect {shown(name)}", nearest_name(name, applicable))
 
     def _effect(
         self, effect: Effect, table: Mapping[str, Any], declared: Mapping[str, Quantity | None]
@@ -184,7 +184,7 @@ class Tables:
         for key in table:
             if key not in names:
                 place = f"{EFFECTS}.{effect.name}"
-                self.problem(place, f"unknown parameter {shown(key)}", nearest(key, names))
+                self.problem(place, f"unknown parameter {shown(key)}", nearest_name(key, names))
         alternatives = [p.name for p in effect.parameters if p.in_place_of]
         lending = [name for name in names if f"{EFFECTS}.{effect.name}.{name}" in declared]
         declarable = [name for name in names if name not in (*lending, *alternatives)]
@@ -251,7 +251,7 @@ class Tables:
                 # Without quotes if TOML allows a bare key.
                 name = key if schema.is_bare(key) else shown(key)
                 place = f"{path}.{name}" if path else name
-                self.problem(place, f"unknown key {shown(key)}", nearest(key, known_names))
+                self.problem(place, f"unknown key {shown(key)}", nearest_name(key, known_names))
 
     def problem(self, path: str, what: str, remedy: str) -> None:
         """Add a problem at a path."""

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pkmodes.core.base.errors import nearest, shown
+from pkmodes.core.base.errors import nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.mechanism.poses import reasons
 from pkmodes.core.mechanism.rods import rods_of
@@ -90,7 +90,7 @@ def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str
             lacks = LACKING.get(name, "")
             if lacks:
                 message = f"{mechanism.name} has {lacks}"
-            remedy = f"leave {name} out" if lacks else nearest(name, readers)
+            remedy = f"leave {name} out" if lacks else nearest_name(name, readers)
             problem(f"{USABLE}.{_key(name)}", message, remedy)
             continue
         try:
@@ -112,7 +112,7 @@ def reasons_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, s
     meanings = reasons(mechanism)
     if is_box(usable):
         return meanings
-    meaning = f"the pose is left out, beyond the usable limits: {in_words(mechanism, usable)}"
+    meaning = f"the pose is left out, beyond the usable limits: {limits_in_words(mechanism, usable)}"
     return {**meanings, USABLE: meaning}
 
 
@@ -148,7 +148,7 @@ def numbers_of(mechanism: Mechanism, usable: Mapping[str, Bound]) -> dict[str, t
     return numbers
 
 
-def in_words(mechanism: Mechanism, usable: Mapping[str, Bound]) -> str:
+def limits_in_words(mechanism: Mechanism, usable: Mapping[str, Bound]) -> str:
     """Return all limits as text."""
     units = {component.name: component.unit for component in mechanism.pose}
     parts = []

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pkmodes.core.base.errors import PkmodesError, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, nearest_name, shown
 from pkmodes.core.mechanism.described import Mechanism
 from pkmodes.core.robot import schema
 from pkmodes.core.robot.covariance import COVARIANCE, Covariance, with_sigmas
@@ -267,7 +267,7 @@ def _elements(robot: Declaration, path: str, raw: Any, source: str) -> dict[str,
             for candidate in by_path(robot.mechanism).values()
             if candidate.path not in units and candidate.numbers
         ]
-        remedy = nearest(path, [*units, *vectors], "see docs/sensitivities.md for the paths")
+        remedy = nearest_name(path, [*units, *vectors], "see docs/sensitivities.md for the paths")
         raise PkmodesError(f"unknown parameter path {shown(path)}", robot.source, remedy)
     if not item.numbers:
         problem = f"{path} is not a quantity: it cannot be changed here"

@@ -55,7 +55,7 @@ class Job:
     at_one_pose: Alone | None = None
 
 
-def run(
+def run_job(
     job: Job,
     robot: Robot,
     max_condition: float,

@@ -64,7 +64,7 @@ class CompiledSolver(Solver):
         try:
             library = loader.load(mechanism.package, mechanism.name)
             lanes = system.lanes()
-        except loader.UnavailableError as error:
+        except loader.NoLibraryError as error:
             raise UnavailableError(
                 f"the compiled back end is not available: {error.why}", mechanism.name, error.remedy
             ) from None

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pkmodes.core.base.arguments import is_all
-from pkmodes.core.base.errors import PkmodesError, listed, nearest, shown
+from pkmodes.core.base.errors import PkmodesError, listed, nearest_name, shown
 from pkmodes.core.mechanism.poses import Where
 from pkmodes.core.solve.fields import missing
 
@@ -58,12 +58,12 @@ def chosen_fields(fields: Fields, out: Out, available: tuple[str, ...]) -> tuple
     elif fields is None:
         fields = available if out is None else tuple(out)
     elif isinstance(fields, str) and fields not in available:
-        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest(fields, available))
+        raise PkmodesError(f"unknown field {shown(fields)}", "fields", nearest_name(fields, available))
     requested = listed(fields, "fields", "fields", f'"{available[0]}"')
     for where, names in (("fields", requested), ("out", list(out or ()))):
         for name in names:
             if not (isinstance(name, str) and name in available):
-                raise PkmodesError(f"unknown field {shown(name)}", where, nearest(name, available))
+                raise PkmodesError(f"unknown field {shown(name)}", where, nearest_name(name, available))
     if not requested:
         raise PkmodesError(
             "expected at least one field, found none", "fields", f"known: {', '.join(available)}"

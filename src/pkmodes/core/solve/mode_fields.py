@@ -19,7 +19,7 @@ from pkmodes.core.mechanism.poses import CHUNK, CheckedPoses, codes_of
 from pkmodes.core.robot.robot import Robot
 from pkmodes.core.solve.at_poses import RobotAtPoses
 from pkmodes.core.solve.backends import solver_of
-from pkmodes.core.solve.batch import Job, Rows, run
+from pkmodes.core.solve.batch import Job, Rows, run_job
 from pkmodes.core.solve.fields import DISSIPATION, FIELDS, MODE, missing, sizes_of
 from pkmodes.core.solve.fields import tail as tail_of
 from pkmodes.core.solve.numpy_solver import NumpySolver
@@ -122,7 +122,7 @@ class ModeFields:
     def again(
         self, robot: Robot, max_condition: float, checked: CheckedPoses, threads: int
     ) -> dict[str, NDArray[Any]]:
-        """Evaluate the fields, (N, *tail), at poses of an earlier evaluation: see `pkmodes.core.solve.batch.run`."""
+        """Evaluate the fields, (N, *tail), at poses of an earlier evaluation: see `batch.run_job`."""
         if not self._computed:
             if len(checked.codes) == 1 and not checked.codes[0]:
                 return {name: array.copy() for name, array in self._filled_at_a_pose.items()}
@@ -136,7 +136,7 @@ class ModeFields:
             arrays = self.job.at_one_pose(checked.points)
             if arrays is not None:
                 return arrays
-        _, rows = run(self.job, robot, max_condition, checked.points, "nan", None, threads)
+        _, rows = run_job(self.job, robot, max_condition, checked.points, "nan", None, threads)
         if checked.unsolved is not None and has_unsolved:
             for name, array in self.by_numpy(checked.points[checked.unsolved]).items():
                 rows[name][checked.unsolved] = array
@@ -224,7 +224,7 @@ class ModeFields:
 
 
 @dataclass(frozen=True, eq=False)
-class Plan:
+class FieldPlan:
     """What a call for some fields does, for given drives and one back end.
 
     Attributes
@@ -255,7 +255,7 @@ class Later:
 
     Parameters
     ----------
-    plan : Plan
+    plan : FieldPlan
         Of the result.
     robot : Robot
     max_condition : float
@@ -270,7 +270,7 @@ class Later:
 
     def __init__(
         self,
-        plan: Plan,
+        plan: FieldPlan,
         robot: Robot,
         max_condition: float,
         checked: CheckedPoses,

@@ -17,13 +17,13 @@ from pkmodes.diagnosis.problem import Candidate
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.search.score import one_sided, p_of_smallest, score
 from pkmodes.diagnosis.search.search import Outcome, Search
-from pkmodes.diagnosis.verdict.claim import Claim, values
+from pkmodes.diagnosis.verdict.claim import Claim, fitted_values
 from pkmodes.diagnosis.verdict.classes import classes, survivors
 from pkmodes.diagnosis.verdict.evidence import Evidence
 from pkmodes.diagnosis.verdict.findings import Finding
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.possible import member, unusual
-from pkmodes.diagnosis.verdict.reasons import described
+from pkmodes.diagnosis.verdict.reasons import causes_in_words
 from pkmodes.diagnosis.verdict.stability import Trial, trials
 
 #: Number of equally good terms that a reason mentions.
@@ -55,7 +55,9 @@ class TermEvidence(Evidence):
         p_value = _p_value(tried, final)
         causes = dict.fromkeys(cause for group in groups for fit in group for cause in fit.causes)
         plausible = plausible_sizes(store.fitter, tried.plain, list(causes))
-        implausible = {name_of(fit) for group in groups for fit in group if unusual(store.fitter, fit)}
+        implausible = {
+            name_of_explanation(fit) for group in groups for fit in group if unusual(store.fitter, fit)
+        }
         claim = Claim(
             final,
             search.gate(final),
@@ -78,16 +80,16 @@ class TermEvidence(Evidence):
         reference = self.store.criterion(self.final)
         equal = [fit for fit in self.tried.fits if abs(self.store.criterion(fit) - reference) < EQUAL]
         ranked = best_first(self.store, equal) or [self.final]
-        words = " or ".join(described(fit.causes) for fit in ranked[:MENTIONED])
+        words = " or ".join(causes_in_words(fit.causes) for fit in ranked[:MENTIONED])
         return words if len(ranked) <= MENTIONED else f"{words} or {len(ranked) - MENTIONED} more"
 
     def finding(self, k: int) -> Finding:
         """Return a class with its values, as a part of a result."""
         fitter, group = self.fitter, self.groups[k]
         index = [tuple(i for cause in fit.causes for i in fitter.indices(cause)) for fit in group]
-        labels = [name_of(fit) for fit in group]
+        labels = [name_of_explanation(fit) for fit in group]
         alternatives = {
-            name: values(fitter, fit, indices)
+            name: fitted_values(fitter, fit, indices)
             for name, fit, indices in zip(labels, group, index, strict=True)
         }
         covariances = {
@@ -111,13 +113,13 @@ class TermEvidence(Evidence):
     @cached_property
     def contenders(self) -> list[Fit]:
         """The best explanations outside the class of the best one."""
-        members = {name_of(fit) for group in self.groups[:1] for fit in group}
+        members = {name_of_explanation(fit) for group in self.groups[:1] for fit in group}
         store = self.store
         limit = store.criterion(self.final) + self.criteria.claim.near
         outside = [
             fit
             for fit in (*self.tried.fits, *self.tried.carried)
-            if name_of(fit) not in members and not fit.at_bound and store.criterion(fit) < limit
+            if name_of_explanation(fit) not in members and not fit.at_bound and store.criterion(fit) < limit
         ]
         return best_first(store, outside)[:CONTENDERS]
 
@@ -152,14 +154,14 @@ class TermEvidence(Evidence):
         return best.candidate, scores.p_value
 
 
-def name_of(fit: Fit) -> str:
+def name_of_explanation(fit: Fit) -> str:
     """Return the name of an explanation: of a term, or of one or two causes of the catalogue."""
     return " + ".join(cause.name for cause in fit.causes)
 
 
 def best_first(store: FitStore, fits: Sequence[Fit]) -> list[Fit]:
     """Return explanations by their criteria, equally good ones by their names."""
-    by_name = sorted(fits, key=name_of)
+    by_name = sorted(fits, key=name_of_explanation)
     return sorted(by_name, key=lambda fit: float(np.round(store.criterion(fit) / EQUAL)))
 
 

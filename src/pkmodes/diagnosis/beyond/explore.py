@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pkmodes.diagnosis.beyond.evidence import TermEvidence, name_of
+from pkmodes.diagnosis.beyond.evidence import TermEvidence, name_of_explanation
 from pkmodes.diagnosis.beyond.instead import instead, may_compete, one_of_many
 from pkmodes.diagnosis.beyond.rules import BEYOND
 from pkmodes.diagnosis.beyond.tried import tried
@@ -85,7 +85,7 @@ def with_beyond(result: Diagnosis, evidence: TermEvidence | None, catalogue: Evi
     best = _best_of(catalogue)
     beyond = Beyond(status.word, decision.says.text, count, classes, best, decision.rule.name)
     if sum(map(len, groups)) > 1:
-        remaining = [[(name_of(fit), fit) for fit in group] for group in groups]
+        remaining = [[(name_of_explanation(fit), fit) for fit in group] for group in groups]
         proposed, not_separated = next_measurement(evidence.store, None, remaining)
         result = replace(result, next_measurement=proposed, not_separated=not_separated)
     elif status is FOUND:
@@ -106,8 +106,8 @@ def _classes(evidence: TermEvidence, groups: Sequence[Sequence[Fit]]) -> tuple[T
         TermClass(
             finding=evidence.finding(k),
             probability=float(weights[k] / weights.sum()),
-            forms={name_of(fit): "".join(cause.form for cause in fit.causes) for fit in group},
-            errors={name_of(fit): error_of(evidence, fit) for fit in group},
+            forms={name_of_explanation(fit): "".join(cause.form for cause in fit.causes) for fit in group},
+            errors={name_of_explanation(fit): error_of(evidence, fit) for fit in group},
             corrected=builder.corrected(group[0], NO_LIMITS),
         )
         for k, group in enumerate(groups)
@@ -118,7 +118,7 @@ def _best_of(catalogue: Evidence) -> tuple[str, Error] | None:
     """Return the best explanation of the catalogue, claimed or not, with its errors."""
     fits = [fit for fit in catalogue.store.tried() if fit.causes and not fit.hypothesis.remote]
     best = min(fits, key=catalogue.store.criterion, default=None)
-    return None if best is None else (name_of(best), error_of(catalogue, best))
+    return None if best is None else (name_of_explanation(best), error_of(catalogue, best))
 
 
 def error_of(evidence: Evidence, fit: Fit) -> Error:

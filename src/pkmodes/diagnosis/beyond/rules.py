@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pkmodes.diagnosis.beyond.evidence import TermEvidence
 from pkmodes.diagnosis.verdict import rules
-from pkmodes.diagnosis.verdict.classes import distinct, measured
+from pkmodes.diagnosis.verdict.classes import distinct_causes, measured
 from pkmodes.diagnosis.verdict.evidence import Rule, Says
 from pkmodes.diagnosis.verdict.naming import explained
 from pkmodes.diagnosis.verdict.reasons import larger, names, noise
@@ -99,7 +99,7 @@ def several(e: TermEvidence) -> str:
         unlisted = len(e.groups) - rules.MENTIONED
         rest = f"; and {unlisted} more" if unlisted > 0 else ""
         return f"{len(e.groups)} different explanations remain: {best}{rest}"
-    members = distinct(e.groups[0])
+    members = distinct_causes(e.groups[0])
     if members <= e.criteria.claim.most_members:
         return ""
     return f"these data cannot tell {members} explanations apart: {_any_of(e, 0)}"

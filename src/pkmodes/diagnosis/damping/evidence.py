@@ -12,7 +12,7 @@ from scipy import stats
 
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.damping.doubts import p_coincidence, p_of_trend
-from pkmodes.diagnosis.damping.explanation import Explanation, explanation_of, p_of_one_more
+from pkmodes.diagnosis.damping.explanation import LossExplanation, explanation_of, p_of_one_more
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.damping.observations import DampingObservations
 from pkmodes.diagnosis.problem import Array
@@ -50,7 +50,7 @@ class DampingJudgement:
     final : LossFit
         With the causes; the base where none is found or remains.
     places, p_values
-        Those of the `Explanation` that is found or remains; otherwise empty.
+        Those of the `LossExplanation` that is found or remains; otherwise empty.
     says : LossSays
         Why; empty for a claim, where several explanations remain, and where the declared losses leave noise.
     """
@@ -110,12 +110,12 @@ class LossEvidence:
         return min((p_of_one_more(self.fitter, self.base, fit) for fit in fits), default=1.0)
 
     @cached_property
-    def explanation(self) -> Explanation | None:
+    def explanation(self) -> LossExplanation | None:
         """The best explanation by other losses than the declared ones."""
         return explanation_of(self.fitter)
 
     @cached_property
-    def claim(self) -> Explanation | None:
+    def claim(self) -> LossExplanation | None:
         """The explanation, where no rule speaks against it."""
         return None if first(self._doubts, self) else self.explanation
 

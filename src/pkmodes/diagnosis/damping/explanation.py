@@ -21,7 +21,7 @@ SAME = 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class Explanation:
+class LossExplanation:
     """Losses that leave noise.
 
     Attributes
@@ -46,7 +46,7 @@ class Explanation:
         return {j for place in self.places for fit in place for j in fit.causes}
 
 
-def explanation_of(fitter: LossFitter) -> Explanation | None:
+def explanation_of(fitter: LossFitter) -> LossExplanation | None:
     """Return the best explanation by one loss, else by two if there are enough rows; None if none leaves noise."""
     c = fitter.criteria
     singles = [fitter.fit((j,)) for j in fitter.candidates]
@@ -59,7 +59,7 @@ def explanation_of(fitter: LossFitter) -> Explanation | None:
     return None
 
 
-def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> Explanation:
+def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) -> LossExplanation:
     """Return the best explanation with the others of its size."""
     c = fitter.criteria
     near = [fit for fit in fits if fit.criterion < best.criterion + c.search.survives]
@@ -78,7 +78,7 @@ def _among_rivals(fitter: LossFitter, fits: Sequence[LossFit], best: LossFit) ->
     rivals = [fit for fit in survivors if not any(fit is member for place in places for member in place)]
     rivals.sort(key=lambda fit: fit.criterion)
     p_values = tuple(_p_of_place(fitter, best, cause) for cause in best.causes)
-    return Explanation(best, places, tuple(rivals), p_values)
+    return LossExplanation(best, places, tuple(rivals), p_values)
 
 
 def _explains(fitter: LossFitter, fit: LossFit, level: float) -> bool:
@@ -125,7 +125,7 @@ def _is_effect(fitter: LossFitter, fit: LossFit) -> bool:
     return all(fitter.losses[j].effect for j in fit.causes)
 
 
-def nearest(fitter: LossFitter) -> str:
+def nearest_loss(fitter: LossFitter) -> str:
     """Return how far the nearest single loss is from the damping, in words."""
     fits = [fit for fit in (fitter.fit((j,)) for j in fitter.candidates) if fit.causes]
     if not fits:
@@ -135,12 +135,12 @@ def nearest(fitter: LossFitter) -> str:
         fitter.observations.above
     ]
     factor = float(np.exp(np.sqrt(np.mean(np.minimum(np.abs(deviation), 10.0) ** 2))))
-    name = names_of(fitter, best)
+    name = loss_names(fitter, best)
     return (
         f"no loss or pair of losses explains it; the nearest, {name}, leaves a factor of {plain(factor, 2)}"
     )
 
 
-def names_of(fitter: LossFitter, fit: LossFit) -> str:
+def loss_names(fitter: LossFitter, fit: LossFit) -> str:
     """Return the names of the causes of a fit."""
     return " + ".join(fitter.losses[j].candidate for j in fit.causes)

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 
 from pkmodes.diagnosis.damping import words
 from pkmodes.diagnosis.damping.evidence import DampingJudgement, contradicted
-from pkmodes.diagnosis.damping.explanation import names_of, p_of_loss
+from pkmodes.diagnosis.damping.explanation import loss_names, p_of_loss
 from pkmodes.diagnosis.damping.fit import NEARLY, LossFit, LossFitter
 from pkmodes.diagnosis.damping.observations import usable
 from pkmodes.diagnosis.damping.rules import NOT_PREDICTED
@@ -23,7 +23,7 @@ from pkmodes.diagnosis.damping.stage import DampingStage
 from pkmodes.diagnosis.problem import Loss
 from pkmodes.diagnosis.search.limits import ONE_SIDED
 from pkmodes.diagnosis.verdict.findings import Corrected, Examined, Finding, Limit, Refitted, Stability, Value
-from pkmodes.diagnosis.verdict.limits import name_of
+from pkmodes.diagnosis.verdict.limits import limit_key
 from pkmodes.diagnosis.verdict.result import Damping, Diagnosis
 from pkmodes.diagnosis.verdict.rows import Row
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -49,7 +49,7 @@ def undiagnosed(losses: Sequence[Loss], reason: str, notes: Sequence[str] = ()) 
         verdict=INSUFFICIENT_DATA.word,
         reason=reason,
         limits={
-            name_of(loss.parameter): Limit(loss.candidate, None, loss.parameter.unit) for loss in suspected
+            limit_key(loss.parameter): Limit(loss.candidate, None, loss.parameter.unit) for loss in suspected
         },
         undetectable=tuple(loss.candidate for loss in suspected),
         notes=tuple(notes),
@@ -76,7 +76,7 @@ def _outcome(stage: DampingStage) -> Damping:
         and held_out is not None
         and contradicted(held_rows, stage.final.values, fitter.criteria, judged.says.scatter)
     ):
-        notes.append(words.not_predicted(held_out))
+        notes.append(words.not_predicted_note(held_out))
     tests, limits = tested(stage, effects)
     corrected = _corrected(stage)
     nuisances = {fitter.losses[j].parameter.name for j in fitter.nuisances}
@@ -163,7 +163,7 @@ def _corrected(stage: DampingStage) -> tuple[Corrected, ...]:
     """Return the fitted losses."""
     fitter, final, corrected = stage.fitter, stage.final, []
     for j in final.free:
-        p, value = fitter.losses[j].parameter, value_of(fitter, final, j)
+        p, value = fitter.losses[j].parameter, loss_value(fitter, final, j)
         at_bound = value.value >= NEARLY * p.upper
         corrected.append(Corrected(value.name, value.value, value.sigma, p.unit, p.value, p.sigma, at_bound))
     return tuple(corrected)
@@ -179,7 +179,7 @@ def findings(fitter: LossFitter, judged: DampingJudgement) -> tuple[Finding, ...
         fits = {j: fit for fit in place for j in fit.causes if j not in rest}
         name, members = fitter.losses[cause].candidate, {fitter.losses[j].candidate: j for j in fits}
         values: dict[str, tuple[Value, ...]] = {
-            member: (value_of(fitter, fits[j], j),) for member, j in members.items()
+            member: (loss_value(fitter, fits[j], j),) for member, j in members.items()
         }
         spread = {member: ((fits[j].sigma_of(j) ** 2,),) for member, j in members.items()}
         sentence = fitter.losses[cause].sentence
@@ -187,7 +187,7 @@ def findings(fitter: LossFitter, judged: DampingJudgement) -> tuple[Finding, ...
     return tuple(findings)
 
 
-def value_of(fitter: LossFitter, fit: LossFit, loss: int) -> Value:
+def loss_value(fitter: LossFitter, fit: LossFit, loss: int) -> Value:
     """Return a fitted loss with its standard deviation."""
     p = fitter.losses[loss].parameter
     return Value(p.name, float(fit.values[loss]), fit.sigma_of(loss), p.unit)
@@ -202,7 +202,7 @@ def survivors(fitter: LossFitter, judged: DampingJudgement) -> tuple[tuple[str, 
     ]
     near = fitter.criteria.claim.told_apart
     groups = grouped(remaining, lambda member, fit: fitter.difference(fit, member) < near)
-    return tuple(tuple(names_of(fitter, fit) for fit in group) for group in groups)
+    return tuple(tuple(loss_names(fitter, fit) for fit in group) for group in groups)
 
 
 def members(findings: Sequence[Finding]) -> set[str]:
@@ -231,7 +231,7 @@ def tested(stage: DampingStage, findings: Sequence[Finding]) -> tuple[list[Exami
         bounded = limit.value is not None
         tests.append(_examined(fitter, judged.final, j, p_value, bounded=bounded, shown=explaining))
         if loss.candidate not in claimed:
-            limits[name_of(loss.parameter)] = limit
+            limits[limit_key(loss.parameter)] = limit
     return tests, limits
 
 

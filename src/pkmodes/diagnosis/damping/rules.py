@@ -22,7 +22,7 @@ from pkmodes.diagnosis.damping.evidence import (
     LossSays,
     contradicted,
 )
-from pkmodes.diagnosis.damping.explanation import SAME, Explanation, names_of, nearest
+from pkmodes.diagnosis.damping.explanation import SAME, LossExplanation, loss_names, nearest_loss
 from pkmodes.diagnosis.verdict.evidence import Rule, first
 from pkmodes.diagnosis.verdict.verdicts import (
     ADEQUATE,
@@ -172,13 +172,13 @@ def not_specific(e: LossEvidence) -> str:
     return _would(e, explanation, why)
 
 
-def _would(e: LossEvidence, explanation: Explanation, why: str) -> str:
-    return f"{names_of(e.fitter, explanation.best)} would explain it, {why}"
+def _would(e: LossEvidence, explanation: LossExplanation, why: str) -> str:
+    return f"{loss_names(e.fitter, explanation.best)} would explain it, {why}"
 
 
 def unexplained(e: LossEvidence) -> str:
     """No loss and no pair of losses leaves noise."""
-    return "" if e.explanation else nearest(e.fitter)
+    return "" if e.explanation else nearest_loss(e.fitter)
 
 
 # Claims --------------------------------------------------------------------------------------------------------
@@ -190,7 +190,7 @@ def other_errors(e: LossEvidence) -> LossSays | None:
     assert explanation is not None  # `unexplained` stands before
     for change, trial in e.trials.items():
         if trial.verdict is EFFECT_FOUND and not set(trial.final.causes) <= explanation.known:
-            text = f"with {change}, {names_of(e.fitter, trial.final)} would explain it better"
+            text = f"with {change}, {loss_names(e.fitter, trial.final)} would explain it better"
             return LossSays(text, rivals=(explanation.best, e.fitter.fit(trial.final.causes)))
     return None
 
@@ -200,7 +200,7 @@ def not_predicted(e: LossEvidence) -> str:
     explanation = e.explanation
     if explanation is None or e.held is None or not contradicted(e.held, explanation.best.values, e.criteria):
         return ""
-    name = names_of(e.fitter, explanation.best)
+    name = loss_names(e.fitter, explanation.best)
     return f"{name} would explain that of the fitted poses, but not that of the held-out ones"
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pkmodes.diagnosis.damping.evidence import DampingJudgement
-from pkmodes.diagnosis.damping.explanation import names_of
+from pkmodes.diagnosis.damping.explanation import loss_names
 from pkmodes.diagnosis.damping.fit import LossFit, LossFitter
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.verdict.findings import Finding
@@ -34,7 +34,7 @@ def sentence(fitter: LossFitter, judged: DampingJudgement, findings: Sequence[Fi
         causes = " and ".join(_cause(fitter, finding) for finding in findings)
         return f"the damping is not that of the declared model; explanation: {causes}"
     if judged.verdict is AMBIGUOUS:
-        remaining = "; ".join(names_of(fitter, fit) for fit in judged.says.rivals)
+        remaining = "; ".join(loss_names(fitter, fit) for fit in judged.says.rivals)
         return f"of the damping, {len(judged.says.rivals)} different explanations remain: {remaining}"
     if judged.verdict is INSUFFICIENT_DATA:
         return f"the damping is not diagnosed: {judged.says.text}"
@@ -84,7 +84,7 @@ def nearly_declared(ratio: float, sigma: float, declared: float) -> str:
     )
 
 
-def not_predicted(factor: float) -> str:
+def not_predicted_note(factor: float) -> str:
     """Return the note if the losses do not predict the damping of the held-out poses."""
     return f"the damping of the held-out poses is not predicted: a factor of {plain(factor, 2)} in the mean"
 

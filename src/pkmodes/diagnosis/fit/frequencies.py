@@ -16,7 +16,7 @@ REPEATED = 1e-7
 
 @dataclass(frozen=True)
 class FrequencyRows:
-    """The logarithms of R measured frequencies as data of a fit, a `Quantity`.
+    """The logarithms of R measured frequencies as data of a fit, a `ComparedQuantity`.
 
     Attributes
     ----------

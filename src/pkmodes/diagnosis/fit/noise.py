@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scipy.linalg import solve_triangular
 from scipy.optimize import minimize_scalar
 
-from pkmodes.diagnosis.fit.quantity import Quantity
+from pkmodes.diagnosis.fit.quantity import ComparedQuantity
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.measurements import Measurements
 
@@ -54,7 +54,7 @@ class Noise:
 
     Parameters
     ----------
-    quantities : sequence of Quantity
+    quantities : sequence of ComparedQuantity
         The frequencies first.
     most_shared : float
         Largest error that the modes of a setup may share.
@@ -71,7 +71,9 @@ class Noise:
         Whether positions of setups are uncertain.
     """
 
-    def __init__(self, data: Measurements, quantities: Sequence[Quantity], most_shared: float) -> None:
+    def __init__(
+        self, data: Measurements, quantities: Sequence[ComparedQuantity], most_shared: float
+    ) -> None:
         self.stated = np.concatenate([quantity.sigma.ravel() for quantity in quantities])
         self.sigma: Array = self.stated[: len(data.pose)]
         order = np.argsort(data.pose, kind="stable")

@@ -3,7 +3,7 @@
 A row is a measured mode.  Its data are the components of each measured *quantity*: one of its frequency, one of its
 shape for each channel.  All data are in one vector, quantity by quantity: with R rows of n components each, those of
 a quantity are R n numbers, row by row.  Fits, scores, limits and verdicts use only this vector, so adding a quantity
-takes a class with the members of `Quantity` and an entry in `QUANTITIES`.
+takes a class with the members of `ComparedQuantity` and an entry in `QUANTITIES`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.criteria import Criteria
 from pkmodes.diagnosis.fit.frequencies import FrequencyRows
 from pkmodes.diagnosis.fit.noise import Noise
-from pkmodes.diagnosis.fit.quantity import Mask, Quantity
+from pkmodes.diagnosis.fit.quantity import ComparedQuantity, Mask
 from pkmodes.diagnosis.fit.shapes import ShapeRows
 from pkmodes.diagnosis.match.pairing import Pairer, Pairing
 from pkmodes.diagnosis.problem import Array, Prediction, Structure
@@ -26,7 +26,7 @@ from pkmodes.measured.measurements import Measurements
 from pkmodes.measured.quantities import FREQUENCY
 
 
-class Measured(NamedTuple):
+class ObservationInput(NamedTuple):
     """Arguments from which the data of a quantity are made.
 
     Attributes
@@ -42,7 +42,7 @@ class Measured(NamedTuple):
     criteria: Criteria
 
 
-def shapes(measured: Measured) -> ShapeRows:
+def shapes(measured: ObservationInput) -> ShapeRows:
     """Return the shapes of measured modes."""
     data, structure, pairer, scatter, criteria = measured
     units = [structure.channel_units[i] for i in pairer.columns]
@@ -51,7 +51,7 @@ def shapes(measured: Measured) -> ShapeRows:
 
 SHAPE = "shape"
 #: Quantities of a measured mode in addition to its frequency.
-QUANTITIES: dict[str, Callable[[Measured], Quantity]] = {SHAPE: shapes}
+QUANTITIES: dict[str, Callable[[ObservationInput], ComparedQuantity]] = {SHAPE: shapes}
 
 
 class Beside(NamedTuple):
@@ -78,7 +78,7 @@ class Observations:
     reference : Prediction
         Of the declared model: the motion of its channels weights those of the shapes.
     scatter : float
-        See `Measured`.
+        See `ObservationInput`.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class Observations:
         Number D of data.
     frequency_rows : slice
         The data that are frequencies.
-    beside : mapping of str to Quantity
+    beside : mapping of str to ComparedQuantity
         The other quantities.
     """
 
@@ -104,9 +104,9 @@ class Observations:
         pairer = Pairer(data, structure.channels, reference, criteria)
         self.sigma = FREQUENCY.transformed_sigma(data)
         self.frequencies = FrequencyRows(pairer, self.sigma[:, None])
-        measured = Measured(data, structure, pairer, scatter, criteria)
-        self.beside: Mapping[str, Quantity] = {name: of(measured) for name, of in QUANTITIES.items()}
-        self._quantities: tuple[Quantity, ...] = (self.frequencies, *self.beside.values())
+        measured = ObservationInput(data, structure, pairer, scatter, criteria)
+        self.beside: Mapping[str, ComparedQuantity] = {name: of(measured) for name, of in QUANTITIES.items()}
+        self._quantities: tuple[ComparedQuantity, ...] = (self.frequencies, *self.beside.values())
         sizes = [quantity.sigma.size for quantity in self._quantities]
         ends = np.cumsum(sizes).tolist()
         self.frequency_rows, *ranges = (slice(end - size, end) for size, end in zip(sizes, ends, strict=True))

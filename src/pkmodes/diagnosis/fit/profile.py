@@ -42,7 +42,7 @@ LOST = 0.5
 NOTHING = 1e-9
 
 
-class Asked(NamedTuple):
+class ModelRequest(NamedTuple):
     """Values at which a model is needed, its free parameters, and those to be taken without their priors."""
 
     values: Array
@@ -50,7 +50,7 @@ class Asked(NamedTuple):
     without_prior: tuple[int, ...]
 
 
-class Point(NamedTuple):
+class ProfilePoint(NamedTuple):
     """A model at some values: whitened residual (D,) and its derivatives (D, k) with respect to the free ones."""
 
     values: Array
@@ -87,7 +87,7 @@ class Side:
         Parameters to be taken without their priors.
     largest : float
         Largest plausible size on this side.
-    least : Point
+    least : ProfilePoint
         Point of the smallest sum of squares.
     target : float
         Sum of squares at the end.
@@ -99,7 +99,7 @@ class Side:
     free: tuple[int, ...]
     without_prior: tuple[int, ...]
     largest: float
-    least: Point
+    least: ProfilePoint
     target: float
 
     @property
@@ -135,7 +135,7 @@ class End:
     reached: bool = True
 
 
-class Step(NamedTuple):
+class ProfileStep(NamedTuple):
     """The linear model of a profile at a point.
 
     Attributes
@@ -165,9 +165,9 @@ class Profiles:
         self.fitter, self.fit = fitter, fit
         self._used, self._whitening = fitter.used(fit.hypothesis), fitter.whitening(fit)
 
-    def points(self, requests: Sequence[Asked]) -> list[Point | None]:
+    def points(self, requests: Sequence[ModelRequest]) -> list[ProfilePoint | None]:
         """Evaluate the model at several values, each with its free parameters and those without a prior."""
-        points: list[Point | None] = [None] * len(requests)
+        points: list[ProfilePoint | None] = [None] * len(requests)
         fitter, by = self.fitter, [request.free for request in requests]
         values, used = np.array([request.values for request in requests]), [self._used] * len(requests)
         for evaluation in fitter.observations.beside_many(fitter.structure, values, by, used):
@@ -176,11 +176,13 @@ class Profiles:
             )
         return points
 
-    def _point(self, request: Asked, residual: Array, rates: Array) -> Point:
+    def _point(self, request: ModelRequest, residual: Array, rates: Array) -> ProfilePoint:
         priors, whitened = self.fitter.priors, self._whitening.whitened
         white = np.concatenate([whitened(residual), priors.residual(request.values)])
         jacobian = np.vstack([-whitened(rates), priors.rates(request.values, request.free)])
-        return Point(request.values, *without_priors(self.fitter, white, jacobian, request.without_prior))
+        return ProfilePoint(
+            request.values, *without_priors(self.fitter, white, jacobian, request.without_prior)
+        )
 
     def linear(self, side: Side) -> End:
         """Return an end of the model linearised at the least sum of squares."""
@@ -190,19 +192,19 @@ class Profiles:
 
     def ends(self, sides: Sequence[Side]) -> list[End]:
         """Return the ends of all sides."""
-        searches = [_Search.begun(side, self.linear(side)) for side in sides]
+        searches = [_EndSearch.begun(side, self.linear(side)) for side in sides]
         for _ in range(ROUNDS):
             going = [search for search in searches if search.end is None]
             if not going:
                 break
             points = self.points(
-                [Asked(search.next, search.side.free, search.side.without_prior) for search in going]
+                [ModelRequest(search.next, search.side.free, search.side.without_prior) for search in going]
             )
             for search, point in zip(going, points, strict=True):
                 self._take(search, point)
         return [search.end or search.given_up() for search in searches]
 
-    def _take(self, search: _Search, point: Point | None) -> None:
+    def _take(self, search: _EndSearch, point: ProfilePoint | None) -> None:
         """Use the model at the proposed values, None if it cannot be evaluated there, and propose the next ones."""
         side, size = search.side, search.size
         if point is None:
@@ -233,7 +235,7 @@ class Profiles:
                 there = 0.5 * (search.inside + search.outside)
             search.next = self._moved(side, point, step, there)
 
-    def _step(self, side: Side, point: Point) -> Step:
+    def _step(self, side: Side, point: ProfilePoint) -> ProfileStep:
         """Return the linear model of a profile at a point."""
         place = side.free.index(side.index)
         nuisances = [k for k in range(len(side.free)) if k != place]
@@ -258,9 +260,9 @@ class Profiles:
         changes = np.zeros((2, len(point.values)))
         changes[0, index], changes[1, index], changes[1, side.index] = rest, along, 1.0
         profile = float(a @ a)
-        return Step(profile, point.squares - profile, float(a @ b), float(b @ b), *changes)
+        return ProfileStep(profile, point.squares - profile, float(a @ b), float(b @ b), *changes)
 
-    def _moved(self, side: Side, point: Point, step: Step, size: float) -> Array:
+    def _moved(self, side: Side, point: ProfilePoint, step: ProfileStep, size: float) -> Array:
         """Return the values at a size of the parameter, with the nuisances refitted in the linear model."""
         there = side.declared + side.sign * size
         values = point.values + step.at_rest + step.along * (there - point.values[side.index])
@@ -270,7 +272,7 @@ class Profiles:
 
 
 @dataclass
-class _Search:
+class _EndSearch:
     """The search for one end.
 
     Attributes
@@ -297,7 +299,7 @@ class _Search:
     end: End | None = None
 
     @classmethod
-    def begun(cls, side: Side, linear: End) -> _Search:
+    def begun(cls, side: Side, linear: End) -> _EndSearch:
         """Begin at the end of the linear model."""
         return cls(side, linear.values, side.size(side.least.values), side.least.values, linear.size)
 
@@ -335,7 +337,7 @@ def without_priors(
     return white, jacobian
 
 
-def _outward(side: Side, point: Point, step: Step) -> float:
+def _outward(side: Side, point: ProfilePoint, step: ProfileStep) -> float:
     """Return the size at which the linear model reaches the required sum of squares on the outer side."""
     size, slope, above = side.size(point.values), side.sign * step.slope, step.profile - side.target
     if step.square <= 0.0:

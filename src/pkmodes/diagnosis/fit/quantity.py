@@ -13,7 +13,7 @@ from pkmodes.diagnosis.problem import Array, Prediction
 Mask = NDArray[np.bool_]
 
 
-class Quantity(Protocol):
+class ComparedQuantity(Protocol):
     """A quantity of R measured modes, with n components each."""
 
     @property
@@ -36,7 +36,7 @@ class Quantity(Protocol):
     def shape_rates(self) -> bool:
         """Whether its derivatives need those of the shapes of the model."""
 
-    def tiled(self, count: int) -> Quantity:
+    def tiled(self, count: int) -> ComparedQuantity:
         """Return the same for predictions of `count` times the setups, the first copy first."""
 
     def residual(self, prediction: Prediction, pairing: Pairing, used: Mask) -> Array:

@@ -37,7 +37,7 @@ class _Spaces(NamedTuple):
 
 
 class ShapeRows:
-    """Measured shapes as data of a fit, a `Quantity`.
+    """Measured shapes as data of a fit, a `ComparedQuantity`.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ from pkmodes.measured.measurements import Measurements
 
 
 @dataclass(frozen=True, eq=False)
-class Stage:
+class MatchStage:
     """A structure with some values of its parameters, and the partners of all R rows."""
 
     structure: Structure

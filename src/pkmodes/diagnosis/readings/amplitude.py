@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pkmodes.diagnosis.fit.fitter import Fitter
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.readings.copies import NEAR
 from pkmodes.measured.amplitude import UNKNOWN, AmplitudeDependence, amplitude_dependence
@@ -33,7 +33,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     data = fitter.data
     if np.isfinite(data.level).sum() < 2:
         return None
-    stage = Stage(fitter.structure, data, fitter.observations.pairer, values)
+    stage = MatchStage(fitter.structure, data, fitter.observations.pairer, values)
     partner, motion = stage.pairing.partner, None
     moved = fitter.structure.position_rates(values) if data.point_sigma.any() else None
     if moved is not None:
@@ -43,7 +43,7 @@ def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     return amplitude_dependence(data, list(_same_setups(stage)), partner, motion)
 
 
-def in_words(trend: AmplitudeDependence, data: Measurements) -> str:
+def dependence_in_words(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return how frequencies depend on the level."""
     unit, row = f" {data.level_unit}" if data.level_unit else "", trend.clearest.row
     least, greatest = (signed(100.0 * change) for change in trend.range)
@@ -72,10 +72,10 @@ def notes_on_amplitude(fitter: Fitter, values: Array) -> tuple[str, ...]:
 
 def note(trend: AmplitudeDependence, data: Measurements) -> str:
     """Return a note on frequencies that depend on the level."""
-    return f"the frequencies depend on amplitude: {in_words(trend, data)}"
+    return f"the frequencies depend on amplitude: {dependence_in_words(trend, data)}"
 
 
-def _same_setups(stage: Stage) -> Iterator[list[int]]:
+def _same_setups(stage: MatchStage) -> Iterator[list[int]]:
     """Yield groups of setups that differ only in their level: their positions agree within the stated errors.
 
     Setups without positions are the same if the model has the same modes there.

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pkmodes.diagnosis.criteria import ReadingCriteria
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.problem import Array
 from pkmodes.measured.amplitude import DIFFER
 from pkmodes.measured.measurements import Measurements
@@ -18,7 +18,7 @@ from pkmodes.support.numbers import plain
 NEAR = 1e-6
 
 
-def copied_shapes(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
+def copied_shapes(stage: MatchStage, c: ReadingCriteria) -> Iterator[str]:
     """Yield a sentence for each pair of rows with identical shapes, which never occur in real measurements."""
     data, first = stage.data, dict[bytes, int]()
     if all_alike(data, c.same_shape):  # reported separately
@@ -32,7 +32,7 @@ def copied_shapes(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
             yield f"the shapes in {lines} are identical: was one copied?"
 
 
-def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
+def same_place(stage: MatchStage, c: ReadingCriteria) -> Iterator[str]:
     """Yield a sentence for each pair of poses, measured alike at one position, whose common modes mostly differ."""
     data = stage.data
     if not data.points.any():  # setups without positions
@@ -56,7 +56,7 @@ def same_place(stage: Stage, c: ReadingCriteria) -> Iterator[str]:
                 )
 
 
-def _difference(stage: Stage, clearly: tuple[float, float], first: int, second: int) -> float:
+def _difference(stage: MatchStage, clearly: tuple[float, float], first: int, second: int) -> float:
     """Return the largest relative difference of the modes that two poses have in common; 0 if most agree."""
     data, sigma, (sigmas, least) = stage.data, stage.sigma, clearly
     partner = stage.pairing.partner

@@ -13,7 +13,7 @@ from pkmodes.diagnosis.criteria import ReadingCriteria
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.readings.copies import copied_shapes, same_place
 from pkmodes.diagnosis.readings.drives import nearer_drives, other_drives
 from pkmodes.diagnosis.readings.units import other_unit
@@ -45,7 +45,7 @@ class Reading:
     declared: Callable[[Fitter], str] | None = None
     refitted: Callable[[FitStore], str] | None = None
     explained: Callable[[Fitter, Fit], str] | None = None
-    remarks: Callable[[Stage, ReadingCriteria], Iterable[str]] | None = None
+    remarks: Callable[[MatchStage, ReadingCriteria], Iterable[str]] | None = None
 
 
 READINGS = (
@@ -70,12 +70,12 @@ def explained_otherwise(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
     return tuple(itertools.islice(filter(None, answers), 1))
 
 
-def remarks(stage: Stage, criteria: ReadingCriteria) -> tuple[str, ...]:
+def reading_remarks(stage: MatchStage, criteria: ReadingCriteria) -> tuple[str, ...]:
     """Return sentences about all measurements.
 
     Parameters
     ----------
-    stage : Stage
+    stage : MatchStage
         Its values determine which rows are the same mode.
     """
     answers = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)

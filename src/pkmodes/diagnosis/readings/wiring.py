@@ -22,10 +22,10 @@ from pkmodes.diagnosis.readings.misfits import WiringMisfit, misfits, promising
 from pkmodes.diagnosis.readings.wirings import (
     Wiring,
     as_in_file,
-    described,
     hint,
     remedy,
     simplicity,
+    wiring_in_words,
     wirings,
 )
 from pkmodes.support.numbers import plain
@@ -132,7 +132,7 @@ def _doubtful(fitter: Fitter, fit: Fit) -> bool:
 def _mistakes(same: Sequence[Wiring], columns: Sequence[str], sensors: Sequence[Sensor]) -> list[str]:
     """Return what is wrong: the simplest of several mistakes that shapes cannot tell apart, and turned sensors."""
     in_order = sorted(same, key=lambda wiring: simplicity(wiring, columns))
-    first, *alternatives = (described(wiring, columns, sensors) for wiring in in_order)
+    first, *alternatives = (wiring_in_words(wiring, columns, sensors) for wiring in in_order)
     return [first, *(text for text in alternatives if " is turned by " in text)]
 
 

@@ -94,7 +94,7 @@ def simplicity(wiring: Wiring, columns: Sequence[str]) -> tuple[int, int]:
 # Words ---------------------------------------------------------------------------------------------------------
 
 
-def described(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> str:
+def wiring_in_words(wiring: Wiring, columns: Sequence[str], sensors: Sequence[Sensor]) -> str:
     """Return what is wrong, for a sentence: "p_y is reversed"."""
     wrong = [k for k, name in enumerate(columns) if (wiring.channels[k], wiring.signs[k]) != (name, 1)]
     reverse = [columns[k] for k in wrong if wiring.signs[k] < 0]

@@ -20,7 +20,15 @@ from scipy import stats
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.fit.profile import NOTHING, Asked, End, Point, Profiles, Side, without_priors
+from pkmodes.diagnosis.fit.profile import (
+    NOTHING,
+    End,
+    ModelRequest,
+    ProfilePoint,
+    Profiles,
+    Side,
+    without_priors,
+)
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.problem import Array, Assumption, Candidate
 from pkmodes.diagnosis.search.ranges import largest_rates, plausible_size
@@ -75,7 +83,7 @@ class _Beside:
     ----------
     free, without_prior, rates
         Free parameters, those to be taken without their priors, and the largest derivatives of ln f by parameter.
-    at : Point
+    at : ProfilePoint
         The model at that fit.
     gain : float
         Decrease of the sum of squares that the linear model promises.
@@ -87,15 +95,15 @@ class _Beside:
     free: tuple[int, ...]
     without_prior: tuple[int, ...]
     rates: dict[int, float]
-    at: Point
+    at: ProfilePoint
     gain: float
     step: Array
 
     @property
-    def linear(self) -> Point:
+    def linear(self) -> ProfilePoint:
         """The minimum of the linear model."""
         white = self.at.white + self.at.jacobian @ self.step[list(self.free)]
-        return Point(self.at.values + self.step, white, self.at.jacobian)
+        return ProfilePoint(self.at.values + self.step, white, self.at.jacobian)
 
 
 def bounds(
@@ -192,14 +200,14 @@ def _beside(fitter: Fitter, fit: Fit, candidates: Sequence[Candidate]) -> list[_
         p = fitter.parameters[index[0]]
         if len(index) == 1 and not p.lower <= fit.values[index[0]] + step[index[0]] <= p.upper:
             gain, step = 0.0, np.zeros_like(step)
-        at = Point(fit.values, white, jacobian)
+        at = ProfilePoint(fit.values, white, jacobian)
         entries.append(_Beside(candidate, free, without_prior, {i: rates[i] for i in index}, at, gain, step))
     return entries
 
 
 def _least(
     store: FitStore, profiles: Profiles, beside: Sequence[_Beside], fit: Fit
-) -> list[tuple[Point, float]]:
+) -> list[tuple[ProfilePoint, float]]:
     """Return the point where each candidate leaves the smallest sum of squares, and the decrease still possible.
 
     It is the fit itself if a candidate promises little.
@@ -221,20 +229,24 @@ def _least(
             starts.append((k, hypothesis, start))
     descents = fitter.roughly([(hypothesis, start) for _, hypothesis, start in starts])
     values |= {k: descent.values for (k, _, _), descent in zip(starts, descents, strict=True)}
-    points = profiles.points([Asked(values[k], beside[k].free, beside[k].without_prior) for k in worthwhile])
+    points = profiles.points(
+        [ModelRequest(values[k], beside[k].free, beside[k].without_prior) for k in worthwhile]
+    )
     for k, point in zip(worthwhile, points, strict=True):
         if point is not None and point.squares < least[k][0].squares:
             least[k] = point, 0.0
     return least
 
 
-def _ratio(store: FitStore, fit: Fit, beside: _Beside, least: Point) -> float:
+def _ratio(store: FitStore, fit: Fit, beside: _Beside, least: ProfilePoint) -> float:
     """Return chi2 per degree of freedom that a candidate leaves, at least 1."""
     free = sum(store.fitter.priors.of(i) is None for i in beside.free if i not in fit.free)
     return max(1.0, least.squares / max(store.degrees(fit) - free, 1))
 
 
-def _side(fitter: Fitter, beside: _Beside, least: Point, i: int, sign: int, rise: float) -> Side | None:
+def _side(
+    fitter: Fitter, beside: _Beside, least: ProfilePoint, i: int, sign: int, rise: float
+) -> Side | None:
     """Return one side of a parameter; None if there is nothing on that side."""
     p, largest = fitter.parameters[i], plausible_size(fitter, beside.candidate, i, sign, beside.rates[i])
     if not 0.0 < largest < np.inf:

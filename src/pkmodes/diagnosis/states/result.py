@@ -13,7 +13,7 @@ from pkmodes.diagnosis.match.predicted import Predicted
 from pkmodes.diagnosis.problem import Array
 from pkmodes.diagnosis.states.shared_errors import SharedErrors
 from pkmodes.diagnosis.states.words import of_change
-from pkmodes.diagnosis.verdict.naming import found
+from pkmodes.diagnosis.verdict.naming import found_in_words
 from pkmodes.diagnosis.verdict.result import Diagnosis, Stages
 from pkmodes.diagnosis.verdict.rows import Error, Row
 from pkmodes.diagnosis.verdict.verdicts import (
@@ -99,9 +99,9 @@ class Change(Diagnosis):
     def what(self) -> str:
         """What changed, as a clause: "change found: ...", or that nothing did, or that the data do not tell."""
         if self.effects:
-            return f"change {found(self.effects)}"
+            return f"change {found_in_words(self.effects)}"
         if self.beyond is not None and self.beyond.found is not None:
-            return f"change {found([self.beyond.found.finding])}"
+            return f"change {found_in_words([self.beyond.found.finding])}"
         if self.changed is None:
             return "the data do not tell whether anything changed"
         if self.changed is False:

@@ -116,7 +116,7 @@ def definite(scaled: Array) -> bool:
     return bool((np.diagonal(factor) ** 2 > SINGULAR).all())
 
 
-class Modes(NamedTuple):
+class SetupModes(NamedTuple):
     """All modes of one setup.
 
     Attributes
@@ -138,7 +138,7 @@ class Modes(NamedTuple):
         return sum(a.nbytes for a in self if a is not None)
 
 
-def modes_of(pair: Pair, rigid: int) -> Modes:
+def setup_modes(pair: Pair, rigid: int) -> SetupModes:
     """Compute the modes.
 
     Parameters
@@ -166,10 +166,10 @@ def modes_of(pair: Pair, rigid: int) -> Modes:
         problem = f"expected a stable structure, found the eigenvalue {lowest:.6g} 1/s^2"
         remedy = "check the sign of K, and that rigid counts every free motion"
         raise UnstableError(problem, "K", remedy)
-    return Modes(eigenvalues, shapes if part.T is None else shapes @ part.T.T, part.N)
+    return SetupModes(eigenvalues, shapes if part.T is None else shapes @ part.T.T, part.N)
 
 
-def changes_of(modes: Modes, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
+def changes_of(modes: SetupModes, changes: Sequence[Pair | None]) -> tuple[Array, Array]:
     """Return (dK - lambda dM) phi, (T, m, n), and phi^T dM phi, (T, m), of each parameter; zero where it is None."""
     forces = np.zeros((len(changes), *modes.shapes.shape))
     norm = np.zeros(forces.shape[:2])
@@ -181,13 +181,13 @@ def changes_of(modes: Modes, changes: Sequence[Pair | None]) -> tuple[Array, Arr
     return forces, norm
 
 
-def shape_rates_of(K: Array, modes: Modes, forces: Array, norm: Array) -> Array:
+def shape_rates_of(K: Array, modes: SetupModes, forces: Array, norm: Array) -> Array:
     """Differentiate the shapes.
 
     Parameters
     ----------
     K : ndarray, shape (n, n)
-    modes : Modes
+    modes : SetupModes
     forces, norm : ndarray, shape (T, m, n) and (T, m)
         From `changes_of`.
 

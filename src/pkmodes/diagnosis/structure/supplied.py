@@ -40,7 +40,7 @@ class Pair(NamedTuple):
     K: Array
 
 
-class _Search(NamedTuple):
+class _StepSearch(NamedTuple):
     """Difference derivatives, None if nothing changes; whether any were finite; the last step."""
 
     rates: list[Pair] | None
@@ -206,7 +206,7 @@ class Supplied:
 
     def _search(
         self, values: Array, i: int, setups: Mapping[str, Pair], step: float, straight: bool = False
-    ) -> _Search:
+    ) -> _StepSearch:
         """Find the step that changes the matrices by about `CHANGE`."""
         p = self.parameters[i]
         rates, finite = None, False
@@ -237,7 +237,7 @@ class Supplied:
             ):
                 break
             step *= min(max(CHANGE / change, 1e-6), 1e6) if change > 0.0 else 1e3
-        return _Search(rates, finite, step)
+        return _StepSearch(rates, finite, step)
 
     def _difference(self, ahead: Array, behind: Array, setup: str) -> Pair | None:
         after, before = self.at(ahead, setup), self.at(behind, setup)

@@ -21,7 +21,7 @@ MASS, SPRING = "mass", "spring"
 QUANTITIES = {MASS: "mass", SPRING: "stiffness"}
 
 
-class Term(NamedTuple):
+class CoordinateTerm(NamedTuple):
     """A mass or a spring at one or between two coordinates.
 
     Attributes
@@ -42,7 +42,9 @@ class Term(NamedTuple):
         return Pair(matrix, zero) if self.candidate.form == MASS else Pair(zero, matrix)
 
 
-def terms_of(coordinates: Sequence[str], units: tuple[str, str], taken: Collection[str]) -> Iterator[Term]:
+def terms_of(
+    coordinates: Sequence[str], units: tuple[str, str], taken: Collection[str]
+) -> Iterator[CoordinateTerm]:
     """Yield all terms of some coordinates.
 
     Parameters
@@ -67,7 +69,9 @@ def terms_of(coordinates: Sequence[str], units: tuple[str, str], taken: Collecti
         names_taken |= {term, parameter.name}
         between = " and ".join(names) if len(names) > 1 else f"{names[0]} and the ground"
         sentence = f"a mass at {names[0]}" if form == MASS else f"a spring between {between}"
-        yield Term(Candidate(term, (parameter.name,), sentence, remote=True, form=form), parameter, at)
+        yield CoordinateTerm(
+            Candidate(term, (parameter.name,), sentence, remote=True, form=form), parameter, at
+        )
 
 
 class SuppliedWithTerms:
@@ -79,7 +83,7 @@ class SuppliedWithTerms:
         Number of calls for the supplied M and K, and their total time.
     """
 
-    def __init__(self, supplied: Supplied, terms: Sequence[Term]) -> None:
+    def __init__(self, supplied: Supplied, terms: Sequence[CoordinateTerm]) -> None:
         self._supplied, self._supplied_count, size = supplied, len(supplied.parameters), supplied.expected
         zero = np.zeros((size, size))
         self._changes = [term.change(size, zero) for term in terms]

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.match.pairing import Pairer
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.problem import Array, Structure
 from pkmodes.diagnosis.verdict.rows import Error, Row, drives_of
 from pkmodes.measured.measurements import Measurements
@@ -32,17 +32,17 @@ class AllSetups:
             data, structure.channels, structure.predict(fitter.declared, ()), fitter.criteria
         )
 
-    def stage(self, values: Array) -> Stage:
+    def stage(self, values: Array) -> MatchStage:
         """Return the structure with values of all its parameters."""
-        return Stage(self.structure, self.data, self.pairer, values)
+        return MatchStage(self.structure, self.data, self.pairer, values)
 
-    def declared_error(self, declared: Stage, outlying: NDArray[np.bool_]) -> Error:
+    def declared_error(self, declared: MatchStage, outlying: NDArray[np.bool_]) -> Error:
         """Return the errors of the declared model, without any fit."""
         count = len(self.fitter.observations.log)
         *_, chi2 = self.fitter.unfitted(declared.values, np.ones(count, dtype=bool))
         return self.error(declared, chi2, count, outlying)
 
-    def error(self, stage: Stage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:
+    def error(self, stage: MatchStage, chi2: float, degrees: float, outlying: NDArray[np.bool_]) -> Error:
         """Return the errors of a stage over the rows that have a partner and are not outliers."""
         relative = stage.frequencies / self.data.frequency - 1.0
         counted = np.isfinite(relative) & ~outlying
@@ -53,12 +53,16 @@ class AllSetups:
         return Error(rms(counted & ~self.is_held), rms(counted & self.is_held), chi2 / max(degrees, 1.0))
 
     def rows(
-        self, declared: Stage, refit: Stage | None, after: Stage | None, outlying: NDArray[np.bool_]
+        self,
+        declared: MatchStage,
+        refit: MatchStage | None,
+        after: MatchStage | None,
+        outlying: NDArray[np.bool_],
     ) -> tuple[Row, ...]:
         """Return every measured mode with its predictions."""
         last, drives = after or refit or declared, drives_of(self.structure, self.data)
 
-        def value(stage: Stage | None, i: int) -> float | None:
+        def value(stage: MatchStage | None, i: int) -> float | None:
             return None if stage is None or np.isnan(stage.frequencies[i]) else float(stage.frequencies[i])
 
         return tuple(

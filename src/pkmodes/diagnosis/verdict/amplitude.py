@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from pkmodes.diagnosis.fit.hypothesis import Fit
-from pkmodes.diagnosis.readings.amplitude import in_words
+from pkmodes.diagnosis.readings.amplitude import dependence_in_words
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.evidence import Evidence, Says
 
@@ -18,7 +18,7 @@ def depends_on_amplitude(e: Evidence) -> Says | None:
     trend = e.amplitude
     if trend is None or not trend.significant or trend.squares < DECIDES * _beside(e):
         return None
-    how = in_words(trend, e.fitter.data)
+    how = dependence_in_words(trend, e.fitter.data)
     return Says(
         f"the residual depends on amplitude, and no candidate of a linear model does: {how}; no cause is claimed "
         "from levels that contradict each other: diagnose those of the lowest level by themselves",

@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.match.predicted import spectrum_of
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.posterior.probabilities import probabilities
 from pkmodes.diagnosis.problem import Array, reached_bounds
-from pkmodes.diagnosis.readings.amplitude import in_words, note, notes_on_amplitude
-from pkmodes.diagnosis.readings.table import declared_otherwise, remarks
+from pkmodes.diagnosis.readings.amplitude import dependence_in_words, note, notes_on_amplitude
+from pkmodes.diagnosis.readings.table import declared_otherwise, reading_remarks
 from pkmodes.diagnosis.search.ranges import plausible_sizes
 from pkmodes.diagnosis.verdict import caveats, held_out, limits, misfit
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.claim import name_of, values
+from pkmodes.diagnosis.verdict.claim import fitted_values, name_of_last_cause
 from pkmodes.diagnosis.verdict.detectable import examined
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Says, Start
 from pkmodes.diagnosis.verdict.findings import (
@@ -33,7 +33,7 @@ from pkmodes.diagnosis.verdict.findings import (
     Stability,
 )
 from pkmodes.diagnosis.verdict.joints import JointAlone
-from pkmodes.diagnosis.verdict.limits import Limits
+from pkmodes.diagnosis.verdict.limits import CandidateLimits
 from pkmodes.diagnosis.verdict.next_measurement import next_measurement
 from pkmodes.diagnosis.verdict.notes import low_modes, notes
 from pkmodes.diagnosis.verdict.possible import usual_size
@@ -66,9 +66,9 @@ class _Models:
 
     last: Fit | None
     outlying: NDArray[np.bool_]
-    declared: tuple[Stage, Error]
-    refit: tuple[Stage, Error] | None
-    after: tuple[Stage, Error] | None
+    declared: tuple[MatchStage, Error]
+    refit: tuple[MatchStage, Error] | None
+    after: tuple[MatchStage, Error] | None
     corrected: tuple[Corrected, ...]
     shape_scatter: float | None
     notes: tuple[str, ...]
@@ -132,7 +132,7 @@ class DiagnosisBuilder:
         if verdict is EFFECT_FOUND:
             # The class of the first cause that the data cannot tell from others.
             claimed_class = next((fits for fits in claim.own if len(fits) > 1), claim.own[0])
-            undecided = [[(name_of(fit), fit) for fit in claimed_class]]
+            undecided = [[(name_of_last_cause(fit), fit) for fit in claimed_class]]
         # Beside a claimed cause, the other members of its class are not detectable; they are listed with it.
         claimed = {name for finding in findings for name in finding.members}
         unclaimed = [candidate for candidate in search.candidates if candidate.name not in claimed]
@@ -187,20 +187,24 @@ class DiagnosisBuilder:
         """Return notes on the data: another reading that decided, mistakes found in all setups, held-out rows."""
         reading = (decision.says.text,) if decision.says.of_reading else ()
         trend, data = evidence.amplitude, self.fitter.data
-        if trend is not None and trend.significant and in_words(trend, data) not in decision.says.text:
+        if (
+            trend is not None
+            and trend.significant
+            and dependence_in_words(trend, data) not in decision.says.text
+        ):
             reading = (*reading, note(trend, data))
         held_out = evidence.held_out.notes if decision.verdict.settled else ()
         return (*reading, *self._remarked(evidence.final), *held_out)
 
     def _remarked(self, fit: Fit) -> tuple[str, ...]:
-        return remarks(self.setups.stage(fit.values), self.fitter.criteria.readings)
+        return reading_remarks(self.setups.stage(fit.values), self.fitter.criteria.readings)
 
     def _contradictions(self, models: _Models) -> tuple[str, ...]:
         """Return sentences about held-out rows that the result does not predict."""
         assert models.refit is not None
         stage, _ = models.after or models.refit
         return tuple(
-            held_out.remarks(
+            held_out.held_out_remarks(
                 self.setups.data,
                 self.setups.is_held,
                 stage.predicted.frequency,
@@ -214,7 +218,7 @@ class DiagnosisBuilder:
         evidence: Evidence,
         decision: Decision[Evidence, Says],
         corrected: Sequence[Corrected],
-        bounded: Limits,
+        bounded: CandidateLimits,
         unseen: tuple[str, ...],
     ) -> tuple[str, str]:
         """Return the reason with the caveats of a settled verdict, and those that the headline has too."""
@@ -235,7 +239,7 @@ class DiagnosisBuilder:
         return "; ".join(part for part in parts if part), headline
 
     def _models(
-        self, store: FitStore, refit: Fit | None, causes: Fit | None, bounded: Limits, settled: bool
+        self, store: FitStore, refit: Fit | None, causes: Fit | None, bounded: CandidateLimits, settled: bool
     ) -> _Models:
         """Return the models of a result.
 
@@ -245,7 +249,7 @@ class DiagnosisBuilder:
             Of the nuisances.
         causes : Fit or None
             With the claimed causes.
-        bounded : Limits
+        bounded : CandidateLimits
             Of the candidates that are not claimed.
         settled : bool
             Whether the last one leaves only noise.
@@ -254,7 +258,7 @@ class DiagnosisBuilder:
         excluded = [] if last is None else sorted(last.hypothesis.excluded)
         outlying = np.isin(setups.data.lines, self.fitter.data.lines[excluded])
 
-        def beside(fit: Fit | None) -> tuple[Stage, Error] | None:
+        def beside(fit: Fit | None) -> tuple[MatchStage, Error] | None:
             if fit is None:
                 return None
             stage = setups.stage(fit.values)
@@ -285,7 +289,7 @@ class DiagnosisBuilder:
         self,
         decision: Decision[Any, Says],
         models: _Models,
-        bounded: Limits,
+        bounded: CandidateLimits,
         unseen: tuple[str, ...],
         notes: tuple[str, ...],
         stability: tuple[Stability, ...],
@@ -295,7 +299,7 @@ class DiagnosisBuilder:
 
         Parameters
         ----------
-        bounded : Limits
+        bounded : CandidateLimits
             Of the candidates that are not claimed.
         unseen : tuple of str
             Names of candidates that are not detectable.
@@ -332,11 +336,11 @@ class DiagnosisBuilder:
             probabilities=searched.probabilities,
         )
 
-    def corrected(self, fit: Fit, bounded: Limits) -> tuple[Corrected, ...]:
+    def corrected(self, fit: Fit, bounded: CandidateLimits) -> tuple[Corrected, ...]:
         """Return all fitted parameters with their declared values, priors, and unseen influences."""
         width, corrected = self.fitter.priors.width(fit.values), []
         plausible = plausible_sizes(self.fitter, fit, fit.causes)
-        for i, v in zip(fit.free, values(self.fitter, fit, fit.free), strict=True):
+        for i, v in zip(fit.free, fitted_values(self.fitter, fit, fit.free), strict=True):
             p, row = self.fitter.parameters[i], self.fitter.priors.of(i)
             corrected.append(
                 Corrected(

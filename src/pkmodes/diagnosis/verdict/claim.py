@@ -82,7 +82,7 @@ class Claim:
             return [[(_names(fit), fit)] for fit in (self.final, instead)]
         for groups in self.grouped:
             if len(groups) > 1 or len(self.final.causes) == 1:
-                named = [[(name_of(fit), fit) for fit in fits] for fits in groups]
+                named = [[(name_of_last_cause(fit), fit) for fit in fits] for fits in groups]
                 return sorted(named, key=lambda group: all(name in self.implausible for name, _ in group))
         return [[(_names(fit), fit)] for fit in (self.final, *self.rivals)]
 
@@ -101,10 +101,15 @@ class Claim:
         self, fitter: Fitter, place: int, members: list[Fit], single_joints: Mapping[str, JointAlone]
     ) -> Finding:
         cause = self.final.causes[place]
-        index = {name_of(fit): fitter.indices(fit.causes[-1]) for fit in members}
-        alternatives = {name_of(fit): values(fitter, fit, index[name_of(fit)]) for fit in members}
+        index = {name_of_last_cause(fit): fitter.indices(fit.causes[-1]) for fit in members}
+        alternatives = {
+            name_of_last_cause(fit): fitted_values(fitter, fit, index[name_of_last_cause(fit)])
+            for fit in members
+        }
         covariances = {
-            name_of(fit): tuple(map(tuple, fit.covariance_of(index[name_of(fit)]).tolist()))
+            name_of_last_cause(fit): tuple(
+                map(tuple, fit.covariance_of(index[name_of_last_cause(fit)]).tolist())
+            )
             for fit in members
         }
         names = [cause.name, *(name for name in alternatives if name != cause.name)]
@@ -117,7 +122,9 @@ class Claim:
             sentence=single_joints[cause.name].sentence if cause.name in single_joints else cause.sentence,
             covariances={name: covariances[name] for name in names},
             about={
-                name_of(fit): member(fitter, fit, self.plausible, single_joints.get(name_of(fit)))
+                name_of_last_cause(fit): member(
+                    fitter, fit, self.plausible, single_joints.get(name_of_last_cause(fit))
+                )
                 for fit in members
             },
             alone=single_joints.get(cause.name),
@@ -154,7 +161,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
         left_out,
         plausible,
         frozenset(
-            name_of(fit)
+            name_of_last_cause(fit)
             for groups in grouped
             for fits in groups
             for fit in fits
@@ -163,7 +170,7 @@ def claim_of(search: Search, outcome: Outcome) -> Claim:
     )
 
 
-def values(fitter: Fitter, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
+def fitted_values(fitter: Fitter, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
     """Return fitted parameters with their standard deviations."""
     parameters = [fitter.parameters[i] for i in index]
     return tuple(
@@ -172,7 +179,7 @@ def values(fitter: Fitter, fit: Fit, index: Sequence[int]) -> tuple[Value, ...]:
     )
 
 
-def name_of(fit: Fit) -> str:
+def name_of_last_cause(fit: Fit) -> str:
     """Return the name of the last cause of a fit, in whose place others were tried."""
     return fit.causes[-1].name
 

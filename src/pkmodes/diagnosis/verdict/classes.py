@@ -132,7 +132,7 @@ def classes(store: FitStore, fits: Sequence[Fit]) -> list[list[Fit]]:
     return grouped(fits, alike)
 
 
-def distinct(members: Sequence[Fit]) -> int:
+def distinct_causes(members: Sequence[Fit]) -> int:
     """Return the number of causes in a class, a whole and its parts counted once."""
     causes = [fit.causes[-1] for fit in members]
     names = {cause.name for cause in causes}

@@ -19,7 +19,7 @@ from pkmodes.diagnosis.problem import Array, Driven, Loadable, Structure
 from pkmodes.diagnosis.verdict.information import separations
 
 
-class Way(NamedTuple):
+class MeasuringCondition(NamedTuple):
     """A way to measure: the structure at the poses to choose from, the state of its motors, and the values set there.
 
     Attributes
@@ -64,7 +64,7 @@ class Elsewhere(NamedTuple):
         return np.asarray(self.errors + self.rates @ C @ self.rates.swapaxes(1, 2))
 
 
-def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[Way]:
+def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[MeasuringCondition]:
     """Yield the ways to measure at these poses, the simplest first.
 
     Parameters
@@ -73,15 +73,15 @@ def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[
         Whether motors that are free may be held.
     """
     drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
-    yield Way(structure, drives, {})
+    yield MeasuringCondition(structure, drives, {})
     if isinstance(structure, Driven) and (held or drives == HELD):
         switched = structure.with_other_drives(range(len(points)))
-        yield Way(switched, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
+        yield MeasuringCondition(switched, cast("Drives", other_drives(structure.drives)), {}, unlike=True)
     for load, loaded in structure.loaded() if isinstance(structure, Loadable) else ():
-        yield Way(loaded, drives, load)
+        yield MeasuringCondition(loaded, drives, load)
 
 
-def elsewhere(fitter: Fitter, way: Way, fit: Fit) -> Elsewhere:
+def elsewhere(fitter: Fitter, way: MeasuringCondition, fit: Fit) -> Elsewhere:
     """Return what an explanation predicts; NaN if its cause is a wrong load, which setting it would not remove.
 
     With motors in another state, modes that were not measured say nothing about which are measurable.

@@ -18,7 +18,7 @@ from pkmodes.diagnosis.search.limits import ONE_SIDED, moved_by_defaults
 from pkmodes.diagnosis.search.search import Outcome, Search
 from pkmodes.diagnosis.verdict import reasons
 from pkmodes.diagnosis.verdict.all_setups import AllSetups
-from pkmodes.diagnosis.verdict.claim import Claim, claim_of, name_of
+from pkmodes.diagnosis.verdict.claim import Claim, claim_of, name_of_last_cause
 from pkmodes.diagnosis.verdict.findings import NOTICEABLE
 from pkmodes.diagnosis.verdict.held_out import HeldOut, predicted
 from pkmodes.diagnosis.verdict.joint_alone import joint_alone
@@ -145,8 +145,8 @@ class Evidence:
         classes = self.claim.own
         if len(self.final.causes) != 1 or not classes:
             return []
-        first = name_of(self.final)
-        return [first, *(name for fit in classes[0] if (name := name_of(fit)) != first)]
+        first = name_of_last_cause(self.final)
+        return [first, *(name for fit in classes[0] if (name := name_of_last_cause(fit)) != first)]
 
     @cached_property
     def trials(self) -> list[Trial]:
@@ -166,7 +166,9 @@ class Evidence:
     @cached_property
     def single_joints(self) -> dict[str, JointAlone]:
         """The one joint that explains the data as well, of each remaining cause with a value for each joint."""
-        fits = {name_of(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits}
+        fits = {
+            name_of_last_cause(fit): fit for groups in self.claim.grouped for fits in groups for fit in fits
+        }
         by_name = {name: joint_alone(self.setups, self.search, fit) for name, fit in fits.items()}
         return {name: joint for name, joint in by_name.items() if joint is not None}
 
@@ -264,14 +266,14 @@ A = TypeVar("A", bound=Says)
 A_co = TypeVar("A_co", bound=Says, covariant=True)
 
 
-class Asked(Protocol[A_co]):
+class RuleEvidence(Protocol[A_co]):
     """The evidence to which rules are applied, with the type of their answers."""
 
     def says(self, text: str) -> A_co:
         """Return a reason as an answer."""
 
 
-T = TypeVar("T", bound=Asked[Any])
+T = TypeVar("T", bound=RuleEvidence[Any])
 
 
 @dataclass(frozen=True)

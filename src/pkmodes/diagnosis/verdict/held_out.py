@@ -220,7 +220,7 @@ def _explaining(search: Search, again: Fit) -> Fit | None:
     return next((fit for fit in fits if fit.causes != again.causes and search.gate(fit).passed), None)
 
 
-def remarks(
+def held_out_remarks(
     data: Measurements,
     held: NDArray[np.bool_],
     predicted: Array,

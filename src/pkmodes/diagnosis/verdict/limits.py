@@ -38,7 +38,7 @@ MOST = 4
 
 
 @dataclass(frozen=True)
-class Limits:
+class CandidateLimits:
     """The limits of all candidates that are not claimed.
 
     Attributes
@@ -66,19 +66,21 @@ class Limits:
 
 
 #: Limits where no candidate was bounded.
-NO_LIMITS = Limits({}, {}, {}, frozenset(), frozenset())
+NO_LIMITS = CandidateLimits({}, {}, {}, frozenset(), frozenset())
 
 
-def unknown(store: FitStore, candidates: Iterable[Candidate]) -> Limits:
+def unknown(store: FitStore, candidates: Iterable[Candidate]) -> CandidateLimits:
     """Return the limits where the data are uninformative because of an obvious mistake."""
     fitter = store.fitter
     index = [(candidate, i) for candidate in candidates for i in fitter.indices(candidate)]
     names = frozenset(candidate.name for candidate, _ in index)
-    limits = {name_of(p := fitter.parameters[i]): Limit(c.name, None, p.unit) for c, i in index}
-    return Limits(limits, {}, {}, names, names)
+    limits = {limit_key(p := fitter.parameters[i]): Limit(c.name, None, p.unit) for c, i in index}
+    return CandidateLimits(limits, {}, {}, names, names)
 
 
-def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, noise: bool) -> Limits:
+def beside(
+    store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate], *, noise: bool
+) -> CandidateLimits:
     """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
 
     Parameters
@@ -99,13 +101,13 @@ def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate]
     by_name: dict[str, Limit] = {}
     for bound in bounded:
         p = fitter.parameters[bound.index]
-        name, limit = name_of(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
+        name, limit = limit_key(p), Limit(bound.candidate.name, bound.size, p.unit, bound.change)
         by_name[name] = max(by_name.get(name, limit), limit, key=_size)
     unseen = {}
     if noise and len(fits) == 1:
         unseen = _unseen(fits[0], bounded, moved_by_defaults(store, fits[0]))
-    ordered = (name_of(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
-    return Limits(
+    ordered = (limit_key(fitter.parameters[i]) for c in all_candidates for i in fitter.indices(c))
+    return CandidateLimits(
         {name: by_name[name] for name in ordered if name in by_name},
         unseen,
         {bound.index: bound.plausible for bound in bounded},
@@ -114,7 +116,7 @@ def beside(store: FitStore, fits: Sequence[Fit], candidates: Iterable[Candidate]
     )
 
 
-def name_of(p: Parameter) -> str:
+def limit_key(p: Parameter) -> str:
     """Return the key of a parameter among the limits: of an effect its name and parameter, else the path."""
     return p.name.removeprefix("effects.")
 

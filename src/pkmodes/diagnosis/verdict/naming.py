@@ -21,7 +21,7 @@ def count(number: int) -> str:
     return NUMBERS[number] if number < len(NUMBERS) else str(number)
 
 
-def found(effects: Sequence[Finding], longest: int | None = None) -> str:
+def found_in_words(effects: Sequence[Finding], longest: int | None = None) -> str:
     """Return what was found, to stand after "cause" or "causes".
 
     Parameters
@@ -49,7 +49,7 @@ def _of_effect(effect: Finding, longest: int | None) -> str:
 def explained(effects: Sequence[Finding]) -> str:
     """Return what the causes explain, as a clause of a reason; a single candidate with its name."""
     if len(effects) == 1 and len(effects[0].members) > 1:
-        return f"the cause is {found(effects)}"
+        return f"the cause is {found_in_words(effects)}"
     parts = [
         _of_effect(effect, None)
         if len(effect.members) > 1

@@ -12,7 +12,7 @@ from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.store import FitStore
 from pkmodes.diagnosis.posterior.document import Probabilities
 from pkmodes.diagnosis.problem import Array, Driven, Structure, Surrounded
-from pkmodes.diagnosis.verdict.elsewhere import Elsewhere, Way, apart, elsewhere, ways
+from pkmodes.diagnosis.verdict.elsewhere import Elsewhere, MeasuringCondition, apart, elsewhere, ways
 from pkmodes.diagnosis.verdict.explanations import Explanation, Named, explanations
 from pkmodes.diagnosis.verdict.findings import NextMeasurement
 from pkmodes.diagnosis.verdict.information import information, pairs
@@ -90,7 +90,9 @@ def _may_be_held(structure: Structure, classes: Sequence[Named]) -> bool:
     return not isinstance(structure, Driven) or structure.may_be_held(certain)
 
 
-def _proposed(fitter: Fitter, rivals: Sequence[Explanation], points: Array, way: Way) -> _Proposal:
+def _proposed(
+    fitter: Fitter, rivals: Sequence[Explanation], points: Array, way: MeasuringCondition
+) -> _Proposal:
     """Return the pose expected to be most informative among those at which two explanations differ enough.
 
     It separates the two that differ enough and that it tells apart with the largest probability; of equally
@@ -134,7 +136,9 @@ def _hiding(fitter: Fitter, two: Sequence[Elsewhere], pose: int) -> str:
     return fitter.parameters[hiding].name
 
 
-def _nowhere(where: str, tried: Sequence[Way], proposals: Sequence[_Proposal], least: float) -> str:
+def _nowhere(
+    where: str, tried: Sequence[MeasuringCondition], proposals: Sequence[_Proposal], least: float
+) -> str:
     """Return why nothing is proposed although several explanations remain."""
     best = max(proposals, key=lambda proposal: proposal.sigmas)
     if not best.sigmas:

@@ -12,7 +12,7 @@ from pkmodes.core.base.drives import motors
 from pkmodes.diagnosis.fit.fitter import Fitter
 from pkmodes.diagnosis.fit.hypothesis import Fit
 from pkmodes.diagnosis.fit.store import FitStore
-from pkmodes.diagnosis.match.stage import Stage
+from pkmodes.diagnosis.match.stage import MatchStage
 from pkmodes.diagnosis.problem import reached_bounds
 from pkmodes.diagnosis.readings.copies import all_alike
 from pkmodes.diagnosis.search.unmeasured import never_measured
@@ -120,7 +120,7 @@ def _set_aside(fitter: Fitter, fit: Fit) -> Iterator[str]:
         yield f"{share} that the file does not state{also}"
 
 
-def low_modes(declared: Stage) -> list[str]:
+def low_modes(declared: MatchStage) -> list[str]:
     """Return a note if measured modes lie clearly below all of the declared model at half of the setups or more.
 
     Such modes have no partner, whatever its parameter values: something stands on a spring that the model lacks.

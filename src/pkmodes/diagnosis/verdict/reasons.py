@@ -22,7 +22,7 @@ def names(causes: Sequence[Candidate]) -> str:
     return " and ".join(cause.name for cause in causes)
 
 
-def described(causes: Sequence[Candidate]) -> str:
+def causes_in_words(causes: Sequence[Candidate]) -> str:
     """Return causes in words, each with its name in brackets."""
     return " and ".join(
         f"{cause.sentence} ({cause.name})" if cause.sentence else cause.name for cause in causes

@@ -17,7 +17,7 @@ import numpy as np
 from pkmodes.diagnosis.readings import table
 from pkmodes.diagnosis.verdict import misfit
 from pkmodes.diagnosis.verdict.amplitude import depends_on_amplitude
-from pkmodes.diagnosis.verdict.classes import distinct, more_general, parts_alone
+from pkmodes.diagnosis.verdict.classes import distinct_causes, more_general, parts_alone
 from pkmodes.diagnosis.verdict.defaults import by_a_default
 from pkmodes.diagnosis.verdict.dispersion import stiffness_of_frequency
 from pkmodes.diagnosis.verdict.evidence import Decision, Evidence, Rule, Says, Start, T, first
@@ -268,7 +268,7 @@ def several_explanations(e: Evidence) -> Says | None:
     """Several classes or pairs survive, or one class of more than five members, or of directions without a whole."""
     claim, limit = e.claim, e.criteria.claim.most_members
     many = any(len(groups) > 1 for groups in claim.grouped)
-    many = many or any(distinct(fits) > limit or parts_alone(fits) for fits in claim.own)
+    many = many or any(distinct_causes(fits) > limit or parts_alone(fits) for fits in claim.own)
     if not claim.rivals and not many:
         return None
     single_joints = {name: joint.sentence for name, joint in e.single_joints.items()}

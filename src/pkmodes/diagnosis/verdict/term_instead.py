@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pkmodes.diagnosis.verdict.evidence import Evidence
-from pkmodes.diagnosis.verdict.reasons import described, names
+from pkmodes.diagnosis.verdict.reasons import causes_in_words, names
 
 
 def one_term(e: Evidence) -> str:
@@ -11,7 +11,7 @@ def one_term(e: Evidence) -> str:
     term = e.term_instead
     if term is None:
         return ""
-    description = described(term.causes)
+    description = causes_in_words(term.causes)
     if len(e.final.causes) > 1:
         return f"{names(e.final.causes)} together would explain the residual, but {description} would do so alone"
     return f"{e.explains} the residual, but so would {description}"

@@ -111,10 +111,10 @@ class Beyond:
             return ""
         finding, forms = self.found.finding, self.found.forms
         if not all(forms[name] for name in finding.members):  # a cause of the catalogue is among them
-            words = naming.found([finding], longest)
+            words = naming.found_in_words([finding], longest)
             return words[0].upper() + words[1:]
         if len(finding.members) > 1:
-            return f"Not in the catalogue: {naming.found([finding], longest)}"
+            return f"Not in the catalogue: {naming.found_in_words([finding], longest)}"
         sizes = [f"{value.rounded} {value.unit}".removesuffix(" 1") for value in finding.parameters]
         return f"Not in the catalogue: {', '.join([finding.member(finding.name).words, *sizes])}"
 
