@@ -33,6 +33,22 @@ def section(docstring: str, title: str) -> list[str]:
     return names
 
 
+def lists(docstring: str) -> list[list[str]]:
+    """Return the names in each list of parameters or attributes, ``- name: meaning``; those of results are others."""
+    found: list[list[str]] = []
+    before, results = "", False
+    for line in inspect.cleandoc(docstring).splitlines():
+        item = re.match(r"- ([*\w]+(?:, [*\w]+)*): ", line)
+        if not line.startswith(("- ", "  ")):
+            results = bool(re.match(r"(Returns|Yields)\b.*:$", line))
+        if item and not results:
+            if not before.startswith(("- ", "  ")):
+                found.append([])
+            found[-1] += [name.strip("*") for name in item[1].split(", ")]
+        before = line
+    return found
+
+
 def arguments(function: Function) -> set[str]:
     """Return the names of a function's parameters."""
     given = function.args
@@ -102,12 +118,13 @@ def line_of(definition: ast.ClassDef) -> list[ast.ClassDef] | None:
 
 
 def problems(definition: Definition) -> Iterator[str]:
-    """Yield what the sections of a docstring name without reason, or twice."""
+    """Yield what the sections and lists of a docstring name without reason, or twice."""
     docstring = ast.get_docstring(definition)
     if docstring is None:
         return
     sections = {title: section(docstring, title) for title in ("Parameters", "Attributes")}
-    for title, names in sections.items():
+    listed = lists(docstring)
+    for title, names in (*sections.items(), *(("List", names) for names in listed)):
         for name in sorted({name for name in names if names.count(name) > 1}):
             yield f"{title}: {name} is there twice"
     if isinstance(definition, ast.ClassDef):
@@ -122,6 +139,8 @@ def problems(definition: Definition) -> Iterator[str]:
         known = {"Parameters": arguments(definition), "Attributes": set()}
     for title, names in sections.items():
         yield from (f"{title}: there is no {name}" for name in names if name not in known[title])
+    either = known["Parameters"] | known["Attributes"]
+    yield from (f"List: there is no {name}" for names in listed for name in names if name not in either)
 
 
 @pytest.mark.parametrize("folder", FOLDERS)
@@ -151,6 +170,15 @@ def test_what_a_docstring_documents_exists(folder: str) -> None:
             ["there is no c"],
         ),
         ("class A:\n    '''S.\n\n    Attributes\n    ----------\n    c : int\n    '''\n    c: int", []),
+        ("def f(a, b, *c):\n    '''S.\n\n    - a, b: x: y,\n      z: w\n    - *c: v\n    '''", []),
+        ("def f(a):\n    '''S.\n\n    - a: x\n    - c: y\n    '''", ["there is no c"]),
+        ("def f(a):\n    '''S.\n\n    - a: x\n      y\n    - a: z\n    '''", ["twice"]),
+        (
+            "def f(a):\n    '''S.\n\n    - a: x\n\n    Returns, in this order:\n    - b: y\n    - c: w\n    '''",
+            [],
+        ),
+        ("class A:\n    '''S.\n\n    - a: x\n\n    Its attributes:\n    - a: y\n    '''\n    a: int", []),
+        ("class A:\n    '''S.\n\n    - c: x\n    '''\n    a: int", ["there is no c"]),
     ],
 )
 def test_the_check_finds_what_it_is_for(source: str, expected: Sequence[str]) -> None:
