@@ -24,10 +24,7 @@ from pkmodes.identification.ssi_identification import identify_responses
 def ambient_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the responses in a file, their shapes by sensor.
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, or too short for the band.
+    Raises MeasurementError if the file is faulty, or too short for the band.
     """
     recording, delays, columns = _beside(path, record, setup, campaign)
 
@@ -79,11 +76,9 @@ def _beside(
 
     Sensors of other boards keep their campaign names.
 
-    Returns
-    -------
-    signals : TimeSignals
-    delays, columns : mapping
-        Offset added to the times of each other board, and the columns of its signals, by setup.
+    Returns, in this order:
+    - signals
+    - delays, columns: offset added to the times of each other board, and the columns of its signals, by setup
     """
     signals = time_signals(path, record, setup, campaign, highest=record.band[1])
     other_boards = {

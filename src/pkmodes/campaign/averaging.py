@@ -35,22 +35,15 @@ COVERED = 0.95
 class Mean:
     """A mode over its repeats.
 
-    Attributes
-    ----------
-    mode : Found
-        Means; its standard deviations are those of the identification.
-    scatter : float
-        Standard deviation of the mean frequency from the scatter of the repeats, relative; NaN for a single one.
-    damping_scatter : float
-        Likewise of the damping ratio, relative.
-    shape_scatter : float
-        Likewise of a component of the shape, relative to the largest.
-    files : tuple of int
-        Those in which it was found.
-    variance : float
-        Unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate it badly.
-    between : LevelShift or None
-        How the frequency changes with the level of the files.
+    - mode: means; its standard deviations are those of the identification
+    - scatter: standard deviation of the mean frequency from the scatter of the repeats, relative; NaN for a single
+      one
+    - damping_scatter: likewise of the damping ratio, relative
+    - shape_scatter: likewise of a component of the shape, relative to the largest
+    - files: those in which it was found
+    - variance: unbiased variance of the mean of ln f from the scatter; `scatter` is larger, as few repeats estimate
+      it badly
+    - between: how the frequency changes with the level of the files
     """
 
     mode: Found

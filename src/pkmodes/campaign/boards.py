@@ -49,13 +49,9 @@ BESIDE = 32
 class Clock:
     """The clock of a board relative to that of the first.
 
-    Attributes
-    ----------
-    offset, sigma : float
-        Offset to add to its times to get those of the first board, and its standard deviation, infinite if unknown
-        [s].
-    common : bool
-        Whether both boards have one clock.
+    - offset, sigma: offset to add to its times to get those of the first board, and its standard deviation, infinite
+      if unknown [s]
+    - common: whether both boards have one clock
     """
 
     offset: float
@@ -66,10 +62,7 @@ class Clock:
 def clocks_of(table: RecordTable, files: Mapping[str, Sequence[str]], where: str) -> dict[str, Clock]:
     """Return the clocks of all boards except the first.
 
-    Raises
-    ------
-    MeasurementError
-        If they are invalid, or the boards have different numbers of files.
+    Raises MeasurementError if they are invalid, or the boards have different numbers of files.
     """
     where = f"{where}.clock"
     first, *other_boards = files
@@ -105,15 +98,10 @@ class UnknownOffsetError(Exception):
 class Board:
     """The signals of a board.
 
-    Attributes
-    ----------
-    file : str
-        For messages.
-    step : float
-        Between samples [s].
-    starts : tuple of float
-        Time of the first sample of each piece [s].
-    pieces : tuple of ndarray, shape (n_i, S)
+    - file: for messages
+    - step: between samples [s]
+    - starts: time of the first sample of each piece [s]
+    - pieces: each (n_i, S)
     """
 
     file: str
@@ -149,17 +137,10 @@ class Board:
 class Together:
     """Signals of several boards on one grid.
 
-    Attributes
-    ----------
-    step : float
-        [s].
-    starts : tuple of float
-        [s].
-    pieces : tuple of ndarray, shape (n_i, S)
-        Of all boards, in their order.
-    delays : mapping of str to Delay
-        Delay added to the times of each board except the first, by setup.
-    messages : tuple of str
+    - step: [s]
+    - starts: [s]
+    - pieces: of all boards, in their order, each (n_i, S)
+    - delays: delay added to the times of each board except the first, by setup
     """
 
     step: float
@@ -174,12 +155,8 @@ def boards_together(
 ) -> Together:
     """Return the signals of all boards by the clock of the first one.
 
-    Raises
-    ------
-    MeasurementError
-        If a board samples too slowly, or the times of the boards have nothing in common.
-    UnknownOffsetError
-        If a clock of its own cannot be compared with the first.
+    Raises MeasurementError if a board samples too slowly, or the times of the boards have nothing in common.
+    Raises UnknownOffsetError if a clock of its own cannot be compared with the first.
     """
     for board in boards.values():
         if band[1] > HIGHEST / board.step * (1.0 + 1e-6):  # the rate may have been reduced to exactly that
@@ -212,10 +189,7 @@ def boards_together(
 def _overlaps(boards: Sequence[Board], longest: float) -> tuple[float, list[tuple[float, int]]]:
     """Return the finest step of boards, and the start time and sample count of each part that all of them recorded.
 
-    Raises
-    ------
-    MeasurementError
-        If there is no common part.
+    Raises MeasurementError if there is no common part.
     """
     step = min(board.step for board in boards)
     spans = boards[0].spans
@@ -296,10 +270,7 @@ def with_clocks(
 ) -> tuple[Mode, list[str]]:
     """Return a mode with the clocks' uncertainty in its shape's sigma, and the setups whose signs are unknown.
 
-    Parameters
-    ----------
-    columns : mapping of str to slice
-        The components of each board.
+    - columns: the components of each board
     """
     turns = {setup: by.turn(mode.frequency) for setup, by in delays.items()}
     lost = [setup for setup, turn in turns.items() if turn > MOST]

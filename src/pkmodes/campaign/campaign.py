@@ -41,31 +41,17 @@ FUNCTIONS = "frf"
 class Record:
     """What was measured at one pose, in one load case.
 
-    Attributes
-    ----------
-    number : int
-        In the file, from 1.
-    point, point_sigma : mapping of str to float
-        Components of the pose in SI units, and their standard deviations.
-    settings : mapping of str to float
-        Known values of parameters by path, in SI units.
-    setups : mapping of str to tuple of Path
-        Files of each setup: repeats.  The only setup of a plain list is called "".
-    band : tuple of float
-        [Hz].
-    averages, hits : int or None
-    exponential, rate : float or None
-        Time constant of a window [s], and a sampling rate [Hz].
-    columns : mapping of str to str
-        Names of a table's columns, by those of a measurement file.
-    header : tuple of str
-        Names of all columns of a table of signals, in order, where its own header is missing or different.
-    names : mapping of str to str
-        Names in the files of time, frequency, force and sensors, by these names.
-    invert, conjugate : bool
-        Whether the functions are force over motion, or complex conjugates.
-    clocks : mapping of str to Clock
-        Of all setups except the first, if they are boards that recorded together.
+    - number: in the file, from 1
+    - point, point_sigma: components of the pose in SI units, and their standard deviations
+    - settings: known values of parameters by path, in SI units
+    - setups: files of each setup: repeats.  The only setup of a plain list is called "".
+    - band: [Hz]
+    - exponential, rate: time constant of a window [s], and a sampling rate [Hz]
+    - columns: names of a table's columns, by those of a measurement file
+    - header: names of all columns of a table of signals, in order, where its own header is missing or different
+    - names: names in the files of time, frequency, force and sensors, by these names
+    - invert, conjugate: whether the functions are force over motion, or complex conjugates
+    - clocks: of all setups except the first, if they are boards that recorded together
     """
 
     number: int
@@ -103,23 +89,14 @@ class Record:
 class Campaign:
     """A campaign.
 
-    Attributes
-    ----------
-    model : Model or None
-        Of the robot; None for another structure.
-    channels : mapping of str to str
-        Names that shape components may have, with their units; those of another structure may be lengths or angles,
-        and have none.
-    repeatability : float or None
-        Relative standard deviation of a frequency when a pose is approached again; None to estimate it.
-    tones : tuple of float
-        Of mains, fans and motors [Hz]: these and their multiples are not modes.
-    edits : mapping of str to RequestedModes
-        What the user decides about the modes of records, by their labels.
-    report : mapping of str to str
-        Fields of the head of its report, which prevail over those of the robot.
-    signs_of_file : bool
-        Whether the sign in the name of a degree of freedom is that of the direction.
+    - model: of the robot; None for another structure
+    - channels: names that shape components may have, with their units; those of another structure may be lengths or
+      angles, and have none
+    - repeatability: relative standard deviation of a frequency when a pose is approached again; None to estimate it
+    - tones: of mains, fans and motors [Hz]: these and their multiples are not modes
+    - edits: what the user decides about the modes of records, by their labels
+    - report: fields of the head of its report, which prevail over those of the robot
+    - signs_of_file: whether the sign in the name of a degree of freedom is that of the direction
     """
 
     source: str
@@ -160,17 +137,10 @@ class Campaign:
 def read_campaign(path: str | PathLike[str]) -> Campaign:
     """Read and check a campaign file; the files that it names are not read.
 
-    Parameters
-    ----------
-    path : path-like
-        A TOML file, format 1.  Paths in it are relative to its folder.
+    - path: a TOML file, format 1.  Paths in it are relative to its folder.
 
-    Raises
-    ------
-    MeasurementError
-        If the file cannot be read, or anything in it is wrong: with the place in it.
-    RobotFileError
-        If the robot file is invalid.
+    Raises MeasurementError if the file cannot be read, or anything in it is wrong: with the place in it.
+    Raises RobotFileError if the robot file is invalid.
     """
     source = fspath(path)
     return campaign_of(read_description(Path(path)), source)

@@ -41,17 +41,11 @@ def phase_checked(
 ) -> tuple[tuple[Function, ...], tuple[str, ...]]:
     """Return functions with the phase of exp(+i omega t), and messages about them.
 
-    Parameters
-    ----------
-    band : tuple of float
-        [Hz].
-    conjugate : bool
-        Whether conjugates, which may be only some functions of a file, are corrected; otherwise they are refused.
+    - band: [Hz]
+    - conjugate: whether conjugates, which may be only some functions of a file, are corrected; otherwise they are
+      refused
 
-    Raises
-    ------
-    MeasurementError
-        If a function is a conjugate, and `conjugate` is false.
+    Raises MeasurementError if a function is a conjugate, and `conjugate` is false.
     """
     shares = [_early(function.abscissa, np.asarray(function.values), band) for function in functions]
     lines = int(np.count_nonzero((functions[0].abscissa >= band[0]) & (functions[0].abscissa <= band[1])))

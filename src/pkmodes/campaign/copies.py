@@ -46,9 +46,7 @@ def refuse_copied_visits(records: Sequence[Record], source: str) -> None:
 
     A table of modes may hold the rows of several poses.
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     labels = [
         (path, record)

@@ -128,10 +128,7 @@ TABLES: dict[str, type[CampaignPart]] = {
 def read_description(path: Path) -> CampaignTable:
     """Read a campaign file.
 
-    Raises
-    ------
-    MeasurementError
-        If it cannot be read, is no TOML, or a key is unknown, missing or of another kind.
+    Raises MeasurementError if it cannot be read, is no TOML, or a key is unknown, missing or of another kind.
     """
     source = str(path)
     text = read_text(path, source, "the campaign", "give a campaign file in TOML", LARGEST_FILE)
@@ -195,10 +192,7 @@ def _refuse(what: str, where: str, remedy: str) -> NoReturn:
 def frequency(text: str, where: str, example: str = "50 Hz") -> float:
     """Return a frequency above 0 [Hz]; one in rad/s is converted.
 
-    Raises
-    ------
-    MeasurementError
-        If the text is not a frequency above 0 with its unit.
+    Raises MeasurementError if the text is not a frequency above 0 with its unit.
     """
     remedy = f'for example: "{example}"'
     match = NUMBER.fullmatch(text)
@@ -219,10 +213,7 @@ def frequency(text: str, where: str, example: str = "50 Hz") -> float:
 def band_of(frequencies: list[str], where: str) -> tuple[float, float]:
     """Return a band [Hz].
 
-    Raises
-    ------
-    MeasurementError
-        If it is not two frequencies, the lower one first.
+    Raises MeasurementError if it is not two frequencies, the lower one first.
     """
     remedy = 'for example: band = ["10 Hz", "400 Hz"]'
     if len(frequencies) != 2:
@@ -238,10 +229,7 @@ def band_of(frequencies: list[str], where: str) -> tuple[float, float]:
 def share(text: str, where: str) -> float:
     """Return a ratio of at least 0 and below 1, such as ``"0.2 %"``.
 
-    Raises
-    ------
-    MeasurementError
-        If it is not one.
+    Raises MeasurementError if it is not one.
     """
     value = si_value(text, "1", where)
     if not 0.0 <= value < 1.0:
@@ -253,10 +241,7 @@ def share(text: str, where: str) -> float:
 def si_value(raw_value: Given, unit: str, where: str) -> float:
     """Return a quantity in SI units; a bare number only where the unit is 1.
 
-    Raises
-    ------
-    MeasurementError
-        If it is not a quantity of this unit.
+    Raises MeasurementError if it is not a quantity of this unit.
     """
     try:
         return parse(raw_value if isinstance(raw_value, str) else repr(raw_value), dimension_of(unit))
@@ -268,10 +253,7 @@ def si_value(raw_value: Given, unit: str, where: str) -> float:
 def value_and_sigma(raw_value: Given | Uncertain, unit: str, where: str) -> tuple[float, float]:
     """Return a quantity in SI units and its standard deviation, 0 where none is given.
 
-    Raises
-    ------
-    MeasurementError
-        If one of them is not a quantity of this unit, or the standard deviation is negative.
+    Raises MeasurementError if one of them is not a quantity of this unit, or the standard deviation is negative.
     """
     if not isinstance(raw_value, Uncertain):
         return si_value(raw_value, unit, where), 0.0

@@ -23,10 +23,7 @@ SAME = 1e-4
 def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source: str) -> None:
     """Refuse frequencies at which no mode can be added, before anything is read.
 
-    Raises
-    ------
-    MeasurementError
-        If the record has no signals, or a frequency is outside its band.
+    Raises MeasurementError if the record has no signals, or a frequency is outside its band.
     """
     for frequency in edits.add:
         if not kind.signals:
@@ -40,14 +37,9 @@ def check_asked(edits: RequestedModes, record: Record, kind: RecordKind, source:
 def added_group(candidates: Sequence[Found | str], frequency: float, least: float) -> dict[int, Found] | str:
     """Return a mode that the user adds, by the files in which it is found, or why there is none.
 
-    Parameters
-    ----------
-    candidates : sequence of Found or str
-        The result of each file.
-    frequency : float
-        Requested by the user [Hz].
-    least : float
-        Number of files in which it must be found.
+    - candidates: the result of each file
+    - frequency: requested by the user [Hz]
+    - least: number of files in which it must be found
     """
     groups = grouped([[] if isinstance(candidate, str) else [candidate] for candidate in candidates])
     if not groups:
@@ -69,10 +61,7 @@ def edited(
 
     Strikes apply first; then an added mode replaces a reported one within 1 % of it.
 
-    Raises
-    ------
-    MeasurementError
-        If there is no mode to strike out at a frequency, or two added modes are the same.
+    Raises MeasurementError if there is no mode to strike out at a frequency, or two added modes are the same.
     """
     kept, struck = list(modes), []
     for frequency in edits.strike:

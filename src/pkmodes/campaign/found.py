@@ -21,31 +21,19 @@ NAMELESS = ("", "force")
 class Found:
     """A mode found in files.
 
-    Attributes
-    ----------
-    frequency : float
-        Undamped [Hz].
-    damping : float
-        Damping ratio; NaN where unknown.
-    shape : mapping of str to complex
-        By sensor or by channel, in one unit of acceleration or displacement, at any scale; without the components
-        that were not measured.
-    sigma_frequency, sigma_damping : float
-        Standard deviations from the identification itself [Hz, 1]; 0 where it states none.
-    sigma_shape : float
-        Likewise for a component of the shape, relative to the largest one; NaN where unknown.
-    found_in : tuple of int, or None
-        Number of model orders in which it was found, and their total.
-    resolution : float
-        Spacing below which the file cannot tell two modes apart [Hz].
-    level : float
-        Of its vibration in the file; NaN where unknown.
-    shift : LevelShift or None
-        How the frequency changes with the level within the file; over several files, the largest change.
-    participation : mapping of str to complex
-        By named reference: its product with the shape is the residue, an acceleration per force.
-    sigma_size : float
-        Standard deviation of the largest residue, relative; NaN where unknown.
+    - frequency: undamped [Hz]
+    - damping: damping ratio; NaN where unknown
+    - shape: by sensor or by channel, in one unit of acceleration or displacement, at any scale; without the
+      components that were not measured
+    - sigma_frequency, sigma_damping: standard deviations from the identification itself [Hz, 1]; 0 where it states
+      none
+    - sigma_shape: likewise for a component of the shape, relative to the largest one; NaN where unknown
+    - found_in: number of model orders in which it was found, and their total
+    - resolution: spacing below which the file cannot tell two modes apart [Hz]
+    - level: of its vibration in the file; NaN where unknown
+    - shift: how the frequency changes with the level within the file; over several files, the largest change
+    - participation: by named reference: its product with the shape is the residue, an acceleration per force
+    - sigma_size: standard deviation of the largest residue, relative; NaN where unknown
     """
 
     frequency: float
@@ -78,9 +66,7 @@ def mac(first: Mapping[str, complex], second: Mapping[str, complex]) -> float:
 def check_shape(shape: Mapping[str, complex], where: str) -> None:
     """Refuse a shape of zeros, or of numbers whose squares overflow.
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     size = max((abs(value) for value in shape.values()), default=1.0)
     if not SMALLEST <= size <= LARGEST:
@@ -92,14 +78,9 @@ def check_shape(shape: Mapping[str, complex], where: str) -> None:
 class FileFit:
     """The fit of a file, kept for inspection.
 
-    Attributes
-    ----------
-    estimate : Estimate
-        Its functions are S responses per R references, or S power spectra.
-    responses, references : tuple of str
-        Names of the S responses and the R references; no references for spectra.
-    coherence : ndarray, shape (F, S, R), or None
-        On the lines of the estimate.
+    - estimate: its functions are S responses per R references, or S power spectra
+    - responses, references: names of the S responses and the R references; no references for spectra
+    - coherence: on the lines of the estimate, (F, S, R)
     """
 
     estimate: Estimate
@@ -112,21 +93,12 @@ class FileFit:
 class FileModes:
     """The modes of a file.
 
-    Attributes
-    ----------
-    modes : tuple of Found
-    messages : tuple of str
-        What the user should know.
-    names_in_file : frozenset of str, or None
-        Names of the sensors and, without their signs, of the forces in the file; None if it needs none.
-    added : tuple of Found or str
-        For each frequency at which the user requested a mode: the mode, or why there is none.
-    fit : FileFit or None
-        None for modes that are already identified.
-    unnamed : tuple of str
-        References of the file, if the campaign names none of them: its shapes are then at the sensors.
-    forces : tuple of str
-        Names of the forces at whose places the shapes are defined; empty if they are at the sensors.
+    - messages: what the user should know
+    - names_in_file: names of the sensors and, without their signs, of the forces in the file; None if it needs none
+    - added: for each frequency at which the user requested a mode: the mode, or why there is none
+    - fit: None for modes that are already identified
+    - unnamed: references of the file, if the campaign names none of them: its shapes are then at the sensors
+    - forces: names of the forces at whose places the shapes are defined; empty if they are at the sensors
     """
 
     modes: tuple[Found, ...]

@@ -40,23 +40,14 @@ Complex = NDArray[np.complex128]
 class Responses:
     """The functions of a file.
 
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        [Hz].
-    values : ndarray of complex128, shape (F, S, R)
-        Accelerations in SI units per force; NaN where not measured.
-    coherence : ndarray, shape (F, S, R), or None
-    names : tuple of str
-        Of the S places in the shape.
-    dead : tuple of str
-        Sensors without a signal.
-    references : tuple of str
-        Names of the R references.
-    messages : tuple of str
-        What is left out of the shapes.
-    roves : bool
-        Whether the S places are those of forces.
+    - frequencies: (F,) [Hz]
+    - values: accelerations in SI units per force, (F, S, R); NaN where not measured
+    - coherence: (F, S, R)
+    - names: of the S places in the shape
+    - dead: sensors without a signal
+    - references: names of the R references
+    - messages: what is left out of the shapes
+    - roves: whether the S places are those of forces
     """
 
     frequencies: Array
@@ -84,12 +75,8 @@ class Responses:
 class ResponseFile:
     """The content of a file of frequency response functions.
 
-    Attributes
-    ----------
-    names_in_file : frozenset of str
-        As in `FileModes`.
-    messages : tuple of str
-        What the user should know of the file.
+    - names_in_file: as in `FileModes`
+    - messages: what the user should know of the file
     """
 
     source: str
@@ -101,10 +88,7 @@ class ResponseFile:
 def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the frequency response functions in a file, their shapes by sensor.
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, or its functions are not those of the campaign.
+    Raises MeasurementError if the file is faulty, or its functions are not those of the campaign.
     """
     read = read_responses(path, record, setup, campaign)
     responses = read.responses
@@ -119,10 +103,7 @@ def frf_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> Fil
 def read_responses(path: Path, record: Record, setup: str, campaign: Campaign) -> ResponseFile:
     """Return the frequency response functions in a file of a record, which cover its band.
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, or its functions are not those of the campaign.
+    Raises MeasurementError if the file is faulty, or its functions are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
     functions = sensor_functions(
@@ -189,10 +170,8 @@ def responses_of(
     If forces are declared, these are the places of the shape, and the sensors the references: a roving hammer, by
     reciprocity.
 
-    Raises
-    ------
-    MeasurementError
-        If one occurs twice, is not a motion over a force, or a unit is unknown or contradicts the campaign.
+    Raises MeasurementError if one occurs twice, is not a motion over a force, or a unit is unknown or contradicts the
+    campaign.
     """
     read, used = functions.read, functions.used
     f = used[0].abscissa
@@ -258,10 +237,7 @@ def of_reference(name: str, forces: Mapping[str, Transducer]) -> Transducer | No
 def spectrum_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the spectra in a file, without damping and shapes.
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, or its spectra are not those of the campaign.
+    Raises MeasurementError if the file is faulty, or its spectra are not those of the campaign.
     """
     sensors = campaign.sensors_in(setup)
     names = frozenset({*sensors, *(name.removeprefix("psd_") for name in sensors)})

@@ -41,10 +41,7 @@ PER_CENT = Decimal("0.01")
 def identified_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes in a file, their shapes by channel.
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, or has no modes.
+    Raises MeasurementError if the file is faulty, or has no modes.
     """
     if not _universal(path):
         listed = tuple(read_mode_table(path, record.columns, campaign.channels, record.pose))
@@ -123,19 +120,11 @@ def read_mode_table(
 ) -> list[Found]:
     """Read identified modes.
 
-    Parameters
-    ----------
-    columns : mapping of str to str
-        Names of the table's columns, by those of a measurement file.
-    channels : mapping of str to str
-        Names that a shape column may have, and their units.
-    pose : str
-        Label: if the table has a column ``pose``, only the rows with this label count.
+    - columns: names of the table's columns, by those of a measurement file
+    - channels: names that a shape column may have, and their units
+    - pose: label: if the table has a column ``pose``, only the rows with this label count
 
-    Raises
-    ------
-    MeasurementError
-        If the file cannot be read or is invalid, with line and column.
+    Raises MeasurementError if the file cannot be read or is invalid, with line and column.
     """
     source = str(path)
     text = read_text(path, source, "the modes", "give a table of modes")

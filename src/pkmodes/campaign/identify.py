@@ -41,17 +41,10 @@ ADDED = "added"
 def identify(campaign: Campaign, *, keep_going: bool = False, inspect: bool = False) -> Identification:
     """Identify the modes of a campaign.
 
-    Parameters
-    ----------
-    keep_going : bool
-        Whether faulty files are left out instead of refused.
-    inspect : bool
-        Whether the parts of the fits that a report draws are kept.
+    - keep_going: whether faulty files are left out instead of refused
+    - inspect: whether the parts of the fits that a report draws are kept
 
-    Raises
-    ------
-    MeasurementError
-        If a file is faulty, an edit means no mode, or no mode is found at all.
+    Raises MeasurementError if a file is faulty, an edit means no mode, or no mode is found at all.
     """
     if campaign.repeatability is None:
         refuse_copied_visits(campaign.records, campaign.source)
@@ -193,10 +186,7 @@ def _measurements_of(results: Sequence[RecordResult], campaign: Campaign) -> Mea
 
     The band is stated if it is the same for all records.
 
-    Raises
-    ------
-    MeasurementError
-        If there is no mode, or a number breaks a rule of measurement files.
+    Raises MeasurementError if there is no mode, or a number breaks a rule of measurement files.
     """
     rows = [
         (result.record, number, mode) for result in results for number, mode in enumerate(result.modes, 1)

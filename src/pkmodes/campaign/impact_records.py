@@ -47,10 +47,7 @@ class _Blows:
 def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> FileModes:
     """Return the modes of the blows in a file, their shapes by sensor, or by force where the hammer roved.
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, has no force, or has fewer blows than the campaign states.
+    Raises MeasurementError if the file is faulty, has no force, or has fewer blows than the campaign states.
     """
     blows = _blows(path, record, setup, campaign)
     names = () if blows.acting is None else (blows.acting.name,)
@@ -63,15 +60,9 @@ def impact_modes(path: Path, record: Record, setup: str, campaign: Campaign) -> 
 def roving_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the blows at all points of a hammer that roved, their shapes by the keys of the forces.
 
-    Parameters
-    ----------
-    points : mapping of str to RovingPoint
-        A file of each setup, each with a force of the campaign.
+    - points: a file of each setup, each with a force of the campaign
 
-    Raises
-    ------
-    MeasurementError
-        If a file is faulty, or they differ in their sensors or rates.
+    Raises MeasurementError if a file is faulty, or they differ in their sensors or rates.
     """
     files = [_blows(point.path, record, setup, campaign) for setup, point in points.items()]
     first = files[0].signals
@@ -122,10 +113,7 @@ def _refuse_without_force(path: Path, record: Record, source: str) -> NoReturn:
 def _acting(name: str, setup: str, campaign: Campaign, source: str) -> Transducer | None:
     """Return the force of the campaign that is measured in a file, None if it has none in this setup.
 
-    Raises
-    ------
-    MeasurementError
-        If it is none of the campaign's forces, or could be any of several.
+    Raises MeasurementError if it is none of the campaign's forces, or could be any of several.
     """
     forces = campaign.forces_in(setup)
     if not forces:
@@ -215,10 +203,7 @@ def _fit(
 def _complete(estimate: Estimate, length: float, exponential: float | None) -> Estimate:
     """Return the modes of blows with the participations of complete decays, which the record cuts off.
 
-    Parameters
-    ----------
-    length : float
-        Of the record of each blow [s].
+    - length: of the record of each blow [s]
     """
 
     def whole(mode: Mode) -> Mode:

@@ -26,14 +26,10 @@ PARTS = 180
 class InspectedFunction:
     """A function of a file.
 
-    Attributes
-    ----------
-    name : str
-        Response, or response / reference.
-    frequencies : ndarray, shape (f,)
-        [Hz].
-    measured, synthesised : ndarray of complex128, shape (f,)
-    coherence : ndarray, shape (f,), or None
+    - name: response, or response / reference
+    - frequencies: (f,) [Hz]
+    - measured, synthesised: (f,)
+    - coherence: (f,)
     """
 
     name: str
@@ -47,22 +43,13 @@ class InspectedFunction:
 class Inspection:
     """What is drawn of the fit of a file.
 
-    Attributes
-    ----------
-    setup, file : str
-        Name of the file without its folder.  If files of all setups were fitted together, their common name, and no
-        setup.
-    others : int
-        Number of further files of the setup, or of each setup, that are not drawn.
-    stabilisation : Stabilisation
-    frequencies, total : ndarray, shape (f,)
-        Sum of the magnitudes of all measured functions, each relative to its rms.
-    curves : tuple of InspectedFunction
-        Those that show the modes best; each mode appears in at least one of them as far as there is room.
-    functions : int
-        Number of functions from which they were chosen.
-    tones : tuple of float
-        Lines without bandwidth that were found [Hz].
+    - setup, file: name of the file without its folder.  If files of all setups were fitted together, their common
+      name, and no setup.
+    - others: number of further files of the setup, or of each setup, that are not drawn
+    - frequencies, total: sum of the magnitudes of all measured functions, each relative to its rms, (f,)
+    - curves: those that show the modes best; each mode appears in at least one of them as far as there is room
+    - functions: number of functions from which they were chosen
+    - tones: lines without bandwidth that were found [Hz]
     """
 
     setup: str
@@ -80,13 +67,8 @@ class Inspection:
 class Repeats:
     """The frequencies of the modes of a setup, file by file.
 
-    Attributes
-    ----------
-    setup : str
-    files : tuple of str
-        Names of the files that were read, without their folders.
-    modes : tuple of mapping of int to float
-        For each mode its frequency [Hz] by the index of the file.
+    - files: names of the files that were read, without their folders
+    - modes: for each mode its frequency [Hz] by the index of the file
     """
 
     setup: str
@@ -145,10 +127,7 @@ def _chosen(heights: Array) -> list[int]:
 
     Greedy: each step takes the function that most raises the modes above the best of those already chosen.
 
-    Parameters
-    ----------
-    heights : ndarray, shape (functions, modes)
-        Magnitude of each function at each mode, relative to its rms.
+    - heights: magnitude of each function at each mode, relative to its rms, (functions, modes)
     """
     best, chosen = np.zeros(heights.shape[1:]), list[int]()
     for _ in range(min(CURVES, len(heights))):

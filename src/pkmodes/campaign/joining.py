@@ -128,13 +128,10 @@ def _together(members: Sequence[Mean], differing: tuple[float, float] | None) ->
 def _by_reference(modes: Sequence[Found]) -> tuple[dict[str, complex], list[Found], list[float]]:
     """Join the shape with most sensors to those that share a reference with it, but no sensor.
 
-    Returns
-    -------
-    shape : dict of str to complex
-    unlinked : list of Found
-        Those that are not part of it.
-    sigmas : list of float
-        Relative standard deviations of the sizes of the parts; empty for a single part.
+    Returns, in this order:
+    - shape
+    - unlinked: those that are not part of it
+    - sigmas: relative standard deviations of the sizes of the parts; empty for a single part
     """
     if not modes:
         return {}, [], []

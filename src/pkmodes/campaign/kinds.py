@@ -23,19 +23,12 @@ from pkmodes.campaign.roving_functions import roving_frf_modes
 class RecordKind:
     """A kind of record.
 
-    Attributes
-    ----------
-    find : callable
-        The modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel.  Raises
-        `MeasurementError` for a faulty file.
-    by_channel : bool
-    signals : bool
-        Whether its files have signals, to which a mode can be fitted.
-    roving : callable or None
-        The modes of one file of each setup, fitted together, where a hammer roved in front of sensors that stayed.
-        Raises `MeasurementError` for a faulty file, and `ApartError` if they cannot be fitted together.
-    forces : bool
-        Whether the forces of the campaign are in its files.
+    - find: the modes of a file of a setup, their shapes by sensor or, if `by_channel`, by channel.  Raises
+      `MeasurementError` for a faulty file.
+    - signals: whether its files have signals, to which a mode can be fitted
+    - roving: the modes of one file of each setup, fitted together, where a hammer roved in front of sensors that
+      stayed.  Raises `MeasurementError` for a faulty file, and `ApartError` if they cannot be fitted together.
+    - forces: whether the forces of the campaign are in its files
     """
 
     find: Callable[[Path, Record, str, Campaign], FileModes]

@@ -33,14 +33,9 @@ OFTEN = 0.5
 class MeasuredRecord:
     """The modes of a record over its repeats and setups, before they are edited.
 
-    Attributes
-    ----------
-    means, added : sequence of Mean
-        The modes found, and those that the user adds, in the order of the requested frequencies.
-    inspections : sequence of Inspection
-        Of the first file of each setup, if requested.
-    places : sequence of sequence of tuple
-        The files of each setup, each with whether it has the sensors and forces that it should have.
+    - means, added: the modes found, and those that the user adds, in the order of the requested frequencies
+    - inspections: of the first file of each setup, if requested
+    - places: the files of each setup, each with whether it has the sensors and forces that it should have
     """
 
     record: Record
@@ -70,17 +65,10 @@ def measured(
 ) -> MeasuredRecord:
     """Return the modes of a record.
 
-    Parameters
-    ----------
-    keep_going : bool
-        Whether faulty files are left out instead of refused.
-    inspect : bool
-        Whether the parts of the fits that a report draws are kept.
+    - keep_going: whether faulty files are left out instead of refused
+    - inspect: whether the parts of the fits that a report draws are kept
 
-    Raises
-    ------
-    MeasurementError
-        If a file is faulty, or a mode that the user requests cannot be added.
+    Raises MeasurementError if a file is faulty, or a mode that the user requests cannot be added.
     """
     try:
         return _measured(record, kind, campaign, keep_going, inspect)

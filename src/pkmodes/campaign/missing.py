@@ -28,10 +28,7 @@ def places_in(
 ) -> Places:
     """Return whether a file has the places that apply to its setup; empty for a file that needs none.
 
-    Parameters
-    ----------
-    names_in_file : frozenset of str, or None
-        Names in the file: `FileModes.names_in_file`.
+    - names_in_file: names in the file: `FileModes.names_in_file`
     """
     if names_in_file is None:
         return {}
@@ -80,10 +77,7 @@ def unnamed(pose: str, files: Sequence[FileModes], campaign: Campaign) -> list[s
 def refuse_missing(files: Sequence[tuple[Record, Path, Places]], campaign: Campaign) -> None:
     """Refuse a sensor or force that is in no file of the campaign.
 
-    Raises
-    ------
-    MeasurementError
-        With the names in the files of the first record that should have it.
+    Raises MeasurementError with the names in the files of the first record that should have it.
     """
     places = {**_numbered("sensor", campaign.sensors), **_numbered("force", campaign.forces)}
     for where, place in places.items():

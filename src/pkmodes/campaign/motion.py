@@ -19,17 +19,10 @@ NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.+?)
 class Motion:
     """The quantity that a sensor's numbers represent.
 
-    Attributes
-    ----------
-    factor : float
-        To SI units.
-    derivative : int
-        0 for a displacement, 1 for a velocity, 2 for an acceleration.
-    angular : bool
-    unit : str
-        As stated.
-    of_volts : bool
-        Whether the numbers are volts, and `unit` is a sensitivity.
+    - factor: to SI units
+    - derivative: 0 for a displacement, 1 for a velocity, 2 for an acceleration
+    - unit: as stated
+    - of_volts: whether the numbers are volts, and `unit` is a sensitivity
     """
 
     factor: float
@@ -42,10 +35,7 @@ class Motion:
 def motion(unit: str, where: str) -> Motion:
     """Return the motion that a unit measures.
 
-    Raises
-    ------
-    MeasurementError
-        If it is not a unit of displacement, velocity or acceleration.
+    Raises MeasurementError if it is not a unit of displacement, velocity or acceleration.
     """
     try:
         factor, powers = base(unit, where)
@@ -67,10 +57,7 @@ def motion_or_none(unit: str) -> Motion | None:
 def motion_of_voltage(sensitivity: str, where: str) -> Motion:
     """Return the motion that one volt represents for a sensitivity such as ``"100 mV/g"``.
 
-    Raises
-    ------
-    MeasurementError
-        If it is not a voltage per displacement, velocity or acceleration.
+    Raises MeasurementError if it is not a voltage per displacement, velocity or acceleration.
     """
     try:
         check_plain_number(sensitivity, "a sensitivity")
@@ -95,10 +82,7 @@ def motion_of_voltage(sensitivity: str, where: str) -> Motion:
 def base(unit: str, where: str) -> tuple[float, dict[str, float]]:
     """Return a unit's factor to base units (gram for mass), and their powers; ``g`` is standard gravity.
 
-    Raises
-    ------
-    MeasurementError
-        If it is unknown.
+    Raises MeasurementError if it is unknown.
     """
     try:
         factor, powers = base_units(GRAVITY.sub(r"\1gravity", unit_text(unit) or unit))

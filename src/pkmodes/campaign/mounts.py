@@ -52,17 +52,10 @@ class Platform:
 class Mount:
     """How something is fixed to a platform that turns.
 
-    Attributes
-    ----------
-    direction : tuple of float
-        Unit vector.
-    turns : bool
-        Whether the direction is along the platform's axes, which turn, or along those of the base.
-    at : tuple of float
-        Its place in platform axes from the platform's origin [m].
-    angular : bool
-        Whether it shows a rotation about its direction, or is a torque.
-    platform : Platform
+    - direction: unit vector
+    - turns: whether the direction is along the platform's axes, which turn, or along those of the base
+    - at: its place in platform axes from the platform's origin [m]
+    - angular: whether it shows a rotation about its direction, or is a torque
     """
 
     direction: Vector

@@ -25,15 +25,9 @@ UNKNOWN = "an unknown unit"
 def force_factor(function: Function, source: str, declared: Motion | None = None) -> float:
     """Return the factor of the denominator of a frequency response to SI units, 1 if the file does not state it.
 
-    Parameters
-    ----------
-    declared : Motion, optional
-        Motion of the sensor as declared in the campaign.
+    - declared: motion of the sensor as declared in the campaign
 
-    Raises
-    ------
-    MeasurementError
-        If the file states that it is not a motion over a force.
+    Raises MeasurementError if the file states that it is not a motion over a force.
     """
     where, words = _place(function, source), _words(function)
     below = None if function.reference_unit is None else motion_or_none(function.reference_unit)
@@ -63,11 +57,8 @@ def force_in(unit: str) -> float:
 def inverted(functions: Sequence[Function], source: str) -> tuple[Function, ...]:
     """Return motions over forces from forces over motions, each measured while one force acted.
 
-    Raises
-    ------
-    MeasurementError
-        If the file states that one is not a force over a motion, or has as many references as sensors: these may be
-        the inverse of a matrix or reciprocals of single functions.
+    Raises MeasurementError if the file states that one is not a force over a motion, or has as many references as
+    sensors: these may be the inverse of a matrix or reciprocals of single functions.
     """
     for function in functions:
         force_below = _is_force(function.reference_unit)

@@ -52,28 +52,16 @@ class ModeDocument(Document, frozen=True):
 class IdentifiedMode:
     """A mode of a record: a row of the result.
 
-    Attributes
-    ----------
-    frequency, sigma : float
-        [Hz].
-    damping, sigma_damping : float
-        NaN where unknown.
-    shape : mapping of str to float
-        By channel, relative to the largest component.
-    sigma_shape : float
-        Of a component of it; NaN where unknown.
-    complexity : float
-        Modal phase collinearity; NaN without a shape.
-    found_in : tuple of int, or None
-        Number of model orders in which it was found, and their total.
-    files : int
-        Number of files in which it was found.
-    edited : str or None
-        "added" if the user added it.
-    complex_shape : mapping of str to complex
-        The shape before its imaginary part was left out.
-    blank, uncertain : tuple of str
-        Components of a turning platform that are left out: see `Combined`.
+    - frequency, sigma: [Hz]
+    - damping, sigma_damping: NaN where unknown
+    - shape: by channel, relative to the largest component
+    - sigma_shape: of a component of it; NaN where unknown
+    - complexity: modal phase collinearity; NaN without a shape
+    - found_in: number of model orders in which it was found, and their total
+    - files: number of files in which it was found
+    - edited: "added" if the user added it
+    - complex_shape: the shape before its imaginary part was left out
+    - blank, uncertain: components of a turning platform that are left out: see `Combined`
     """
 
     frequency: float
@@ -126,16 +114,10 @@ class RecordDocument(Document, frozen=True):
 class RecordResult:
     """The modes of a record.
 
-    Attributes
-    ----------
-    struck : tuple of float
-        Frequencies of the modes that the user struck out [Hz].
-    messages : tuple of str
-        What the user should know.
-    inspections : tuple of Inspection
-        Of the first file of each setup, if requested.
-    repeats : tuple of Repeats
-        Of each setup.
+    - struck: frequencies of the modes that the user struck out [Hz]
+    - messages: what the user should know
+    - inspections: of the first file of each setup, if requested
+    - repeats: of each setup
     """
 
     record: Record
@@ -170,12 +152,8 @@ class IdentifyDocument(Document, frozen=True):
 class Identification:
     """The modes of a campaign.
 
-    Attributes
-    ----------
-    repeatability : float
-        Relative; as stated, or from poses measured twice.
-    measurements : Measurements
-        Input of a diagnosis.
+    - repeatability: relative; as stated, or from poses measured twice
+    - measurements: input of a diagnosis
     """
 
     records: tuple[RecordResult, ...]

@@ -20,10 +20,7 @@ def revisited(records: Sequence[tuple[Record, Sequence[Mean]]], source: str) -> 
 
     The variance of the means from repeats, or from the fit of a single file, is subtracted from that between labels.
 
-    Raises
-    ------
-    MeasurementError
-        If fewer than three modes were measured again.
+    Raises MeasurementError if fewer than three modes were measured again.
     """
     alike: dict[object, list[Sequence[Mean]]] = {}
     for record, means in records:

@@ -29,12 +29,8 @@ SHIFT = 0.15
 class RovingPoint:
     """A file of a point that was hit.
 
-    Attributes
-    ----------
-    modes : tuple of Found
-        Those of this file alone.
-    factor : float
-        On its frequencies, to get those of the machine in the middle of its change.
+    - modes: those of this file alone
+    - factor: on its frequencies, to get those of the machine in the middle of its change
     """
 
     path: Path
@@ -54,16 +50,10 @@ class RovingPoint:
         Accelerances scale with the ratio of frequencies at the same damping ratios: only the poles move, and the
         residues with them.  The file's modes give their places; its noise is left unchanged.
 
-        Parameters
-        ----------
-        frequencies : ndarray, shape (F,)
-            [Hz].
-        places, references : sequence of str
-            As in the shapes and participations of the modes.
-        exponential : float, optional
-            Time constant of a window that the responses have had [s].
-        length : float, optional
-            Of the record of each blow, which cuts off the decays [s]; complete ones by default.
+        - frequencies: (F,) [Hz]
+        - places, references: as in the shapes and participations of the modes
+        - exponential: time constant of a window that the responses have had [s]
+        - length: of the record of each blow, which cuts off the decays [s]; complete ones by default
         """
         if self.factor == 1.0 or not self.modes:
             return np.zeros((len(frequencies), len(places), len(references)), complex)
@@ -85,10 +75,7 @@ class RovingPoint:
 class RovingChange:
     """The change of a machine from point to point, and the largest allowed, both relative to its frequencies.
 
-    Attributes
-    ----------
-    factors : mapping of str to float
-        On the frequencies of each setup, to get those in mid-change; 1 where no change is certain.
+    - factors: on the frequencies of each setup, to get those in mid-change; 1 where no change is certain
     """
 
     apart: float
@@ -104,11 +91,8 @@ class RovingChange:
 def points_of(files: Mapping[str, Mapping[Path, FileModes]], campaign: Campaign) -> list[dict[str, Path]]:
     """Return the files of each repeat by setup where setups are points of a roving hammer; none otherwise.
 
-    Parameters
-    ----------
-    files : mapping of str to mapping of Path to FileModes
-        The modes of each file of each setup.  If a setup has more files than another one, its last ones are in no
-        repeat.
+    - files: the modes of each file of each setup.  If a setup has more files than another one, its last ones are in
+      no repeat.
     """
     sensors = [campaign.sensors_in(setup) for setup in files]
     forces = [_hit(setup, by_path.values(), campaign) for setup, by_path in files.items()]

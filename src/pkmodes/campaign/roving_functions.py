@@ -32,17 +32,10 @@ class ApartError(Exception):
 def roving_frf_modes(points: Mapping[str, RovingPoint], record: Record, campaign: Campaign) -> FileModes:
     """Return the modes of the functions at all points of a hammer that roved, their shapes by the keys of the forces.
 
-    Parameters
-    ----------
-    points : mapping of str to RovingPoint
-        A file of each setup, each with references that forces of the campaign name.
+    - points: a file of each setup, each with references that forces of the campaign name
 
-    Raises
-    ------
-    MeasurementError
-        If a file is faulty.
-    ApartError
-        If their lines differ, or no sensor is in all of them.
+    Raises MeasurementError if a file is faulty.
+    Raises ApartError if their lines differ, or no sensor is in all of them.
     """
     files = [_by_key(point, record, setup, campaign) for setup, point in points.items()]
     responses, left_out = points_together(files, record.band)
@@ -71,10 +64,7 @@ def points_together(files: Sequence[ResponseFile], band: tuple[float, float]) ->
 
     A point in several files gets the mean of its functions.
 
-    Raises
-    ------
-    ApartError
-        If their lines differ in the band [Hz], or no sensor is in all of them.
+    Raises ApartError if their lines differ in the band [Hz], or no sensor is in all of them.
     """
     inside = [_in_band(file, band) for file in files]
     f = inside[0].frequencies

@@ -34,10 +34,7 @@ def silent(
 ) -> tuple[set[int], list[str]]:
     """Return which signals are constant, or stopped while others went on, and a message about each.
 
-    Parameters
-    ----------
-    rests : mapping of int to slice
-        Where signals keep one value, by index.
+    - rests: where signals keep one value, by index
     """
     faulty, messages = set[int](), list[str]()
     moving = [signal for i, signal in enumerate(used) if i not in rests]

@@ -36,12 +36,8 @@ WORDS = {
 class SensorFunctions:
     """The functions of one kind that a campaign's sensors have in a file.
 
-    Attributes
-    ----------
-    read : SignalFile
-        With all of the file's functions that the campaign names.
-    used : tuple of Function
-        Those of the sensors, all with the same abscissa.
+    - read: with all of the file's functions that the campaign names
+    - used: those of the sensors, all with the same abscissa
     """
 
     read: SignalFile
@@ -59,20 +55,12 @@ def sensor_functions(
 ) -> SensorFunctions:
     """Read the functions of the named sensors.
 
-    Parameters
-    ----------
-    names : frozenset of str
-        As in the file; all if it is empty and the kind needs no sensors.
-    record : Record
-        To which the file belongs: its band, outside of which functions of frequency may have gaps, its sampling rate,
-        and the names of a table's columns.
-    signs : bool
-        Whether the sign in the name of a degree of freedom counts.
+    - names: as in the file; all if it is empty and the kind needs no sensors
+    - record: to which the file belongs: its band, outside of which functions of frequency may have gaps, its sampling
+      rate, and the names of a table's columns
+    - signs: whether the sign in the name of a degree of freedom counts
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty or has none of them, or their times or frequencies differ.
+    Raises MeasurementError if the file is faulty or has none of them, or their times or frequencies differ.
     """
     request = asked_of(record, names or None)
     read = read_signals(path, request)
@@ -125,10 +113,8 @@ def refuse_repeated(name: str, subject: str, source: str) -> NoReturn:
 def motion_of(function: Function, sensor: MotionSensor, channels: Mapping[str, str], source: str) -> Motion:
     """Return the motion that a function measures: as the campaign declares, else by the unit in the file.
 
-    Raises
-    ------
-    MeasurementError
-        If neither states it, if they contradict each other, or it does not suit the sensor's channels.
+    Raises MeasurementError if neither states it, if they contradict each other, or it does not suit the sensor's
+    channels.
     """
     where = f"{source}: {function.response}"
     if sensor.motion is None and function.unit is None:
@@ -163,9 +149,7 @@ def _check_agrees(function: Function, declared: Motion, where: str) -> None:
 def check_size(values: NDArray[Any], source: str) -> None:
     """Refuse numbers outside any machine's range: their squares would overflow.
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     size = float(np.nanmax(np.abs(values), initial=0.0))
     if size > 0.0 and not SMALLEST <= size <= LARGEST:

@@ -31,16 +31,10 @@ NEGATIVE = re.compile(r"[0-9]+:-R?[XYZ](?:#[0-9]+)?")
 class Transducer:
     """A place where a force acts or a sensor measures.
 
-    Attributes
-    ----------
-    name : str
-        As in the files.
-    setup : str or None
-        The only setup to which it applies; None for all.
-    weights : mapping of str to float
-        Contribution of each channel: one channel, or a unit direction of the platform; empty for none.
-    mount : Mount or None
-        How it is fixed to a turning platform; `weights` are then those of the unrotated platform.
+    - name: as in the files
+    - setup: the only setup to which it applies; None for all
+    - weights: contribution of each channel: one channel, or a unit direction of the platform; empty for none
+    - mount: how it is fixed to a turning platform; `weights` are then those of the unrotated platform
     """
 
     name: str
@@ -62,10 +56,7 @@ class Transducer:
 class MotionSensor(Transducer):
     """A sensor.
 
-    Attributes
-    ----------
-    motion : Motion or None
-        The motion that its numbers represent; None if the files state it.
+    - motion: the motion that its numbers represent; None if the files state it
     """
 
     motion: Motion | None
@@ -80,18 +71,10 @@ def sensors_of(
 ) -> tuple[MotionSensor, ...]:
     """Check the sensors of a campaign.
 
-    Parameters
-    ----------
-    channel_units : mapping of str to str
-        Channels and their units, "" where it may be a length or an angle.
-    platform : Platform
-    setups : collection of str
-        Setups of the records.
+    - channel_units: channels and their units, "" where it may be a length or an angle
+    - setups: setups of the records
 
-    Raises
-    ------
-    MeasurementError
-        For the first sensor that is wrong.
+    Raises MeasurementError for the first sensor that is wrong.
     """
     sensors = []
     for i, table in enumerate(tables, start=1):
@@ -124,10 +107,8 @@ def forces_of(
 def names_in_files(table: RecordTable, sensors: Sequence[SensorTable], where: str) -> dict[str, str]:
     """Check the names by which the files of a record call time, frequency, force and the sensors.
 
-    Raises
-    ------
-    MeasurementError
-        If a name is none of these, a name in the files is used twice, or the record is one of identified modes.
+    Raises MeasurementError if a name is none of these, a name in the files is used twice, or the record is one of
+    identified modes.
     """
     known_names = [*WORDS, *dict.fromkeys(sensor.name for sensor in sensors)]
     for name in table.names:
@@ -258,9 +239,7 @@ def _motion(table: SensorTable, where: str) -> Motion | None:
 def check_motion(measured: Motion, place: Transducer, channel_units: Mapping[str, str], where: str) -> None:
     """Refuse a linear motion for an angle, and an angular one for a length.
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     for channel in place.weights if place.mount is None else place.mount.shows:
         unit = channel_units[channel]

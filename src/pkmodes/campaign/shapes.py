@@ -32,16 +32,11 @@ UNCERTAIN = "{} would be known no better than to the largest component: left bla
 class Combined:
     """A shape by channel.
 
-    Attributes
-    ----------
-    values : dict of str to complex
-        Those that the sensors determine; other channels are left out.
-    growth : float
-        Ratio of the relative standard deviation of the least certain component to that of the sensors; 1 if no
-        platform turns, as its components are then as certain as its sensors.
-    blank, uncertain : tuple of str
-        Components of a turning platform that its sensors do not determine, and those whose error is as large as the
-        largest component.
+    - values: those that the sensors determine; other channels are left out
+    - growth: ratio of the relative standard deviation of the least certain component to that of the sensors; 1 if no
+      platform turns, as its components are then as certain as its sensors
+    - blank, uncertain: components of a turning platform that its sensors do not determine, and those whose error is
+      as large as the largest component
     """
 
     values: dict[str, complex]
@@ -55,14 +50,9 @@ def combined(
 ) -> Combined:
     """Return a shape by channel.
 
-    Parameters
-    ----------
-    shape : mapping of str to complex
-        By sensor.
-    places : mapping of str to Transducer
-        The sensors, by the same names, at the pose of the shape; those without weights appear in no shape.
-    sigma : float, optional
-        Standard deviation of each sensor's component, relative to the largest.
+    - shape: by sensor
+    - places: the sensors, by the same names, at the pose of the shape; those without weights appear in no shape
+    - sigma: standard deviation of each sensor's component, relative to the largest
     """
     used = [name for name in shape if places[name].weights]
     order = dict.fromkeys(channel for name in used for channel in places[name].weights)

@@ -46,29 +46,16 @@ SAME_RATE = 1e-3
 class TimeSignals:
     """Signals of a file.
 
-    Attributes
-    ----------
-    step : float
-        Between samples [s].
-    pieces : tuple of ndarray, shape (n_i, S)
-        Responses in SI units; a gap begins another piece.
-    forces : tuple of ndarray, shape (n_i,)
-        In SI units where the file gives one; empty without a force.
-    force : str
-        Name of the force in the file.
-    names : tuple of str
-        Of the S sensors with a signal.
-    derivatives : ndarray of int, shape (S,)
-        0 for displacements, 1 for velocities, 2 for accelerations.
-    names_in_file : frozenset of str
-        Names of all the campaign's sensors in the file.
-    messages : tuple of str
-    gap : float
-        Median of the times that are lost between the pieces [s]; 0 for a single piece.
-    starts : tuple of float
-        Times of the first samples of the pieces [s].
-    once_more : TimeSignals or None
-        The same with as many further samples interpolated; None if none are.
+    - step: between samples [s]
+    - pieces: responses in SI units, each (n_i, S); a gap begins another piece
+    - forces: in SI units where the file gives one, each (n_i,); empty without a force
+    - force: name of the force in the file
+    - names: of the S sensors with a signal
+    - derivatives: (S,); 0 for displacements, 1 for velocities, 2 for accelerations
+    - names_in_file: names of all the campaign's sensors in the file
+    - gap: median of the times that are lost between the pieces [s]; 0 for a single piece
+    - starts: times of the first samples of the pieces [s]
+    - once_more: the same with as many further samples interpolated; None if none are
     """
 
     source: str
@@ -103,15 +90,10 @@ def time_signals(
 ) -> TimeSignals:
     """Read the signals of a file.
 
-    Parameters
-    ----------
-    highest : float, optional
-        Highest frequency of interest [Hz]: long records are reduced to fewer samples.
+    - highest: highest frequency of interest [Hz]: long records are reduced to fewer samples
 
-    Raises
-    ------
-    MeasurementError
-        If the file is faulty, has none of the campaign's sensors, or its signals differ in their times.
+    Raises MeasurementError if the file is faulty, has none of the campaign's sensors, or its signals differ in their
+    times.
     """
     sensors = campaign.sensors_in(setup)
     functions = sensor_functions(
@@ -264,12 +246,8 @@ def with_levels(
 ) -> FileModes:
     """Return the modes of a file with their levels.
 
-    Parameters
-    ----------
-    fit : FileFit
-        With shapes in accelerations of the file's sensors.
-    exponential : float, optional
-        Time constant of a window that the responses have had [s].
+    - fit: with shapes in accelerations of the file's sensors
+    - exponential: time constant of a window that the responses have had [s]
     """
     file_modes = modes_of_fit(fit, messages, signals.names_in_file)
     modes = fit.estimate.modes

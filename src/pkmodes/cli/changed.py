@@ -144,10 +144,7 @@ def _campaigns(
 ) -> dict[str, Measurements]:
     """Return the campaigns of all files by the names of their states: by default those of the files.
 
-    Raises
-    ------
-    PkmodesError
-        If two have the same name, or there is only one.
+    Raises PkmodesError if two have the same name, or there is only one.
     """
     from pkmodes.updating.reading import read_states
 

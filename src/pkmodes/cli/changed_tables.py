@@ -14,10 +14,7 @@ from pkmodes.report.setting import ReportSetting
 def show_changes(robot: Robot, result: Change, limit: int | None) -> None:
     """Print what changed.
 
-    Parameters
-    ----------
-    limit : int or None
-        Modes that are printed, those that changed most; None for all.
+    - limit: modes that are printed, those that changed most; None for all
     """
     terminal, setting = Terminal(), ReportSetting(robot.name, robot, None, (), None)
     head = changes_summary(result, setting)

@@ -28,14 +28,9 @@ UNSEEN = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud80
 class ResultFile:
     """A file that a command writes besides the JSON.
 
-    Attributes
-    ----------
-    file : Path or None
-        None if it is not requested.
-    content : callable
-        Returns what is written.
-    lines : callable
-        Messages once it is written; by default that it was.
+    - file: None if it is not requested
+    - content: returns what is written
+    - lines: messages once it is written; by default that it was
     """
 
     file: Path | None
@@ -51,21 +46,13 @@ def deliver(
     The files are written all or none: what prevents one of them is reported after printing.  If the reader of
     standard output, such as head, closes the pipe early, the files and the exit code do not change.
 
-    Parameters
-    ----------
-    json_file : str or None
-        The target of ``--json``.
-    content : dict of str to Any
-        The result for scripts, `Document.as_json`.
-    show : callable
-        Prints it for a person.
-    *files : ResultFile
-        In the order of making.  Their lines follow the result in reverse, on stderr if standard output is the JSON.
+    - json_file: the target of ``--json``
+    - content: the result for scripts, `Document.as_json`
+    - show: prints it for a person
+    - *files: in the order of making.  Their lines follow the result in reverse, on stderr if standard output is the
+      JSON.
 
-    Raises
-    ------
-    PkmodesError
-        If a file cannot be made or written.
+    Raises PkmodesError if a file cannot be made or written.
     """
     to_stdout = json_file == "-"
     problem: PkmodesError | None = None
@@ -101,19 +88,11 @@ def unlike(
 ) -> dict[str, str | bytes]:
     """Return the files that a folder lacks, or has with another content.
 
-    Parameters
-    ----------
-    contents : mapping of str to str or bytes
-        By file name below the folder.
-    option : str
-        The option that names the place.
-    overwrite : bool
-        Whether a file that exists with another content is replaced.
+    - contents: by file name below the folder
+    - option: the option that names the place
+    - overwrite: whether a file that exists with another content is replaced
 
-    Raises
-    ------
-    OutputError
-        If there is one and it is not.
+    Raises OutputError if there is one and it is not.
     """
     encoded = {name: text.encode() if isinstance(text, str) else text for name, text in contents.items()}
     existing = {name: (folder / name).read_bytes() for name in encoded if (folder / name).is_file()}

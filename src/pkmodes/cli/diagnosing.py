@@ -52,15 +52,9 @@ def progress_lines(command: str) -> Iterator[Callable[[str], None]]:
 def failing(names: Sequence[str]) -> frozenset[str]:
     """Return the verdicts that the names stand for.
 
-    Parameters
-    ----------
-    names : sequence of str
-        Verdicts, or the word any.
+    - names: verdicts, or the word any
 
-    Raises
-    ------
-    PkmodesError
-        If there is no such verdict.
+    Raises PkmodesError if there is no such verdict.
     """
     from pkmodes.diagnosis.verdict.verdicts import VERDICTS  # loads SciPy
 

@@ -93,16 +93,10 @@ def _text(cell: Cell) -> str:
 class _Grid:
     """The text of a table, column by column.
 
-    Attributes
-    ----------
-    names : sequence of sequence of str
-        The lines of the first cell of each row.
-    rows : sequence of sequence of str
-        All cells of each row; the first one is not printed, but its `names`.
-    numbers : sequence of bool
-        Columns that are aligned at the right.
-    heads : int
-        First columns that tell the rows apart.
+    - names: the lines of the first cell of each row
+    - rows: all cells of each row; the first one is not printed, but its `names`
+    - numbers: columns that are aligned at the right
+    - heads: first columns that tell the rows apart
     """
 
     titles: Sequence[str]

@@ -283,10 +283,7 @@ def _sigma(value: float) -> str:
 def _fixed(value: float, zero: float = ZERO) -> str:
     """Format with three decimals, and with an exponent where these would not fit: numbers are never cut.
 
-    Parameters
-    ----------
-    zero : float
-        Below it a value differs from zero only by rounding, and is shown as 0.
+    - zero: below it a value differs from zero only by rounding, and is shown as 0
     """
     if abs(value) < zero:
         return "0    "  # aligned with the ones digit of the other numbers

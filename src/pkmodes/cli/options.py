@@ -82,10 +82,7 @@ band_option = click.option(
 def band_of(text: str | None) -> tuple[float, float] | None:
     """Return the band of the option in Hz.
 
-    Raises
-    ------
-    MeasurementError
-        If it is not two frequencies, the lower one first.
+    Raises MeasurementError if it is not two frequencies, the lower one first.
     """
     if text is None:
         return None
@@ -97,17 +94,10 @@ def band_of(text: str | None) -> tuple[float, float] | None:
 def comma_list(text: str, option: str, example: str, noun: str = "names") -> list[str]:
     """Return names that are separated by commas, each once.
 
-    Parameters
-    ----------
-    example : str
-        The option as it should be written, for messages.
-    noun : str
-        What they are names of, for messages.
+    - example: the option as it should be written, for messages
+    - noun: what they are names of, for messages
 
-    Raises
-    ------
-    PkmodesError
-        If one is empty.
+    Raises PkmodesError if one is empty.
     """
     names = [name.strip() for name in text.split(",")]
     if not all(names):
@@ -120,12 +110,8 @@ def comma_list(text: str, option: str, example: str, noun: str = "names") -> lis
 def quantity_option(name: str, unit: str, example: str, **settings: Any) -> Callable[[Any], Any]:
     """Return an option that is a number in SI units, or a number with its unit.
 
-    Parameters
-    ----------
-    unit : str
-        The SI unit.
-    example : str
-        A value with its unit, for messages.
+    - unit: the SI unit
+    - example: a value with its unit, for messages
     """
 
     def read(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
@@ -158,12 +144,8 @@ def named_as_options(*same: str, **renamed: str) -> Iterator[None]:
     The place of an error is an argument, alone or before a colon: ``sweep: platform.mass``.  A remedy may give an
     argument a value: ``drives="held"``.
 
-    Parameters
-    ----------
-    same : str
-        Arguments that have the names of their options.
-    renamed : str
-        Options by argument.
+    - same: arguments that have the names of their options
+    - renamed: options by argument
     """
     options = {name: f"--{name}" for name in same} | renamed
     try:

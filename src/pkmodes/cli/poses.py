@@ -43,10 +43,7 @@ poses_option = click.option(
 def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
     """Read the components of a pose: bare numbers in SI units, or quantities.
 
-    Raises
-    ------
-    PoseError
-        If the number of components is wrong, or one of them is not such a quantity.
+    Raises PoseError if the number of components is wrong, or one of them is not such a quantity.
     """
     from pkmodes.core.robot.units import QuantityError, parse_number_or_quantity
 
@@ -68,11 +65,8 @@ def parse_pose(text: str, mechanism: Mechanism) -> list[float]:
 def pose_of(model: Model, text: str) -> list[float]:
     """Read the pose of ``--pose``.
 
-    Raises
-    ------
-    PoseError
-        As `parse_pose`, and if the robot could reach it if its bare lengths, some of them large, were in millimetres,
-        or its bare angles in degrees.
+    Raises PoseError as `parse_pose` does, and if the robot could reach it if its bare lengths, some of them large,
+    were in millimetres, or its bare angles in degrees.
     """
     point = parse_pose(text, model.mechanism)
     _check_units(model, text, point)
@@ -82,10 +76,7 @@ def pose_of(model: Model, text: str) -> list[float]:
 def _check_units(model: Model, text: str, point: list[float]) -> None:
     """Reject a pose that could be reached if bare numbers, some of them large, were in other units.
 
-    Raises
-    ------
-    PoseError
-        Other poses that cannot be reached are left to the model to reject.
+    Raises PoseError.  Other poses that cannot be reached are left to the model to reject.
     """
     from pkmodes.core.mechanism.poses import MEANT
 
@@ -110,10 +101,7 @@ def _check_units(model: Model, text: str, point: list[float]) -> None:
 def places_given(model: Model, grid: str | None, poses: Path | None) -> Places | None:
     """Return the poses of the two options, None without either.
 
-    Raises
-    ------
-    click.UsageError
-        If both are given.
+    Raises click.UsageError if both are given.
     """
     if grid is not None and poses is not None:
         raise click.UsageError("--grid and --poses exclude each other", click.get_current_context())

@@ -11,12 +11,8 @@ from pkmodes.core.base.errors import printable
 def echo(text: object = "", *, err: bool = False) -> None:
     """Print one line; characters that are not visible are written as escapes.
 
-    Parameters
-    ----------
-    text : object
-        A line break at its beginning leaves a line empty.
-    err : bool
-        Whether it goes to stderr.
+    - text: a line break at its beginning leaves a line empty
+    - err: whether it goes to stderr
     """
     clear_progress()
     line = str(text)

@@ -32,12 +32,8 @@ def duration(seconds: float) -> str:
 class ProgressLine:
     """A line on a terminal, rewritten by a thread so that its seconds count while the command computes.
 
-    Parameters
-    ----------
-    stream : text stream
-        The terminal.
-    text : str
-        What is done first.
+    - stream: the terminal
+    - text: what is done first
     """
 
     def __init__(self, stream: TextIO, text: str) -> None:

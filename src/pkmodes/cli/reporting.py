@@ -21,10 +21,7 @@ def sources_of(report: Path | None, inputs: Mapping[str, Path | None]) -> Sequen
     They are taken when the files were read, but before anything is computed: missing libraries are reported at once,
     and the digests are those of the files as they were read.
 
-    Raises
-    ------
-    MissingExtraError
-        If the libraries for reports are missing.
+    Raises MissingExtraError if the libraries for reports are missing.
     """
     if report is None:
         return ()

@@ -258,10 +258,7 @@ def _output(name: str) -> str | Mapping[str, Sequence[float]]:
 def _frequencies(text: str, log: bool) -> NDArray[np.float64]:
     """Read ``START:STOP:COUNT`` in Hz.
 
-    Raises
-    ------
-    PkmodesError
-        If it is not a range of frequencies, or not one that equal ratios divide.
+    Raises PkmodesError if it is not a range of frequencies, or not one that equal ratios divide.
     """
     from pkmodes.maps.ranges import parse_range
 

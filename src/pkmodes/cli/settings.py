@@ -35,10 +35,7 @@ def settings_option(meaning: str) -> Callable[[Any], Any]:
 def settings_given(model: Model, texts: tuple[str, ...]) -> dict[str, Any] | None:
     """Return the values of ``--set`` by path; None without any.
 
-    Raises
-    ------
-    PkmodesError
-        As `pkmodes.maps.ranges.parse_settings`.
+    Raises PkmodesError as `pkmodes.maps.ranges.parse_settings` does.
     """
     if not texts:
         return None
@@ -52,11 +49,8 @@ def height_given(
 ) -> tuple[float, float] | None:
     """Return the heights of the first and the last value of ``--set`` [m]; None without ``--height``.
 
-    Raises
-    ------
-    PkmodesError
-        If it is neither two heights nor a density times an area; or if it is one of these and what is set is not a
-        mass.
+    Raises PkmodesError if it is neither two heights nor a density times an area; or if it is one of these and what is
+    set is not a mass.
     """
     if text is None:
         return None

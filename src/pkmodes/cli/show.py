@@ -142,20 +142,10 @@ def show(
 def parse_vary(text: str, robot: Robot) -> dict[str, NDArray[np.float64]]:
     """Read the ranges of the option.
 
-    Parameters
-    ----------
-    robot : Robot
-        It says which paths there are, and their units.
+    - robot: it says which paths there are, and their units
 
-    Returns
-    -------
-    dict of str to ndarray
-        Values in SI units by path, in the order given.
-
-    Raises
-    ------
-    PkmodesError
-        If a path is unknown or repeated, a range is invalid, or there are too many.
+    Returns values in SI units by path, in the order given.
+    Raises PkmodesError if a path is unknown or repeated, a range is invalid, or there are too many.
     """
     from pkmodes.core.robot.declaration import changeable
     from pkmodes.maps.ranges import parse_range

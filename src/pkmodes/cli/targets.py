@@ -15,18 +15,12 @@ from pkmodes.support.places import resolved
 class Target:
     """A file that a command writes.
 
-    Attributes
-    ----------
-    option : str
-        The option that names it.
-    file : str, Path or None
-        As given; None if it is not requested.
-    label : str
-        What it will be, such as "the report".
-    endings : tuple of str
-        If not empty, its name ends in one of them.
-    anywhere : bool
-        Whether it may also be a folder, or in one that does not exist: such a target is checked where it is written.
+    - option: the option that names it
+    - file: as given; None if it is not requested
+    - label: what it will be, such as "the report"
+    - endings: if not empty, its name ends in one of them
+    - anywhere: whether it may also be a folder, or in one that does not exist: such a target is checked where it is
+      written
     """
 
     option: str
@@ -44,15 +38,10 @@ def report_target(file: Path | None) -> Target:
 def check_targets(json_file: str | None, inputs: Sequence[Path | None], *other_targets: Target) -> None:
     """Check the target of ``--json`` and those of other options.
 
-    Parameters
-    ----------
-    inputs : sequence of Path or None
-        Files that the command reads; None for an option that is not given.
+    - inputs: files that the command reads; None for an option that is not given
 
-    Raises
-    ------
-    OutputError
-        If one of them cannot be written, is an input, or is the same file as another, or a page is not named as one.
+    Raises OutputError if one of them cannot be written, is an input, or is the same file as another, or a page is not
+    named as one.
     """
     result = Target("--json", None if json_file == "-" else json_file, "the result")
     taken: dict[Path, str] = {}

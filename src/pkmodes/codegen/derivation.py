@@ -28,10 +28,7 @@ LARGEST_FILE = 1_000_000
 def derivation(name: str) -> ModuleType:
     """Import a module of the derivation.
 
-    Raises
-    ------
-    MissingExtraError
-        If SymPy or Jinja2 is not installed.
+    Raises MissingExtraError if SymPy or Jinja2 is not installed.
     """
     from importlib import import_module
 
@@ -58,10 +55,7 @@ class Definition:
 def read_definition(file: Path, name: str | None = None) -> Definition:
     """Read the definition of a mechanism; the name defaults to that of the file.
 
-    Raises
-    ------
-    PkmodesError
-        If the file cannot be read.
+    Raises PkmodesError if the file cannot be read.
     """
     remedy = "give a Python file with TITLE, DIRECTIONS and declare(m)"
     if name is None and file.suffix != ".py" and (file.is_file() or not file.exists()):
@@ -73,10 +67,7 @@ def read_definition(file: Path, name: str | None = None) -> Definition:
 def read_effect(file: Path) -> Definition:
     """Read the file of an effect.
 
-    Raises
-    ------
-    PkmodesError
-        If it cannot be read.
+    Raises PkmodesError if it cannot be read.
     """
     remedy = "give a Python file with EFFECT, as pkmodes diagnose --save-effect writes it"
     return Definition(file.stem, python_text(file, "effect", remedy), file)
@@ -85,10 +76,7 @@ def read_effect(file: Path) -> Definition:
 def python_text(file: Path, noun: str, remedy: str) -> str:
     """Read the text of a definition or effect, which the messages call by that noun.
 
-    Raises
-    ------
-    PkmodesError
-        If the file cannot be read.
+    Raises PkmodesError if the file cannot be read.
     """
     if file.exists() and not file.is_file():
         raise PkmodesError(f"cannot read the {noun}: it is not a file", str(file), remedy)
@@ -107,10 +95,7 @@ def python_text(file: Path, noun: str, remedy: str) -> str:
 def define(definition: Definition) -> None:
     """Register a definition with the derivation.
 
-    Raises
-    ------
-    PkmodesError
-        If the definition is invalid; the message gives the line.
+    Raises PkmodesError if the definition is invalid; the message gives the line.
     """
     with as_pkmodes_errors():
         derivation("mechanisms").add(definition.name, definition.text, str(definition.file))
@@ -142,10 +127,7 @@ def as_pkmodes_errors() -> Iterator[None]:
 def add_effects(name: str, files: Sequence[Definition]) -> None:
     """Give a mechanism of the derivation the user's effects, and no others.
 
-    Raises
-    ------
-    PkmodesError
-        If one is invalid; the message gives the line.
+    Raises PkmodesError if one is invalid; the message gives the line.
     """
     with as_pkmodes_errors():
         derivation("mechanisms").add_effects(name, [(effect.text, str(effect.file)) for effect in files])
@@ -174,19 +156,11 @@ def parametric(
 ) -> dict[str, str]:
     """Derive a mechanism with a user's definition or effects: texts of its package by file name.
 
-    Parameters
-    ----------
-    definition : Definition or None
-        None for a mechanism of pkmodes.
-    reference : str
-        Path of its file relative to the package folder.
-    effects : mapping, optional
-        Files of effects by their paths relative to the package folder.
+    - definition: None for a mechanism of pkmodes
+    - reference: path of its file relative to the package folder
+    - effects: files of effects by their paths relative to the package folder
 
-    Raises
-    ------
-    PkmodesError
-        If the definition, or an effect, is invalid.
+    Raises PkmodesError if the definition, or an effect, is invalid.
     """
     files = dict(sorted((effects or {}).items()))
     if definition is not None:

@@ -46,10 +46,8 @@ from pkmodes.support.writing import write_files
 def specification(robot: Robot, robot_file: str, definition: str = "") -> Any:
     """Return the derivation's input for a robot; a user-defined mechanism is registered with the derivation.
 
-    Parameters
-    ----------
-    robot_file, definition : str
-        References to the robot file and to the mechanism's definition, as the generated files state them.
+    - robot_file, definition: references to the robot file and to the mechanism's definition, as the generated files
+      state them
     """
     stored_definition = definition_of(robot.mechanism)
     if stored_definition is not None:
@@ -127,35 +125,19 @@ def generate(
 ) -> list[Path]:
     """Generate the model of one robot and, given the definition of a mechanism or effects, the mechanism's code.
 
-    Parameters
-    ----------
-    robot_file : Path
-        The robot file.
-    out : Path
-        Output folder; created if it does not exist.
-    mechanism : Path, optional
-        A user-defined mechanism: either the Python file that defines it, whose code is written into the folder of
-        its name in `out`, or a folder that was generated from such a file.
-    effects : sequence of Path, optional
-        Python files of effects that the mechanism is to have beside the catalogue, and beside those that it has in
-        the folder that is given: its code with them is written into the folder of its name in `out`.
+    - out: output folder; created if it does not exist
+    - mechanism: a user-defined mechanism: either the Python file that defines it, whose code is written into the
+      folder of its name in `out`, or a folder that was generated from such a file
+    - effects: Python files of effects that the mechanism is to have beside the catalogue, and beside those that it
+      has in the folder that is given: its code with them is written into the folder of its name in `out`
 
-    Returns
-    -------
-    list of Path
-        The files written: a NumPy module, a C source, its header, for a robot with effects the same without them,
-        and a manifest.
-
-    Raises
-    ------
-    RobotFileError
-        If the robot file is invalid.
-    OutputError
-        If the folder cannot be written, is not suitable for generated files, or holds the model of another robot.
-    MissingExtraError
-        If SymPy or Jinja2 is not installed.
-    PkmodesError
-        If the definition or an effect is invalid.
+    Returns the files written: a NumPy module, a C source, its header, for a robot with effects the same without them,
+    and a manifest.
+    Raises RobotFileError if the robot file is invalid.
+    Raises OutputError if the folder cannot be written, is not suitable for generated files, or holds the model of
+    another robot.
+    Raises MissingExtraError if SymPy or Jinja2 is not installed.
+    Raises PkmodesError if the definition or an effect is invalid.
     """
     new_effects = [read_effect(file) for file in effects]
     if mechanism is not None and not mechanism.is_dir():

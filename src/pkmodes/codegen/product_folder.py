@@ -26,17 +26,11 @@ ELSEWHERE = "name a new or empty folder, such as --out build/my-robot"
 def check_place(out: Path, beside: Sequence[Path], recorded: Mapping[str, Any] | None) -> None:
     """Reject a folder that is not suitable for generated files, before anything is derived.
 
-    Parameters
-    ----------
-    beside : sequence of Path
-        Paths that may be in the folder: the robot file, and others that are checked separately.
-    recorded : mapping or None
-        The manifest in the folder.
+    - beside: paths that may be in the folder: the robot file, and others that are checked separately
+    - recorded: the manifest in the folder
 
-    Raises
-    ------
-    OutputError
-        If it is the root of a file system or repository, the home folder, or contains other files than a model.
+    Raises OutputError if it is the root of a file system or repository, the home folder, or contains other files than
+    a model.
     """
     place = resolved(out, "--out")
     if place == Path(place.anchor):
@@ -75,10 +69,7 @@ def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: st
     If the recorded robot file no longer exists and the robot's name is the same, the folder or the file was moved,
     and the folder is accepted.
 
-    Raises
-    ------
-    OutputError
-        If the folder holds the model of another robot.
+    Raises OutputError if the folder holds the model of another robot.
     """
     robot = recorded.get("robot") if isinstance(recorded.get("robot"), dict) else {}
     owner = robot.get("file") if robot else None
@@ -97,9 +88,7 @@ def check_owner(out: Path, recorded: Mapping[str, Any], reference: str, name: st
 def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str) -> None:
     """Reject a folder that holds anything but the code of this mechanism.
 
-    Raises
-    ------
-    OutputError
+    Raises OutputError.
     """
     if recorded is not None and ("robot" in recorded or recorded.get("product") != name):
         problem = f"the folder holds generated files other than the code of the mechanism {name}"
@@ -109,9 +98,7 @@ def check_mechanism(folder: Path, recorded: Mapping[str, Any] | None, name: str)
 def check_no_link(path: Path) -> None:
     """Reject a symbolic link in the place of generated files: in a received folder it may lead anywhere.
 
-    Raises
-    ------
-    OutputError
+    Raises OutputError.
     """
     if path.is_symlink():
         problem = f"expected a file or folder, found that {shown(path.name)} is a symbolic link"
@@ -123,19 +110,11 @@ def stale_outputs(
 ) -> list[Path]:
     """Return outputs of an earlier generation that are not among the new ones, as after renaming the robot.
 
-    Parameters
-    ----------
-    recorded : mapping
-        The manifest in the folder.
-    names : iterable of str
-        Files that are about to be written.
-    generated : callable
-        Returns whether a file carries the generator's header.
+    - recorded: the manifest in the folder
+    - names: files that are about to be written
+    - generated: returns whether a file carries the generator's header
 
-    Raises
-    ------
-    OutputError
-        If one of the new outputs would replace a file that the generator did not write.
+    Raises OutputError if one of the new outputs would replace a file that the generator did not write.
     """
     former = recorded["outputs"]
     for name in names:
@@ -155,10 +134,7 @@ def stale_outputs(
 def alone(folder: Path) -> Iterator[None]:
     """Make a folder, and keep other processes from generating into it; what stays empty is removed again.
 
-    Raises
-    ------
-    OutputError
-        If the folder cannot be made or written, or another process does not finish.
+    Raises OutputError if the folder cannot be made or written, or another process does not finish.
     """
     from filelock import FileLock, Timeout
 

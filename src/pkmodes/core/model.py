@@ -611,10 +611,7 @@ class Model:
     def _plan(self, requested: tuple[str, ...] | None, out: Out, backend: str, drives: str) -> FieldPlan:
         """Return what a call does; kept, so that a call for one pose takes microseconds.
 
-        Parameters
-        ----------
-        requested : tuple of str, optional
-            Fields, in their order; None for all, of which some are evaluated when they are read.
+        - requested: fields, in their order; None for all, of which some are evaluated when they are read
         """
         apart = tuple(name for name in requested or () if out and name in out and FIELDS[name].same_as)
         key = requested, apart, chosen(backend), drives, len(FIELDS)

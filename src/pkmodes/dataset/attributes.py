@@ -23,9 +23,7 @@ CONVENTIONS = "CF-1.11"
 def imported() -> Any:
     """Import xarray.
 
-    Raises
-    ------
-    MissingExtraError
+    Raises MissingExtraError.
     """
     require("maps", "map", "xarray", "pandas")
     import xarray

@@ -23,21 +23,11 @@ if TYPE_CHECKING:
 def to_dataset(modes: Modes) -> xarray.Dataset:
     """Return the vibration modes as a dataset, with the variables and attributes of a map (docs/maps.md).
 
-    Parameters
-    ----------
-    modes : Modes
-        Of a robot at poses.
+    - modes: of a robot at poses
 
-    Returns
-    -------
-    xarray.Dataset
-        Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body
-        modes are left out, and so are fields that were not requested.
-
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``map`` are not installed.
+    Its leading axes are those of the poses: ``pose``, or ``pose_1``, ``pose_2``, ... for several.  Rigid-body modes
+    are left out, and so are fields that were not requested.
+    Raises MissingExtraError if the libraries of the extra ``map`` are not installed.
     """
     xr = imported()
     robot, poses, drives = modes.robot, modes.poses, modes.drives
@@ -82,20 +72,10 @@ def to_dataset(modes: Modes) -> xarray.Dataset:
 def to_table(modes: Modes) -> pandas.DataFrame:
     """Return the vibration modes as a table, which pandas writes as CSV or Parquet.
 
-    Parameters
-    ----------
-    modes : Modes
-        Of a robot at poses.
+    - modes: of a robot at poses
 
-    Returns
-    -------
-    pandas.DataFrame
-        One row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
-
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``map`` are not installed.
+    Returns one row for each mode at each pose, with the columns of a map in a table (docs/maps.md).
+    Raises MissingExtraError if the libraries of the extra ``map`` are not installed.
 
     Examples
     --------

@@ -15,10 +15,7 @@ from pkmodes.core.robot.variants import document_of, raw_values
 def text_of(robot: Robot) -> str:
     """Return the text of a robot file that declares this robot.
 
-    Returns
-    -------
-    str
-        The robot's file itself if it still declares this robot, with its comments; otherwise a text in SI units.
+    Returns the robot's file itself if it still declares this robot, with its comments; otherwise a text in SI units.
     """
     path = Path(robot.source)
     try:

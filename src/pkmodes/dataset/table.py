@@ -29,16 +29,10 @@ def _kind(dims: tuple[str, ...]) -> tuple[bool, bool]:
 def table_of(dataset: xarray.Dataset) -> pandas.DataFrame:
     """Return the modes of a dataset as a table.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        From `pkmodes.Model.map` or `pkmodes.Modes.to_dataset`.
+    - dataset: from `pkmodes.Model.map` or `pkmodes.Modes.to_dataset`
 
-    Returns
-    -------
-    pandas.DataFrame
-        One row for each mode at each pose, with the coordinates of the map as columns; shapes and positions have one
-        column for each component, such as ``platform_shape:x``, ``joint_position:x_1``.
+    Returns one row for each mode at each pose, with the coordinates of the map as columns; shapes and positions have
+    one column for each component, such as ``platform_shape:x``, ``joint_position:x_1``.
     """
     import xarray
 

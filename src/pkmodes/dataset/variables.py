@@ -30,11 +30,7 @@ WITHIN = {INDEPENDENT: COORDINATE, LINEAR: DIRECTION}
 class DatasetVariable:
     """A variable of the dataset.
 
-    Attributes
-    ----------
-    dims : tuple of str
-        After those of the poses.
-    units, long_name, comment : str
+    - dims: after those of the poses
     """
 
     name: str
@@ -68,14 +64,9 @@ def variables(
 ) -> tuple[DatasetVariable, ...]:
     """Return the variables of a map.
 
-    Parameters
-    ----------
-    normal : str or None
-        Direction perpendicular to the plane of the grid.
-    conditions : frozenset of str
-        From `pkmodes.core.solve.fields.conditions_of`.
-    tracked : bool
-        Whether modes are tracked.
+    - normal: direction perpendicular to the plane of the grid
+    - conditions: from `pkmodes.core.solve.fields.conditions_of`
+    - tracked: whether modes are tracked
     """
     shapes = SHAPES in conditions
     of_fields = [(field, _variable(field, mechanism, normal, shapes)) for field in of_maps(conditions)]

@@ -42,10 +42,7 @@ def checked(structure: Structure, data: Measurements) -> Structure:
 def check_measurements(data: object, reader: str) -> None:
     """Refuse an object that is not measurements, or has no rows.
 
-    Parameters
-    ----------
-    reader : str
-        Call that reads measurements, for the message.
+    - reader: call that reads measurements, for the message
     """
     if not isinstance(data, Measurements):
         problem = f"expected measurements, found {shown(data)}"

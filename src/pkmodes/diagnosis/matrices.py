@@ -278,18 +278,12 @@ class MatrixStructure:
 def at_measured(structure: Structure, labels: Sequence[str]) -> Structure:
     """Return the structure at the measured setups, in the order of the measurements.
 
-    Parameters
-    ----------
-    structure : Structure
-        A `MatrixStructure` is reordered by its labels; one with a single unlabelled setup matches any label.  Other
-        structures already have the setups of the measurements.
-    labels : sequence of str
-        Labels of the measurements.
+    - structure: a `MatrixStructure` is reordered by its labels; one with a single unlabelled setup matches any label.
+      Other structures already have the setups of the measurements.
+    - labels: labels of the measurements
 
-    Raises
-    ------
-    PkmodesError
-        If a `MatrixStructure` has no setup with a measured label, or is unstable at the declared values.
+    Raises PkmodesError if a `MatrixStructure` has no setup with a measured label, or is unstable at the declared
+    values.
     """
     if not isinstance(structure, MatrixStructure):
         return structure

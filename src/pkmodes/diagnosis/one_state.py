@@ -51,11 +51,8 @@ def diagnosed(
 ) -> Diagnosis:
     """Find what a model lacks, as `diagnose` does where all setups are of one state.
 
-    Raises
-    ------
-    PkmodesError
-        If a label is unknown, no setup is left to fit, the model cannot be evaluated as declared, or there are more
-        than 10,000 measured modes.
+    Raises PkmodesError if a label is unknown, no setup is left to fit, the model cannot be evaluated as declared, or
+    there are more than 10,000 measured modes.
     """
     structure = checked(structure, data)
     if (count := len(data.frequency)) > MOST:
@@ -126,10 +123,7 @@ def _searched(
 ) -> tuple[Search, Outcome | None]:
     """Search, with the shape scatter estimated from the best of all explanations if none is stated.
 
-    Parameters
-    ----------
-    plain : FitStore
-        With the fit of the declared model.
+    - plain: with the fit of the declared model
     """
     fitter = plain.fitter
     c, first = fitter.criteria, plain.fit(Hypothesis())

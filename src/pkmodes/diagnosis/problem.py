@@ -62,14 +62,9 @@ class Parameter:
 class Assumption(NamedTuple):
     """A parameter that a cause needs at a value that nobody declared.
 
-    Attributes
-    ----------
-    parameter : str
-        Its name.
-    key : str
-        Where it is declared: "frame.mass".
-    words : str
-        The value in words, with what it is: "a frame.mass of 50 kg".
+    - parameter: its name
+    - key: where it is declared: "frame.mass"
+    - words: the value in words, with what it is: "a frame.mass of 50 kg"
     """
 
     parameter: str
@@ -80,16 +75,10 @@ class Assumption(NamedTuple):
 class Joint(NamedTuple):
     """One of several equal machine parts that each have a value in a cause: a relative change of a declared value.
 
-    Attributes
-    ----------
-    parameter : str
-        Name of its parameter in the cause.
-    words : str
-        What it is called: "leg 3".
-    quantity : str
-        What changes: "stiffness".
-    term : str
-        The declared value that changes, as a term: "parameter:axis.3.leg.stiffness"; empty where there is none.
+    - parameter: name of its parameter in the cause
+    - words: what it is called: "leg 3"
+    - quantity: what changes: "stiffness"
+    - term: the declared value that changes, as a term: "parameter:axis.3.leg.stiffness"; empty where there is none
     """
 
     parameter: str
@@ -219,12 +208,9 @@ class Prediction:
 class Batch(NamedTuple):
     """Modes for several sets of parameter values, evaluated together.
 
-    Attributes
-    ----------
-    sets : ndarray of int, shape (B,)
-        Indices of the sets.
-    prediction : Prediction
-        For B times S setups, those of the first set first; missing derivatives of a set are padded with zeros.
+    - sets: indices of the sets, (B,)
+    - prediction: for B times S setups, those of the first set first; missing derivatives of a set are padded with
+      zeros
     """
 
     sets: NDArray[np.intp]
@@ -298,14 +284,9 @@ class Extensible(Protocol):
 class Sensor:
     """A sensor with several axes at one place.
 
-    Parameters
-    ----------
-    place : str
-        Where it is, such as "platform".
-    channels : tuple of str
-        The channels of its two or three axes, perpendicular, in right-handed order.
-    axes : tuple of str
-        Names of the axes, such as "x".
+    - place: where it is, such as "platform"
+    - channels: the channels of its two or three axes, perpendicular, in right-handed order
+    - axes: names of the axes, such as "x"
     """
 
     place: str
@@ -361,20 +342,12 @@ class Driven(Protocol):
 class Loss:
     """Something that dissipates: damping ratios are linear in its parameter, and frequencies do not depend on it.
 
-    Parameters
-    ----------
-    parameter : Parameter
-        Its value as declared, 0 if it is not.  With a sigma it is refitted within this prior.
-    candidate : str
-        Its name as a candidate; empty if it is not suspected.
-    sentence : str
-        Physical meaning, for reports.
-    declared : bool
-        Whether the structure declares it.
-    effect : bool
-        Whether it is a physical effect.  A ratio common to all modes is none: it names no joint.
-    claimable : bool
-        Whether it may be claimed by itself if the structure declares no loss at all.
+    - parameter: its value as declared, 0 if it is not.  With a sigma it is refitted within this prior.
+    - candidate: its name as a candidate; empty if it is not suspected
+    - sentence: physical meaning, for reports
+    - declared: whether the structure declares it
+    - effect: whether it is a physical effect.  A ratio common to all modes is none: it names no joint.
+    - claimable: whether it may be claimed by itself if the structure declares no loss at all
     """
 
     parameter: Parameter
@@ -398,10 +371,7 @@ class Damped(Protocol):
 
         The modes are those of `Structure.predict`, without the rigid ones; NaN where a setup has fewer.
 
-        Parameters
-        ----------
-        values : ndarray
-            Of all parameters of the structure.
+        - values: of all parameters of the structure
         """
 
 

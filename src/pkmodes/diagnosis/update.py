@@ -41,15 +41,10 @@ SETTLED = 0.02
 class Updated:
     """One parameter of an update.
 
-    Attributes
-    ----------
-    prior_sigma, sigma : float
-        Standard deviations before and after, in the parameter's unit.
-    resolution : float
-        Part of the prior variance that the data removed, 1 - (sigma / prior_sigma)^2: near 1 the data determine the
-        value, near 0 only the prior does.
-    moved : float
-        Change of the value in standard deviations of the prior.
+    - prior_sigma, sigma: standard deviations before and after, in the parameter's unit
+    - resolution: part of the prior variance that the data removed, 1 - (sigma / prior_sigma)^2: near 1 the data
+      determine the value, near 0 only the prior does
+    - moved: change of the value in standard deviations of the prior
     """
 
     name: str

@@ -120,16 +120,10 @@ class RobotPlane:
 class PictureKind:
     """A figure that every robot has.
 
-    Attributes
-    ----------
-    name, title, description : str
-        As those of the `Picture`; the robot and its plane are added to the description.
-    draw : function
-        Returns the figure, or a sentence where it would show the same everywhere.
-    planar : str or None
-        The description for a mechanism that moves in a plane, if it is another.
-    addition : callable or None
-        Returns what the description says besides of this robot.
+    - name, title, description: as those of the `Picture`; the robot and its plane are added to the description
+    - draw: returns the figure, or a sentence where it would show the same everywhere
+    - planar: the description for a mechanism that moves in a plane, if it is another
+    - addition: returns what the description says besides of this robot
     """
 
     name: str

@@ -31,13 +31,10 @@ HEIGHTS, FINE = 16, 160
 def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[list[str], Array]:
     """Return the relative sensitivities of the frequencies of vibration on a coarser grid of the plane.
 
-    Returns
-    -------
-    names : list of str
-        Quantities of the robot (`scalable`); those that act as one at all these poses have a common name, such as
-        ``belt.specific_stiffness, belt.width``.
-    relative : ndarray, shape (along, across, parameters, modes)
-        d ln f / d ln p.
+    Returns, in this order:
+    - names: quantities of the robot (`scalable`); those that act as one at all these poses have a common name, such
+      as ``belt.specific_stiffness, belt.width``
+    - relative: d ln f / d ln p, (along, across, parameters, modes)
     """
     paths = scalable(model.robot)
     few = coarser(plane)
@@ -56,10 +53,7 @@ def relative_sensitivities(model: Model, plane: Plane, drives: str) -> tuple[lis
 def median_spread(model: Model, plane: Plane, drives: str) -> Array | None:
     """Return the median standard deviation of each frequency of vibration over a coarser grid of the plane.
 
-    Returns
-    -------
-    ndarray, shape (modes,), or None
-        In Hz, from those of the robot file; None where it states none.
+    Returns (modes,): in Hz, from those of the robot file; None where it states none.
     """
     few = coarser(plane)
     poses = points_of(model, few)[few.dataset["valid"].values]
@@ -131,15 +125,9 @@ def motors_of(model: Model, plane: Plane) -> Array | None:
 def smallest_mac(model: Model, plane: Plane) -> Array:
     """Return the smallest mass-weighted MAC of each mode with the mode of the same number at the four neighbours.
 
-    Parameters
-    ----------
-    plane : Plane
-        With mode shapes.
+    - plane: with mode shapes
 
-    Returns
-    -------
-    ndarray, shape (along, across, modes)
-        NaN where a pose or all of its neighbours cannot be evaluated.
+    Returns (along, across, modes); NaN where a pose or all of its neighbours cannot be evaluated.
     """
     shapes = plane.dataset["shape"].values
     masses, _ = model.matrices(points_of(model, plane), "nan")

@@ -22,12 +22,8 @@ REACH = 0.03
 class RequestedModes:
     """Frequencies that the user names [Hz].
 
-    Attributes
-    ----------
-    strike : tuple of float
-        Where there is no mode: what was found there is not fitted along with an added mode.
-    add : tuple of float
-        Where a mode is fitted.
+    - strike: where there is no mode: what was found there is not fitted along with an added mode
+    - add: where a mode is fitted
     """
 
     strike: tuple[float, ...] = ()

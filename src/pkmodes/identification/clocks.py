@@ -47,12 +47,8 @@ DELAY_STEP, DRIFT_STEP = 0.05, 0.1
 class Delay:
     """The delay to add to the times of a recorder.
 
-    Attributes
-    ----------
-    seconds, drift, middle : float
-        At the time t of the recorder: seconds + drift (t - middle).
-    frequencies, sigmas : ndarray, shape (F,)
-        Standard deviation at each frequency, for the times at which it has power [Hz, s].
+    - seconds, drift, middle: at the time t of the recorder: seconds + drift (t - middle)
+    - frequencies, sigmas: standard deviation at each frequency, for the times at which it has power, (F,) [Hz, s]
     """
 
     seconds: float
@@ -74,18 +70,11 @@ class Delay:
 def rough_delay(step: float, first: Array, second: Array, band: tuple[float, float]) -> float:
     """Return the delay between two records from the times at which their vibration swells and fades [s].
 
-    Parameters
-    ----------
-    step : float
-        Between samples [s].
-    first, second : ndarray, shape (n, S) and (m, R)
-    band : tuple of float
-        [Hz].
+    - step: between samples [s]
+    - first, second: (n, S) and (m, R)
+    - band: [Hz]
 
-    Raises
-    ------
-    MeasurementError
-        If a record is too short, or the band too narrow.
+    Raises MeasurementError if a record is too short, or the band too narrow.
     """
     _check_length(step * min(len(first), len(second)), band)
     alike = correlate(_swell(step, first, band), _swell(step, second, band), method="fft")
@@ -119,21 +108,13 @@ def delay(
 ) -> Delay:
     """Return the delay to add to the times of a recorder to get those of another.
 
-    Parameters
-    ----------
-    step : float
-        Between samples [s].
-    pieces : sequence of tuple
-        Time of the first sample [s], and the signals of both from there, (n, S) and (n, R), each by its own clock.
-    band : tuple of float
-        Frequencies that are used [Hz].
-    within, drift : float
-        The largest delay [s] and drift [-] that are searched, of either sign.
+    - step: between samples [s]
+    - pieces: time of the first sample [s], and the signals of both from there, (n, S) and (n, R), each by its own
+      clock
+    - band: frequencies that are used [Hz]
+    - within, drift: the largest delay [s] and drift [-] that are searched, of either sign
 
-    Raises
-    ------
-    MeasurementError
-        If the pieces are too short, or have nothing in common.
+    Raises MeasurementError if the pieces are too short, or have nothing in common.
     """
     seconds = sum(len(signals) for _, signals, _ in pieces) * step
     length = min(max(PERIODS / band[1], DELAYS * within), 2.0 * seconds / (FEWEST + 2))

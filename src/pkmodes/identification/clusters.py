@@ -39,16 +39,10 @@ SHARE = 0.3
 class PoleCluster:
     """A cluster of poles.
 
-    Attributes
-    ----------
-    pole : complex
-        Median of the cluster [1/s].
-    shape : ndarray of complex128, shape (S,)
-        Of the pole nearest to the median, at any scale.
-    participation : ndarray of complex128, shape (R,)
-        Likewise.
-    order_count : int
-        Number of orders in which it was found.
+    - pole: median of the cluster [1/s]
+    - shape: of the pole nearest to the median, at any scale, (S,)
+    - participation: likewise, (R,)
+    - order_count: number of orders in which it was found
     """
 
     pole: complex
@@ -60,11 +54,7 @@ class PoleCluster:
 def pole_clusters(by_order: Sequence[OrderPoles], low: float, high: float) -> list[PoleCluster]:
     """Return the clusters that are large enough, by ascending frequency.
 
-    Parameters
-    ----------
-    by_order : sequence of OrderPoles
-    low, high : float
-        Only poles between these frequencies are used [Hz].
+    - low, high: only poles between these frequencies are used [Hz]
 
     References
     ----------

@@ -23,25 +23,16 @@ Complex = NDArray[np.complex128]
 class Mode:
     """An identified mode.
 
-    Attributes
-    ----------
-    pole : complex
-        With positive imaginary part [1/s].
-    shape : ndarray of complex128, shape (S,)
-        At the responses, at any scale; NaN where undetermined.
-    sigma_frequency : float
-        One standard deviation from the fit [Hz].
-    sigma_damping : float
-        Likewise.
-    sigma_shape : float
-        One standard deviation of the real part of a component of the shape turned as real as possible, relative to
-        its largest component.
-    found_in : tuple of int
-        Number of model orders in which it was found, and their total.
-    participation : ndarray of complex128, shape (R,), or None
-        Of the references: its product with the shape is the residue of the functions.  None for responses alone.
-    sigma_size : float
-        One standard deviation of the largest residue, relative; NaN where unknown.
+    - pole: with positive imaginary part [1/s]
+    - shape: at the responses, at any scale, (S,); NaN where undetermined
+    - sigma_frequency: one standard deviation from the fit [Hz]
+    - sigma_damping: likewise
+    - sigma_shape: one standard deviation of the real part of a component of the shape turned as real as possible,
+      relative to its largest component
+    - found_in: number of model orders in which it was found, and their total
+    - participation: of the references, (R,): its product with the shape is the residue of the functions.  None for
+      responses alone.
+    - sigma_size: one standard deviation of the largest residue, relative; NaN where unknown
     """
 
     pole: complex
@@ -73,12 +64,8 @@ class Mode:
 class Stabilisation:
     """Poles over model orders, for a stabilisation diagram.
 
-    Attributes
-    ----------
-    orders : ndarray of int64, shape (K,)
-        Ascending.
-    poles : tuple of ndarray of complex128
-        For each order, those with positive imaginary part [1/s].
+    - orders: ascending, (K,)
+    - poles: for each order, those with positive imaginary part [1/s]
     """
 
     orders: NDArray[np.int64]
@@ -89,23 +76,13 @@ class Stabilisation:
 class Estimate:
     """Modes of one measurement, and its functions.
 
-    Attributes
-    ----------
-    modes : tuple of Mode
-        By ascending frequency.
-    stabilisation : Stabilisation
-    frequencies : ndarray, shape (F,)
-        Of the lines inside the band [Hz].
-    measured, synthesised : ndarray of complex128, shape (F, S, R)
-        NaN where not measured.
-    added : tuple of Mode or str
-        For each frequency at which the user requested a mode: the mode, or why there is none.
-    tones : tuple of float
-        Lines without bandwidth that were found without having been stated [Hz].
-    model_error : float
-        Largest fraction of the functions at a peak that the modes do not explain and that is not noise.
-    left_out : tuple of float
-        Frequencies of spurious modes, which only fit such an error [Hz].
+    - modes: by ascending frequency
+    - frequencies: of the lines inside the band, (F,) [Hz]
+    - measured, synthesised: (F, S, R); NaN where not measured
+    - added: for each frequency at which the user requested a mode: the mode, or why there is none
+    - tones: lines without bandwidth that were found without having been stated [Hz]
+    - model_error: largest fraction of the functions at a peak that the modes do not explain and that is not noise
+    - left_out: frequencies of spurious modes, which only fit such an error [Hz]
     """
 
     modes: tuple[Mode, ...]

@@ -39,14 +39,8 @@ SAME = 0.1
 class WithAdded:
     """Modes fitted together with those requested.
 
-    Attributes
-    ----------
-    modes : IdentifiedModes
-    bounds : Uncertainty
-    added : tuple of int or str
-        For each requested frequency, the index of its mode, or why there is none.
-    struck : ndarray of bool, shape (N,)
-        Which of the original modes are struck out, and not among these.
+    - added: for each requested frequency, the index of its mode, or why there is none
+    - struck: which of the original modes are struck out, and not among these, (N,)
     """
 
     modes: IdentifiedModes

@@ -44,14 +44,9 @@ LARGEST = 0.1
 class Uncertainty:
     """The uncertainty of N fitted modes.
 
-    Attributes
-    ----------
-    poles : ndarray, shape (N, 2)
-        One standard deviation of the real part and of the imaginary part [1/s].
-    shapes : ndarray of complex128, shape (N, S, S)
-        Covariances of the shapes at their scale.
-    strength : ndarray, shape (N,)
-        Energy of each mode relative to noise, whose expected energy is one unit at each channel.
+    - poles: one standard deviation of the real part and of the imaginary part, (N, 2) [1/s]
+    - shapes: covariances of the shapes at their scale, (N, S, S)
+    - strength: energy of each mode relative to noise, whose expected energy is one unit at each channel, (N,)
     """
 
     poles: Array
@@ -92,16 +87,9 @@ def uncertainty(
 ) -> Uncertainty:
     """Return the uncertainty of a fit.
 
-    Parameters
-    ----------
-    at : Window
-    fit : WindowFit
-    channels : ndarray of complex128, shape (S R, S R)
-        Covariance of the noise between channels.
-    place : ndarray of int64, shape (F,)
-        Of the lines on the grid.
-    correlation : ndarray of complex128, shape (L,)
-        Of the noise of lines, from lag 0.
+    - channels: covariance of the noise between channels, (S R, S R)
+    - place: of the lines on the grid, (F,)
+    - correlation: of the noise of lines, from lag 0, (L,)
 
     References
     ----------
@@ -212,10 +200,7 @@ def by_reference(at: Window, fit: WindowFit) -> tuple[Complex, Array]:
 def between(values: Sequence[Array], variances: Sequence[Array]) -> float:
     """Return the variance between groups, beyond their own variances, pooled over several quantities.
 
-    Parameters
-    ----------
-    values, variances : sequence of ndarray, shape (k,)
-        Of each quantity, k of at least 2.
+    - values, variances: of each quantity, k of at least 2, each (k,)
 
     References
     ----------

@@ -39,20 +39,12 @@ CONTACT = 0.003
 class ImpactEstimate:
     """Functions of one file of blows.
 
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        From 0 [Hz].
-    H : ndarray of complex128, shape (F, S, 1)
-        Response per force.
-    coherence : ndarray, shape (F, S, 1), or None
-        None for a single blow.
-    averages : int
-        Number of blows.
-    messages : tuple of str
-        Double hits.
-    sigma_size : float
-        Relative standard deviation of the size of all functions, from the noise of the force while it acts.
+    - frequencies: from 0, (F,) [Hz]
+    - H: response per force, (F, S, 1)
+    - coherence: (F, S, 1); None for a single blow
+    - averages: number of blows
+    - messages: double hits
+    - sigma_size: relative standard deviation of the size of all functions, from the noise of the force while it acts
     """
 
     frequencies: Array
@@ -74,23 +66,14 @@ def impact_estimate(
 ) -> ImpactEstimate:
     """Return the functions of the blows in a file.
 
-    Parameters
-    ----------
-    step : float
-        Between samples [s].
-    force : ndarray, shape (N,)
-    responses : ndarray, shape (N, S)
-    hits : int
-        Number of blows.
-    exponential : float, optional
-        Time constant of a window applied to the responses, from the first sample [s].
-    longest : int, optional
-        Most samples used after each blow, so that the functions of several files have the same lines.
+    - step: between samples [s]
+    - force: (N,)
+    - responses: (N, S)
+    - hits: number of blows
+    - exponential: time constant of a window applied to the responses, from the first sample [s]
+    - longest: most samples used after each blow, so that the functions of several files have the same lines
 
-    Raises
-    ------
-    MeasurementError
-        If there are fewer blows.
+    Raises MeasurementError if there are fewer blows.
 
     References
     ----------
@@ -120,10 +103,7 @@ def impact_estimate(
 def samples_of_blows(step: float, force: Array, hits: int = 1) -> int:
     """Return the least number of samples in a file from a blow to the next one, or to the end.
 
-    Raises
-    ------
-    MeasurementError
-        If there are fewer blows.
+    Raises MeasurementError if there are fewer blows.
     """
     return _shortest(_blows(_pulses(force)[0], step, hits), len(force))
 

@@ -62,31 +62,18 @@ def identify_frf(
 ) -> Estimate:
     """Identify the modes in a band.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        Ascending [Hz].
-    H : ndarray of complex128, shape (F, S, R)
-        Sensors may have different units.  Columns that were not measured are NaN.
-    band : tuple of float
-        [Hz].
-    power : int
-        0 for displacement, 1 for velocity, 2 for acceleration.
-    coherence : ndarray, shape (F, S, R), optional
-    averages : int, optional
-        Number behind the coherence: with it, the coherence gives the variance of the noise; otherwise only its course
-        over the lines.
-    exponential : float, optional
-        Time constant of an exponential window of the responses [s].
-    tones : sequence of float
-        Lines at these frequencies and their multiples are not modes [Hz].
-    edits : RequestedModes
-        Modes that the user adds.
+    - frequencies: ascending, (F,) [Hz]
+    - H: sensors may have different units, (F, S, R).  Columns that were not measured are NaN.
+    - band: [Hz]
+    - power: 0 for displacement, 1 for velocity, 2 for acceleration
+    - coherence: (F, S, R)
+    - averages: number behind the coherence: with it, the coherence gives the variance of the noise; otherwise only
+      its course over the lines
+    - exponential: time constant of an exponential window of the responses [s]
+    - tones: lines at these frequencies and their multiples are not modes [Hz]
+    - edits: modes that the user adds
 
-    Raises
-    ------
-    MeasurementError
-        If the band holds too few lines, or no function is complete.
+    Raises MeasurementError if the band holds too few lines, or no function is complete.
     """
     inside = (frequencies >= band[0]) & (frequencies <= band[1]) & (frequencies > 0.0)
     f, measured = frequencies[inside], H[inside]

@@ -31,20 +31,12 @@ SPREAD = 2.1
 class FrequencyLines:
     """Functions to be fitted.
 
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        [Hz].
-    place : ndarray of int64, shape (F,)
-        On the grid of lines.
-    H : ndarray of complex128, shape (F, S, R)
-        NaN where not measured.
-    variance : ndarray, shape (F, S, R)
-        Of the noise, as far as known beforehand.
-    correlation : ndarray of complex128 or None
-        Of the noise at lags of lines, if known.
-    stated : bool
-        Whether the variance is absolute, and not only right in its relative size.
+    - frequencies: (F,) [Hz]
+    - place: on the grid of lines, (F,)
+    - H: (F, S, R); NaN where not measured
+    - variance: of the noise, (F, S, R), as far as known beforehand
+    - correlation: of the noise at lags of lines, if known
+    - stated: whether the variance is absolute, and not only right in its relative size
     """
 
     frequencies: Array

@@ -58,15 +58,9 @@ MENTIONED = 4
 class Remaining(NamedTuple):
     """Modes without spurious ones.
 
-    Attributes
-    ----------
-    modes : IdentifiedModes
-    bounds : Uncertainty
-        Without the error.
-    error : float
-        Largest fraction of the functions at a peak that the modes do not explain and that is not noise.
-    left_out : ndarray
-        Frequencies of the spurious ones [Hz], ascending.
+    - bounds: without the error
+    - error: largest fraction of the functions at a peak that the modes do not explain and that is not noise
+    - left_out: frequencies of the spurious ones [Hz], ascending
     """
 
     modes: IdentifiedModes
@@ -80,13 +74,8 @@ def without_model_errors(
 ) -> Remaining:
     """Return the modes without those that only fit an error of the model.
 
-    Parameters
-    ----------
-    data : FrequencyLines
-    modes, bounds
-        As returned by `refined`.
-    low, high : float
-        Range of frequencies that a mode may have [Hz].
+    - modes, bounds: as returned by `refined`
+    - low, high: range of frequencies that a mode may have [Hz]
     """
     left_out: list[float] = []
     while (drop := _beside_a_peak(data, modes)).any() or (drop := _on_skirts(data, modes)).any():
@@ -114,12 +103,8 @@ def with_model_error(modes: IdentifiedModes, bounds: Uncertainty, error: float) 
 def not_linear(error: float, left_out: Sequence[float]) -> str:
     """Return a message about modes that were left out.
 
-    Parameters
-    ----------
-    error : float
-        Error of the model, as a fraction of the functions at their peaks.
-    left_out : sequence of float
-        [Hz].
+    - error: error of the model, as a fraction of the functions at their peaks
+    - left_out: [Hz]
     """
     examples = ", ".join(f"{frequency:.4g}" for frequency in left_out[:MENTIONED])
     rest = f" and {len(left_out) - MENTIONED} more" if len(left_out) > MENTIONED else ""

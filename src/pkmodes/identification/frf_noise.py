@@ -37,10 +37,7 @@ LAGS = 5
 def difference_variance(H: Complex) -> Array:
     """Return the variance of the noise of each line, (F, S, R), from third differences of the lines; NaN as in H.
 
-    Parameters
-    ----------
-    H : ndarray of complex128, shape (F, S, R)
-        F at least 8.
+    - H: F at least 8, (F, S, R)
     """
     F = len(H)
     squares = np.abs(np.diff(H, 3, axis=0)) ** 2 / (DIFFERENCE * MEDIAN)
@@ -68,14 +65,9 @@ def coherence_variance(H: Complex, coherence: Array, averages: int) -> Array:
 def exponential_correlation(step: float, tau: float, lags: int) -> Complex:
     """Return the correlation of the noise at lags 0 ... of lines, under an exponential window.
 
-    Parameters
-    ----------
-    step : float
-        Line spacing, the inverse of the length of the record [Hz].
-    tau : float
-        Time constant of the window, that the responses were multiplied with [s].
-    lags : int
-        The highest lag.
+    - step: line spacing, the inverse of the length of the record [Hz]
+    - tau: time constant of the window, that the responses were multiplied with [s]
+    - lags: the highest lag
     """
     length = 1.0 / step
     rate = 2.0 / tau + 2j * math.pi * step * np.arange(lags + 1)
@@ -89,10 +81,7 @@ def line_sigma(residual: Complex, fit: Complex) -> Array:
     Noise of the force, or of the gain, is proportional to the response: it is largest at the peak, which carries most
     of the information.
 
-    Parameters
-    ----------
-    residual, fit : ndarray of complex128, shape (F, C)
-        Relative to the noise of each channel.
+    - residual, fit: relative to the noise of each channel, (F, C)
     """
     squares, size = (np.abs(residual) ** 2).mean(axis=1), (np.abs(fit) ** 2).mean(axis=1)
     if not size.any() or not squares.any():
@@ -114,14 +103,9 @@ def residual_correlation(
     if the noise has none.  That part is as strong as the slowly varying part of the noise, by which the correction is
     scaled.
 
-    Parameters
-    ----------
-    residuals : sequence of ndarray of complex128, shape (F, C)
-        Relative to the noise of each channel.
-    places : sequence of ndarray of int64, shape (F,)
-        Of the lines on the grid, ascending.
-    spaces : sequence of ndarray of complex128, shape (F, K)
-        Orthonormal columns that each fit has removed.
+    - residuals: relative to the noise of each channel, each (F, C)
+    - places: of the lines on the grid, ascending, each (F,)
+    - spaces: orthonormal columns that each fit has removed, each (F, K)
     """
     sums, taken, pairs = np.zeros(LAGS + 1, complex), np.zeros(LAGS + 1, complex), np.zeros(LAGS + 1)
     for residual, place, space in zip(residuals, places, spaces, strict=True):

@@ -39,18 +39,11 @@ FIRST_DAMPING, LAST_DAMPING = 1e-4, 1e8
 class Window:
     """Lines with the smooth part projected out.
 
-    Attributes
-    ----------
-    s : ndarray of complex128, shape (F,)
-        j omega [1/s].
-    sigma : ndarray, shape (F,)
-        Relative noise of the lines, by which all other arrays are divided.
-    smooth : ndarray of complex128, shape (F, K)
-        Orthonormal.
-    H : ndarray of complex128, shape (F, S, R)
-        Without the smooth part; 0 where not measured.
-    weights : ndarray, shape (S, R)
-        Inverse variances, 0 where not measured.
+    - s: j omega, (F,) [1/s]
+    - sigma: relative noise of the lines, by which all other arrays are divided, (F,)
+    - smooth: orthonormal, (F, K)
+    - H: without the smooth part, (F, S, R); 0 where not measured
+    - weights: inverse variances, (S, R), 0 where not measured
     """
 
     s: Complex
@@ -64,11 +57,7 @@ class Window:
 class WindowFit(IdentifiedModes):
     """Modes fitted in a window.
 
-    Attributes
-    ----------
-    cost : float
-        Weighted sum of squares of the residual.
-    converged : bool
+    - cost: weighted sum of squares of the residual
     """
 
     cost: float
@@ -78,16 +67,10 @@ class WindowFit(IdentifiedModes):
 def window(frequencies: Array, H: Complex, weights: Array, sigma: Array) -> Window:
     """Return lines ready for `polish`.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        [Hz].
-    H : ndarray of complex128, shape (F, S, R)
-        NaN where not measured.
-    weights : ndarray, shape (S, R)
-        Inverse variances.
-    sigma : ndarray, shape (F,)
-        Relative noise of the lines.
+    - frequencies: (F,) [Hz]
+    - H: (F, S, R); NaN where not measured
+    - weights: inverse variances, (S, R)
+    - sigma: relative noise of the lines, (F,)
     """
     middle, half = frequencies.mean(), 0.5 * float(np.ptp(frequencies))
     powers = np.vander((frequencies - middle) / half, SMOOTH)
@@ -109,13 +92,8 @@ def basis(at: Window, poles: Complex) -> Complex:
 def polish(at: Window, poles: Complex, participation: Complex) -> WindowFit:
     """Fit modes from a starting point.
 
-    Parameters
-    ----------
-    at : Window
-    poles : ndarray of complex128, shape (N,)
-        [1/s].
-    participation : ndarray of complex128, shape (N, R)
-        At any scale.
+    - poles: (N,) [1/s]
+    - participation: at any scale, (N, R)
     """
     N = len(poles)
     total = float((at.weights * (np.abs(at.H) ** 2).sum(axis=0)).sum())
@@ -150,11 +128,9 @@ def columns(shapes: Complex, participation: Complex) -> tuple[NDArray[np.int64],
     The parameters are the poles, the shapes (mode by mode), and the participations except the largest of each mode,
     which sets the scale.
 
-    Returns
-    -------
-    functions : ndarray of int64, shape (P,)
-        Of `basis`.
-    channels : ndarray of complex128, shape (P, S, R)
+    Returns, in this order:
+    - functions: of `basis`, (P,)
+    - channels: (P, S, R)
     """
     (N, S), R = shapes.shape, participation.shape[1]
     functions, channels = [*range(N, 2 * N)], [*(shapes[:, :, None] * participation[:, None, :])]

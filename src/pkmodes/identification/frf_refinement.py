@@ -107,13 +107,8 @@ def refined(
 ) -> tuple[IdentifiedModes, Uncertainty]:
     """Return the modes that remain of candidates, with the uncertainty of their fit.
 
-    Parameters
-    ----------
-    data : FrequencyLines
-    start : IdentifiedModes
-        Candidates; their shapes are not used.
-    low, high : float
-        Range of frequencies that a mode may have [Hz].
+    - start: candidates; their shapes are not used
+    - low, high: range of frequencies that a mode may have [Hz]
     """
     threshold = significant(data)
     modes, settled = start, False

@@ -35,13 +35,8 @@ MODEL_ERROR = 0.05
 def hidden(data: FrequencyLines, fit: Complex, least: float) -> Complex:
     """Return starting poles of modes in a residual, (N,) [1/s], the strongest of each neighbourhood.
 
-    Parameters
-    ----------
-    data : FrequencyLines
-    fit : ndarray of complex128, shape (F, S, R)
-        Response of the modes so far.
-    least : float
-        Least energy relative to noise.
+    - fit: response of the modes so far, (F, S, R)
+    - least: least energy relative to noise
     """
     frequencies, place, measured = data.frequencies, data.place, data.measured
     residual, fit = (data.H - fit)[:, measured], fit[:, measured]

@@ -49,12 +49,8 @@ DAMPED = 2.0
 class Line:
     """A line without bandwidth.
 
-    Attributes
-    ----------
-    frequency : float
-        [Hz].
-    sure : bool
-        Whether it exceeds the noise by enough to be a tone, and no bump of the noise.
+    - frequency: [Hz]
+    - sure: whether it exceeds the noise by enough to be a tone, and no bump of the noise
     """
 
     frequency: float

@@ -71,12 +71,8 @@ ROUNDING = 1e-9
 class Level:
     """The level of a mode in a record.
 
-    Attributes
-    ----------
-    amplitude : float
-        Of the vibration along its shape, where most of its energy is; in the unit of the responses.
-    shift : LevelShift or None
-        How its frequency changes while it decays; None for no detectable change.
+    - amplitude: of the vibration along its shape, where most of its energy is; in the unit of the responses
+    - shift: how its frequency changes while it decays; None for no detectable change
     """
 
     amplitude: float
@@ -92,18 +88,11 @@ def levels(
 ) -> list[Level]:
     """Return the level of each mode, and how its frequency changes with it.
 
-    Parameters
-    ----------
-    t_step : float
-        In s.
-    pieces : sequence of ndarray, shape (n_i, S)
-        Responses; a gap begins another piece.
-    poles : ndarray of complex128, shape (N,)
-        Of all identified modes, without the damping of a window [1/s].
-    shapes : ndarray of complex128, shape (N, S)
-        In the scale of the responses; NaN where undetermined.
-    exponential : float, optional
-        Time constant of a window that the responses have had [s].
+    - t_step: in s
+    - pieces: responses, each (n_i, S); a gap begins another piece
+    - poles: of all identified modes, without the damping of a window, (N,) [1/s]
+    - shapes: in the scale of the responses, (N, S); NaN where undetermined
+    - exponential: time constant of a window that the responses have had [s]
 
     References
     ----------
@@ -220,12 +209,8 @@ def _segments(part: Complex, step: float, noise: float, lost: float) -> Segments
 class LevelShift:
     """A frequency that changes with the level.
 
-    Attributes
-    ----------
-    high, low : float
-        Frequency at the highest and at the lowest level [Hz].
-    fall : float
-        Ratio of these levels.
+    - high, low: frequency at the highest and at the lowest level [Hz]
+    - fall: ratio of these levels
     """
 
     high: float
@@ -242,14 +227,9 @@ class LevelShift:
 class Segments:
     """Segments of a decay, (n,).
 
-    Attributes
-    ----------
-    frequency : ndarray
-        Relative to that of the mode [Hz].
-    variance : ndarray
-        From the noise [Hz^2].
-    level : ndarray
-        Logarithm of the amplitude.
+    - frequency: relative to that of the mode [Hz]
+    - variance: from the noise [Hz^2]
+    - level: logarithm of the amplitude
     """
 
     frequency: Array

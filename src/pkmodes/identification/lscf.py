@@ -47,16 +47,10 @@ class OrderPoles(IdentifiedModes):
 def lscf(frequencies: Array, H: Complex, weights: Array, orders: Sequence[int]) -> list[OrderPoles]:
     """Return the poles of several model orders.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        Ascending, even or not [Hz].
-    H : ndarray of complex128, shape (F, S, R)
-        Finite.
-    weights : ndarray, shape (F, S)
-        Of each output's lines: the inverse of the standard deviation of their noise.
-    orders : sequence of int
-        Each at least 1; order n has n R poles.
+    - frequencies: ascending, even or not, (F,) [Hz]
+    - H: finite, (F, S, R)
+    - weights: of each output's lines, (F, S): the inverse of the standard deviation of their noise
+    - orders: each at least 1; order n has n R poles
 
     References
     ----------

@@ -16,14 +16,9 @@ Complex = NDArray[np.complex128]
 class IdentifiedModes:
     """Several modes.
 
-    Attributes
-    ----------
-    poles : ndarray of complex128, shape (N,)
-        [1/s].
-    shapes : ndarray of complex128, shape (N, S)
-        At any scale; NaN where not measured.
-    participation : ndarray of complex128, shape (N, R)
-        Of the references; its product with the shape is the residue.
+    - poles: (N,) [1/s]
+    - shapes: at any scale, (N, S); NaN where not measured
+    - participation: of the references, (N, R); its product with the shape is the residue
     """
 
     poles: Complex

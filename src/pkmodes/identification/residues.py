@@ -28,12 +28,8 @@ Complex = NDArray[np.complex128]
 class Residues(IdentifiedModes):
     """Modes with residual terms: shapes phi, which are those of the displacement, and participations L.
 
-    Attributes
-    ----------
-    upper, lower : ndarray of complex128, shape (S, R)
-        U and D, NaN where not measured.
-    power : int
-        p.
+    - upper, lower: U and D, (S, R), NaN where not measured
+    - power: p
     """
 
     upper: Complex
@@ -52,20 +48,12 @@ def lsfd(
 ) -> Residues:
     """Fit shapes and residual terms.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        Above 0 [Hz].
-    H : ndarray of complex128, shape (F, S, R)
-        Columns that were not measured are NaN.
-    weights : ndarray, shape (F, S)
-        Inverse standard deviations of the lines.
-    poles : ndarray of complex128, shape (N,)
-        [1/s].
-    parts : ndarray of complex128, shape (N, R)
-        Participations, at any scale.
-    power : int
-        p.
+    - frequencies: above 0, (F,) [Hz]
+    - H: columns that were not measured are NaN, (F, S, R)
+    - weights: inverse standard deviations of the lines, (F, S)
+    - poles: (N,) [1/s]
+    - parts: participations, at any scale, (N, R)
+    - power: p
 
     References
     ----------

@@ -62,29 +62,18 @@ def identify_spectrum(
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify frequencies from power spectra.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        Ascending [Hz].
-    power : ndarray, shape (F, S)
-        Power spectral densities of S responses, at any scale.
-    band : tuple of float
-        Where modes are wanted [Hz].
-    edits : RequestedModes
-        Modes that the user adds: a maximum of any height near the frequency suffices.
+    - frequencies: ascending, (F,) [Hz]
+    - power: power spectral densities of S responses, at any scale, (F, S)
+    - band: where modes are wanted [Hz]
+    - edits: modes that the user adds: a maximum of any height near the frequency suffices
 
-    Returns
-    -------
-    Estimate
-        Poles are imaginary, as no damping is known, shapes and their standard deviations NaN.  The functions are
-        the spectra, (F, S, 1).
-    tuple of str
-        Messages about findings other than modes.
+    Returns, in this order:
+    - the estimate: poles are imaginary, as no damping is known, shapes and their standard deviations NaN; the
+      functions are the spectra, (F, S, 1)
+    - messages about findings other than modes
 
-    Raises
-    ------
-    MeasurementError
-        If the band has fewer than eight lines, or the spectrum is that of a single record without averages.
+    Raises MeasurementError if the band has fewer than eight lines, or the spectrum is that of a single record without
+    averages.
     """
     inside = (frequencies >= band[0]) & (frequencies <= band[1])
     f, P = frequencies[inside], np.asarray(power, float)[inside]

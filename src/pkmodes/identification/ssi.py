@@ -29,14 +29,9 @@ Complex = NDArray[np.complex128]
 class Subspace:
     """The range of a block Hankel matrix of correlations.
 
-    Attributes
-    ----------
-    left : ndarray, shape ((q + 1) S, n)
-        Observability matrix of the largest order n, whose first columns are those of lower orders.
-    right : ndarray, shape (q r, n)
-        left = Hankel matrix @ right.
-    sensors : int
-        S.
+    - left: observability matrix of the largest order n, whose first columns are those of lower orders, ((q + 1) S, n)
+    - right: left = Hankel matrix @ right, (q r, n)
+    - sensors: S
     """
 
     left: Complex
@@ -48,15 +43,11 @@ class Subspace:
 class Order:
     """The modes of one model order n, before any choice among them.
 
-    Attributes
-    ----------
-    values : ndarray, shape (n,)
-        Eigenvalues lambda of the state matrix.
-    shapes : ndarray, shape (S, n)
-    rows : ndarray, shape (n, q S)
-        Left eigenvectors of the state matrix times the pseudo-inverse of the upper observability matrix.
-    columns : ndarray, shape (q r, n)
-        Right factor of the Hankel matrix times the eigenvectors: see `pkmodes.identification.ssi_uncertainty`.
+    - values: eigenvalues lambda of the state matrix, (n,)
+    - shapes: (S, n)
+    - rows: left eigenvectors of the state matrix times the pseudo-inverse of the upper observability matrix, (n, q S)
+    - columns: right factor of the Hankel matrix times the eigenvectors, (q r, n): see
+      `pkmodes.identification.ssi_uncertainty`
     """
 
     values: Complex
@@ -68,12 +59,8 @@ class Order:
 def hankel(correlations: Complex, blocks: int) -> Complex:
     """Return the block Hankel matrix ((q + 1) S, q r) of correlations at successive lags.
 
-    Parameters
-    ----------
-    correlations : ndarray, shape (2 q, S, r)
-        Of S responses with r references.
-    blocks : int
-        q.
+    - correlations: of S responses with r references, (2 q, S, r)
+    - blocks: q
     """
     at = np.arange(blocks + 1)[:, None] + np.arange(blocks)[None, :]
     _, S, r = correlations.shape
@@ -83,13 +70,9 @@ def hankel(correlations: Complex, blocks: int) -> Complex:
 def subspace(correlations: Complex, blocks: int, largest: int) -> Subspace:
     """Return the range of the Hankel matrix.
 
-    Parameters
-    ----------
-    correlations : ndarray, shape (2 q, S, r)
-    blocks : int
-        q.
-    largest : int
-        Largest model order.
+    - correlations: (2 q, S, r)
+    - blocks: q
+    - largest: largest model order
     """
     U, values, Vh = np.linalg.svd(hankel(correlations, blocks), full_matrices=False)
     kept = min(largest, int((values > 1e-12 * values[0]).sum()))

@@ -38,12 +38,8 @@ FEWEST_PERIODS = 8.0
 class BandPart:
     """A part of the band.
 
-    Attributes
-    ----------
-    low, high : float
-        Where its modes are taken [Hz].
-    start, stop : float
-        Ends of its lines, which include the guards [Hz].
+    - low, high: where its modes are taken [Hz]
+    - start, stop: ends of its lines, which include the guards [Hz]
     """
 
     low: float
@@ -73,13 +69,9 @@ class BandPart:
 class SpectralLines:
     """Spectral lines of one piece of a record.
 
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        In Hz.
-    values : ndarray, shape (F, S)
-        Of a transform that is normalised such that the sum of |Y|^2 over the lines times their step is a mean
-        square, weighted by the share of the piece in the record.
+    - frequencies: in Hz, (F,)
+    - values: of a transform that is normalised such that the sum of |Y|^2 over the lines times their step is a mean
+      square, weighted by the share of the piece in the record, (F, S)
     """
 
     frequencies: Array
@@ -115,13 +107,9 @@ def parts(low: float, high: float, nyquist: float, seconds: float) -> list[BandP
 def lines(pieces: Sequence[Array], t_step: float, longest: int = 0) -> list[SpectralLines]:
     """Return spectral lines of pieces of a record, without their means.
 
-    Parameters
-    ----------
-    pieces : sequence of ndarray, shape (N, S)
-    t_step : float
-        In s.
-    longest : int
-        Samples to pad each piece to with zeros; 0: no padding, so that the lines of noise are independent.
+    - pieces: each (N, S)
+    - t_step: in s
+    - longest: samples to pad each piece to with zeros; 0: no padding, so that the lines of noise are independent
     """
     total = sum(len(piece) for piece in pieces) * t_step
     spectra = []
@@ -150,14 +138,9 @@ def correlations(
 ) -> Complex:
     """Return correlations (K, S, r) of a part of the band at lags in samples of its analytic signal.
 
-    Parameters
-    ----------
-    padded : sequence of SpectralLines
-        Of pieces padded to the same length.
-    part : BandPart
-    references : ndarray, shape (S, r)
-        Combinations of the responses.
-    lags : ndarray, shape (K,)
+    - padded: of pieces padded to the same length
+    - references: combinations of the responses, (S, r)
+    - lags: (K,)
     """
     total: Complex = np.zeros((), dtype=complex)
     for selected in (piece.within(part) for piece in padded):
@@ -180,10 +163,7 @@ class PreparedRecord:
 def usable_pieces(t_step: float, pieces: list[Array], band: tuple[float, float]) -> list[Array]:
     """Return the pieces (N, S) of a record that are long enough for a band.
 
-    Raises
-    ------
-    MeasurementError
-        If the band is not below the Nyquist frequency, or no piece is long enough.
+    Raises MeasurementError if the band is not below the Nyquist frequency, or no piece is long enough.
     """
     if band[1] >= 0.5 / t_step:
         raise MeasurementError(

@@ -57,30 +57,17 @@ def identify_responses(
 ) -> tuple[Estimate, tuple[str, ...]]:
     """Identify modes from responses without a force.
 
-    Parameters
-    ----------
-    t_step : float
-        In s.
-    signals : ndarray, shape (N, S), or a sequence of these
-        Responses, or pieces of one record between gaps.
-    band : tuple of float
-        Where modes are wanted [Hz].
-    tones : sequence of float
-        Frequencies of lines that are not modes, as are their multiples [Hz].
-    edits : RequestedModes
-        Modes that the user adds.
+    - t_step: in s
+    - signals: responses, or pieces of one record between gaps, (N, S) or a sequence of these
+    - band: where modes are wanted [Hz]
+    - tones: frequencies of lines that are not modes, as are their multiples [Hz]
+    - edits: modes that the user adds
 
-    Returns
-    -------
-    Estimate
-        Its functions are the spectral densities of the responses, (F, S, 1).
-    tuple of str
-        Messages about findings other than modes.
+    Returns, in this order:
+    - the estimate, whose functions are the spectral densities of the responses, (F, S, 1)
+    - messages about findings other than modes
 
-    Raises
-    ------
-    MeasurementError
-        If the band is not below the Nyquist frequency, or the record is too short for it.
+    Raises MeasurementError if the band is not below the Nyquist frequency, or the record is too short for it.
     """
     pieces = (
         [np.asarray(signals, float)] if isinstance(signals, np.ndarray) else [np.asarray(p) for p in signals]

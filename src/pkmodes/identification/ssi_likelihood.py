@@ -47,14 +47,9 @@ LEAST_RATE = 1e-2
 class Powers:
     """Power of a modal coordinate on the lines of all pieces.
 
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        In Hz.
-    values : ndarray, shape (F,)
-        Of a spectral density, at any scale.
-    seconds : ndarray, shape (F,)
-        Length of the piece of each line.
+    - frequencies: in Hz, (F,)
+    - values: of a spectral density, at any scale, (F,)
+    - seconds: length of the piece of each line, (F,)
     """
 
     frequencies: Array
@@ -66,18 +61,11 @@ class Powers:
 class PeakFit:
     """Peaks of a modal coordinate.
 
-    Attributes
-    ----------
-    frequencies, rates : ndarray, shape (m,)
-        Of the damped vibrations [Hz], and rates of decay [1/s].
-    covariance : ndarray, shape (m, 2, 2)
-        Of frequency and logarithm of the rate.
-    likelihood : float
-        The log-likelihood.
-    scatter : float
-        Variance of I / P: 1 for noise.
-    density : ndarray, shape (F,)
-        P.
+    - frequencies, rates: of the damped vibrations, (m,) [Hz], and rates of decay [1/s]
+    - covariance: of frequency and logarithm of the rate, (m, 2, 2)
+    - likelihood: the log-likelihood
+    - scatter: variance of I / P: 1 for noise
+    - density: P, (F,)
     """
 
     frequencies: Array
@@ -91,11 +79,7 @@ class PeakFit:
 def fit_peaks(powers: Powers, frequencies: Sequence[float], rates: Sequence[float]) -> PeakFit:
     """Return the maximum-likelihood fit of peaks and a background whose logarithm is linear in frequency.
 
-    Parameters
-    ----------
-    powers : Powers
-    frequencies, rates : sequence of float
-        Where to start [Hz], [1/s].
+    - frequencies, rates: where to start [Hz], [1/s]
     """
     fit = _fit(powers, frequencies, rates, False)
     if fit.scatter < TRANSIENT:

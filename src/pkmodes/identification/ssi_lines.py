@@ -54,12 +54,8 @@ NARROW, OFF_ORDER, MOST_HALVES = 0.003, 0.001, 12
 class Followed:
     """The amplitude at a peak.
 
-    Attributes
-    ----------
-    statistic : float
-        Mean of the fourth power of the amplitude over the square of the mean power.
-    off : float
-        Distance of the mean frequency of the power from the peak, in half bandwidths or lines, whichever are wider.
+    - statistic: mean of the fourth power of the amplitude over the square of the mean power
+    - off: distance of the mean frequency of the power from the peak, in half bandwidths or lines, whichever are wider
     """
 
     statistic: float
@@ -71,13 +67,8 @@ def lines_among(
 ) -> dict[int, Tone]:
     """Return which modes are lines, or cannot be told from one, by index, with a message about each.
 
-    Parameters
-    ----------
-    pieces : sequence of SpectralLines
-        Of the record, without padding.
-    modes : sequence of Refined
-    tones : sequence of Tone
-        Those that were found before.
+    - pieces: of the record, without padding
+    - tones: those that were found before
     """
     seconds = sum(1.0 / lines.step for lines in pieces)
     amplitudes = [followed(pieces, mode) for mode in modes]

@@ -158,16 +158,9 @@ def added(
 ) -> Refined | str:
     """Return the mode fitted from a frequency [Hz], or why there is none.
 
-    Parameters
-    ----------
-    by_order : sequence of OrderPoles
-    modes : sequence of Refined
-        Those found; those struck out, and the one that it replaces, are not fitted beside it.
-    edits : RequestedModes
-    lines : sequence of SpectralLines
-        Of pieces without padding.
-    ends : tuple of float
-        Of the lines that may be used [Hz].
+    - modes: those found; those struck out, and the one that it replaces, are not fitted beside it
+    - lines: of pieces without padding
+    - ends: of the lines that may be used [Hz]
     """
     neighbours = _others(modes, edits, target)
     near = [

@@ -47,16 +47,10 @@ HIGHEST_DAMPING = 0.2
 class Refined:
     """A mode.
 
-    Attributes
-    ----------
-    frequency, rate : float
-        Of the damped vibration [Hz], rate of decay [1/s].
-    covariance : ndarray, shape (2, 2)
-        Of frequency and logarithm of the rate.
-    shape : ndarray, shape (S,)
-        In the scale of the lines.
-    gain : float
-        Logarithm of the ratio of likelihoods.
+    - frequency, rate: of the damped vibration [Hz], rate of decay [1/s]
+    - covariance: of frequency and logarithm of the rate, (2, 2)
+    - shape: in the scale of the lines, (S,)
+    - gain: logarithm of the ratio of likelihoods
     """
 
     frequency: float
@@ -90,16 +84,9 @@ def refined(
 ) -> Refined | None:
     """Return a mode refined beside its neighbours, None if no peak of its own remains.
 
-    Parameters
-    ----------
-    mode : Refined
-    neighbours : sequence of Refined
-    lines : sequence of SpectralLines
-        Of pieces without padding.
-    ends : tuple of float
-        Of the lines that may be used [Hz].
-    least : float
-        Least log-likelihood ratio.
+    - lines: of pieces without padding
+    - ends: of the lines that may be used [Hz]
+    - least: least log-likelihood ratio
     """
     seconds = max(1.0 / piece.step for piece in lines)
     half = max(HALF_WIDTHS * mode.rate / (2.0 * math.pi), LEAST_LINES / seconds)

@@ -49,18 +49,10 @@ def sigma(
 ) -> Sigma:
     """Return the standard deviations of mode i of a model order.
 
-    Parameters
-    ----------
-    lines : sequence of SpectralLines
-        Of the pieces of the record, without padding.
-    part : BandPart
-    references : ndarray, shape (S, r)
-    first : int
-        First lag of the Hankel matrix.
-    order : Order
-    i : int
-    scales : ndarray, shape (S,)
-        Factors from responses to components of the shape.
+    - lines: of the pieces of the record, without padding
+    - references: (S, r)
+    - first: first lag of the Hankel matrix
+    - scales: factors from responses to components of the shape, (S,)
     """
     s = complex(part.pole(order.values[i : i + 1])[0])
     variances = np.zeros(2)

@@ -39,13 +39,8 @@ AVERAGED = 2.0
 def at_end_of_line(lines: SpectralLines, t_step: float, mode: Refined) -> bool:
     """Return whether the line of a sweep begins, ends, turns back or stands still at a mode.
 
-    Parameters
-    ----------
-    lines : SpectralLines
-        Of the longest piece, without padding.
-    t_step : float
-        Between samples [s].
-    mode : Refined
+    - lines: of the longest piece, without padding
+    - t_step: between samples [s]
     """
     width = mode.rate / (2.0 * math.pi)
     half = max(WIDE * width, LEAST_WIDE * mode.frequency)

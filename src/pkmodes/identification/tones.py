@@ -50,12 +50,8 @@ STRONG, REACH, SHARE = 100.0, 40, 0.25
 class Tone:
     """A line without bandwidth.
 
-    Attributes
-    ----------
-    frequency : float
-        In Hz.
-    sentence : str
-        Message about it.
+    - frequency: in Hz
+    - sentence: message about it
     """
 
     frequency: float
@@ -77,15 +73,10 @@ def find_tones(
 ) -> list[Tone]:
     """Return the tones of a record in and near the band, by frequency.
 
-    Parameters
-    ----------
-    t_step : float
-        In s.
-    pieces : sequence of ndarray, shape (N, S)
-    band : tuple of float
-        In Hz.
-    stated_tones : sequence of float
-        Frequencies that, with their multiples, are tones whatever they look like [Hz].
+    - t_step: in s
+    - pieces: each (N, S)
+    - band: in Hz
+    - stated_tones: frequencies that, with their multiples, are tones whatever they look like [Hz]
     """
     piece = max(pieces, key=len)
     signal = (piece - piece.mean(axis=0)) / np.where(piece.std(axis=0) > 0.0, piece.std(axis=0), np.inf)
@@ -201,16 +192,10 @@ def tones_alone(
 ) -> list[Tone] | None:
     """Return the strong tones of a record that is otherwise only the rounding of its numbers; None for any other.
 
-    Parameters
-    ----------
-    t_step : float
-        In s.
-    pieces, without_tones : sequence of ndarray, shape (N, S)
-        The record, and its remainder without its tones.
-    tones : sequence of Tone
-        Those that were found in and near the band.
-    band : tuple of float
-        In Hz.
+    - t_step: in s
+    - pieces, without_tones: the record, and its remainder without its tones, each (N, S)
+    - tones: those that were found in and near the band
+    - band: in Hz
     """
     longest = max(range(len(pieces)), key=lambda i: len(pieces[i]))
     live = pieces[longest].std(axis=0) > 0.0

@@ -44,19 +44,11 @@ def dataset_of(
 ) -> xarray.Dataset:
     """Return the dataset of a map.
 
-    Parameters
-    ----------
-    robot : Robot
-        As declared.
-    arrays : mapping of str to ndarray or zarr.Array, shape (rows, ...)
-        The fields of `pkmodes.maps.evaluating.tails`.
-    tracked : Tracked, optional
-        Modes by shape instead of by rank.
+    - robot: as declared
+    - arrays: the fields of `pkmodes.maps.evaluating.tails`, each (rows, ...)
+    - tracked: modes by shape instead of by rank
 
-    Raises
-    ------
-    MissingExtraError
-        If xarray is not installed.
+    Raises MissingExtraError if xarray is not installed.
     """
     mechanism = robot.mechanism
     normal = places.normal(mechanism.directions)
@@ -126,17 +118,11 @@ def _fields_of(
 ) -> dict[str, Any]:
     """Return the fields of a map.
 
-    Parameters
-    ----------
-    arrays : mapping of str to ndarray or zarr.Array, shape (rows, ...)
-        The fields of `pkmodes.maps.evaluating.tails`; stored ones become Dask arrays, so that a map can be written
-        without having it in memory.
-    shape : tuple of int
-        Of the map; rows are in C order.
-    reasons : ndarray of str
-        By code.
-    tracked : Tracked, optional
-        Modes by shape instead of by rank.
+    - arrays: the fields of `pkmodes.maps.evaluating.tails`, each (rows, ...); stored ones become Dask arrays, so that
+      a map can be written without having it in memory
+    - shape: of the map; rows are in C order
+    - reasons: by code
+    - tracked: modes by shape instead of by rank
     """
     fields = {name: _spaced(arrays[name], shape) for name in arrays}
     code = fields.pop("code")
@@ -222,12 +208,8 @@ def _tracked(fields: Mapping[str, Any], tracked: Tracked, shape: tuple[int, ...]
 def _reordered(values: Array, places: Array, factors: Array | None = None, *, axis: int) -> Array:
     """Return values of modes in another order, multiplied by factors if there are any.
 
-    Parameters
-    ----------
-    places, factors : ndarray
-        Of length 1 along axes after that of the modes.
-    axis : int
-        That of the modes.
+    - places, factors: of length 1 along axes after that of the modes
+    - axis: that of the modes
     """
     ordered = np.take_along_axis(values, places, axis=axis)
     return ordered if factors is None else ordered * factors

@@ -47,16 +47,10 @@ Array = NDArray[Any]
 class MapLayout:
     """Lengths along the axes of a map that come after the poses; the same for all of its robots.
 
-    Attributes
-    ----------
-    modes : int
-        Largest number of vibration modes of any robot.
-    coordinates : tuple of str
-        All coordinates of any robot.
-    conditions : frozenset of str
-        Conditions under which fields are there, from `pkmodes.core.solve.fields.conditions_of`.
-    backend, drives : str
-        As for `pkmodes.Model.modes`.
+    - modes: largest number of vibration modes of any robot
+    - coordinates: all coordinates of any robot
+    - conditions: conditions under which fields are there, from `pkmodes.core.solve.fields.conditions_of`
+    - backend, drives: as for `pkmodes.Model.modes`
     """
 
     modes: int
@@ -103,18 +97,11 @@ def layout_of(robots: Sequence[Robot], shapes: bool, backend: str, drives: str) 
 class Task:
     """Consecutive rows of a map, row = robot * poses + pose.
 
-    Attributes
-    ----------
-    pieces : tuple of (Robot, ndarray of shape (N, d))
-        Robots, and the poses of each.
-    code : str
-        Hash of the generated code, from `code_of`.
-    max_condition : float
-        As for `pkmodes.Model`.
-    normal : str or None
-        Direction perpendicular to the plane of the grid.
-    used : bool
-        Whether poses beyond the usable limits of a robot are left out.
+    - pieces: robots, and the poses of each, each (N, d)
+    - code: hash of the generated code, from `code_of`
+    - max_condition: as for `pkmodes.Model`
+    - normal: direction perpendicular to the plane of the grid
+    - used: whether poses beyond the usable limits of a robot are left out
     """
 
     pieces: tuple[tuple[Robot, Array], ...]
@@ -135,15 +122,8 @@ def code_of(mechanism: Mechanism) -> str:
 def evaluate(task: Task) -> dict[str, Array]:
     """Evaluate the rows of a task.
 
-    Returns
-    -------
-    dict of str to ndarray, shape (rows, ...)
-        As in `tails`; ``code`` indexes `codes`.
-
-    Raises
-    ------
-    PkmodesError
-        If the generated code here is not that of the task.
+    Returns arrays, each (rows, ...): as in `tails`; ``code`` indexes `codes`.
+    Raises PkmodesError if the generated code here is not that of the task.
     """
     mechanism = task.pieces[0][0].mechanism
     if code_of(mechanism) != task.code:

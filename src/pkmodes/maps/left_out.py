@@ -38,10 +38,8 @@ RULE = (
 def with_medians(dataset: xarray.Dataset) -> xarray.Dataset:
     """Return a map with the medians by which its poses are judged, those of each robot of a sweep or of samples.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        From `pkmodes.Model.map`; it is read part by part.  Without condition numbers only its frequencies count.
+    - dataset: from `pkmodes.Model.map`; it is read part by part.  Without condition numbers only its frequencies
+      count.
     """
     if "condition" not in dataset:
         dataset = dataset.assign(condition=abs(dataset["frequency"].isel(mode=0, drop=True)).clip(1.0, 1.0))
@@ -112,12 +110,8 @@ def parts(dataset: xarray.Dataset, leading: list[str]) -> Iterator[tuple[list[in
 def sentences(content: dict[str, Any], units: dict[str, tuple[str, float]]) -> list[str]:
     """Return what is left out of the numbers of a summary, and where it is worst.
 
-    Parameters
-    ----------
-    content : dict
-        Of the summary, as JSON has it.
-    units : dict
-        Units of the map's axes as shown, with the factors from SI.
+    - content: of the summary, as JSON has it
+    - units: units of the map's axes as shown, with the factors from SI
     """
     lines = []
     for key, is_, why, extreme in (

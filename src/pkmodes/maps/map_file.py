@@ -52,12 +52,9 @@ class MapFile:
     def checked(cls, out: str | os.PathLike[str], overwrite: bool) -> MapFile:
         """Check, before anything is computed, that a map can be written there.
 
-        Raises
-        ------
-        OutputError
-            If the format is unknown, the folder does not exist or cannot be written, or the file exists.
-        MissingExtraError
-            If a library that writes it is not installed.
+        Raises OutputError if the format is unknown, the folder does not exist or cannot be written, or the file
+        exists.
+        Raises MissingExtraError if a library that writes it is not installed.
         """
         check_argument(out, FILE_NAME, "out", "for example: map.nc", OutputError)
         path, where = Path(out), shown(str(out))
@@ -102,10 +99,7 @@ class MapFile:
     def write(self, dataset: xarray.Dataset, folder: Path) -> None:
         """Write the dataset into a folder next to the file, then move it to its place.
 
-        Raises
-        ------
-        OutputError
-            If it cannot be written.
+        Raises OutputError if it cannot be written.
         """
         suffix = self.path.suffix.lower()
         new, replaced = (folder / f"{name}{suffix}" for name in UNDER_WAY)
@@ -190,10 +184,7 @@ def _in_order(graph: Any, keys: Any, **_: Any) -> Any:
 def _foreign(folder: Path, *, pieces: bool = False) -> Iterator[Path]:
     """Yield what a folder of a Zarr store holds that is not part of it.
 
-    Parameters
-    ----------
-    pieces : bool
-        Whether the folder is that of an array, which holds its values.
+    - pieces: whether the folder is that of an array, which holds its values
     """
     pieces = pieces or any((folder / name).is_file() for name in ARRAY)
     for entry in sorted(folder.iterdir()):

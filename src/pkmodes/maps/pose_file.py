@@ -23,22 +23,12 @@ LABEL = "pose"
 def read_poses(path: str | PathLike[str], mechanism: Mechanism) -> Poses:
     """Read poses: one row each.
 
-    Parameters
-    ----------
-    path : path-like
-        Table with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``), and
-        optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
-        repeated rows: a file of measurements is also a list of poses.
+    - path: table with the components of the pose as columns, in SI units or with a unit in the header (``x [mm]``),
+      and optionally their labels in a column ``pose``.  Other columns are ignored, load cases included, and so are
+      repeated rows: a file of measurements is also a list of poses.
 
-    Returns
-    -------
-    Poses
-        In the order of the file.
-
-    Raises
-    ------
-    MeasurementError
-        If the file cannot be read or is invalid, with line and column.
+    Returns them in the order of the file.
+    Raises MeasurementError if the file cannot be read or is invalid, with line and column.
     """
     source = fspath(path)
     units = {component.name: component.unit for component in mechanism.pose}

@@ -23,12 +23,8 @@ EXAMPLE = 'for example: {"x": numpy.linspace(0.3, 0.8, 51), "y": 0.0}'
 class PoseGrid:
     """Poses on a grid.
 
-    Attributes
-    ----------
-    axes : mapping of str to ndarray
-        Values of each component of the pose in the mechanism's order, ascending [SI].
-    used : bool
-        Whether poses beyond the usable limits of a robot are left out, as in a grid chosen by default.
+    - axes: values of each component of the pose in the mechanism's order, ascending [SI]
+    - used: whether poses beyond the usable limits of a robot are left out, as in a grid chosen by default
     """
 
     axes: Mapping[str, Array]
@@ -54,16 +50,10 @@ class PoseGrid:
     def normal(self, directions: Sequence[str]) -> str | None:
         """Return the direction perpendicular to the plane of the grid.
 
-        Parameters
-        ----------
-        directions : sequence of str
-            Directions in which the platform moves.
+        - directions: directions in which the platform moves
 
-        Returns
-        -------
-        str or None
-            The component with a single value; if there is not exactly one, the third direction.  None for a mechanism
-            that moves in a plane.
+        Returns the component with a single value; if there is not exactly one, the third direction.  None for a
+        mechanism that moves in a plane.
         """
         if len(directions) < 3:
             return None
@@ -75,14 +65,9 @@ class PoseGrid:
 class Poses:
     """Poses one after the other.
 
-    Attributes
-    ----------
-    table : ndarray, shape (N, d)
-        In SI units.
-    names : tuple of str, length d
-        Components of a pose.
-    labels : tuple of str or None
-        One for each pose.
+    - table: in SI units, (N, d)
+    - names: components of a pose, length d
+    - labels: one for each pose
     """
 
     table: Array
@@ -111,16 +96,11 @@ Places = PoseGrid | Poses
 def places_of(mechanism: Mechanism, poses: Mapping[str, ArrayLike] | ArrayLike | Places) -> Places:
     """Check the poses of a map.
 
-    Parameters
-    ----------
-    poses : mapping of str to array_like, or array_like of shape (N, d), or PoseGrid or Poses
-        Ascending values, or one number, for each component of the pose, rotations 0 where they are not given; or
-        poses one after the other.
+    - poses: ascending values, or one number, for each component of the pose, rotations 0 where they are not given; or
+      poses one after the other, (N, d)
 
-    Raises
-    ------
-    PoseError
-        If a component is missing or unknown, or its values do not ascend; or if it is not an array of poses.
+    Raises PoseError if a component is missing or unknown, or its values do not ascend; or if it is not an array of
+    poses.
     """
     if isinstance(poses, PoseGrid | Poses):
         return poses

@@ -21,17 +21,10 @@ def quantiles(parts: Callable[[], Iterable[Array]], shares: Sequence[float]) -> 
     A first pass counts the values in bins that are narrow relative to the values; a second one collects the values
     of the few bins in which the quantiles lie.
 
-    Parameters
-    ----------
-    parts : function
-        Returns the parts of a table anew, each of shape (rows, columns); NaN stands for no value.
-    shares : sequence of float
-        From 0 to 1.
+    - parts: returns the parts of a table anew, each of shape (rows, columns); NaN stands for no value
+    - shares: from 0 to 1
 
-    Returns
-    -------
-    ndarray, shape (columns, shares)
-        NaN for a column without values.
+    Returns (columns, shares); NaN for a column without values.
     """
     counts: list[Counter[int]] = []
     for part in parts():

@@ -23,24 +23,13 @@ AMBIGUOUS = re.compile(r"(?<![^\s,:])(-?\d+),(\d+)\s*(?![eE][+-]?\d)([A-Za-zÂµ%Â
 def parse_range(text: str, unit: str, where: str) -> Array:
     """Read a range or a value.
 
-    Parameters
-    ----------
-    text : str
-        ``start:stop:count`` with both ends included, or one value; bare numbers in SI units, or with units.
-    unit : str
-        SI unit of the values.
-    where : str
-        For messages.
+    - text: ``start:stop:count`` with both ends included, or one value; bare numbers in SI units, or with units
+    - unit: SI unit of the values
+    - where: for messages
 
-    Returns
-    -------
-    ndarray, shape (count,)
-        In SI units, ascending.
-
-    Raises
-    ------
-    PkmodesError
-        If it is not a range, the ends coincide or are reversed, or the count is not a positive integer.
+    Returns (count,), in SI units, ascending.
+    Raises PkmodesError if it is not a range, the ends coincide or are reversed, or the count is not a positive
+    integer.
     """
     parts = text.split(":")
     if len(parts) not in (1, 3):
@@ -84,9 +73,7 @@ def _with_one_unit(parts: Sequence[str], unit: str) -> str:
 def parse_value(text: str, unit: str, where: str) -> float:
     """Read a value: a bare number in SI units, or a number with its unit.
 
-    Raises
-    ------
-    PkmodesError
+    Raises PkmodesError.
     """
     try:
         value = parse_number_or_quantity(text, unit)
@@ -101,22 +88,11 @@ def parse_value(text: str, unit: str, where: str) -> float:
 def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
     """Read a grid such as ``x=0.3:0.8:51,y=-0.1:0.1:41,z=-0.245``.
 
-    Parameters
-    ----------
-    mechanism : Mechanism
-        It gives the components of a pose and their units.
-    where : str
-        For messages.
+    - mechanism: it gives the components of a pose and their units
+    - where: for messages
 
-    Returns
-    -------
-    dict of str to ndarray
-        Values of each component, in the order of the mechanism; a rotation of the platform may be left out.
-
-    Raises
-    ------
-    PkmodesError
-        If another component is missing, unknown or repeated, or a range is invalid.
+    Returns values of each component, in the order of the mechanism; a rotation of the platform may be left out.
+    Raises PkmodesError if another component is missing, unknown or repeated, or a range is invalid.
     """
     units = {component.name: component.unit for component in mechanism.pose}
     needed = [name for name in units if name not in mechanism.components[len(mechanism.directions) :]]
@@ -141,22 +117,12 @@ def parse_grid(text: str, mechanism: Mechanism, where: str) -> dict[str, Array]:
 def parse_settings(texts: tuple[str, ...], units: Mapping[str, str], where: str) -> dict[str, Any]:
     """Read settings such as ``platform.mass=1:2:5`` or ``platform.mass=1 kg,1.5 kg``.
 
-    Parameters
-    ----------
-    units : mapping of str to str
-        SI units of the values that can be changed, by path.
-    where : str
-        For messages.
+    - units: SI units of the values that can be changed, by path
+    - where: for messages
 
-    Returns
-    -------
-    dict of str to ndarray
-        Values by path, in the order given.
-
-    Raises
-    ------
-    PkmodesError
-        If a path is repeated, or values are invalid.  An unknown path is left to `pkmodes.Robot.with_values`.
+    Returns values by path, in the order given.
+    Raises PkmodesError if a path is repeated, or values are invalid.  An unknown path is left to
+    `pkmodes.Robot.with_values`.
     """
     settings: dict[str, Any] = {}
     for text in texts:

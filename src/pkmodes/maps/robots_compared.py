@@ -41,21 +41,13 @@ NOTHING = 5e-5
 class FrequencyChanges:
     """The frequencies of two robots at N poses; m vibration modes of the first, m' of the second.
 
-    Attributes
-    ----------
-    poses : ndarray, shape (N, d)
-    first, second : ndarray of bool, shape (N,)
-        Where each can be evaluated.
-    frequencies : ndarray, shape (N, m)
-        Of the first robot [Hz]; NaN where it cannot be evaluated.
-    relative : ndarray, shape (N, m)
-        Frequency of the partner over that of the mode, minus 1; NaN where there is no partner.
-    partner : ndarray of int, shape (N, m)
-        Index among the vibration modes of the second robot, -1 for none.
-    mac : ndarray, shape (N, m)
-        Of the two shapes, by the mass matrix of the first robot at the coordinates that both have.
-    second_modes : int
-        The number m'.
+    - poses: (N, d)
+    - first, second: where each can be evaluated, (N,)
+    - frequencies: of the first robot, (N, m) [Hz]; NaN where it cannot be evaluated
+    - relative: frequency of the partner over that of the mode, minus 1, (N, m); NaN where there is no partner
+    - partner: index among the vibration modes of the second robot, -1 for none, (N, m)
+    - mac: of the two shapes, by the mass matrix of the first robot at the coordinates that both have, (N, m)
+    - second_modes: the number m'
     """
 
     poses: Array
@@ -214,19 +206,11 @@ def compare_frequencies(first: Model, second: Model, poses: Array, drives: str =
 
     The pairs are those with the largest sum of MAC, so a mode keeps its partner where frequencies cross or veer.
 
-    Parameters
-    ----------
-    poses : ndarray, shape (N, d)
-        Where a robot cannot be evaluated, it is left out.
-    drives : {"free", "held"}
-        As for `pkmodes.Model.modes`.
+    - poses: where a robot cannot be evaluated, it is left out, (N, d)
+    - drives: as for `pkmodes.Model.modes`
 
-    Raises
-    ------
-    PoseError
-        If there is no pose that both can reach.
-    PkmodesError
-        If their mechanisms differ.
+    Raises PoseError if there is no pose that both can reach.
+    Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first.robot, second.robot)
     parts = []

@@ -42,23 +42,14 @@ def run_tasks(
 ) -> None:
     """Evaluate tasks and store their results in any order.
 
-    Parameters
-    ----------
-    tasks : iterable of (int, Task)
-        Each with its number.
-    put : callable
-        Stores the fields of a task, given its number; several threads may call it.
-    finish : callable
-        Takes the number of a task that is stored; called in this thread.
-    threads : int
-        On this machine, without a scheduler.
-    scheduler : str, optional
-        Address of a Dask scheduler, such as ``"tcp://127.0.0.1:8786"``.
+    - tasks: each with its number
+    - put: stores the fields of a task, given its number; several threads may call it
+    - finish: takes the number of a task that is stored; called in this thread
+    - threads: on this machine, without a scheduler
+    - scheduler: address of a Dask scheduler, such as ``"tcp://127.0.0.1:8786"``
 
-    Raises
-    ------
-    PkmodesError
-        If the scheduler cannot be reached, or has no workers that can evaluate; or the error of a task.
+    Raises PkmodesError if the scheduler cannot be reached, or has no workers that can evaluate; or the error of a
+    task.
     """
     pending: dict[Future[Values | None], int] = {}
     with _submitter(put, threads, scheduler) as (submit, number_of_threads):
@@ -127,20 +118,10 @@ def _failures(scheduler: str) -> Iterator[None]:
 def connected(scheduler: str) -> Iterator[Any]:
     """Connect to a Dask scheduler that has this version of pkmodes, and so have all of its workers.
 
-    Parameters
-    ----------
-    scheduler : str
-        Its address.
+    - scheduler: its address
 
-    Yields
-    ------
-    distributed.Client
-        Closed at the end.
-
-    Raises
-    ------
-    PkmodesError
-        If it cannot be reached or has no workers, or it or one of them has another version.
+    The client is closed at the end.
+    Raises PkmodesError if it cannot be reached or has no workers, or it or one of them has another version.
     """
     require("work on a Dask scheduler", "cluster", "distributed")
     import distributed

@@ -21,22 +21,14 @@ Array = NDArray[np.float64]
 def spread_along(robot: Robot, dataset: xarray.Dataset, dim: str, max_condition: float) -> Array | None:
     """Return the standard deviations of the frequencies of a map along one axis.
 
-    Parameters
-    ----------
-    robot : Robot
-        As declared.
-    dataset : xarray.Dataset
-        A map of this robot.
-    dim : str
-        The axis: ``pose``, a component of the pose, or a swept parameter, whose values are known.
-    max_condition : float
-        As for `pkmodes.Model`.
+    - robot: as declared
+    - dataset: a map of this robot
+    - dim: the axis: ``pose``, a component of the pose, or a swept parameter, whose values are known
+    - max_condition: as for `pkmodes.Model`
 
-    Returns
-    -------
-    ndarray, shape (values, m), or None
-        In Hz, in the order of the map's modes.  None where the robot file states no standard deviations, and where
-        the map has further axes: its frequencies then differ at each value, and sampled robots show their scatter.
+    Returns (values, m), in Hz, in the order of the map's modes.  None where the robot file states no standard
+    deviations, and where the map has further axes: its frequencies then differ at each value, and sampled robots show
+    their scatter.
     """
     dims = [str(name) for name in dataset["frequency"].dims]
     further = [name for name in dims if name not in (dim, "mode") and dataset.sizes[name] > 1]

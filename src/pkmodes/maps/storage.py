@@ -43,13 +43,9 @@ START_AGAIN = "delete this folder to start again, or choose another output"
 class Store:
     """The fields of a map.
 
-    Attributes
-    ----------
-    arrays : dict of str to ndarray or zarr.Array, shape (rows, ...)
-    done : ndarray of bool, shape (tasks,)
-        Tasks that an earlier run completed.
-    folder : Path, optional
-        Where the arrays are, if not in memory.
+    - arrays: each (rows, ...)
+    - done: tasks that an earlier run completed, (tasks,)
+    - folder: where the arrays are, if not in memory
     """
 
     arrays: dict[str, Any]
@@ -59,10 +55,7 @@ class Store:
     def put(self, rows: slice, values: Mapping[str, Array]) -> None:
         """Store the values of a task, which has these rows; several threads may store different tasks.
 
-        Raises
-        ------
-        OutputError
-            If they cannot be written.
+        Raises OutputError if they cannot be written.
         """
         try:
             for name, array in self.arrays.items():
@@ -74,10 +67,8 @@ class Store:
     def codes(self) -> Array:
         """Return the code of each row, after all of them were stored.
 
-        Raises
-        ------
-        OutputError
-            If someone removed files meanwhile: Zarr would read them as if nothing could be evaluated there.
+        Raises OutputError if someone removed files meanwhile: Zarr would read them as if nothing could be evaluated
+        there.
         """
         codes = np.asarray(self.arrays["code"][:])
         if self.folder is not None and (codes < 0).any():
@@ -95,10 +86,7 @@ class Store:
 def damage_refused(folder: Path) -> Iterator[None]:
     """Explain what to do if rows were damaged after they had been stored.
 
-    Raises
-    ------
-    OutputError
-        If a checksum is not that of the rows.
+    Raises OutputError if a checksum is not that of the rows.
     """
     try:
         yield
@@ -118,17 +106,10 @@ def in_memory(rows: int, tasks: int, tails: Tails) -> Store:
 def on_disk(folder: Path, plan: dict[str, Any], rows: int, rows_of_a_task: int, tails: Tails) -> Store:
     """Return fields in a folder, with the tasks that are done there.
 
-    Parameters
-    ----------
-    folder : Path
-        Exists; continued if it holds the same plan.
-    plan : dict
-        What is computed, as JSON can hold it.
+    - folder: exists; continued if it holds the same plan
+    - plan: what is computed, as JSON can hold it
 
-    Raises
-    ------
-    OutputError
-        If the folder cannot be written, has no room, or holds another map.
+    Raises OutputError if the folder cannot be written, has no room, or holds another map.
     """
     group, tasks = folder / GROUP, range(-(-rows // rows_of_a_task))
     size = rows * sum(prod(tail) * np.dtype(dtype).itemsize for tail, dtype in tails.values())
@@ -213,10 +194,7 @@ def locked(folder: Path) -> Iterator[None]:
 
     The system releases the lock of a process that was killed.  A folder in which nothing was begun is removed again.
 
-    Raises
-    ------
-    OutputError
-        If it cannot be made, is not that of a map in progress, or another process holds it.
+    Raises OutputError if it cannot be made, is not that of a map in progress, or another process holds it.
     """
     from filelock import FileLock, Timeout
 

@@ -113,12 +113,7 @@ class MapSummary(Document, frozen=True):
 def summary_of(dataset: xarray.Dataset, file: str | None) -> MapSummary:
     """Return the summary of a map.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        From `pkmodes.Model.map`; it is read part by part.
-    file : str, optional
-        Its file.
+    - dataset: from `pkmodes.Model.map`; it is read part by part
     """
     leading = [str(dim) for dim in dataset["condition"].dims]
     numbers = dataset["mode"].values.tolist()

@@ -44,14 +44,9 @@ Masses = Callable[[Index], Array]
 class Tracked:
     """A numbering of the modes of a map by shape.
 
-    Attributes
-    ----------
-    order : ndarray of int8, shape (rows, modes)
-        Rank of each tracked mode among the vibration modes, from 0.
-    signs : ndarray of int8, shape (rows, modes)
-        Factor of each tracked shape, 1 or -1.
-    events : ndarray of int8, shape (rows, modes)
-        Bits of `EVENTS` at each tracked mode.
+    - order: rank of each tracked mode among the vibration modes, from 0, (rows, modes)
+    - signs: factor of each tracked shape, (rows, modes), 1 or -1
+    - events: bits of `EVENTS` at each tracked mode, (rows, modes)
     """
 
     order: Array
@@ -63,18 +58,11 @@ class Tracked:
 class Steps:
     """Pairs of valid neighbours, and how their modes are paired.
 
-    Attributes
-    ----------
-    first, second : ndarray of int, shape (steps,)
-        Rows.
-    order : ndarray of int8, shape (steps, modes)
-        Rank at the second row of the mode that continues each mode of the first.
-    signs : ndarray of int8, shape (steps, modes)
-        Sign of the product of the two shapes.
-    quality : ndarray, shape (steps,)
-        Smallest MAC of a pair.
-    marks : ndarray of int8, shape (steps, modes)
-        Events of each mode of the first row.
+    - first, second: rows, (steps,)
+    - order: rank at the second row of the mode that continues each mode of the first, (steps, modes)
+    - signs: sign of the product of the two shapes, (steps, modes)
+    - quality: smallest MAC of a pair, (steps,)
+    - marks: events of each mode of the first row, (steps, modes)
     """
 
     first: Index
@@ -90,23 +78,15 @@ def track(
 ) -> Tracked:
     """Track modes by shape.
 
-    Parameters
-    ----------
-    arrays : mapping of str to array, shape (rows, ...)
-        Of a map, ``shape`` with the same number of modes everywhere, mass-normalised, and ``code``.
-    shape : tuple of int
-        Of the map; rows are in C order.
-    linked : tuple of bool
-        Whether rows next to each other along an axis are neighbours; otherwise all of them are neighbours of the
-        first.
-    masses : callable
-        From rows, their mass matrices, (N, n, n).
+    - arrays: of a map, ``shape`` with the same number of modes everywhere, mass-normalised, and ``code``, each
+      (rows, ...)
+    - shape: of the map; rows are in C order
+    - linked: whether rows next to each other along an axis are neighbours; otherwise all of them are neighbours of
+      the first
+    - masses: from rows, their mass matrices, (N, n, n)
 
-    Returns
-    -------
-    Tracked
-        Modes are numbered by rank at the valid pose nearest to the middle of each connected part of the map; shapes
-        keep their sign from there.
+    Modes are numbered by rank at the valid pose nearest to the middle of each connected part of the map; shapes keep
+    their sign from there.
     """
     good = arrays["code"][:] == 0
     steps = _compared(arrays["shape"], *_neighbours(shape, linked, good), masses)
@@ -134,14 +114,9 @@ def _neighbours(shape: tuple[int, ...], linked: tuple[bool, ...], good: Array) -
 def _compared(shapes: Array, first: Index, second: Index, masses: Masses) -> Steps:
     """Pair the modes of neighbours.
 
-    Parameters
-    ----------
-    shapes : ndarray or zarr.Array, shape (rows, modes, coordinates)
-        Mass-normalised.
-    first, second : ndarray of int, shape (steps,)
-        Rows.
-    masses : callable
-        From rows, their mass matrices, (N, n, n).
+    - shapes: mass-normalised, (rows, modes, coordinates)
+    - first, second: rows, (steps,)
+    - masses: from rows, their mass matrices, (N, n, n)
     """
     count, modes = len(first), shapes.shape[1]
     steps = Steps(
@@ -200,9 +175,7 @@ def _events(mac: Array, order: Index, along: Array) -> Array:
 def _followed(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Array, Array]:
     """Follow the modes from the reference of each part along the spanning tree.
 
-    Returns
-    -------
-    order, signs : ndarray of int8, shape (rows, modes)
+    Returns order and signs, (rows, modes).
     """
     rows, modes = good.size, steps.order.shape[1]
     order = np.tile(np.arange(modes, dtype=np.int8), (rows, 1))
@@ -227,14 +200,10 @@ def _followed(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Array,
 def _tree(steps: Steps, good: Array, shape: tuple[int, ...]) -> tuple[Index, Index, Array]:
     """Return the spanning tree with the clearest pairs, rooted at the reference of each part.
 
-    Returns
-    -------
-    parents : ndarray of int, shape (rows,)
-        A reference, or a row without neighbours, is its own parent.
-    taken : ndarray of int, shape (rows,)
-        The step between a row and its parent, -1 where there is none.
-    forward : ndarray of bool, shape (rows,)
-        Whether that step leads from the parent to the row.
+    Returns, in this order:
+    - parents: a reference, or a row without neighbours, is its own parent, (rows,)
+    - taken: the step between a row and its parent, -1 where there is none, (rows,)
+    - forward: whether that step leads from the parent to the row, (rows,)
     """
     rows = good.size
     tree = minimum_spanning_tree(_graph(2.0 - steps.quality, steps.first, steps.second, rows)).tocoo()

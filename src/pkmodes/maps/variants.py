@@ -28,14 +28,9 @@ DRAWS = 100
 class Variants:
     """The robots of a map.
 
-    Attributes
-    ----------
-    swept : mapping of str to ndarray
-        Values of each swept parameter [SI], by path.
-    drawn : mapping of str to ndarray of shape (samples,)
-        Drawn values [SI], by path; empty without samples.
-    robots : tuple of Robot
-        In the order of the swept values, the last one fastest, then the samples.
+    - swept: values of each swept parameter [SI], by path
+    - drawn: drawn values, each (samples,) [SI], by path; empty without samples
+    - robots: in the order of the swept values, the last one fastest, then the samples
     """
 
     swept: Mapping[str, Array]
@@ -57,22 +52,14 @@ class Variants:
 def variants_of(robot: Robot, sweep: Mapping[str, Any] | None, samples: int | None, seed: int) -> Variants:
     """Make the robots of a map.
 
-    Parameters
-    ----------
-    sweep : mapping of str to array_like, optional
-        Values of parameters in SI units, by path; every combination is evaluated.
-    samples : int, optional
-        Robots whose values with a standard deviation are drawn from a normal distribution with their correlations,
-        except swept values, which say nothing of the others.
-    seed : int
-        Of the generator.
+    - sweep: values of parameters in SI units, by path; every combination is evaluated
+    - samples: robots whose values with a standard deviation are drawn from a normal distribution with their
+      correlations, except swept values, which say nothing of the others
+    - seed: of the generator
 
-    Raises
-    ------
-    PkmodesError
-        If a path is unknown, values are invalid, or the robot declares no standard deviation to draw from.
-    RobotFileError
-        If a robot file with these values would be rejected.
+    Raises PkmodesError if a path is unknown, values are invalid, or the robot declares no standard deviation to draw
+    from.
+    Raises RobotFileError if a robot file with these values would be rejected.
     """
     swept = {} if sweep is None else swept_values(sweep, "sweep")
     drawn, count = _drawn(robot, swept, samples, seed)
@@ -118,10 +105,7 @@ def _drawn(
 def taken(robot: Robot, swept: Mapping[str, Array]) -> set[str]:
     """Return the paths of all values that a sweep sets, including the elements of a whole and the aliases of a value.
 
-    Parameters
-    ----------
-    swept : mapping of str to ndarray
-        Values by path.
+    - swept: values by path
     """
     paths = set(swept)
     for path, values in swept.items():

@@ -52,10 +52,7 @@ POSES, LONGEST = 50_000, 1_000
 def resting(model: Model, pose: Array | None = None) -> dict[int, float]:
     """Return the components of a pose that stay as they are in a workspace, by index: the rotations of the platform.
 
-    Parameters
-    ----------
-    pose : ndarray, shape (d,), optional
-        A pose in it; by default rotations are 0, or the nearest value within the usable limits.
+    - pose: a pose in it, (d,); by default rotations are 0, or the nearest value within the usable limits
     """
     mechanism = model.mechanism
     names = [component.name for component in mechanism.pose]
@@ -70,21 +67,11 @@ def box_of(
 ) -> tuple[Array, Array]:
     """Return the box around the poses that can be evaluated, on one assembly branch.
 
-    Parameters
-    ----------
-    pose : ndarray, shape (d,), optional
-        A pose on the branch; by default the branch whose platform hangs lower.
-    still : mapping of int to float, optional
-        Components that stay as they are, by index; by default the rotations of the platform, see `resting`.
+    - pose: a pose on the branch, (d,); by default the branch whose platform hangs lower
+    - still: components that stay as they are, by index; by default the rotations of the platform, see `resting`
 
-    Returns
-    -------
-    low, high : ndarray, shape (d,)
-
-    Raises
-    ------
-    PoseError
-        If no pose was found.
+    Returns low and high, (d,).
+    Raises PoseError if no pose was found.
     """
     rng = np.random.default_rng(SEED)
     still = resting(model, pose) if still is None else still
@@ -123,10 +110,7 @@ def hanging(model: Model, poses: Array) -> Array:
     Where the platform turns and its origin lies to one side of its joints, it is on this side of the other branch;
     where it lies in their middle, legs that change their length carry the platform from below.
 
-    Parameters
-    ----------
-    poses : ndarray, shape (N, d)
-        That can be evaluated.
+    - poses: that can be evaluated, (N, d)
     """
     if not model.has_assemblies:
         return poses
@@ -211,20 +195,11 @@ def inside(robot: Robot, points: Array) -> NDArray[np.bool_]:
 def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
     """Return the box around the poses where the robot is used: those of `box_of` within its usable limits.
 
-    Parameters
-    ----------
-    pose : ndarray, shape (d,), optional
-        A pose on the branch; by default the branch, among those with usable poses, whose platform hangs lower.  A
-        pose beyond the limits lifts them.
+    - pose: a pose on the branch, (d,); by default the branch, among those with usable poses, whose platform hangs
+      lower.  A pose beyond the limits lifts them.
 
-    Returns
-    -------
-    low, high : ndarray, shape (d,)
-
-    Raises
-    ------
-    PoseError
-        If no pose was found within the limits.
+    Returns low and high, (d,).
+    Raises PoseError if no pose was found within the limits.
     """
     usable = within(model)
     if not model.robot.usable or not (pose is None or usable(pose[None])[0]):
@@ -250,15 +225,9 @@ def usable_box(model: Model, pose: Array | None = None) -> tuple[Array, Array]:
 def turning_box(model: Model, pose: Array) -> tuple[Array, Array]:
     """Return the box around the rotations that a platform can have where it is, within the usable limits.
 
-    Parameters
-    ----------
-    pose : ndarray, shape (d,)
-        That can be evaluated.
+    - pose: that can be evaluated, (d,)
 
-    Returns
-    -------
-    low, high : ndarray, shape (d,)
-        The other components are those of the pose.
+    Returns low and high, (d,): the other components are those of the pose.
     """
     turning = resting(model, pose)
     still = {i: float(value) for i, value in enumerate(pose) if i not in turning}
@@ -268,10 +237,7 @@ def turning_box(model: Model, pose: Array) -> tuple[Array, Array]:
 def usable_poses(model: Model) -> Array:
     """Return some poses, (N, d), of any branch, that can be evaluated and are within the usable limits.
 
-    Raises
-    ------
-    PoseError
-        If none was found.
+    Raises PoseError if none was found.
     """
     rng, usable = np.random.default_rng(SEED), within(model)
     reached = _checked_reached(model, _drawn_and_reached(model, rng, resting(model)))
@@ -312,23 +278,13 @@ def _clipped(model: Model, low: Array, high: Array) -> tuple[Array, Array]:
 def reachable(model: Model, poses: int = POSES) -> PoseGrid:
     """Return a grid over the workspace of a robot, within its usable limits.
 
-    Parameters
-    ----------
-    poses : int
-        How many poses the grid has, within a factor of three because steps are round numbers, including those of
-        its corners that cannot be reached; along one component at most some 1,000.
+    - poses: how many poses the grid has, within a factor of three because steps are round numbers, including those of
+      its corners that cannot be reached; along one component at most some 1,000
 
-    Returns
-    -------
-    PoseGrid
-        Round values with the same step for all components of one unit.  Of several separate assemblies, such as the
-        platform above and below the rails, the one that hangs lower is mapped.  A platform that can turn does not:
-        see `resting`.
-
-    Raises
-    ------
-    PoseError
-        If no pose was found.
+    Returns round values with the same step for all components of one unit.  Of several separate assemblies, such as
+    the platform above and below the rails, the one that hangs lower is mapped.  A platform that can turn does not:
+    see `resting`.
+    Raises PoseError if no pose was found.
     """
     return reachable_by([model], poses)
 
@@ -366,12 +322,8 @@ def reachable_by(models: Sequence[Model], poses: int = POSES) -> PoseGrid:
 def bounds_of(model: Model, tried: Array, in_millimetres: str) -> str:
     """Return the remedy for poses that cannot be reached: where the workspace is.
 
-    Parameters
-    ----------
-    tried : ndarray, shape (N, d)
-        Poses that cannot be reached.
-    in_millimetres : str
-        How to give them in millimetres.
+    - tried: poses that cannot be reached, (N, d)
+    - in_millimetres: how to give them in millimetres
     """
     lengths = [component.unit == "m" for component in model.mechanism.pose]
     if np.abs(tried[:, lengths]).max(initial=0.0) >= LARGE:

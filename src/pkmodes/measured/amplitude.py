@@ -41,12 +41,8 @@ CLEAR, KNOWN = 3.0, 0.5
 class FrequencyChange:
     """How the frequency of a mode changes from the lowest to the highest level at one position.
 
-    Attributes
-    ----------
-    row : int
-        The mode at its highest level.
-    relative, sigma : float
-        Relative change of the frequency, and its standard deviation by the stated errors.
+    - row: the mode at its highest level
+    - relative, sigma: relative change of the frequency, and its standard deviation by the stated errors
     """
 
     row: int
@@ -63,18 +59,11 @@ class FrequencyChange:
 class AmplitudeDependence:
     """How frequencies change with the level of excitation.
 
-    Attributes
-    ----------
-    low, high : float
-        The lowest and the highest level of setups that can be compared.
-    changes : tuple of FrequencyChange
-        Of each mode at each position.
-    squares : float
-        What the trend explains of the scatter, in units of the stated variances.
-    p_value : float
-        Of so clear a trend if nothing depends on the level.
-    repeated : bool
-        Whether the scatter of setups at one level was known.
+    - low, high: the lowest and the highest level of setups that can be compared
+    - changes: of each mode at each position
+    - squares: what the trend explains of the scatter, in units of the stated variances
+    - p_value: of so clear a trend if nothing depends on the level
+    - repeated: whether the scatter of setups at one level was known
     """
 
     low: float
@@ -134,15 +123,11 @@ def amplitude_dependence(
 ) -> AmplitudeDependence | None:
     """Return how frequencies change with the level; None if no setups differ in that alone.
 
-    Parameters
-    ----------
-    groups : sequence of sequence of int
-        Setups of the same position, drives and set values.
-    partner : ndarray of int, shape (R,)
-        Number of each row's mode in a model, -1 where unknown: modes with different numbers are not the same, however
-        close their frequencies.
-    motion : ndarray, shape (R, d), optional
-        Derivatives of ln f with respect to the position, if the setups were positioned anew and it is uncertain.
+    - groups: setups of the same position, drives and set values
+    - partner: number of each row's mode in a model, -1 where unknown, (R,): modes with different numbers are not the
+      same, however close their frequencies
+    - motion: derivatives of ln f with respect to the position, (R, d), if the setups were positioned anew and it is
+      uncertain
     """
     plots = [_Plots.of(data, group, partner, motion) for group in groups]
     usable = [plot for plot in plots if plot is not None]
@@ -173,12 +158,8 @@ def _sum(strata: Sequence[Stratum]) -> Stratum:
 class _Plots:
     """The modes of setups that differ in their level alone.
 
-    Parameters
-    ----------
-    rows, mode : ndarray of int, shape (n,)
-        Rows, and which mode of the position each is.
-    root : ndarray, shape (n, n)
-        Cholesky factor of the covariance of their ln f.
+    - rows, mode: rows, and which mode of the position each is, (n,)
+    - root: Cholesky factor of the covariance of their ln f, (n, n)
     """
 
     def __init__(self, data: Measurements, rows: Rows, mode: Rows, root: Array) -> None:

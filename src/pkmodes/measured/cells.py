@@ -31,10 +31,7 @@ def separator_of(header: str) -> str:
 class TableNotation(NamedTuple):
     """How a table is written.
 
-    Attributes
-    ----------
-    separator : str
-        Of the cells.
+    - separator: of the cells
     """
 
     separator: str = ","
@@ -47,10 +44,7 @@ class TableNotation(NamedTuple):
     def cells(self, line: str, where: str) -> list[str]:
         """Split one line into cells; none spans lines, since that is usually an unclosed quote.
 
-        Raises
-        ------
-        MeasurementError
-            If it is not CSV.
+        Raises MeasurementError if it is not CSV.
         """
         try:
             (cells,) = csv.reader([line], strict=True, skipinitialspace=True, delimiter=self.separator)

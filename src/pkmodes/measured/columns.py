@@ -37,10 +37,7 @@ def joined_with(
 ) -> dict[str, Stated]:
     """Return what is stated, and what an argument gives, which may not contradict it.
 
-    Raises
-    ------
-    MeasurementError
-        If it does, or is no mapping.
+    Raises MeasurementError if it does, or is no mapping.
     """
     if not isinstance(argument_values, Mapping):
         problem = f"expected a mapping of names to values, found {shown(argument_values)}"

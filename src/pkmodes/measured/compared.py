@@ -32,16 +32,10 @@ def compare_measurements(first: Measurements, second: Measurements) -> Measureme
 
     Modes at one pose are paired so that frequencies and, where both have them, shapes agree best in all.
 
-    Parameters
-    ----------
-    first, second : Measurements
-        At poses of the same labels, or of one position each under any label.
+    - first, second: at poses of the same labels, or of one position each under any label
 
-    Raises
-    ------
-    MeasurementError
-        If they have the same rows, no pose in common, other components of a pose, or the motors did another thing
-        there.
+    Raises MeasurementError if they have the same rows, no pose in common, other components of a pose, or the motors
+    did another thing there.
     """
     places = list(_common(first, second))
     _check_different(first, second)
@@ -232,10 +226,7 @@ def paired_rows(
 ) -> list[Rows]:
     """Return pairs of rows at one pose with the MAC of each, so that frequencies and shapes agree best in all.
 
-    Parameters
-    ----------
-    rows, second_rows : ndarray of int
-        Of the pose, in the first and in the second measurement.
+    - rows, second_rows: of the pose, in the first and in the second measurement
     """
     apart = np.abs(np.log(second.frequency[second_rows][None, :] / first.frequency[rows][:, None]))
     alike = _alike(first, second, rows, second_rows)

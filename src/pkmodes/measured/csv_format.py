@@ -35,10 +35,7 @@ def read_csv(path: str | PathLike[str], machine: Machine) -> Measurements:
 def states_in(path: str | PathLike[str]) -> tuple[str, ...]:
     """Return the states of the machine of which a file has rows, in their order; an empty text where it names none.
 
-    Raises
-    ------
-    MeasurementError
-        If it cannot be read, has no header, or some rows name no state.
+    Raises MeasurementError if it cannot be read, has no header, or some rows name no state.
     """
     source = fspath(path)
     lines = read_lines(read_text(Path(path), source), source)
@@ -62,10 +59,7 @@ CSV = Format("CSV", (".csv",), begins_with_a_header, read_csv)
 def decoded(content: bytes, errors: str = "strict") -> str:
     """Return text in UTF-8, or in UTF-16 where its first bytes say so, as Excel's Unicode text.
 
-    Raises
-    ------
-    UnicodeDecodeError
-        If it is neither, and errors are not replaced.
+    Raises UnicodeDecodeError if it is neither, and errors are not replaced.
     """
     return content.decode("utf-16" if content.startswith(UTF_16) else "utf-8-sig", errors)
 
@@ -83,19 +77,11 @@ def read_text(
 ) -> str:
     """Return the text of a file.
 
-    Parameters
-    ----------
-    source : str
-        The file, for messages.
-    subject, remedy : str
-        What it should contain, and what to give instead of another file.
-    largest : int
-        Bytes.
+    - source: the file, for messages
+    - subject, remedy: what it should contain, and what to give instead of another file
+    - largest: bytes
 
-    Raises
-    ------
-    MeasurementError
-        If it cannot be read, or is not UTF-8 text.
+    Raises MeasurementError if it cannot be read, or is not UTF-8 text.
     """
     try:
         check_regular(path, source, subject, remedy)
@@ -117,17 +103,10 @@ def read_text(
 def check_regular(path: Path, source: str, subject: str, remedy: str) -> None:
     """Refuse a path that exists but is not a regular file.
 
-    Parameters
-    ----------
-    source : str
-        The path, for messages.
-    subject, remedy : str
-        What it should contain, and what to give instead.
+    - source: the path, for messages
+    - subject, remedy: what it should contain, and what to give instead
 
-    Raises
-    ------
-    MeasurementError
-        If it is a folder, a device or the like.
+    Raises MeasurementError if it is a folder, a device or the like.
     """
     if path.exists() and not path.is_file():
         kind = "a folder" if path.is_dir() else "not a regular file"

@@ -50,10 +50,7 @@ class CsvLines(NamedTuple):
     def header(self, source: str, remedy: str) -> tuple[str, list[str]]:
         """Return the place and the cells of the header.
 
-        Raises
-        ------
-        MeasurementError
-            If there is none, or it is not CSV.
+        Raises MeasurementError if there is none, or it is not CSV.
         """
         if not self.records:
             raise MeasurementError("expected a header and rows, found none", source, remedy)
@@ -64,15 +61,9 @@ class CsvLines(NamedTuple):
     def rows(self, source: str, count: int) -> Iterator[tuple[str, list[str]]]:
         """Yield the place and the cells of each row.
 
-        Parameters
-        ----------
-        count : int
-            Cells of the header.
+        - count: cells of the header
 
-        Raises
-        ------
-        MeasurementError
-            If a row has another number of cells, or is not CSV.
+        Raises MeasurementError if a row has another number of cells, or is not CSV.
         """
         for number, line in self.records[1:]:
             where = f"{source}: line {number}"
@@ -86,10 +77,7 @@ class CsvLines(NamedTuple):
 def read_lines(text: str, source: str) -> CsvLines:
     """Split a file into its records, and what its comments say of the whole test.
 
-    Raises
-    ------
-    MeasurementError
-        If such a comment is invalid or differs from a previous one.
+    Raises MeasurementError if such a comment is invalid or differs from a previous one.
     """
     records: list[tuple[int, str]] = []
     stated: dict[str, dict[str, Stated]] = {name: {} for name in STATEMENTS}
@@ -125,15 +113,9 @@ def read_lines(text: str, source: str) -> CsvLines:
 def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
     """Return the state of each row: of its column, else that of a comment; empty where neither names one.
 
-    Parameters
-    ----------
-    cells : sequence of str
-        Of the header.
+    - cells: of the header
 
-    Raises
-    ------
-    MeasurementError
-        If a row is not CSV, or names another state than a comment.
+    Raises MeasurementError if a row is not CSV, or names another state than a comment.
     """
     place = next((i for i, cell in enumerate(cells) if cell.strip().lower() == STATE), None)
     states = []
@@ -151,17 +133,10 @@ def states_of(lines: CsvLines, cells: Sequence[str], source: str) -> list[str]:
 def of_state(lines: CsvLines, cells: Sequence[str], source: str, state: str | None) -> CsvLines:
     """Return the lines of one state of the machine, which they then state.
 
-    Parameters
-    ----------
-    cells : sequence of str
-        Of the header.
-    state : str, optional
-        By default, that of all rows.
+    - cells: of the header
+    - state: by default, that of all rows
 
-    Raises
-    ------
-    MeasurementError
-        If there are several states, some rows name none, or none is that.
+    Raises MeasurementError if there are several states, some rows name none, or none is that.
     """
     states = states_of(lines, cells, source)
     different = list(dict.fromkeys(states))
@@ -202,19 +177,11 @@ def read_table(
 ) -> Measurements:
     """Convert the cells below the header; each invalid cell counts as a problem.
 
-    Parameters
-    ----------
-    source : str
-        The file.
-    components : mapping of str to str
-        Pose components and their units.
-    drives : str, optional
-        What the motors did, if the user says so.
+    - source: the file
+    - components: pose components and their units
+    - drives: what the motors did, if the user says so
 
-    Raises
-    ------
-    MeasurementError
-        With the first problem.
+    Raises MeasurementError with the first problem.
     """
     records, notation = lines.records[1:], lines.notation
     if drives is not None and lines.drives not in (None, drives):

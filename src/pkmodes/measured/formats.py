@@ -16,23 +16,14 @@ from pkmodes.measured.measurements import Measurements
 class Machine:
     """What files say of a measured machine: its coordinates, poses and settings.
 
-    Attributes
-    ----------
-    channels : collection of str, or mapping of str to str
-        Coordinates at which shapes may be measured.  A mapping gives their SI units.
-    positions : bool
-        Whether the pose components are required.  If not, either all or none of them must be present.
-    components : sequence of mapping of str to str
-        Possible sets of pose components, each with SI units.
-    settings : mapping of str to str
-        Paths of values that may be set, with their SI units.
-    drives : str, optional
-        What the motors did, if the user says so: "free" or "held".
-    state : str, optional
-        The state of the machine whose rows are read, of a file with rows of several.
-    others : callable
-        Returns the columns that measurements of other machines may have, by what such a machine is called: a mapping
-        of str to collection of str.  An error says whose columns a file has.
+    - channels: coordinates at which shapes may be measured.  A mapping gives their SI units.
+    - positions: whether the pose components are required.  If not, either all or none of them must be present.
+    - components: possible sets of pose components, each with SI units
+    - settings: paths of values that may be set, with their SI units
+    - drives: what the motors did, if the user says so: "free" or "held"
+    - state: the state of the machine whose rows are read, of a file with rows of several
+    - others: returns the columns that measurements of other machines may have, by what such a machine is called: a
+      mapping of str to collection of str.  An error says whose columns a file has.
     """
 
     channels: Collection[str] | Mapping[str, str]
@@ -53,16 +44,10 @@ Read_co = TypeVar("Read_co", bound=Callable[..., object], covariant=True)
 class Format(Generic[Read_co]):
     """A file format.
 
-    Attributes
-    ----------
-    name : str
-        For messages.
-    suffixes : tuple of str
-        Of its files, in lower case with the dot.
-    recognises : callable
-        Whether a file that begins with some bytes is of this format.
-    read : callable
-        Reads a file, from its path and what is expected of it.  Raises `MeasurementError`.
+    - name: for messages
+    - suffixes: of its files, in lower case with the dot
+    - recognises: whether a file that begins with some bytes is of this format
+    - read: reads a file, from its path and what is expected of it.  Raises `MeasurementError`.
     """
 
     name: str

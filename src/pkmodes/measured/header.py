@@ -71,18 +71,11 @@ def read_header(
 ) -> list[HeaderColumn]:
     """Read the columns of a header; each must be known and occur only once.
 
-    Parameters
-    ----------
-    where : str
-        File and line.
-    machine : Machine
-        Whose columns it may have.
-    components : mapping of str to str
-        Names and SI units of the pose components: one of the machine's sets.
+    - where: file and line
+    - machine: whose columns it may have
+    - components: names and SI units of the pose components: one of the machine's sets
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     channels, positions, settings = machine.channels, machine.positions, machine.settings
     needed = required_columns()

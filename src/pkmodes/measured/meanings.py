@@ -56,12 +56,8 @@ def worded(cell: str) -> tuple[str, str]:
 def likely_meaning(cell: str, column_names: Sequence[str], taken: Collection[str] = ()) -> str:
     """Return the column that a cell is likely to mean, with its unit, "" if there is none.
 
-    Parameters
-    ----------
-    column_names : sequence of str
-        Names that a column may have.
-    taken : collection of str
-        Those that other columns have already.
+    - column_names: names that a column may have
+    - taken: those that other columns have already
     """
     name, unit = worded(cell)
     free = [column for column in column_names if column not in taken]

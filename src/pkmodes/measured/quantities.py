@@ -24,12 +24,8 @@ BELOW_ONE = math.nextafter(1.0, 0.0)
 class Range:
     """The numbers that a column may hold, from the smallest to the largest.
 
-    Attributes
-    ----------
-    expected, remedy : str
-        For messages about other numbers.
-    blank : bool
-        Whether a number may be absent, NaN.
+    - expected, remedy: for messages about other numbers
+    - blank: whether a number may be absent, NaN
     """
 
     smallest: float
@@ -52,16 +48,10 @@ class Range:
 class NumberColumn:
     """A column with one number for each mode.
 
-    Attributes
-    ----------
-    column : str
-        Its name in the header of a file.
-    argument : str
-        Its name in Python, in `Measurements.from_rows` and `Measurements.numbers`.
-    unit : str
-        Of the number in Python, and in a file whose header gives none.
-    symbol : str
-        Of its columns in reports; by default the name.
+    - column: its name in the header of a file
+    - argument: its name in Python, in `Measurements.from_rows` and `Measurements.numbers`
+    - unit: of the number in Python, and in a file whose header gives none
+    - symbol: of its columns in reports; by default the name
     """
 
     column: str
@@ -85,14 +75,9 @@ class NumberColumn:
 class Transformation:
     """A function of a quantity whose errors are additive: residuals are differences of transformed numbers.
 
-    Attributes
-    ----------
-    of : callable
-        Transformed numbers.
-    sigma : callable
-        Standard deviations of the transformed numbers, from the numbers and their standard deviations.
-    positive : bool
-        Whether it needs a standard deviation below the number itself.
+    - of: transformed numbers
+    - sigma: standard deviations of the transformed numbers, from the numbers and their standard deviations
+    - positive: whether it needs a standard deviation below the number itself
     """
 
     of: Callable[[Array], Array]
@@ -108,12 +93,8 @@ IDENTITY = Transformation(np.asarray, lambda _, sigmas: sigmas, positive=False)
 class MeasuredQuantity:
     """A quantity measured of each mode, with its standard deviation.
 
-    Attributes
-    ----------
-    transformation : Transformation
-        Of measurements and predictions, before they are compared.
-    usual_sigma : callable, optional
-        Standard deviations of numbers for which none is stated.
+    - transformation: of measurements and predictions, before they are compared
+    - usual_sigma: standard deviations of numbers for which none is stated
     """
 
     value: NumberColumn

@@ -47,43 +47,27 @@ def read_measurements(
 ) -> Measurements:
     """Read modal measurements of a machine whose setups are poses.
 
-    Parameters
-    ----------
-    path : path-like
-        A table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not separate.
-        It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
-        ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``,
-        ``mode``, ``drives``, ``state``, ``level`` (of excitation, in any unit), ``shape:<coordinate>``,
-        ``sigma_shape`` and ``set:<path>``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment line
-        ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified, ``# drives: held`` says what the
-        motors did in all rows, and ``# state: before`` in which state the machine was; other lines that begin with
-        ``#`` are ignored, as are blank lines.
-    channels : collection of str, or mapping of str to str
-        Coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a shape
-        column may be a length or an angle.
-    positions : bool
-        Whether the pose components are required.  If not, either all or none of them must be present.
-    components : sequence of mapping of str to str
-        Possible sets of pose components, each with SI units; if there are several, the header decides.
-    settings : mapping of str to str, optional
-        Paths that a column ``set:<path>`` may name, with their SI units.
-    drives : {"free", "held"}, optional
-        What the motors did, if the file does not say it; otherwise free.
-    state : str, optional
-        The state of the machine whose rows are read, of a file with rows of several.
-    others : callable, optional
-        Returns the columns of other machines, by what such a machine is called: an error says whose columns a file
-        has.
+    - path: a table in UTF-8, separated by commas, semicolons or tabs, with decimal commas where commas do not
+      separate.  It has one row for each identified mode: the columns ``pose``, one for each component of a pose,
+      ``frequency``, ``sigma`` [Hz], and where known ``sigma_<component>``, ``damping``, ``sigma_damping``, ``mode``,
+      ``drives``, ``state``, ``level`` (of excitation, in any unit), ``shape:<coordinate>``, ``sigma_shape`` and
+      ``set:<path>``.  A column name may carry a unit, ``frequency [rad/s]``.  A comment line
+      ``# band: 10 Hz, 400 Hz`` gives the band in which modes were identified, ``# drives: held`` says what the motors
+      did in all rows, and ``# state: before`` in which state the machine was; other lines that begin with ``#`` are
+      ignored, as are blank lines.
+    - channels: coordinates that a shape column may name.  A mapping gives their SI units; otherwise the unit of a
+      shape column may be a length or an angle.
+    - positions: whether the pose components are required.  If not, either all or none of them must be present.
+    - components: possible sets of pose components, each with SI units; if there are several, the header decides
+    - settings: paths that a column ``set:<path>`` may name, with their SI units
+    - drives: what the motors did, "free" or "held", if the file does not say it; otherwise free
+    - state: the state of the machine whose rows are read, of a file with rows of several
+    - others: returns the columns of other machines, by what such a machine is called: an error says whose columns a
+      file has
 
-    Returns
-    -------
-    Measurements
-        The rows in the order of the file, in SI units.
-
-    Raises
-    ------
-    MeasurementError
-        If the file cannot be read or is invalid, with line, column, what was expected and what was found.
+    Returns the rows in the order of the file, in SI units.
+    Raises MeasurementError if the file cannot be read or is invalid, with line, column, what was expected and what
+    was found.
     """
     return format_of(path).read(
         path, Machine(channels, positions, components, settings, drives, state, others)

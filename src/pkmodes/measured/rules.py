@@ -98,10 +98,7 @@ def checked_band(band: Iterable[float], where: str) -> tuple[float, float]:
 def checked_level_unit(unit: object, where: str) -> str:
     """Check the unit of the levels of excitation: any unit that is not logarithmic.
 
-    Raises
-    ------
-    MeasurementError
-        If it is no printable text, or a logarithm.
+    Raises MeasurementError if it is no printable text, or a logarithm.
     """
     if not isinstance(unit, str) or not unit.isprintable() or set(unit) & {*"[]"}:
         raise MeasurementError(f"expected a unit, found {shown(unit)}", where, 'write for example "N"')

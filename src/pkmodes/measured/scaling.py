@@ -15,10 +15,7 @@ def with_errors(data: Measurements, factor: float) -> Measurements:
 
     A standard deviation beyond what a file may state becomes the largest, or smallest, that it may.
 
-    Parameters
-    ----------
-    factor : float
-        Of all quantities, of shapes and of positions.
+    - factor: of all quantities, of shapes and of positions
     """
     numbers = dict(data.numbers)
     for quantity in QUANTITIES.values():

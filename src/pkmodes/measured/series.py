@@ -18,14 +18,7 @@ FEWEST_OF_SERIES = 3
 def series_of(channels: Sequence[str]) -> list[list[int]]:
     """Return the series of three or more channels that are numbered without a gap.
 
-    Parameters
-    ----------
-    channels : sequence of str
-
-    Returns
-    -------
-    list of list of int
-        Indices into `channels`, in the order of the numbers.
+    Returns indices into `channels`, in the order of the numbers.
     """
     numbered: dict[tuple[str, str], list[tuple[int, int]]] = {}
     for k, name in enumerate(channels):

@@ -65,15 +65,10 @@ class ShapeChange(Document, frozen=True):
 class Aligned:
     """The shapes of one mode in two files, at the C channels that both have.
 
-    Attributes
-    ----------
-    channels : tuple of str, length C
-    first, second : ndarray, shape (C,)
-        The first relative to its largest component, and the second scaled to it.
-    errors : tuple of float
-        Standard deviation of the components of each, NaN where not stated.
-    covariance : ndarray, shape (C, C)
-        That of second - first.
+    - channels: length C
+    - first, second: the first relative to its largest component, and the second scaled to it, (C,)
+    - errors: standard deviation of the components of each, NaN where not stated
+    - covariance: that of second - first, (C, C)
     """
 
     channels: tuple[str, ...]
@@ -86,10 +81,7 @@ class Aligned:
 def aligned(first: Measurements, second: Measurements, row: int, second_row: int) -> Aligned | None:
     """Return the shapes of a pair at the channels of both; None where they have no shape at three or more.
 
-    Parameters
-    ----------
-    row, second_row : int
-        Of the mode in each.
+    - row, second_row: of the mode in each
     """
     names = [name for name in first.channels if name in second.channels]
     a = first.shapes[row, [first.channels.index(name) for name in names]]
@@ -118,17 +110,10 @@ def change_covariance(first: Array, second: Array, sigma: float, second_sigma: f
     To first order in the errors, with the leading term of second order, which is all that a component has which
     holds nearly the whole shape.
 
-    Parameters
-    ----------
-    first, second : ndarray, shape (C,)
-        Not zero.
-    sigma, second_sigma : float
-        Standard deviations of the components of each, independent of each other.
+    - first, second: not zero, (C,)
+    - sigma, second_sigma: standard deviations of the components of each, independent of each other
 
-    Returns
-    -------
-    ndarray, shape (C, C)
-        Of ``factor * second - first``, in the units of the first.
+    Returns (C, C), of ``factor * second - first``, in the units of the first.
     """
     size, unit = second @ second, np.eye(len(first))
     factor = first @ second / size
@@ -144,10 +129,7 @@ def change_covariance(first: Array, second: Array, sigma: float, second_sigma: f
 def shape_change(shapes: Aligned, chain: bool) -> ShapeChange:
     """Return the change of a shape at each channel, and of its curvature along series of channels.
 
-    Parameters
-    ----------
-    chain : bool
-        Whether numbered channels are taken as a series along a line.
+    - chain: whether numbered channels are taken as a series along a line
     """
     change = shapes.second - shapes.first
     total = float(change @ change) / (shapes.errors[0] ** 2 + shapes.errors[1] ** 2)

@@ -46,12 +46,8 @@ class CommonChange(Document, frozen=True):
 class OwnChanges:
     """Changes of modes beyond the common one, for n pairs.
 
-    Attributes
-    ----------
-    relative, sigmas : ndarray, shape (n,)
-        NaN without a common change.
-    clear : ndarray of bool, shape (n,)
-        Whether it is more than the errors, by Holm's procedure.
+    - relative, sigmas: (n,); NaN without a common change
+    - clear: whether it is more than the errors, by Holm's procedure, (n,)
     """
 
     relative: Array
@@ -62,12 +58,8 @@ class OwnChanges:
 def holm(p: Array, level: float = LEVEL) -> NDArray[np.bool_]:
     """Return which of several hypotheses are refused at a level together (Holm, Scand. J. Statist. 6, 1979).
 
-    Parameters
-    ----------
-    p : ndarray, shape (n,)
-        Their p-values.
-    level : float
-        Largest probability that any true one is refused.
+    - p: their p-values, (n,)
+    - level: largest probability that any true one is refused
     """
     order = np.argsort(p)
     passed = p[order] <= level / np.arange(len(p), 0, -1)
@@ -93,18 +85,12 @@ def common_and_own(factors: Array, errors: Array) -> tuple[CommonChange | None, 
     tension, or if a clock is wrong.  The factor is the weighted mean; where the residuals refuse it, that of the
     pairs which did not change, if these are half of all, or of three quarters or more that agree.
 
-    Parameters
-    ----------
-    factors : ndarray, shape (n,)
-        Logarithms of second over first.
-    errors : ndarray, shape (n,)
-        Their standard deviations.
+    - factors: logarithms of second over first, (n,)
+    - errors: their standard deviations, (n,)
 
-    Returns
-    -------
-    common : CommonChange or None
-        None of fewer than two pairs.
-    own : OwnChanges
+    Returns, in this order:
+    - common: None of fewer than two pairs
+    - own
     """
     count = len(factors)
     unknown = np.full(count, np.nan)

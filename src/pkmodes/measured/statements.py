@@ -29,20 +29,10 @@ Value = str | float
 def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, float]:
     """Read a band such as ``10 Hz, 400 Hz`` or ``10,5 Hz; 400 Hz``; numbers without a unit are in Hz.
 
-    Parameters
-    ----------
-    where, remedy : str
-        Place and remedy, for messages.
+    - where, remedy: place and remedy, for messages
 
-    Returns
-    -------
-    low, high : float
-        [Hz].
-
-    Raises
-    ------
-    MeasurementError
-        If the text is not two frequencies above 0, the lower one first.
+    Returns low and high [Hz].
+    Raises MeasurementError if the text is not two frequencies above 0, the lower one first.
     """
     limits: list[float] = []
     parts = _parts(text)
@@ -67,10 +57,7 @@ def parse_band(text: str, where: str, remedy: str = BAND_HELP) -> tuple[float, f
 def parse_drives(text: str, where: str) -> str:
     """Read what the motors did: "free" or "held".
 
-    Raises
-    ------
-    MeasurementError
-        If the text is neither.
+    Raises MeasurementError if the text is neither.
     """
     word = text.strip().lower()
     if word not in DRIVES:
@@ -81,10 +68,7 @@ def parse_drives(text: str, where: str) -> str:
 def parse_state(text: str, where: str) -> str:
     """Read the state of the machine, such as "before".
 
-    Raises
-    ------
-    MeasurementError
-        If there is none.
+    Raises MeasurementError if there is none.
     """
     if not (name := text.strip()):
         raise MeasurementError("expected the name of a state, found nothing", where, STATE_HELP)
@@ -94,10 +78,7 @@ def parse_state(text: str, where: str) -> str:
 def parse_prior(text: str, where: str, remedy: str = PRIOR_HELP) -> tuple[str, Value]:
     """Read the prior of a candidate: its name, and the standard deviation of its value.
 
-    Raises
-    ------
-    MeasurementError
-        If the text is not a name and a value.
+    Raises MeasurementError if the text is not a name and a value.
     """
     name, value = _named(text, where, remedy)
     return name, _value(value.replace(",", "."))
@@ -106,10 +87,7 @@ def parse_prior(text: str, where: str, remedy: str = PRIOR_HELP) -> tuple[str, V
 def parse_usable(text: str, where: str, remedy: str = USABLE_HELP) -> tuple[str, Value | list[Value]]:
     """Read a limit of ``[usable]``: its name, and one value or two; brackets and quotes may be as in a robot file.
 
-    Raises
-    ------
-    MeasurementError
-        If the text is not a name and values.
+    Raises MeasurementError if the text is not a name and values.
     """
     name, stated = _named(text, where, remedy)
     values = [_value(part) for part in _parts(stated.translate(str.maketrans("", "", '[]"')))]
@@ -139,16 +117,10 @@ def _value(text: str) -> Value:
 class Statement(NamedTuple):
     """A comment on the whole test.
 
-    Attributes
-    ----------
-    read : callable
-        Returns what it says, from its text and its place; where there may be several, its name and its value.
-    remedy : str
-        If it cannot be read.
-    begins : str
-        How its text begins, as a regular expression: so a missing colon does not go unnoticed.
-    several : bool
-        Whether there may be several, each with a name.
+    - read: returns what it says, from its text and its place; where there may be several, its name and its value
+    - remedy: if it cannot be read
+    - begins: how its text begins, as a regular expression: so a missing colon does not go unnoticed
+    - several: whether there may be several, each with a name
     """
 
     read: Callable[[str, str], Any]

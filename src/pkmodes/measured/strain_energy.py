@@ -60,14 +60,9 @@ def strain_energy_changes(
 ) -> list[StrainEnergyChange]:
     """Return the damage indices at a pose, of each series of channels.
 
-    Parameters
-    ----------
-    pose : str
-        Its label.
-    lines : sequence of int, length n
-        Of the modes in the first file.
-    shapes : sequence of Aligned, length n
-        Their shapes in both.
+    - pose: its label
+    - lines: of the modes in the first file, length n
+    - shapes: their shapes in both, length n
     """
     of_series: dict[tuple[str, ...], list[tuple[int, Array, Array, tuple[float, float]]]] = {}
     for line, mode in zip(lines, shapes, strict=True):
@@ -129,18 +124,11 @@ def _of_series(
 def energy_shares(motion: Array, error: float) -> tuple[Array, Array]:
     """Return the share of each pair of neighbours in the squares of all relative motions, and its variance.
 
-    Parameters
-    ----------
-    motion : ndarray, shape (n,)
-        Of a series of channels.
-    error : float
-        Standard deviation of each component, independent of the others.
+    - motion: of a series of channels, (n,)
+    - error: standard deviation of each component, independent of the others
 
-    Returns
-    -------
-    shares, variances : ndarray, shape (n - 1,)
-        To first order in the error, with the leading term of second order, which is all that two neighbours have
-        which move alike.
+    Returns shares and variances, (n - 1,), to first order in the error, with the leading term of second order, which
+    is all that two neighbours have which move alike.
     """
     between = np.diff(np.eye(len(motion)), axis=0)
     relative = between @ motion

@@ -41,14 +41,8 @@ def close_to_another(data: Measurements, row: int) -> bool:
 def cautions_of(close: bool, mac: float | None, differs: bool, shape: ShapeChange | None) -> list[Caution]:
     """Return why the shape of a pair does not show where something changed.
 
-    Parameters
-    ----------
-    close : bool
-        Whether another mode is close in one of the files.
-    mac : float or None
-    differs : bool
-        Whether the frequency changed.
-    shape : ShapeChange or None
+    - close: whether another mode is close in one of the files
+    - differs: whether the frequency changed
     """
     cautions: list[Caution] = []
     if shape is None:

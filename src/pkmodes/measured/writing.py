@@ -21,10 +21,7 @@ def as_csv(data: Columns, comments: Sequence[str] = ()) -> str:
     The columns of quantities and standard deviations are always there, blank where a number is not known; others that
     hold nothing are left out.
 
-    Parameters
-    ----------
-    comments : sequence of str
-        Lines at the beginning.
+    - comments: lines at the beginning
     """
     text = io.StringIO()
     for comment in comments:

@@ -34,22 +34,11 @@ GHOST = "#e3e6ea"
 def animation(scene: Scene, mode: int | None = None, amplitude: float = AMPLITUDE) -> bytes:
     """Return an animated GIF of a mode at the pose of a scene that is shown first.
 
-    Parameters
-    ----------
-    mode : int, optional
-        Index among all modes, by default the first vibration mode.
-    amplitude : float
-        Largest displacement as a share of the robot's size.
+    - mode: index among all modes, by default the first vibration mode
+    - amplitude: largest displacement as a share of the robot's size
 
-    Returns
-    -------
-    bytes
-        The same at every run.
-
-    Raises
-    ------
-    MissingExtraError
-        If matplotlib is not installed.
+    The bytes are the same at every run.
+    Raises MissingExtraError if matplotlib is not installed.
     """
     require("moving pictures", "plot", "matplotlib")
     from PIL import Image

@@ -25,12 +25,9 @@ def relative_changes(plane: Plane, relative: Array) -> Drawing:
 
     A line marks where nothing changes.
 
-    Parameters
-    ----------
-    plane : Plane
-        Of the first robot.
-    relative : ndarray, shape (along, across, modes)
-        Frequency of the second robot over that of the first, minus 1; NaN where one of them has none.
+    - plane: of the first robot
+    - relative: frequency of the second robot over that of the first, minus 1, (along, across, modes); NaN where one
+      of them has none
     """
     high = scale_of(relative)
 

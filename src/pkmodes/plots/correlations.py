@@ -30,10 +30,7 @@ NEAR = 6.0
 def matrix(values: Sequence[Corrected], correlation: Array) -> Drawing | None:
     """Draw the correlation of each pair of values, in the order of the table; None for fewer than two.
 
-    Parameters
-    ----------
-    correlation : ndarray, shape (n, n)
-        Of the n values.
+    - correlation: of the n values, (n, n)
     """
     count = min(len(values), MOST)
     if count < 2:

@@ -28,17 +28,10 @@ ROOM = 2
 def dominant(plane: Plane, paths: Sequence[str], relative: Array) -> Drawing | str:
     """Draw, for each mode, the parameter with the largest influence at each pose.
 
-    Parameters
-    ----------
-    paths : sequence of str
-        Parameters.
-    relative : ndarray, shape (along, across, parameters, modes)
-        d ln f / d ln p.
+    - paths: parameters
+    - relative: d ln f / d ln p, (along, across, parameters, modes)
 
-    Returns
-    -------
-    Drawing or str
-        A sentence if each mode has one parameter.
+    Returns a sentence if each mode has one parameter.
     """
     from matplotlib.colors import ListedColormap, to_rgb
     from matplotlib.patches import Patch
@@ -108,9 +101,7 @@ def _one_each(paths: Sequence[str], first: Array) -> str:
 def middles(inside: Array) -> Iterator[tuple[int, int]]:
     """Yield a pose in the middle of each connected region that has room for a number, the widest first.
 
-    Parameters
-    ----------
-    inside : ndarray of bool, shape (along, across)
+    - inside: (along, across)
     """
     remaining = np.array(inside, dtype=bool)
     while True:

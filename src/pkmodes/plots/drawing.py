@@ -39,12 +39,8 @@ QUOTED, LARGEST = ',;"', 1e15
 class Drawing:
     """A figure.
 
-    Attributes
-    ----------
-    draw : function
-        Draws it on a `Sheet`.
-    narrow : bool
-        Whether it can be drawn on a narrow one.
+    - draw: draws it on a `Sheet`
+    - narrow: whether it can be drawn on a narrow one
     """
 
     draw: Callable[[Sheet], None]
@@ -76,14 +72,11 @@ class Drawing:
 def _table_of(panels: Sequence[Panel]) -> list[list[str]]:
     """Return what panels show as the columns of a table: a row for each point, a column for each labelled axis.
 
-    Returns
-    -------
-    list of list of str
-        Each column with its title, as the cells of a CSV file: ``panel`` and ``series``, and those that the labels of
-        axes and colour scales name, with their units.  Where an axis has names instead of numbers, a further column
-        has them.  Coordinates of curves and marks have all digits, or nine where there are thousands, and values
-        shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
-        spreadsheet does.  Empty if nothing is drawn.
+    Returns each column with its title, as the cells of a CSV file: ``panel`` and ``series``, and those that the
+    labels of axes and colour scales name, with their units.  Where an axis has names instead of numbers, a further
+    column has them.  Coordinates of curves and marks have all digits, or nine where there are thousands, and values
+    shown as colours seven; where there are tens of thousands, six and five.  Text never begins as a formula of a
+    spreadsheet does.  Empty if nothing is drawn.
     """
     shown_series = [series for panel in panels for series in panel.series]
     coloured = sum(len(series.x) for series in shown_series if series.values is not None)
@@ -98,10 +91,8 @@ def _columns(
 ) -> tuple[int, dict[str, list[Any]]]:
     """Return the number of points, and the columns by their titles.
 
-    Parameters
-    ----------
-    places, digits : int or None
-        Significant digits of the coordinates of curves and marks, None for all, and of values shown as colours.
+    - places, digits: significant digits of the coordinates of curves and marks, None for all, and of values shown as
+      colours
     """
     drawn = np.isfinite(series.x) & np.isfinite(series.y)
     if not drawn.any():  # a line across the panel

@@ -40,24 +40,16 @@ class ModelStage:
 class PlottedEvidence:
     """R measured modes at S setups, and the stages of the model.
 
-    Attributes
-    ----------
-    labels : tuple of str
-        Labels of the setups in their natural order.
-    setup : ndarray of int, shape (R,)
-        Setup of each row.
-    measured, sigma : ndarray, shape (R,)
-        Frequencies and their standard deviations [Hz].
-    held_out, outlier : ndarray of bool, shape (R,)
-    stages : tuple of ModelStage
-        The declared model first; a comparison has no other.
-    points : ndarray, shape (S, d)
-        Poses in SI units; d = 0 where they are unknown or have no position.
-    components, units : tuple of str, length d
-    place : str
-        Noun for a setup.
-    spread : ndarray, shape (S, m), or None
-        Standard deviations of the frequencies of the declared model, from those that the robot file states [Hz].
+    - labels: labels of the setups in their natural order
+    - setup: setup of each row, (R,)
+    - measured, sigma: frequencies and their standard deviations, (R,) [Hz]
+    - held_out, outlier: (R,)
+    - stages: the declared model first; a comparison has no other
+    - points: poses in SI units, (S, d); d = 0 where they are unknown or have no position
+    - components, units: length d
+    - place: noun for a setup
+    - spread: standard deviations of the frequencies of the declared model, from those that the robot file states,
+      (S, m) [Hz]
     """
 
     labels: tuple[str, ...]
@@ -83,19 +75,11 @@ class PlottedEvidence:
     ) -> PlottedEvidence:
         """Return what a result shows.
 
-        Parameters
-        ----------
-        data : Measurements, optional
-            The measurements that it is about: their poses are the axes of some figures.
-        place : str
-            Noun for a place of measurement, such as pose, or setup for a structure without positions.
-        spread : ndarray, shape (S, m), optional
-            Standard deviations of the frequencies of the declared model [Hz].
+        - data: the measurements that it is about: their poses are the axes of some figures
+        - place: noun for a place of measurement, such as pose, or setup for a structure without positions
+        - spread: standard deviations of the frequencies of the declared model, (S, m) [Hz]
 
-        Raises
-        ------
-        PkmodesError
-            If the measurements are others than those of the result.
+        Raises PkmodesError if the measurements are others than those of the result.
         """
         measured_labels = tuple(dict.fromkeys(row.pose for row in result.rows))
         order = in_order(measured_labels)

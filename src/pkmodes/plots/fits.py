@@ -142,10 +142,7 @@ def functions(
 ) -> Drawing:
     """Return functions as measured and as synthesised from the modes: magnitude, phase, and coherence if known.
 
-    Parameters
-    ----------
-    phase : bool
-        Whether the functions have one; power spectra have not.
+    - phase: whether the functions have one; power spectra have not
     """
     columns = min(2, len(inspection.curves))
     rows = -(-len(inspection.curves) // columns)

@@ -104,14 +104,9 @@ def by_pose(
 ) -> Drawing:
     """Return the frequencies at all poses.
 
-    Parameters
-    ----------
-    labels : sequence of str
-        Of the poses.
-    modes : sequence of (int, float, bool)
-        The index of the pose, the frequency [Hz], and whether the user added the mode.
-    struck : sequence of (int, float)
-        Likewise of modes struck out.
+    - labels: of the poses
+    - modes: the index of the pose, the frequency [Hz], and whether the user added the mode
+    - struck: likewise of modes struck out
     """
 
     def draw(sheet: Sheet) -> None:

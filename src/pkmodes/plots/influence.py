@@ -21,12 +21,8 @@ ROWS = 14
 def table(paths: Sequence[str], relative: Array) -> Drawing:
     """Draw the median influence of each parameter on each frequency: at the edge of a plane some grow without bound.
 
-    Parameters
-    ----------
-    paths : sequence of str
-        Parameters; those that act as one have one name, separated by commas.
-    relative : ndarray, shape (along, across, parameters, modes)
-        d ln f / d ln p.
+    - paths: parameters; those that act as one have one name, separated by commas
+    - relative: d ln f / d ln p, (along, across, parameters, modes)
     """
     reached = relative[np.isfinite(relative).all(axis=(2, 3))]
     middle = np.median(reached, axis=0) if len(reached) else np.zeros(relative.shape[2:])

@@ -22,10 +22,7 @@ RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u207
 def visible(text: object, longest: int | None = None) -> str:
     """Return text on one line, without invisible characters, such as those that reverse the direction.
 
-    Parameters
-    ----------
-    longest : int or None
-        Longer text is shortened.
+    - longest: longer text is shortened
     """
     line = printable(str(text))
     return line if longest is None or len(line) <= longest else f"{line[: longest - 1]}\u2026"
@@ -57,10 +54,7 @@ def decades(axis: Axis, write: Callable[[float], str] = lambda value: typeset(f"
 
     Matplotlib's own labels of such axes are formulas, which figures of pkmodes do not parse.
 
-    Parameters
-    ----------
-    write : callable
-        Returns the label of a value; by default one digit and a power of ten.
+    - write: returns the label of a value; by default one digit and a power of ten
     """
     from matplotlib.ticker import LogLocator, NullFormatter
 

@@ -20,15 +20,9 @@ GRADUAL = 0.95
 def neighbouring_mac(plane: Plane, mac: Array) -> Drawing | str:
     """Draw the smallest MAC of each mode with the mode of the same number at the neighbouring poses.
 
-    Parameters
-    ----------
-    mac : ndarray, shape (along, across, modes)
-        From `pkmodes.figures.quantities.smallest_mac`.
+    - mac: from `pkmodes.figures.quantities.smallest_mac`, (along, across, modes)
 
-    Returns
-    -------
-    Drawing or str
-        A sentence if it is nearly 1 everywhere.
+    Returns a sentence if it is nearly 1 everywhere.
     """
     if np.isfinite(mac).any() and (smallest := float(np.nanmin(mac))) >= GRADUAL:
         return (

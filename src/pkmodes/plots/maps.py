@@ -51,15 +51,9 @@ LIGHT = 0.55
 def frequencies(plane: Plane, motors: Array | None = None) -> Drawing | str:
     """Draw the frequency of each mode, with its extremes in the plane (figure 8).
 
-    Parameters
-    ----------
-    motors : ndarray, shape (N, 2), optional
-        Positions of the motors (across, along) in the drawn units.
+    - motors: positions of the motors (across, along) in the drawn units, (N, 2)
 
-    Returns
-    -------
-    Drawing or str
-        A sentence if no frequency depends on the pose.
+    Returns a sentence if no frequency depends on the pose.
     """
     values = plane.dataset["frequency"].values
     displayed = shown(plane.dataset)["frequency"].values
@@ -99,10 +93,7 @@ def directions(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     Lines show the part in the plane, as long as its share of the motion; colours the share perpendicular to it.  A
     sentence if no direction depends on the pose, or the plane is not one of directions.
 
-    Parameters
-    ----------
-    lengths : ndarray, shape (components,), optional
-        What makes lengths of the components of the platform's motion, where it turns.
+    - lengths: what makes lengths of the components of the platform's motion, (components,), where it turns
     """
     names = plane.dataset["direction"].values.tolist()
     if not plane.is_linear:
@@ -149,10 +140,7 @@ def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
     Mass-normalised shapes are compared: the platform's motion for the same kinetic energy of the whole robot.  A
     sentence if none depends on the pose, or the plane is not one of directions.
 
-    Parameters
-    ----------
-    lengths : ndarray, shape (components,), optional
-        As for `directions`.
+    - lengths: as for `directions`, (components,)
     """
     if not plane.is_linear:
         return NO_DIRECTIONS
@@ -196,15 +184,10 @@ def components(plane: Plane, lengths: Array | None = None) -> Drawing | str:
 def extremes(values: Array) -> dict[str, list[tuple[int, int]]]:
     """Return where values are lowest and highest: the same definition as in the table of a map.
 
-    Parameters
-    ----------
-    values : ndarray, shape (along, across)
+    - values: (along, across)
 
-    Returns
-    -------
-    dict
-        For ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as mirrored
-        poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
+    Returns for ``minimum`` and ``maximum`` the indices of the poses, of several where they share the value, as
+    mirrored poses do; none if no pose can be evaluated, or if it is shared by so many that it has no place.
     """
     extreme_poses: dict[str, list[tuple[int, int]]] = {"minimum": [], "maximum": []}
     if not np.isfinite(values).any():
@@ -242,10 +225,7 @@ def _strokes(panel: Panel, x: Array, y: Array, across: Array, along: Array) -> N
 def _contours(plane: Plane, axes: Axes, mesh: Any, values: Array, inch: float) -> None:
     """Draw contours at round frequencies, with their numbers, in black or white, whichever can be seen.
 
-    Parameters
-    ----------
-    inch : float
-        Approximate size of an inch of the panel in the units of its axes: numbers that would overlap are left out.
+    - inch: approximate size of an inch of the panel in the units of its axes: numbers that would overlap are left out
     """
     from matplotlib.ticker import MaxNLocator
 

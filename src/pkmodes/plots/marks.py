@@ -62,10 +62,7 @@ def rows(panel: Panel, evidence: PlottedEvidence, x: Array, y: Array, size: floa
 def legend(sheet: Sheet, panel: Panel, *, beside: bool = False) -> None:
     """Show a legend above a panel if there is more than one kind of marks.
 
-    Parameters
-    ----------
-    beside : bool
-        Whether it may reach over the panel to the left, which has a title of its own at its left end.
+    - beside: whether it may reach over the panel to the left, which has a title of its own at its left end
     """
     handles, labels = panel.axes.get_legend_handles_labels()
     first = dict(zip(reversed(labels), reversed(handles), strict=True))
@@ -97,10 +94,7 @@ def zero_across(panel: Panel) -> None:
 def noise(panel: Panel, sigmas: Array) -> None:
     """Shade the differences that noise explains, and scale the axis for all differences and somewhat more than noise.
 
-    Parameters
-    ----------
-    sigmas : ndarray, shape (R,)
-        Differences in standard deviations.
+    - sigmas: differences in standard deviations, (R,)
     """
     panel.axes.axhspan(-NOISE, NOISE, color=GREY, alpha=0.16, linewidth=0, zorder=0)
     finite = sigmas[np.isfinite(sigmas)]
@@ -111,10 +105,7 @@ def noise(panel: Panel, sigmas: Array) -> None:
 def setups(panel: Panel, evidence: PlottedEvidence, *, grid: bool = False) -> str:
     """Name the setups on the horizontal axis unless there are many; return its label.
 
-    Parameters
-    ----------
-    grid : bool
-        Whether named setups have lines of the grid.
+    - grid: whether named setups have lines of the grid
     """
     labels = [short(label) for label in evidence.labels]
     if len(labels) > NAMED:

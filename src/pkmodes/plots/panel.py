@@ -31,18 +31,11 @@ WORD = 5
 class Series:
     """N points in a panel.
 
-    Attributes
-    ----------
-    name : str
-        As in the legend; for one without a name what it is, with its number.
-    x, y : ndarray, shape (N,)
-        In the units of the axes; NaN where a line across the panel has no such place.
-    part : ndarray of int, shape (N,), or None
-        The piece of a broken curve, from 1.
-    values : ndarray, shape (N,), or None
-        Values shown by colour.
-    meanings : tuple of str
-        Names of the values 0, 1, 2... if they are kinds.
+    - name: as in the legend; for one without a name what it is, with its number
+    - x, y: in the units of the axes, (N,); NaN where a line across the panel has no such place
+    - part: the piece of a broken curve, from 1, (N,)
+    - values: values shown by colour, (N,)
+    - meanings: names of the values 0, 1, 2... if they are kinds
     """
 
     name: str
@@ -58,22 +51,12 @@ class Panel:
 
     Keywords beside those below are for matplotlib; a ``label`` for the legend is the name of the series as well.
 
-    Attributes
-    ----------
-    axes : matplotlib.axes.Axes
-    narrow : bool
-        Whether the figure is for a narrow screen.
-    before : Panel or None
-        Beside it on a narrow sheet, at the left.
-    inner : set of str
-        What a wide figure leaves to the panels above, beside and below: ``title``, ``x`` and ``y``.
-    title : str
-        In one line, with the name of a row of panels.
-    labels : dict of str
-        Of the axes ``x`` and ``y``, of the ``row`` of panels, and of the colour ``scale``.
-    names : dict of dict
-        Names of places on the axes ``x`` and ``y``, where these are no numbers.
-    series : list of Series
+    - narrow: whether the figure is for a narrow screen
+    - before: beside it on a narrow sheet, at the left
+    - inner: what a wide figure leaves to the panels above, beside and below: ``title``, ``x`` and ``y``
+    - title: in one line, with the name of a row of panels
+    - labels: of the axes ``x`` and ``y``, of the ``row`` of panels, and of the colour ``scale``
+    - names: names of places on the axes ``x`` and ``y``, where these are no numbers
     """
 
     def __init__(
@@ -98,12 +81,8 @@ class Panel:
     ) -> None:
         """Name the panel and its axes, except for what it leaves to other panels: see `inner`.
 
-        Parameters
-        ----------
-        row : str
-            Name of a row of panels, above the label of their vertical axes.
-        settings
-            For the title.
+        - row: name of a row of panels, above the label of their vertical axes
+        - settings: for the title
         """
         self.title = ", ".join(" ".join(part.split("\n")) for part in (title, row) if part)
         self.labels |= {"x": x, "y": y, "row": row}
@@ -130,12 +109,8 @@ class Panel:
     ) -> None:
         """Write names instead of numbers on an axis.
 
-        Parameters
-        ----------
-        shown, names : sequence of str
-            As on the axis, maybe in several lines, and in a table; by default the same in one line.
-        settings
-            For the text on the axis.
+        - shown, names: as on the axis, maybe in several lines, and in a table; by default the same in one line
+        - settings: for the text on the axis
         """
         set_ticks = self.axes.set_xticks if side == "x" else self.axes.set_yticks
         set_ticks(at, shown, **settings)
@@ -207,10 +182,7 @@ class Panel:
     ) -> QuadMesh:
         """Draw values (rows, columns) as colours around the places x (columns,) and y (rows,); NaN stays blank.
 
-        Parameters
-        ----------
-        meanings : sequence of str
-            Of the values 0, 1, 2... if they are kinds.
+        - meanings: of the values 0, 1, 2... if they are kinds
         """
         mesh = self.axes.pcolormesh(_edges(x), _edges(y), np.ma.masked_invalid(values), **style)
         self._keep_cells(x, y, values, tuple(meanings))

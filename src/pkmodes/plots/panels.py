@@ -48,14 +48,9 @@ def mode_panels(
 ) -> Iterator[tuple[int, Panel]]:
     """Yield each mode with its panel, titled, and labelled where no panel is beside or below.
 
-    Parameters
-    ----------
-    scales : str
-        As for `pkmodes.plots.sheet.Sheet.groups`.
-    line : bool
-        Whether there is a line between title and panel.
-    below : float
-        Height of what stands below all panels [inch].
+    - scales: as for `pkmodes.plots.sheet.Sheet.groups`
+    - line: whether there is a line between title and panel
+    - below: height of what stands below all panels [inch]
     """
     rows, columns = arranged(modes, tall=plane.is_tall)
     colour_bars = scales == "own"

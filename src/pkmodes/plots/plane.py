@@ -36,19 +36,12 @@ TALL = 1.6
 class Plane:
     """A map in a plane.
 
-    Attributes
-    ----------
-    dataset : xarray.Dataset
-        With two axes of poses, (along, across).
-    across, along : str
-        Components of the pose on the horizontal and the vertical axis, the longer one vertical.
-    normal : str or None
-        The direction of the platform's motion that is perpendicular to the plane, if any.
-    at : float
-        Its value [SI].
-    rest : mapping of str to float
-        The other components of the pose, which are constant [SI]: rotations of the platform, or the rest of a plane
-        in which these vary.
+    - dataset: with two axes of poses, (along, across)
+    - across, along: components of the pose on the horizontal and the vertical axis, the longer one vertical
+    - normal: the direction of the platform's motion that is perpendicular to the plane, if any
+    - at: its value [SI]
+    - rest: the other components of the pose, which are constant [SI]: rotations of the platform, or the rest of a
+      plane in which these vary
     """
 
     dataset: xarray.Dataset
@@ -62,17 +55,10 @@ class Plane:
     def of(cls, dataset: xarray.Dataset, components: Sequence[str]) -> Plane:
         """Return the plane of a map whose other axes have one value each.
 
-        Parameters
-        ----------
-        dataset : xarray.Dataset
-            A map.
-        components : sequence of str
-            Components of a pose; other axes are parameters.
+        - dataset: a map
+        - components: components of a pose; other axes are parameters
 
-        Raises
-        ------
-        PkmodesError
-            If it has not exactly two axes of poses with several values.
+        Raises PkmodesError if it has not exactly two axes of poses with several values.
         """
         leading = [str(dim) for dim in dataset["frequency"].dims[:-1]]
         several = plane_axes({dim: dataset.sizes[dim] for dim in leading}, components, "map")
@@ -143,11 +129,8 @@ class Plane:
     def draw(self, panel: Panel, values: Array, **settings: Any) -> QuadMesh:
         """Draw values as colours, with the poses that cannot be reached left blank.
 
-        Parameters
-        ----------
-        values : ndarray, shape (along, across)
-        settings
-            For `pkmodes.plots.panel.Panel.cells`, such as the colour map.
+        - values: (along, across)
+        - settings: for `pkmodes.plots.panel.Panel.cells`, such as the colour map
         """
         x, y, axes = self.drawn(self.across), self.drawn(self.along), panel.axes
         mesh = panel.cells(x, y, values, rasterized=True, **settings)
@@ -172,19 +155,11 @@ class Plane:
 def plane_axes(sizes: Mapping[str, int], components: Sequence[str], place: str) -> list[str]:
     """Return the two axes of a plane: they are components of the pose, and any other axis has one value.
 
-    Parameters
-    ----------
-    sizes : mapping of str to int
-        Number of values along each axis of poses and parameters.
-    components : sequence of str
-        Components of a pose.
-    place : str
-        What an error names as its place.
+    - sizes: number of values along each axis of poses and parameters
+    - components: components of a pose
+    - place: what an error names as its place
 
-    Raises
-    ------
-    PkmodesError
-        If the axes do not make a plane.
+    Raises PkmodesError if the axes do not make a plane.
     """
     several = [name for name, size in sizes.items() if size > 1]
     if len(several) != 2 or not set(several) <= set(components):
@@ -221,14 +196,9 @@ def limits_of(values: Array, outliers: float = OUTLIERS) -> tuple[float, float]:
 def same_everywhere(values: Array, axes: tuple[int, int] = (0, 1), scale: float | None = None) -> bool:
     """Whether a picture of values would have one colour: they differ by less than `SAME` of a scale.
 
-    Parameters
-    ----------
-    values : ndarray
-        NaN where there is none.
-    axes : tuple of int
-        Those of the plane.
-    scale : float, optional
-        By default the largest size of the values.
+    - values: NaN where there is none
+    - axes: those of the plane
+    - scale: by default the largest size of the values
     """
     flat = np.moveaxis(values, axes, (0, 1)).reshape(values.shape[axes[0]] * values.shape[axes[1]], -1)
     flat = flat[np.isfinite(flat).all(axis=1)]

@@ -37,20 +37,12 @@ def responses(
 ) -> Drawing:
     """Draw responses: two channels side by side, magnitude above phase.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        In Hz.
-    model : mapping of str to ndarray, shape (F,)
-        By channel.
-    units : mapping of str to str
-        Of the magnitudes, by channel.
-    measured : tuple of ndarray and mapping, optional
-        Frequencies, and responses by channel.
-    title : str
-        Above all.
-    before : mapping of str to ndarray, shape (F,), optional
-        Responses of another model by channel, such as the one before a correction.
+    - frequencies: in Hz, (F,)
+    - model: by channel, each (F,)
+    - units: of the magnitudes, by channel
+    - measured: frequencies, and responses by channel
+    - title: above all
+    - before: responses of another model by channel, such as the one before a correction, each (F,)
     """
     names, silent = list(model)[:MOST], without_response(model, units)
     columns = min(2, len(names))

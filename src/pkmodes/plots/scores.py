@@ -89,10 +89,7 @@ def _rows(panel: Panel, labels: Sequence[str]) -> None:
 def pulls(values: Sequence[Corrected], words: Callable[[str], str] | None = None) -> Drawing | None:
     """Return how far the fit moved each value, in standard deviations of its prior; None if none has a prior.
 
-    Parameters
-    ----------
-    words : callable
-        Returns what the name of a value means, or nothing.
+    - words: returns what the name of a value means, or nothing
     """
     with_prior = [(value, value.prior_sigma) for value in values if value.prior_sigma]
     moved = [((v.value - v.declared) / prior, v.sigma / prior, v.name) for v, prior in with_prior]

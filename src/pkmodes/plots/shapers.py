@@ -32,14 +32,9 @@ def over_plane(
 ) -> Drawing:
     """Draw what shapers leave at poses in a plane, one map for each, on a common scale.
 
-    Parameters
-    ----------
-    points : ndarray, shape (N, 2)
-        SI.
-    names, units : sequence
-        Of the two components, and the unit in which each is drawn with its factor.
-    remaining : mapping of str to ndarray, shape (N,)
-        By shaper [%].
+    - points: SI, (N, 2)
+    - names, units: of the two components, and the unit in which each is drawn with its factor
+    - remaining: by shaper, each (N,) [%]
     """
     x, y = (points[:, i] * units[i][1] for i in (0, 1))
     alike = units[0][0] == units[1][0]
@@ -81,12 +76,8 @@ def _map(panel: Panel, x: Array, y: Array, values: Array, highest: float, panels
 def along_line(at: Array, name: str, unit: tuple[str, float], remaining: Mapping[str, Array]) -> Drawing:
     """Draw what shapers leave at poses along a line.
 
-    Parameters
-    ----------
-    at : ndarray, shape (N,)
-        The component of the pose that changes [SI].
-    remaining : mapping of str to ndarray, shape (N,)
-        By shaper [%].
+    - at: the component of the pose that changes, (N,) [SI]
+    - remaining: by shaper, each (N,) [%]
     """
     order = np.argsort(at)
 
@@ -103,14 +94,9 @@ def along_line(at: Array, name: str, unit: tuple[str, float], remaining: Mapping
 def against_error(errors: Array, remaining: Mapping[str, Array], spread: float | None) -> Drawing:
     """Draw what shapers leave where all frequencies differ from those of the model.
 
-    Parameters
-    ----------
-    errors : ndarray, shape (E,)
-        Relative errors of the frequencies.
-    remaining : mapping of str to ndarray, shape (E,)
-        By shaper [%]: the root mean square over the poses, relative to none.
-    spread : float or None
-        Mean standard deviation of the frequencies, as a band.
+    - errors: relative errors of the frequencies, (E,)
+    - remaining: by shaper, each (E,) [%]: the root mean square over the poses, relative to none
+    - spread: mean standard deviation of the frequencies, as a band
     """
 
     def draw(sheet: Sheet) -> None:
@@ -165,12 +151,8 @@ def over_frequency(
 ) -> Drawing:
     """Draw what shapers leave of a mode at each frequency, over a measured spectrum where there is one.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (F,)
-        Of the curves [Hz].
-    curves : sequence of ShaperCurve
-        The recommended one among them.
+    - frequencies: of the curves, (F,) [Hz]
+    - curves: the recommended one among them
     """
     across = "frequency [Hz]"
 

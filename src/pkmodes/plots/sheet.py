@@ -38,14 +38,8 @@ MARGIN = 0.08
 class Sheet:
     """A sheet with the panels that are drawn on it.
 
-    Attributes
-    ----------
-    narrow : bool
-    figure : matplotlib.figure.Figure
-    panels : list of Panel
-        Row by row as on a wide sheet.
-    panel_width : float
-        Of a panel on a narrow sheet, about [inch].
+    - panels: row by row as on a wide sheet
+    - panel_width: of a panel on a narrow sheet, about [inch]
     """
 
     def __init__(self, *, narrow: bool) -> None:
@@ -78,22 +72,13 @@ class Sheet:
         at the left and below.  On a narrow sheet the groups follow each other; panels that are slender enough stand
         side by side there.
 
-        Parameters
-        ----------
-        count, columns : int
-            Of the groups on a wide sheet.
-        height, width : float
-            Of the wide figure [inch].
-        rows : sequence of float
-            Relative heights of the panels of a group.
-        share_x, share_y : bool or str
-            As for `matplotlib.figure.Figure.subplots`.
-        shape : float
-            Height over width of panels that keep their proportions; 0 for others.
-        scales : str
-            Which colour scales are beside the panels: ``own`` ones, one in ``common``, or none.
-        frames : bool
-            Whether the panels have axes; without, more stand side by side.
+        - count, columns: of the groups on a wide sheet
+        - height, width: of the wide figure [inch]
+        - rows: relative heights of the panels of a group
+        - share_x, share_y: as for `matplotlib.figure.Figure.subplots`
+        - shape: height over width of panels that keep their proportions; 0 for others
+        - scales: which colour scales are beside the panels: ``own`` ones, one in ``common``, or none
+        - frames: whether the panels have axes; without, more stand side by side
         """
         lines = -(-count // columns)
         places = {
@@ -142,12 +127,8 @@ class Sheet:
     ) -> dict[tuple[int, int], Panel]:
         """Return the panels of a narrow sheet by group and row, each with its space around and beside it [inch].
 
-        Parameters
-        ----------
-        places : dict
-            Row and column of the panels on a wide sheet.
-        across : int
-            How many stand side by side: they follow each other group by group, or else row by row.
+        - places: row and column of the panels on a wide sheet
+        - across: how many stand side by side: they follow each other group by group, or else row by row
         """
         order = list(places) if across == 1 else sorted(places, key=places.__getitem__)
         lines = [max(heights[row] for _, row in order[k : k + across]) for k in range(0, len(order), across)]
@@ -181,12 +162,8 @@ class Sheet:
     def legend(self, panel: Panel, *, above: bool = True, **wide: Any) -> None:
         """Draw the legend of what is drawn in a panel.
 
-        Parameters
-        ----------
-        above : bool
-            Whether it stands above this panel on a wide sheet, or else outside all.
-        wide
-            For the legend on a wide sheet.
+        - above: whether it stands above this panel on a wide sheet, or else outside all
+        - wide: for the legend on a wide sheet
         """
         self.legend_of(*panel.axes.get_legend_handles_labels(), above=panel if above else None, **wide)
 
@@ -202,12 +179,8 @@ class Sheet:
     ) -> Any:
         """Draw a legend outside the panels: on a narrow sheet above or below all of them, in as many columns as fit.
 
-        Parameters
-        ----------
-        above : Panel, optional
-            Above which it stands on a wide sheet.
-        wide
-            For the legend on a wide sheet.
+        - above: above which it stands on a wide sheet
+        - wide: for the legend on a wide sheet
         """
         if not self.narrow:
             owner = self.figure if above is None else above.axes

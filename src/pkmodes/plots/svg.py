@@ -57,12 +57,8 @@ def inline(figure: Figure, title: str, description: str, *, cropped: bool = Fals
     variables ``--blue``, ``--vermillion`` and so on.  The element is as wide as its parent, and the same figure
     always gives the same text.
 
-    Parameters
-    ----------
-    title, description : str
-        Name of the figure and what it shows, for those who do not see it.
-    cropped : bool
-        Whether empty margins are cut off, as those of maps, whose panels keep their proportions.
+    - title, description: name of the figure and what it shows, for those who do not see it
+    - cropped: whether empty margins are cut off, as those of maps, whose panels keep their proportions
     """
     return _element(
         figure, title, description, {"bbox_inches": "tight", "pad_inches": 0.05} if cropped else {}

@@ -31,14 +31,10 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
     The band leaves out the lowest and the highest 2 % of many values, as the table of a map does: a few poses at the
     edge of the workspace would hide everything else.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A map.
-    path : str
-        The axis: a swept parameter, in SI units, or a component of the pose, in the units of figures.
-    spread : ndarray, shape (values, modes), optional
-        Standard deviations of the frequencies along the axis [Hz], as a band; for a map without other axes.
+    - dataset: a map
+    - path: the axis: a swept parameter, in SI units, or a component of the pose, in the units of figures
+    - spread: standard deviations of the frequencies along the axis, (values, modes) [Hz], as a band; for a map
+      without other axes
     """
     order = np.argsort(dataset[path].values, kind="stable")
     dataset = dataset.isel({path: order})
@@ -70,12 +66,8 @@ def against(dataset: xarray.Dataset, path: str, spread: Array | None = None) -> 
 def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
     """Draw the frequencies along a list of poses.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A map with the dimension ``pose``.
-    spread : ndarray, shape (poses, modes), optional
-        Standard deviations of the frequencies [Hz], as bands.
+    - dataset: a map with the dimension ``pose``
+    - spread: standard deviations of the frequencies, (poses, modes) [Hz], as bands
     """
     frequencies = _flat(dataset, "pose")
     frequency = np.stack(
@@ -108,10 +100,7 @@ def along(dataset: xarray.Dataset, spread: Array | None = None) -> Drawing:
 def scatter(dataset: xarray.Dataset) -> Drawing:
     """Draw by how much the frequencies of sampled robots differ from the median robot at the same pose.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A map with the dimension ``sample``.
+    - dataset: a map with the dimension ``sample``
     """
     frequency = _flat(dataset, "sample")
     modes = frequency.shape[-1]

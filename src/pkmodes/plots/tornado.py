@@ -34,12 +34,8 @@ STEPS = {PERCENT: "1 %", SIGMA: "one sigma"}
 def tornado(changes: Changes, modes: Sequence[int] | None = None) -> Drawing:
     """Draw the largest changes of each frequency, one panel for each mode.
 
-    Parameters
-    ----------
-    changes : Changes
-        From `pkmodes.sensitivity.changes.changes_at`.
-    modes : sequence of int, optional
-        Modes that are drawn, counted from 0; by default all.
+    - changes: from `pkmodes.sensitivity.changes.changes_at`
+    - modes: modes that are drawn, counted from 0; by default all
     """
     shown = range(len(changes.frequencies)) if modes is None else modes
     columns = min(COLUMNS, len(shown))

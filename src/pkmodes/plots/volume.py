@@ -33,12 +33,8 @@ LIGHT = (0.82, 0.92, 1.0)
 def volume(dataset: xarray.Dataset, across: Sequence[str]) -> Drawing:
     """Draw the first frequency in a volume.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        A map with the axes `across` alone.
-    across : sequence of str
-        The three components of the pose, to be drawn as x, y and z.
+    - dataset: a map with the axes `across` alone
+    - across: the three components of the pose, to be drawn as x, y and z
     """
     part = dataset.isel(_around(dataset, across)).load().transpose(*across, ...)
     evaluated = part["valid"].values & ~unstable(part).values

@@ -30,11 +30,8 @@ SHARD = 0.03
 class Volume:
     """Which poses around a plane can be evaluated.
 
-    Attributes
-    ----------
-    heights, along, across : ndarray
-        Values of the components of the pose, perpendicular to the plane and in it [SI].
-    valid : ndarray of bool, shape (heights, along, across)
+    - heights, along, across: values of the components of the pose, perpendicular to the plane and in it [SI]
+    - valid: (heights, along, across)
     """
 
     heights: Array
@@ -46,15 +43,9 @@ class Volume:
 def workspace(plane: Plane, volume: Volume | None) -> Drawing | str:
     """Draw the condition number of the platform Jacobian in a plane, and where the plane lies in the workspace.
 
-    Parameters
-    ----------
-    volume : Volume, optional
-        None for a mechanism that moves in a plane.
+    - volume: None for a mechanism that moves in a plane
 
-    Returns
-    -------
-    Drawing or str
-        A sentence for a mechanism that moves in a plane with the same condition number everywhere.
+    Returns a sentence for a mechanism that moves in a plane with the same condition number everywhere.
     """
     condition = plane.dataset["condition"].values
     low, high = limits_of(condition, NEAR_SINGULAR)

@@ -30,15 +30,9 @@ VIEW_BOX = re.compile(r'viewBox="\S+ \S+ (\S+) (\S+)"')
 class Spread:
     """The standard deviation of a value in the same cell: (1.92 ± 0.13) times a power of ten.
 
-    Attributes
-    ----------
-    sigma : float
-    at : str
-        JSON pointer of it; empty if it is not in the JSON.
-    digits, of_sigma : str
-        Those of the value and of the standard deviation.
-    power : str
-        What both are multiplied by; empty for nothing.
+    - at: JSON pointer of it; empty if it is not in the JSON
+    - digits, of_sigma: those of the value and of the standard deviation
+    - power: what both are multiplied by; empty for nothing
     """
 
     sigma: float
@@ -52,22 +46,14 @@ class Spread:
 class Cell:
     """A cell of a table, or a value in a list.
 
-    Attributes
-    ----------
-    text : str
-        As shown on a page.
-    value : float or None
-        The exact number, if it is one.
-    at : str
-        JSON pointer of that number in the output of ``--json``; empty if it is not in it.
-    strong : bool
-        Whether it is emphasised.
-    spread : Spread or None
-        The standard deviation that its text contains.
-    name : str
-        Identifier of what the text says in words, shown below it, and on a terminal instead of it; empty for none.
-    plain : str
-        The text on a terminal: a number or a unit as it can be typed, a label in full; empty where `text` is that.
+    - text: as shown on a page
+    - value: the exact number, if it is one
+    - at: JSON pointer of that number in the output of ``--json``; empty if it is not in it
+    - strong: whether it is emphasised
+    - spread: the standard deviation that its text contains
+    - name: identifier of what the text says in words, shown below it, and on a terminal instead of it; empty for none
+    - plain: the text on a terminal: a number or a unit as it can be typed, a label in full; empty where `text` is
+      that
     """
 
     text: str
@@ -106,11 +92,8 @@ class Column:
 class Placed:
     """What every block of a section has.
 
-    Attributes
-    ----------
-    programs : sequence of str
-        Those that it needs in the browser, files of ``browser/``.  A program of several files names them in their
-        order, joined by ``+``.
+    - programs: those that it needs in the browser, files of ``browser/``.  A program of several files names them in
+      their order, joined by ``+``.
     """
 
     programs: ClassVar[Sequence[str]] = ()
@@ -125,14 +108,9 @@ class Placed:
 class Table(Placed):
     """A table; the first cell of each row names it.
 
-    Attributes
-    ----------
-    groups : sequence of (str, int)
-        Titles above several columns and how many; empty for none.
-    note : str
-        What the table leaves out.
-    heads : int
-        First columns, which identify the rows: a terminal repeats them where the others do not fit side by side.
+    - groups: titles above several columns and how many; empty for none
+    - note: what the table leaves out
+    - heads: first columns, which identify the rows: a terminal repeats them where the others do not fit side by side
     """
 
     caption: str
@@ -147,13 +125,9 @@ class Table(Placed):
 class Picture(Placed):
     """A figure as an SVG element, how to read it, its name, and the numbers that it shows.
 
-    Attributes
-    ----------
-    data : str
-        The numbers, the columns of its table one after the other, deflated (RFC 1950) and in base 64; empty if there
-        are none.
-    narrow : str
-        The same laid out for narrow screens; empty if it does not fit one.
+    - data: the numbers, the columns of its table one after the other, deflated (RFC 1950) and in base 64; empty if
+      there are none
+    - narrow: the same laid out for narrow screens; empty if it does not fit one
     """
 
     svg: str
@@ -175,16 +149,10 @@ class Picture(Placed):
     ) -> Picture:
         """Return a figure for a page, which can be saved from there as PNG, and its numbers as CSV.
 
-        Parameters
-        ----------
-        title : str
-            Its name.
-        description : str
-            What it shows, for those who do not see it.
-        caption : str
-            How to read it.
-        cropped : bool
-            As for `pkmodes.plots.svg.inline`.
+        - title: its name
+        - description: what it shows, for those who do not see it
+        - caption: how to read it
+        - cropped: as for `pkmodes.plots.svg.inline`
         """
         wide = inline(drawing.figure, title, description, cropped=cropped)
         return cls(wide, caption, title, _packed(drawing.table), inline_narrow(drawing, title, description))
@@ -266,22 +234,13 @@ class Slider:
 class Explorer(Placed):
     """An interactive map.
 
-    Attributes
-    ----------
-    data : str
-        JSON for the program, safe inside a page.
-    modes : sequence of int
-        Numbers of the modes.
-    sliders : sequence of Slider
-        One for each axis with several values.
-    planes : sequence of (str, str)
-        Pairs of components over which it can be drawn, empty if there is no choice.
-    note : str
-        Which poses of the map the page holds.
-    machine : bool
-        Whether a view of the machine on the page follows.
-    varied : bool
-        Whether it is a map of several robots: of a sweep, or drawn.
+    - data: JSON for the program, safe inside a page
+    - modes: numbers of the modes
+    - sliders: one for each axis with several values
+    - planes: pairs of components over which it can be drawn, empty if there is no choice
+    - note: which poses of the map the page holds
+    - machine: whether a view of the machine on the page follows
+    - varied: whether it is a map of several robots: of a sweep, or drawn
     """
 
     data: str
@@ -301,12 +260,8 @@ Block = Table | Picture | Paragraph | Listing | Facts | Difference | Lines | For
 class Section:
     """A section of a page.
 
-    Attributes
-    ----------
-    name : str
-        Its id: letters and hyphens.
-    folded : bool
-        Whether a reader unfolds it, by a click or by going to it; on paper it is unfolded.
+    - name: its id: letters and hyphens
+    - folded: whether a reader unfolds it, by a click or by going to it; on paper it is unfolded
     """
 
     name: str
@@ -319,22 +274,13 @@ class Section:
 class Summary:
     """The head of a page: what was found, before everything else.
 
-    Attributes
-    ----------
-    subject : str
-        What the page is about, such as the name of a robot.
-    kind : str
-        What was done, such as "Diagnosis".
-    verdict : str
-        The verdict as in the JSON; empty if there is none.
-    headline, reason : str
-        What was found, and why or where.
-    action : Facts or None
-        What to do about it, in a box.
-    facts : sequence of (str, Cell)
-        The most important numbers.
-    head : sequence of (str, str)
-        Titles and texts beside the subject, such as the customer: `pkmodes.core.robot.report_fields.head_of`.
+    - subject: what the page is about, such as the name of a robot
+    - kind: what was done, such as "Diagnosis"
+    - verdict: the verdict as in the JSON; empty if there is none
+    - headline, reason: what was found, and why or where
+    - action: what to do about it, in a box
+    - facts: the most important numbers
+    - head: titles and texts beside the subject, such as the customer: `pkmodes.core.robot.report_fields.head_of`
     """
 
     subject: str

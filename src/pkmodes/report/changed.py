@@ -177,10 +177,7 @@ def _changes(result: Change) -> list[tuple[float | None, float | None]]:
 def changes(result: Change, max_rows: int | None = MOST) -> Table:
     """Return the modes of both states side by side, the largest changes in standard deviations first.
 
-    Parameters
-    ----------
-    max_rows : int, optional
-        Number of rows; None for all.
+    - max_rows: number of rows; None for all
     """
     differences = _changes(result)
     chosen = sorted(

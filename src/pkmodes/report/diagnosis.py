@@ -234,12 +234,8 @@ def _correction(result: Diagnosis, robot: Robot | None) -> list[Block]:
 def _difference(before: str, after: str, name: str) -> list[str]:
     """Return a unified difference, without line ends; `patch` applies it to the file.
 
-    Parameters
-    ----------
-    before, after : str
-        Two texts.
-    name : str
-        Name of the file.
+    - before, after: two texts
+    - name: name of the file
     """
     lines = difflib.unified_diff(_lines(before), _lines(after), shortened(name), shortened(name), lineterm="")
     return [part for line in lines for part in line.split("\n")]

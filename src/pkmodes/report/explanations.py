@@ -35,10 +35,7 @@ SHOWN = 3
 def causes(result: Diagnosis | Damping, setting: ReportSetting, *top: str) -> list[Block]:
     """Return the causes found with their classes, or the explanations that remain.
 
-    Parameters
-    ----------
-    *top : str
-        Keys that lead to the result in the JSON: none, or that of the damping.
+    - *top: keys that lead to the result in the JSON: none, or that of the damping
     """
     sentences = result.sentences
     blocks: list[Block] = []

@@ -31,16 +31,10 @@ LIST = "pose"
 def explorer_of(model: Model, dataset: xarray.Dataset, units: Any, *, machine: bool) -> Explorer | None:
     """Return the interactive map; None unless there are several poses to choose from.
 
-    Parameters
-    ----------
-    model : Model
-        The robot as declared.
-    dataset : xarray.Dataset
-        From `pkmodes.Model.map`.
-    units : mapping of str to (str, float)
-        Unit of each axis as shown, with the factor from SI.
-    machine : bool
-        Whether the page has a view of the machine, which follows.
+    - model: the robot as declared
+    - dataset: from `pkmodes.Model.map`
+    - units: unit of each axis as shown, with the factor from SI
+    - machine: whether the page has a view of the machine, which follows
     """
     if not dataset["valid"].any():
         return None

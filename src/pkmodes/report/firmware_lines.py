@@ -16,10 +16,7 @@ WORST = ("worst_uncertain", "worst")
 def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     """Return the lines for each version of a firmware that has the recommended shaper.
 
-    Parameters
-    ----------
-    content : dict
-        The JSON of the command.
+    - content: the JSON of the command
     """
     remaining = content["shapers"][content["recommended"]]["left"]
     reported = next(remaining[key] for key in WORST if key in remaining)
@@ -30,10 +27,7 @@ def firmware_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
 def schedule_lines(content: dict[str, Any]) -> list[Paragraph | Lines]:
     """Return the lines of the schedule in the same way; empty without a schedule.
 
-    Parameters
-    ----------
-    content : dict
-        The JSON of the command.
+    - content: the JSON of the command
     """
     schedule = content["schedule"]
     if schedule is None:

@@ -54,18 +54,11 @@ def number(
 ) -> Cell:
     """Return a number as a cell.
 
-    Parameters
-    ----------
-    value : float or None
-        None or NaN: there is none.
-    form : str
-        Format of the text.
-    at : str
-        Its place in the JSON.
-    scale : float
-        The text shows this multiple of it, such as per cent.
-    strong : bool
-        Whether it is emphasised.
+    - value: None or NaN: there is none
+    - form: format of the text
+    - at: its place in the JSON
+    - scale: the text shows this multiple of it, such as per cent
+    - strong: whether it is emphasised
     """
     return _cell(value, lambda finite: format(scale * finite, form), at, strong)
 
@@ -104,14 +97,9 @@ def uncertain_cell(
 ) -> Cell:
     """Return a value with its standard deviation, both rounded according to the latter.
 
-    Parameters
-    ----------
-    at, at_sigma : str
-        Their places in the JSON.
-    scale : float
-        The text shows this multiple of both.
-    fit : float, optional
-        A smaller standard deviation by the fit alone: the value keeps its digits.
+    - at, at_sigma: their places in the JSON
+    - scale: the text shows this multiple of both
+    - fit: a smaller standard deviation by the fit alone: the value keeps its digits
     """
     rounding = rounded(scale * value, scale * sigma, None if fit is None else scale * fit)
     power = f"{TIMES}10{str(rounding.exponent).translate(RAISED)}" if rounding.exponent else ""

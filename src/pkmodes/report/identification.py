@@ -35,24 +35,12 @@ def identification_report(
 ) -> str:
     """Return the report of an identification.
 
-    Parameters
-    ----------
-    identified : Identification
-        With what is drawn of the fits.
-    content : mapping
-        The JSON of the command.
-    sources : sequence of Source
-        The campaign file and the robot file as they were read.
+    - identified: with what is drawn of the fits
+    - content: the JSON of the command
+    - sources: the campaign file and the robot file as they were read
 
-    Returns
-    -------
-    str
-        HTML that needs no other file and no network.
-
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``report`` are not installed.
+    Returns HTML that needs no other file and no network.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
     sections = [Section("records", "Records", _overview(identified, content))]

@@ -50,12 +50,8 @@ def record_section(
 ) -> Section:
     """Return the section of a record.
 
-    Parameters
-    ----------
-    index : int
-        Among the records of the JSON, from 0.
-    content : mapping
-        The record in the JSON.
+    - index: among the records of the JSON, from 0
+    - content: the record in the JSON
     """
     record = result.record
     blocks: list[Block] = [Facts(_facts(index, result, campaign))]

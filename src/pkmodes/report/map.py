@@ -120,10 +120,7 @@ def _volume(model: Model, dataset: xarray.Dataset) -> Iterator[Section]:
 def _changes(model: Model, dataset: xarray.Dataset, drawn_of: xarray.Dataset) -> Iterator[Section]:
     """Yield the sections of swept parameters, samples, and poses on a line or in a list.
 
-    Parameters
-    ----------
-    drawn_of : Dataset
-        The same without the poses that are not representative.
+    - drawn_of: the same without the poses that are not representative
     """
     components = [component.name for component in model.mechanism.pose]
     dims = [str(dim) for dim in dataset["frequency"].dims if dataset.sizes[dim] > 1]

@@ -38,16 +38,12 @@ def swept_paths(dataset: xarray.Dataset) -> list[str]:
 def plane_of(model: Model, dataset: xarray.Dataset) -> tuple[PoseGrid | None, str, str]:
     """Choose the plane in which the report of a map draws the robot, and describe it.
 
-    Returns
-    -------
-    PoseGrid or None
-        The plane of the map, thinned out where it is finer than a picture; of a map over three components, one of
-        its planes if parameters were swept, otherwise the working plane, if that lies in the map.  None where a
-        sweep, or a map of one pose, has no plane.
-    str
-        Which plane that is, for a sentence; or why there is none.
-    str
-        A title.
+    Returns, in this order:
+    - the plane of the map, thinned out where it is finer than a picture; of a map over three components, one of its
+      planes if parameters were swept, otherwise the working plane, if that lies in the map.  None where a sweep, or a
+      map of one pose, has no plane.
+    - which plane that is, for a sentence; or why there is none
+    - a title
     """
     names = [component.name for component in model.mechanism.pose]
     several = [name for name in names if dataset.sizes.get(name, 1) > 1]
@@ -97,12 +93,8 @@ def swept_pictures(
 ) -> Iterator[Picture | Paragraph]:
     """Draw the frequencies in the plane of a sweep, at its first and its last values.
 
-    Parameters
-    ----------
-    plane : PoseGrid
-        From `plane_of`: poses of the map.
-    units : dict
-        Units of parameters, by path.
+    - plane: from `plane_of`: poses of the map
+    - units: units of parameters, by path
     """
     components = [component.name for component in model.mechanism.pose]
     paths = swept_paths(dataset)

@@ -27,14 +27,9 @@ MOST, LONGEST = 1_000_000, 1_600_000
 class MapValues:
     """The frequencies of a map, packed.
 
-    Attributes
-    ----------
-    dataset : xarray.Dataset
-        The map, thinned.
-    steps : mapping of str to int
-        For each axis, the step between the values that were kept.
-    packed : str
-        Base64 of a zlib stream, from `pack`.
+    - dataset: the map, thinned
+    - steps: for each axis, the step between the values that were kept
+    - packed: Base64 of a zlib stream, from `pack`
     """
 
     dataset: xarray.Dataset
@@ -50,12 +45,8 @@ class MapValues:
 def values_of(dataset: xarray.Dataset, max_values: int = MOST, longest: int = LONGEST) -> MapValues:
     """Return the frequencies of a map for a page.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        From `pkmodes.Model.map`.
-    max_values, longest : int
-        Most frequencies and packed characters; a larger map is thinned along its longest axes.
+    - dataset: from `pkmodes.Model.map`
+    - max_values, longest: most frequencies and packed characters; a larger map is thinned along its longest axes
     """
     dims = [str(dim) for dim in dataset["frequency"].dims[:-1]]
     sizes = {dim: dataset.sizes[dim] for dim in dims}

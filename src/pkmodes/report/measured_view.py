@@ -72,22 +72,11 @@ def measured_scene(
 ) -> Scene | None:
     """Return the scene at the measured poses with their labels and measured modes.
 
-    Parameters
-    ----------
-    shown : Shown
-        From `robot_shown`.
-    drives : {"free", "held"}
-        What the motors do: poses at which they did otherwise are left out.
+    - shown: from `robot_shown`
+    - drives: what the motors do, "free" or "held": poses at which they did otherwise are left out
 
-    Returns
-    -------
-    Scene or None
-        None if no pose can be shown.
-
-    Raises
-    ------
-    PkmodesError
-        If the robot cannot be evaluated with the values that are set at a pose.
+    Returns None if no pose can be shown.
+    Raises PkmodesError if the robot cannot be evaluated with the values that are set at a pose.
     """
     points = frame.true_points(shown.robot.mechanism, data.points, shown.frame)
     loads = [tuple(sorted(data.load(i).items())) for i in range(len(data.labels))]

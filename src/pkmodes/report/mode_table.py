@@ -30,10 +30,7 @@ def mode_table(
 ) -> Table:
     """Return all measured modes in the order of their poses, or the worst first if there are more than `max_rows`.
 
-    Parameters
-    ----------
-    paired : bool
-        Whether only modes with a partner count as the worst: the others are reported elsewhere.
+    - paired: whether only modes with a partner count as the worst: the others are reported elsewhere
     """
     rows: list[Row | ComparedRow] = [*result.rows]
     chosen, note = _order(evidence), ""

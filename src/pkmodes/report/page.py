@@ -28,17 +28,10 @@ def need_report() -> None:
 def page(summary: Summary, sections: Sequence[Section]) -> str:
     """Return a page as HTML that needs no other file and no network.
 
-    Parameters
-    ----------
-    summary : Summary
-        Its head.
-    sections : sequence of Section
-        In the order of the page.
+    - summary: its head
+    - sections: in the order of the page
 
-    Raises
-    ------
-    MissingExtraError
-        If Jinja2 or matplotlib is not installed.
+    Raises MissingExtraError if Jinja2 or matplotlib is not installed.
     """
     need_report()
     template = _environment().get_template(PAGE)

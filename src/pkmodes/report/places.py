@@ -77,19 +77,11 @@ def picture(result: Diagnosis, evidence: PlottedEvidence, setting: ReportSetting
 def marked(term: str, words: str, elements: Sequence[Element]) -> Marked | None:
     """Return the marked elements that show a term.
 
-    Parameters
-    ----------
-    term : str
-        As in results: "spring:pulley_2_1/pulley_2_2", "parameter:axis.3.leg.stiffness", "compliance:eps_2".
-    words : str
-        Its noun phrase.
-    elements : sequence of Element
-        Of the mechanism's drawing.
+    - term: as in results: "spring:pulley_2_1/pulley_2_2", "parameter:axis.3.leg.stiffness", "compliance:eps_2"
+    - words: its noun phrase
+    - elements: of the mechanism's drawing
 
-    Returns
-    -------
-    Marked or None
-        None where no element shows a body of it.
+    Returns None where no element shows a body of it.
     """
     form, _, place = term.partition(":")
     if not place:  # a cause of the catalogue

@@ -59,30 +59,15 @@ def response_report(
 ) -> str:
     """Return the report of frequency responses at one pose.
 
-    Parameters
-    ----------
-    model : Model
-        The robot.
-    response : FrequencyResponse
-        From `pkmodes.Model.frf`.
-    measured : MeasuredResponse, optional
-        From `pkmodes.figures.read_response`.
-    sources : sequence of Source, optional
-        The input files as they were read; by default the robot file as it is now.
-    before : FrequencyResponse, optional
-        Of the robot before a correction: the same channels at the same pose and frequencies.
+    - model: the robot
+    - response: from `pkmodes.Model.frf`
+    - measured: from `pkmodes.figures.read_response`
+    - sources: the input files as they were read; by default the robot file as it is now
+    - before: of the robot before a correction: the same channels at the same pose and frequencies
 
-    Returns
-    -------
-    str
-        HTML that needs no other file and no network.
-
-    Raises
-    ------
-    PkmodesError
-        As `pkmodes.figures.response_picture`.
-    MissingExtraError
-        If the libraries of the extra ``report`` are not installed.
+    Returns HTML that needs no other file and no network.
+    Raises PkmodesError as `pkmodes.figures.response_picture` does.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources

@@ -53,10 +53,7 @@ def robots_summary(first: Model, second: Model, content: dict[str, Any]) -> Summ
 def different_values(first: Model, content: dict[str, Any], max_rows: int | None = None) -> Iterator[Shared]:
     """Yield what the files declare differently.
 
-    Parameters
-    ----------
-    max_rows : int or None
-        Most values, those that differ most; None for all, in the order of the files.
+    - max_rows: most values, those that differ most; None for all, in the order of the files
     """
     numbered = list(enumerate(content["values"]))
     note = ""

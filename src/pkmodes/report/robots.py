@@ -37,19 +37,11 @@ def robots_report(
 ) -> str:
     """Return the report of two robots of one mechanism.
 
-    Parameters
-    ----------
-    content : dict
-        The JSON of ``pkmodes compare``.
-    sources : sequence of Source
-        The robot files.
-    places : PoseGrid, optional
-        The plane of the pictures; by default the working plane of the first robot.
+    - content: the JSON of ``pkmodes compare``
+    - sources: the robot files
+    - places: the plane of the pictures; by default the working plane of the first robot
 
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``report`` are not installed.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
     considered = sum(content["poses"].values())

@@ -39,12 +39,7 @@ def origin(
 ) -> Section:
     """Return the last section of a report: its input files with their digests, and the version that made the numbers.
 
-    Parameters
-    ----------
-    mechanism : Mechanism or None
-        Of the robot; None where the report does not name it.
-    further_facts : sequence of (str, sequence of Cell)
-        Further facts.
+    - mechanism: of the robot; None where the report does not name it
     """
     facts: list[tuple[str, Sequence[Cell]]] = []
     for source in sources:

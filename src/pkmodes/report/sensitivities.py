@@ -28,24 +28,12 @@ def sensitivities_report(
 ) -> str:
     """Return the report of sensitivities at a pose.
 
-    Parameters
-    ----------
-    model : Model
-        The robot.
-    content : dict
-        The JSON of the command, with at least the quantities for which a change in per cent is meaningful.
-    sources : sequence of Source, optional
-        The input files as they were read; by default the robot file as it is now.
+    - model: the robot
+    - content: the JSON of the command, with at least the quantities for which a change in per cent is meaningful
+    - sources: the input files as they were read; by default the robot file as it is now
 
-    Returns
-    -------
-    str
-        HTML that needs no other file and no network.
-
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``report`` are not installed.
+    Returns HTML that needs no other file and no network.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources

@@ -51,10 +51,7 @@ def sensitivities_summary(
 ) -> Summary:
     """Return what the frequencies depend on most, and their standard deviations.
 
-    Parameters
-    ----------
-    chosen_only : bool
-        Whether the changes are those of chosen quantities only.
+    - chosen_only: whether the changes are those of chosen quantities only
     """
     relative = 100.0 * np.abs(percent.changes / percent.frequencies)
     first = percent.largest_of_all(1)
@@ -99,10 +96,7 @@ def _quantity(model: Model, paths: Sequence[str]) -> Cell:
 def per_cent(model: Model, changes: Changes, content: dict[str, Any], max_rows: int | None = None) -> Table:
     """Return what one per cent more of each quantity does to every frequency.
 
-    Parameters
-    ----------
-    max_rows : int or None
-        Most quantities, the first; None for all.
+    - max_rows: most quantities, the first; None for all
     """
     order, frequencies = changes.largest_of_all(), changes.frequencies.tolist()
     rigid, paths, rows = content["rigid_modes"], content["parameters"], []

@@ -23,12 +23,8 @@ from pkmodes.updating.load_cases import settable
 class ReportSetting:
     """The circumstances of a result.
 
-    Attributes
-    ----------
-    subject : str
-        What was measured: the name of the robot or structure.
-    view : str or None
-        HTML of the view in three dimensions.
+    - subject: what was measured: the name of the robot or structure
+    - view: HTML of the view in three dimensions
     """
 
     subject: str
@@ -69,13 +65,7 @@ class ReportSetting:
     def origin(
         self, evidence: PlottedEvidence, further_facts: Sequence[tuple[str, Sequence[Cell]]] = ()
     ) -> Section:
-        """Return the section of data and versions.
-
-        Parameters
-        ----------
-        further_facts : sequence of (str, sequence of Cell)
-            Further facts.
-        """
+        """Return the section of data and versions."""
         places = plural(len(evidence.labels), evidence.place)
         facts = [("measurements", [Cell(f"{plural(len(evidence.measured), 'measured mode')} at {places}")])]
         if self.data is not None and self.data.band is not None:

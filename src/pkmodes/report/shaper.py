@@ -51,24 +51,12 @@ def shaper_report(
 ) -> str:
     """Return the report of a choice.
 
-    Parameters
-    ----------
-    content : dict
-        The JSON of the command.
-    sources : sequence of Source, optional
-        The input files as they were read; by default the robot file as it is now.
-    spectrum : MeasuredSpectrum, optional
-        Over which shapers are drawn.
+    - content: the JSON of the command
+    - sources: the input files as they were read; by default the robot file as it is now
+    - spectrum: over which shapers are drawn
 
-    Returns
-    -------
-    str
-        HTML that needs no other file and no network.
-
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``report`` are not installed.
+    Returns HTML that needs no other file and no network.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
     sources = known_sources([("robot file", model.robot.source)]) if sources is None else sources

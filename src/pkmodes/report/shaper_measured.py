@@ -29,24 +29,12 @@ def measured_shaper_report(
 ) -> str:
     """Return the report of a choice for measured modes.
 
-    Parameters
-    ----------
-    content : dict
-        The JSON of the command.
-    sources : sequence of Source
-        The input files as they were read.
-    spectrum : MeasuredSpectrum or None
-        Over which shapers are drawn.
+    - content: the JSON of the command
+    - sources: the input files as they were read
+    - spectrum: over which shapers are drawn
 
-    Returns
-    -------
-    str
-        HTML that needs no other file and no network.
-
-    Raises
-    ------
-    MissingExtraError
-        If the libraries of the extra ``report`` are not installed.
+    Returns HTML that needs no other file and no network.
+    Raises MissingExtraError if the libraries of the extra ``report`` are not installed.
     """
     need_report()
     sections = [
@@ -127,10 +115,7 @@ def shapers_table(choice: Choice) -> Table:
 def modes_table(content: dict[str, Any], max_modes: int | None = None) -> Table:
     """Return the measured modes with what the recommended shaper leaves of each, the largest remainders first.
 
-    Parameters
-    ----------
-    max_modes : int, optional
-        Most modes; all by default.
+    - max_modes: most modes; all by default
     """
     modes = content["measured_modes"]
     order = sorted(range(len(modes)), key=lambda i: -modes[i]["left_uncertain"])

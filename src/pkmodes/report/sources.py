@@ -61,10 +61,7 @@ class Source:
 def known_sources(roles: Sequence[tuple[str, str]]) -> tuple[Source, ...]:
     """Return the sources for those places that are files; the others are objects from a script.
 
-    Parameters
-    ----------
-    roles : sequence of (str, str)
-        Roles and places.
+    - roles: roles and places
     """
     return tuple(Source.of(role, Path(place)) for role, place in roles if _is_file(place))
 

@@ -18,11 +18,8 @@ NOTHING = "nothing explains the residual"
 def stability_sentence(result: Diagnosis) -> str:
     """Return what the changes of the stability test find; empty where nothing was tested.
 
-    Returns
-    -------
-    str
-        It begins with "stable" where `stability_words.stable` allows it, and where a term was found, with what it is
-        about.
+    It begins with "stable" where `stability_words.stable` allows it, and where a term was found, with what it is
+    about.
     """
     if not result.stability or result.verdict == INSUFFICIENT_DATA.word:
         return ""

@@ -25,10 +25,7 @@ def table(
     The first column, which names the rows, always stays.  Measured or computed numbers stay too, even where they
     round to the same: only words and counts are said once, in the note.
 
-    Parameters
-    ----------
-    groups, note, heads
-        As those of `Table`.
+    - groups, note, heads: as those of `Table`
     """
     over = [k for k, (_, count) in enumerate(groups) for _ in range(count)]
     same = [c for c in range(1, len(columns)) if not columns[c].page_only and _same([row[c] for row in rows])]

@@ -72,10 +72,7 @@ class Channels(AtPoses):
 def control_library() -> Any:
     """Return python-control.
 
-    Raises
-    ------
-    MissingExtraError
-        If it is not installed.
+    Raises MissingExtraError if it is not installed.
     """
     require("systems for python-control", "control", "control")
     import control
@@ -99,10 +96,7 @@ class ResponseRequest:
     ) -> ResponseRequest:
         """Return what is requested by name.
 
-        Raises
-        ------
-        PkmodesError
-            If a name is unknown, or a port is not one with these drives.
+        Raises PkmodesError if a name is unknown, or a port is not one with these drives.
         """
         checked_drives(drives)
         check_argument(quantity, one_of(QUANTITIES), "quantity", 'for example: "acceleration"')

@@ -16,21 +16,12 @@ def unit_direction(
 ) -> NDArray[np.float64]:
     """Return a unit vector, (d,).
 
-    Parameters
-    ----------
-    direction : Any
-        As the user gives it: a number for each of the directions, not all of them 0.
-    directions : collection of str
-        Linear components of the pose.
-    where : str
-        For messages.
-    error : type
-        Of the error.
+    - direction: as the user gives it: a number for each of the directions, not all of them 0
+    - directions: linear components of the pose
+    - where: for messages
+    - error: of the error
 
-    Raises
-    ------
-    PkmodesError
-        If it is not a direction.
+    Raises PkmodesError if it is not a direction.
     """
     try:
         vector = np.array(direction, dtype=float)

@@ -24,24 +24,14 @@ NOTHING = 1e-10
 class DrawnChannels:
     """Responses at a pose by channel, ``OUTPUT/INPUT``.
 
-    Attributes
-    ----------
-    frequencies : ndarray, shape (F,)
-        Of the model [Hz].
-    model : mapping of str to ndarray, complex128, shape (F,)
-        In the order in which they are drawn.
-    units : mapping of str to str
-        Of the magnitudes.
-    measured : tuple of ndarray and mapping, or None
-        Frequencies, and responses by channel.
-    silent : tuple of str
-        Channels without a response, which are left out.
-    prescribed : tuple of str
-        Channels from a prescribed motion to itself, which are left out.
-    text : str
-        What is drawn: quantity, robot, pose, and what the motors do.
-    before : mapping of str to ndarray, complex128, shape (F,), or None
-        Of another robot, such as the one before a correction, by channel.
+    - frequencies: of the model, (F,) [Hz]
+    - model: in the order in which they are drawn, each (F,)
+    - units: of the magnitudes
+    - measured: frequencies, and responses by channel
+    - silent: channels without a response, which are left out
+    - prescribed: channels from a prescribed motion to itself, which are left out
+    - text: what is drawn: quantity, robot, pose, and what the motors do
+    - before: of another robot, such as the one before a correction, by channel, each (F,)
     """
 
     frequencies: Array
@@ -63,16 +53,10 @@ class DrawnChannels:
     ) -> DrawnChannels:
         """Choose the channels of a response.
 
-        Parameters
-        ----------
-        before : FrequencyResponse, optional
-            Of another robot: the same channels at the same poses and frequencies.
+        - before: of another robot: the same channels at the same poses and frequencies
 
-        Raises
-        ------
-        PkmodesError
-            If the index selects no pose, no measured channel is one of the response, or the table states that it is
-            of something else.
+        Raises PkmodesError if the index selects no pose, no measured channel is one of the response, or the table
+        states that it is of something else.
         """
         where = response.one(index)
         values = response.values[where]
@@ -118,12 +102,8 @@ class DrawnChannels:
 def without_response(model: Mapping[str, NDArray[Any]], units: Mapping[str, str]) -> list[str]:
     """Return the channels that show only rounding, compared with the others of the same unit.
 
-    Parameters
-    ----------
-    model : mapping of str to ndarray, shape (F,)
-        Responses by channel.
-    units : mapping of str to str
-        Of the channels.
+    - model: responses by channel, each (F,)
+    - units: of the channels
     """
     largest: dict[str, float] = {}
     for name, values in model.items():

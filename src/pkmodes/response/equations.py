@@ -45,21 +45,14 @@ REFINED = 1
 class EquationsOfMotion:
     """At one pose, with k coordinates y and I inputs.
 
-    Attributes
-    ----------
-    M, C, K : ndarray, shape (k, k)
-        C without the damping of a ratio, K complex.
-    modal : ndarray, shape (k, k)
-        The damping of a ratio.
-    forces : tuple of three ndarray, shape (k, I)
-        Coefficients of 1, s and s^2.
-    motion, prescribed : ndarray, shape (outputs, k) and (outputs, I)
-        What the outputs show of y, and of the inputs themselves.
-    shapes : ndarray, shape (m, k)
-    eigenvalues : ndarray, shape (m,)
-    rates : ndarray, shape (m,)
-        Diagonal damping of the modes by the ratio, 2 zeta omega [1/s].
-    massless : ndarray of bool, shape (k,)
+    - M, C, K: C without the damping of a ratio, K complex, (k, k)
+    - modal: the damping of a ratio, (k, k)
+    - forces: coefficients of 1, s and s^2, each (k, I)
+    - motion, prescribed: what the outputs show of y, and of the inputs themselves, (outputs, k) and (outputs, I)
+    - shapes: (m, k)
+    - eigenvalues: (m,)
+    - rates: diagonal damping of the modes by the ratio, 2 zeta omega, (m,) [1/s]
+    - massless: (k,)
     """
 
     M: Array
@@ -137,14 +130,9 @@ def equations(
 ) -> EquationsOfMotion:
     """Return the equations at one pose.
 
-    Parameters
-    ----------
-    inputs : ndarray, shape (n, I)
-        Generalised forces.
-    motors : ndarray, shape (drives, I)
-        Prescribed motor angles per unit of each input.
-    outputs : ndarray, shape (outputs, n)
-        What each output shows of the n coordinates.
+    - inputs: generalised forces, (n, I)
+    - motors: prescribed motor angles per unit of each input, (drives, I)
+    - outputs: what each output shows of the n coordinates, (outputs, n)
     """
     T, shapes = at.kept, at.own_shapes[pose]
     M, K, C, loss = (matrix.solved[pose] for matrix in (*at.matrices, *at.dissipation))
@@ -173,13 +161,10 @@ def equations(
 def _receptance(Z: Complex, D: Array, b: Complex, l: Complex, omega: Array) -> Complex:  # noqa: E741
     """Return H, (F, outputs, inputs).
 
-    Parameters
-    ----------
-    Z, D : ndarray, shape (m, m)
-    b : ndarray, shape (m, inputs)
-    l : ndarray, shape (outputs, m)
-    omega : ndarray, shape (F,)
-        Angular frequencies [rad/s].
+    - Z, D: (m, m)
+    - b: (m, inputs)
+    - l: (outputs, m)
+    - omega: angular frequencies, (F,) [rad/s]
     """
     coupled = (_coupling(Z) | _coupling(D)).any(axis=1)
     if not coupled.any():
@@ -214,10 +199,7 @@ def _of_uncoupled(z: Any, d: Array, b: Any, l: Any, omega: Array) -> Complex:  #
 def _summed(denominators: Array, l: Any, b: Any) -> Complex:  # noqa: E741
     """Return sum_k l_k b_k / denominator_k, (F, outputs, inputs).
 
-    Parameters
-    ----------
-    denominators : ndarray, shape (m, 2, F)
-        Real and imaginary parts; replaced by those of the reciprocals.
+    - denominators: real and imaginary parts, (m, 2, F); replaced by those of the reciprocals
     """
     square = denominators[:, 0] ** 2
     square += denominators[:, 1] ** 2

@@ -266,10 +266,7 @@ def responses(
 def checked_frequencies(frequencies: ArrayLike, rigid: int, drives: str) -> Array:
     """Return frequencies [Hz] as an array.
 
-    Raises
-    ------
-    PkmodesError
-        If they are not finite numbers of at least 0, or 0 although the robot has rigid modes.
+    Raises PkmodesError if they are not finite numbers of at least 0, or 0 although the robot has rigid modes.
     """
     example = "for example: numpy.linspace(1, 400, 1000)"
     hertz = np.atleast_1d(real_numbers(frequencies, "frequencies in Hz", "frequencies", example))

@@ -28,11 +28,9 @@ MATRICES, PLATFORM_MOTION = ("mass_matrix", "stiffness_matrix"), "platform_motio
 class Blocks(NamedTuple):
     """Blocks of a matrix at N poses, of the k coordinates that are solved for.
 
-    Attributes
-    ----------
-    solved : ndarray, shape (N, k, k)
-    prescribed : ndarray, shape (N, k, drives)
-        Forces on these coordinates per unit of each prescribed motor angle; 0 where motors are free.
+    - solved: (N, k, k)
+    - prescribed: forces on these coordinates per unit of each prescribed motor angle, (N, k, drives); 0 where motors
+      are free
     """
 
     solved: Array
@@ -42,20 +40,14 @@ class Blocks(NamedTuple):
 class LinearisedRobot:
     """A robot at N poses that can be evaluated, with free or held motors.
 
-    Parameters
-    ----------
-    points : ndarray, shape (N, d)
+    - points: (N, d)
 
-    Attributes
-    ----------
-    eigenvalues, own_shapes : ndarray, shape (N, m) and (N, m, k)
-        Modes in the k coordinates that are solved for.
-    kept, prescribed : ndarray, shape (n, k) and (n, drives)
-        The n coordinates per unit of these, and of each motor angle where motors are held.
-    massless : ndarray of bool, shape (k,)
-        Which of the k coordinates have no inertia.
-    rigid : int
-        Number of rigid modes.
+    Its attributes:
+    - eigenvalues, own_shapes: modes in the k coordinates that are solved for, (N, m) and (N, m, k)
+    - kept, prescribed: the n coordinates per unit of these, and of each motor angle where motors are held, (n, k) and
+      (n, drives)
+    - massless: which of the k coordinates have no inertia, (k,)
+    - rigid: number of rigid modes
     """
 
     def __init__(self, model: Model, points: Array, drives: str, backend: str) -> None:

@@ -141,19 +141,11 @@ def shaped_command(time: Array, command: Array, shaper: Shaper) -> Array:
     up to this time, while the machine is still underway: in the middle of the impulses it has about the commanded
     pose of that time.  All parts arrive, so the shaped command ends where the command does.
 
-    Parameters
-    ----------
-    time : ndarray, shape (T,)
-        Before the first one the machine rests.
-    command : ndarray, shape (T, d)
-        A straight line between times.
-    shaper : Shaper
-        One for all times, amplitudes and delays (n,), or one for each, (T, n).
+    - time: before the first one the machine rests, (T,)
+    - command: a straight line between times, (T, d)
+    - shaper: one for all times, amplitudes and delays (n,), or one for each, (T, n)
 
-    Raises
-    ------
-    PkmodesError
-        If the shaper has neither shape, or its delays shorten faster than time passes.
+    Raises PkmodesError if the shaper has neither shape, or its delays shorten faster than time passes.
     """
     amplitudes, delays = _impulses(shaper, len(time))
     arrival = time[:, None] + delays
@@ -229,10 +221,7 @@ def _refined(time: Array, poses: Array, model: Model) -> tuple[Array, Array, NDA
 def _check_path(model: Model, time: Array, poses: Array) -> None:
     """Refuse a path that leaves the workspace.
 
-    Raises
-    ------
-    PoseError
-        With the time at which it does, the pose and the reason.
+    Raises PoseError with the time at which it does, the pose and the reason.
     """
     codes = model.checked(poses, "nan").codes
     outside = np.flatnonzero(codes)

@@ -48,16 +48,10 @@ EQUAL = 1e-9
 def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Array:
     """Return how far the platform is from its commanded pose, at rest at first, (T, d).
 
-    Parameters
-    ----------
-    model : Model
-        Of a robot without rigid modes.
-    time : ndarray, shape (T,)
-        Ascending [s].
-    poses : ndarray, shape (T, d)
-        The command, in the workspace; only components of the platform's motion change.
-    drives : {"free", "held"}
-        What the motors do; free ones hang on springs.
+    - model: of a robot without rigid modes
+    - time: ascending, (T,) [s]
+    - poses: the command, in the workspace, (T, d); only components of the platform's motion change
+    - drives: what the motors do, "free" or "held"; free ones hang on springs
     """
     mechanism = model.robot.mechanism
     names = [component.name for component in mechanism.pose]
@@ -87,10 +81,7 @@ def deviation_along(model: Model, time: Array, poses: Array, drives: str) -> Arr
 def _moved(path: Array, mechanism: Mechanism) -> Array:
     """Return how the platform moves between samples: displacements, and rotations about base axes, (T - 1, d).
 
-    Parameters
-    ----------
-    path : ndarray, shape (T, d)
-        The components of the platform's motion in its pose: those of a rotation vector come last.
+    - path: the components of the platform's motion in its pose, (T, d): those of a rotation vector come last
     """
     moved = np.diff(path, axis=0)
     if mechanism.rotations:
@@ -111,12 +102,8 @@ def _evened(steps: Array) -> Array:
 class _Steps(NamedTuple):
     """From just after each sample to just before the next one.
 
-    Attributes
-    ----------
-    of_state : ndarray, shape (S - 1, 2 m, 2 m)
-        What becomes of displacements and rates of the modes.
-    drag : ndarray, shape (S - 1, 2 m)
-        What friction adds that resists the move.
+    - of_state: what becomes of displacements and rates of the modes, (S - 1, 2 m, 2 m)
+    - drag: what friction adds that resists the move, (S - 1, 2 m)
     """
 
     of_state: Array
@@ -126,12 +113,8 @@ class _Steps(NamedTuple):
 class _Vibration:
     """The vibration at S samples, in m modes, with j components of the motion of the platform.
 
-    Attributes
-    ----------
-    kick : ndarray, shape (S, m, j)
-        Change of the rates per change of the velocity of the command.
-    platform : ndarray, shape (S, j, m)
-        Motion of the platform per displacement of the modes.
+    - kick: change of the rates per change of the velocity of the command, (S, m, j)
+    - platform: motion of the platform per displacement of the modes, (S, j, m)
     """
 
     def __init__(self, model: Model, poses: Array, step: float, drives: str) -> None:
@@ -174,12 +157,8 @@ class _Vibration:
     def steps(self, duration: Array, velocity: Array) -> _Steps:
         """Return the steps between samples.
 
-        Parameters
-        ----------
-        duration : ndarray, shape (S - 1,)
-            In s.
-        velocity : ndarray, shape (S - 1, j)
-            Of the command.
+        - duration: in s, (S - 1,)
+        - velocity: of the command, (S - 1, j)
         """
         n = 2 * self.modes
         # Each sample ends one interval and begins the next: equal halves are computed once.

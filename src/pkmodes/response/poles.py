@@ -78,12 +78,8 @@ def poles_at(
 def notes_on_damping(linearised: LinearisedRobot, ratios: Array) -> list[str]:
     """Return sentences on the modes at a pose whose ratio of light damping is not that of their pole.
 
-    Parameters
-    ----------
-    linearised : LinearisedRobot
-        At the one pose.
-    ratios : ndarray, shape (m,)
-        Of `pkmodes.Modes.damping_ratios`.
+    - linearised: at the one pose
+    - ratios: of `pkmodes.Modes.damping_ratios`, (m,)
     """
     if not np.nan_to_num(ratios).any():
         return []

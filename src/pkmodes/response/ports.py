@@ -33,16 +33,10 @@ QUANTITIES = {"displacement": 0, "velocity": 1, "acceleration": 2}
 class Port:
     """An input or an output.
 
-    Attributes
-    ----------
-    name, unit : str
-    kind : str
-        ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.  A ``torque`` is the force of a drive that
-        moves a length; a ``force`` on the platform is a moment for one of its rotations.
-    index : int
-        Of the drive, the component of the platform's motion or the coordinate.
-    direction : tuple of float
-        For an output of kind ``platform``: unit vector along the components of the platform's motion.
+    - kind: ``torque``, ``motor``, ``force``, ``platform`` or ``coordinate``.  A ``torque`` is the force of a drive
+      that moves a length; a ``force`` on the platform is a moment for one of its rotations.
+    - index: of the drive, the component of the platform's motion or the coordinate
+    - direction: for an output of kind ``platform``: unit vector along the components of the platform's motion
     """
 
     name: str
@@ -55,10 +49,8 @@ class Port:
 def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ...]:
     """Return the inputs by name.
 
-    Raises
-    ------
-    PkmodesError
-        If a name is unknown or repeated, a torque is given to a held motor, or the angle of a free one is prescribed.
+    Raises PkmodesError if a name is unknown or repeated, a torque is given to a held motor, or the angle of a free
+    one is prescribed.
     """
     mechanism = model.robot.mechanism
     ports: dict[str, Port] = {}
@@ -87,10 +79,7 @@ def inputs_of(model: Model, names: Sequence[str], drives: str) -> tuple[Port, ..
 def outputs_of(model: Model, names: Sequence[str | Mapping[str, Any]]) -> tuple[Port, ...]:
     """Return the outputs: by name, or directions at the platform centre as ``{"name": [dx, dy, dz]}``.
 
-    Raises
-    ------
-    PkmodesError
-        If a name is unknown or repeated, or a direction is not one.
+    Raises PkmodesError if a name is unknown or repeated, or a direction is not one.
     """
     mechanism, system = model.robot.mechanism, model.system
     ports: dict[str, Port] = {}

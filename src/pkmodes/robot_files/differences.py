@@ -46,15 +46,9 @@ class ChoiceDifference(Document, frozen=True):
 class Differences:
     """What two robots declare differently.
 
-    Attributes
-    ----------
-    values : tuple of ValueDifference
-        In the order of the first file, then those of the second alone.
-    choices : tuple of ChoiceDifference
-    added, removed : tuple of str
-        Effects that only the second robot has, and only the first.
-    compared : int
-        Quantities that were compared.
+    - values: in the order of the first file, then those of the second alone
+    - added, removed: effects that only the second robot has, and only the first
+    - compared: quantities that were compared
     """
 
     values: tuple[ValueDifference, ...]
@@ -67,9 +61,7 @@ class Differences:
 def check_one_mechanism(first: Declaration, second: Declaration) -> None:
     """Refuse robots of different mechanisms, whose values and poses cannot be compared.
 
-    Raises
-    ------
-    PkmodesError
+    Raises PkmodesError.
     """
     if first.mechanism_name != second.mechanism_name:
         problem = (
@@ -85,10 +77,7 @@ def differences(first: Declaration, second: Declaration) -> Differences:
 
     An axis's own value is compared with the shared one where the other robot has none of its own.
 
-    Raises
-    ------
-    PkmodesError
-        If their mechanisms differ.
+    Raises PkmodesError if their mechanisms differ.
     """
     check_one_mechanism(first, second)
     paths = [

@@ -25,17 +25,10 @@ SIGMA_DIGITS = 3
 class TomlText:
     """A TOML text that can be edited.
 
-    Parameters
-    ----------
-    text : str
-        Valid TOML; a byte order mark and Windows line endings are kept.
-    source : str
-        Its file, for messages.
+    - text: valid TOML; a byte order mark and Windows line endings are kept
+    - source: its file, for messages
 
-    Raises
-    ------
-    OutputError
-        If its layout cannot be preserved.
+    Raises OutputError if its layout cannot be preserved.
     """
 
     def __init__(self, text: str, source: str) -> None:
@@ -193,12 +186,8 @@ def _one_line(text: str) -> str:
 class ValueNotation:
     """A notation for values of one dimension.
 
-    Attributes
-    ----------
-    scale : float
-        The written unit in SI units.
-    before, after : str
-        Text around the number: quotes and the unit.
+    - scale: the written unit in SI units
+    - before, after: text around the number: quotes and the unit
     """
 
     scale: float = 1.0

@@ -43,16 +43,10 @@ __all__ = ["Correction", "corrected_text", "save_corrected"]
 class Correction:
     """A value to write.
 
-    Attributes
-    ----------
-    value : float
-        In SI units.
-    sigma : float or None
-        One standard deviation in SI units; None keeps the one declared in the file, if any.
-    note : str
-        The comment to write after the value, such as "was 1.5 kg: refitted".
-    digits : int
-        Significant digits of the value.
+    - value: in SI units
+    - sigma: one standard deviation in SI units; None keeps the one declared in the file, if any
+    - note: the comment to write after the value, such as "was 1.5 kg: refitted"
+    - digits: significant digits of the value
     """
 
     value: float
@@ -64,18 +58,11 @@ class Correction:
 def _edits_of(changes: Mapping[str, Correction], robot: Declaration) -> dict[str, Correction]:
     """Return the corrections of single values of the file, by dotted path.
 
-    Parameters
-    ----------
-    changes : mapping of str to Correction
-        By path of a value or of a parameter group.
-    robot : Declaration
-        The robot as declared in its file.
+    - changes: by path of a value or of a parameter group
+    - robot: the robot as declared in its file
 
-    Raises
-    ------
-    OutputError
-        If a path cannot be changed, two corrections change one value, a number is not finite, or a vector has no
-        direction along which its radius could change.
+    Raises OutputError if a path cannot be changed, two corrections change one value, a number is not finite, or a
+    vector has no direction along which its radius could change.
     """
     edits: dict[str, Correction] = {}
     for path, correction in changes.items():
@@ -131,22 +118,12 @@ def save_corrected(
 ) -> None:
     """Write the corrected robot into another file, completely or not at all.
 
-    Parameters
-    ----------
-    source : Path
-        The robot file.
-    target : Path
-        Output file; an existing file is replaced, but never the robot file itself.
-    changes : mapping of str to Correction
-    covariance : Covariance, optional
-        As for `corrected_text`.
+    - source: the robot file
+    - target: output file; an existing file is replaced, but never the robot file itself
+    - covariance: as for `corrected_text`
 
-    Raises
-    ------
-    OutputError
-        If the target is the robot file or cannot be written, or as for `corrected_text`.
-    RobotFileError
-        If the robot file cannot be read.
+    Raises OutputError if the target is the robot file or cannot be written, or as for `corrected_text`.
+    Raises RobotFileError if the robot file cannot be read.
     """
     if "\0" in str(target) or target.is_dir() or not target.parent.is_dir():
         remedy = (
@@ -163,31 +140,18 @@ def corrected_text(
 ) -> str:
     """Return the text of a robot file with some values changed.
 
-    Parameters
-    ----------
-    source : Path
-        The robot file.
-    changes : mapping of str to Correction
-        By path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
-        (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a group such as
-        ``axis.span``: its value is that of the first element, and its change applies to all.
-    covariance : Covariance, optional
-        How the errors of changed values belong together.  Tables of the file that correlate any of these become one,
-        in the place of the first: these values, and the others as they were.
+    - source: the robot file
+    - changes: by path: a declared value (``platform.mass``, ``axis.1.origin.x``); an override for one axis
+      (``axis.1.belt.width``); ``frame.mass``; an effect parameter (``effects.payload.mass``); or a group such as
+      ``axis.span``: its value is that of the first element, and its change applies to all
+    - covariance: how the errors of changed values belong together.  Tables of the file that correlate any of these
+      become one, in the place of the first: these values, and the others as they were.
 
-    Returns
-    -------
-    str
-        In the units of the file.  Lines without a changed value are unchanged.  The standard deviation of a group is
-        written in a comment, because its elements cannot carry it.
-
-    Raises
-    ------
-    OutputError
-        If a path cannot be changed, a value would be rejected by the reader, or the result does not read back as
-        intended.
-    RobotFileError
-        If the robot file cannot be read.
+    The values are in the units of the file.  Lines without a changed value are unchanged.  The standard deviation of
+    a group is written in a comment, because its elements cannot carry it.
+    Raises OutputError if a path cannot be changed, a value would be rejected by the reader, or the result does not
+    read back as intended.
+    Raises RobotFileError if the robot file cannot be read.
     """
     robot = read_robot(source)
     edits = _edits_of(changes, robot)

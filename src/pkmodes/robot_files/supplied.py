@@ -16,15 +16,9 @@ PLACES = (Path(__file__).parents[1] / "supplied", Path(__file__).parents[3])
 def supplied(*places: str) -> dict[str, bytes]:
     """Return the content of files that come with pkmodes by their names, such as ``robots/clavel-delta.toml``.
 
-    Parameters
-    ----------
-    *places : str
-        Folders, or files in them.
+    - *places: folders, or files in them
 
-    Raises
-    ------
-    PkmodesError
-        If pkmodes was installed without them.
+    Raises PkmodesError if pkmodes was installed without them.
     """
     root = next((root for root in PLACES if (root / ROBOTS).is_dir()), None)
     if root is None:

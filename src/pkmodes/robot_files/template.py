@@ -59,10 +59,7 @@ OF_EFFECTS = (
 def template(mechanism: Mechanism, commands: Sequence[str] = ()) -> str:
     """Return the commented robot file of a mechanism.
 
-    Parameters
-    ----------
-    commands : sequence of str
-        Commands that show what the file describes, for its head.
+    - commands: commands that show what the file describes, for its head
     """
     document = _with_usual_sigmas(mechanism, example_document(mechanism))
     lines = [*_prose(f"A robot file of the mechanism {mechanism.name}: {mechanism.title}."), "#"]

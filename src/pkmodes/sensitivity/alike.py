@@ -29,12 +29,8 @@ NOTHING = 1e-9
 class Alike:
     """Parameters that act as one.
 
-    Attributes
-    ----------
-    members : tuple of int
-        Their indices, ascending.
-    signs : tuple of int
-        1 where a rise acts like a rise of the first member, -1 where it acts like a fall.
+    - members: their indices, ascending
+    - signs: 1 where a rise acts like a rise of the first member, -1 where it acts like a fall
     """
 
     members: tuple[int, ...]
@@ -55,16 +51,10 @@ class Alike:
 def alike(relative: Array) -> list[Alike]:
     """Return which parameters act as one.
 
-    Parameters
-    ----------
-    relative : ndarray, shape (..., T, m)
-        d ln f / d ln p at some poses; poses with NaN are left out.  A single pose may have a symmetry that makes
-        different parameters equal there: give several.
+    - relative: d ln f / d ln p at some poses, (..., T, m); poses with NaN are left out.  A single pose may have a
+      symmetry that makes different parameters equal there: give several.
 
-    Returns
-    -------
-    list of Alike
-        Each of the T parameters is in one of them, those by themselves too; in the order of their first members.
+    Each of the T parameters is in one of them, those by themselves too; in the order of their first members.
     """
     poses = relative.reshape(-1, *relative.shape[-2:])
     poses = poses[np.isfinite(poses).all(axis=(1, 2))]

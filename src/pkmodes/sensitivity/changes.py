@@ -32,14 +32,9 @@ ROUNDING = 1e-11
 def coinciding(groups: Sequence[int], rigid: int, noun: str) -> list[str]:
     """Say which modes of vibration coincide, and what their numbers then are.
 
-    Parameters
-    ----------
-    groups : sequence of int
-        A number for each mode, the same for the members of a group.
-    rigid : int
-        Number of rigid-body modes, which come first.
-    noun : str
-        The numbers: derivatives, or changes.
+    - groups: a number for each mode, the same for the members of a group
+    - rigid: number of rigid-body modes, which come first
+    - noun: the numbers: derivatives, or changes
     """
     by_group = dict[int, list[str]]()
     for number, group in enumerate(groups[rigid:], start=1):
@@ -56,20 +51,12 @@ def coinciding(groups: Sequence[int], rigid: int, noun: str) -> list[str]:
 class Changes:
     """Changes of m frequencies of vibration at a pose, for T quantities.
 
-    Attributes
-    ----------
-    by : {"percent", "sigma"}
-        By how much each quantity changes.
-    paths : tuple of tuple of str, length T
-        Of each quantity; several where they act as one.
-    names : tuple of tuple of str, length T
-        The same as they are shown: ``1/...`` for one that acts like the reciprocal.
-    frequencies : ndarray, shape (m,)
-        In Hz.
-    changes : ndarray, shape (T, m)
-        For a rise of each quantity [Hz].
-    together : ndarray, shape (m,), or None
-        By sigma: the standard deviation of each frequency, from all quantities [Hz].
+    - by: by how much each quantity changes, "percent" or "sigma"
+    - paths: of each quantity, length T; several where they act as one
+    - names: the same as they are shown, length T: ``1/...`` for one that acts like the reciprocal
+    - frequencies: in Hz, (m,)
+    - changes: for a rise of each quantity, (T, m) [Hz]
+    - together: by sigma, (m,): the standard deviation of each frequency, from all quantities [Hz]
     """
 
     by: str
@@ -101,19 +88,12 @@ def changes_at(
 ) -> Changes:
     """Compute what a change of each quantity does to the frequencies of vibration.
 
-    Parameters
-    ----------
-    pose : array_like, shape (d,)
-        In SI units.
-    by : {"percent", "sigma"}
-        By sigma, only the quantities with a standard deviation count.
-    paths : sequence of str, optional
-        Quantities to change by one per cent, none of them 0; by default those of which a per cent means something.
+    - pose: in SI units, (d,)
+    - by: by sigma, only the quantities with a standard deviation count, "percent" or "sigma"
+    - paths: quantities to change by one per cent, none of them 0; by default those of which a per cent means
+      something
 
-    Raises
-    ------
-    PkmodesError
-        If `by` is neither word, or the robot file states no standard deviation.
+    Raises PkmodesError if `by` is neither word, or the robot file states no standard deviation.
     """
     rigid = model.solved(drives).rigid_modes
     if by == PERCENT:

@@ -35,11 +35,7 @@ RATES = {"eigenvalues": "eigenvalue_rates", "frequencies": "frequency_rates"}
 def terms_of(system: ExtendedSystem, paths: Sequence[ParameterPath]) -> Terms:
     """Return the terms of parameter paths.
 
-    Parameters
-    ----------
-    system : ExtendedSystem
-        Of the robot, with or without effects.
-    paths : sequence of ParameterPath
+    - system: of the robot, with or without effects
     """
     terms = terms_of_all([system], [paths])
     return terms._replace(first=terms.first[0], effects=terms.effects[0])
@@ -111,22 +107,13 @@ def rates_job(
 ) -> Job:
     """Return the job that evaluates derivatives of eigenvalues and frequencies.
 
-    Parameters
-    ----------
-    solver : Solver
-        That differentiates.
-    system : Evaluation
-        Of the robot.
-    source : str
-        The robot, for messages.
-    terms : Terms
-        Of T paths.
-    close : float
-        As for `pkmodes.Model.sensitivities`.
-    requested : sequence of str
-        Fields.
-    by_numpy : callable
-        Evaluates the fields at some poses, (n, d).
+    - solver: that differentiates
+    - system: of the robot
+    - source: the robot, for messages
+    - terms: of T paths
+    - close: as for `pkmodes.Model.sensitivities`
+    - requested: fields
+    - by_numpy: evaluates the fields at some poses, (n, d)
     """
     modes = number_of_modes(system)
 
@@ -167,13 +154,9 @@ def _coincide(eigenvalues: Array, system: Evaluation, close: float, of_zero: boo
 class CompiledDerivatives(MatrixDerivatives):
     """Derivatives of given modes, evaluated together for all poses, robots and paths.
 
-    Parameters
-    ----------
-    system, p, paths, matrices, locked
-        As for `MatrixDerivatives`.
-    along : mapping of str to ndarray
-        What the kernel evaluated of the modes for which derivatives will be requested
-        (`pkmodes.core.compiled.evaluator.Evaluator.along`).  NumPy evaluates other fields where they are read.
+    - system, p, paths, matrices, locked: as for `MatrixDerivatives`
+    - along: what the kernel evaluated of the modes for which derivatives will be requested
+      (`pkmodes.core.compiled.evaluator.Evaluator.along`).  NumPy evaluates other fields where they are read.
     """
 
     def __init__(
@@ -236,18 +219,11 @@ def derivatives_of(
 ) -> MatrixDerivatives:
     """Return the derivatives of modes along paths, from one call of a compiled solver if it has them.
 
-    Parameters
-    ----------
-    solver : Solver, optional
-        Of the robots.
-    system, p, paths, matrices, locked
-        As for `MatrixDerivatives`.
-    modes : tuple of ndarray, shapes (N, m) and (N, m, n)
-        Eigenvalues and shapes; m may be 0.
-    terms : Terms, optional
-        Of the paths, if there is a solver.
-    fields : sequence of str
-        What the solver evaluates, as of `pkmodes.core.solve.solver.Solver.along`; nothing, if empty.
+    - solver: of the robots
+    - system, p, paths, matrices, locked: as for `MatrixDerivatives`
+    - modes: eigenvalues and shapes, (N, m) and (N, m, n); m may be 0
+    - terms: of the paths, if there is a solver
+    - fields: what the solver evaluates, as of `pkmodes.core.solve.solver.Solver.along`; nothing, if empty
     """
     along = None
     if solver is not None and terms is not None and fields:

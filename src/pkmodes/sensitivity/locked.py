@@ -45,16 +45,10 @@ def joints_of(mechanism: Mechanism) -> dict[Slot, tuple[int, ...]]:
 class Locked(NamedTuple):
     """The locked joints that parameter paths would release.
 
-    Attributes
-    ----------
-    paths : tuple of int, length L
-        Indices of these paths.
-    joints : ndarray of int, shape (r,)
-        Their locked coordinates.
-    weights : ndarray, shape (L, r)
-        The compliance of each along each path.
-    springs : ndarray, shape (L, e)
-        The stiffness, along each path, of the springs of joints that are not locked.
+    - paths: indices of these paths, length L
+    - joints: their locked coordinates, (r,)
+    - weights: the compliance of each along each path, (L, r)
+    - springs: the stiffness, along each path, of the springs of joints that are not locked, (L, e)
     """
 
     paths: tuple[int, ...]
@@ -104,24 +98,16 @@ def released(
 ) -> tuple[Array, Array, Array]:
     """Return what compliances of locked joints change.
 
-    Parameters
-    ----------
-    matrices : tuple of ndarray, shape (N, e, e)
-        M and K in all coordinates.
-    free : ndarray of int, shape (n,)
-    joints : ndarray of int, shape (r,)
-    weights : ndarray, shape (L, r)
-        The compliance of each joint along L paths.
-    eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
+    - matrices: M and K in all coordinates, each (N, e, e)
+    - free: (n,)
+    - joints: (r,)
+    - weights: the compliance of each joint along L paths, (L, r)
+    - eigenvalues, shapes: (N, m) and (N, m, n)
 
-    Returns
-    -------
-    force : ndarray, shape (N, m, r)
-        B(lambda) phi, minus the deflection of a joint per unit of its compliance.
-    change : ndarray, shape (N, L, m, n)
-        Of (K - lambda M) phi, -B^T B phi.
-    norm : ndarray, shape (N, L, m)
-        Of phi^T M phi, by the motion of the joints.
+    Returns, in this order:
+    - force: B(lambda) phi, minus the deflection of a joint per unit of its compliance, (N, m, r)
+    - change: of (K - lambda M) phi, -B^T B phi, (N, L, m, n)
+    - norm: of phi^T M phi, by the motion of the joints, (N, L, m)
     """
     M, K = (matrix[:, joints][..., free] for matrix in matrices)
     inertia = shapes @ np.swapaxes(M, -1, -2)

@@ -78,28 +78,16 @@ class MatrixDerivatives:
 
     Several robots with the same free coordinates may be evaluated together.
 
-    Parameters
-    ----------
-    system : ExtendedSystem
-        One or B stacked robots, with N / B poses each.
-    p : ndarray, shape (N, d)
-        Valid poses, robot by robot.
-    paths : sequence of sequence of ParameterPath, length B
-        T paths for each robot.
-    matrices : tuple of ndarray, optional
-        M and K in all coordinates, if they were evaluated already.
-    locked : Locked, optional
-        From `locked_joints`, if known.
+    - system: one or B stacked robots, with N / B poses each
+    - p: valid poses, robot by robot, (N, d)
+    - paths: T paths for each robot, length B
+    - matrices: M and K in all coordinates, if they were evaluated already
+    - locked: from `locked_joints`, if known
 
-    Attributes
-    ----------
-    system : ExtendedSystem
-    size : int
-        e, the number of base and all released coordinates.
-    free : ndarray of int, shape (n,)
-        Indices of the coordinates that are not locked.
-    locked_joints : Locked
-        The locked joints that paths would release; none for several robots.
+    Its attributes:
+    - size: e, the number of base and all released coordinates
+    - free: indices of the coordinates that are not locked, (n,)
+    - locked_joints: the locked joints that paths would release; none for several robots
     """
 
     def __init__(
@@ -245,15 +233,10 @@ class MatrixDerivatives:
     def eigenvalues(self, eigenvalues: Array, shapes: Array) -> Array:
         """Compute derivatives of simple eigenvalues, phi^T (dK - lambda dM) phi with phi^T M phi = 1.
 
-        Parameters
-        ----------
-        eigenvalues : ndarray, shape (N, m)
-        shapes : ndarray, shape (N, m, n)
-            In the free coordinates, mass-normalised.
+        - eigenvalues: (N, m)
+        - shapes: in the free coordinates, mass-normalised, (N, m, n)
 
-        Returns
-        -------
-        ndarray, shape (N, m, T)
+        Returns (N, m, T).
         """
         phi = self._embedded(shapes)
         parts = []
@@ -283,11 +266,8 @@ class MatrixDerivatives:
     def changes(self, eigenvalues: Array, shapes: Array, poses: Index | None = None) -> tuple[Array, Array]:
         """Evaluate (dK - lambda dM) phi, (N, T, m, n), and phi^T dM phi, (N, T, m), along each path.
 
-        Parameters
-        ----------
-        eigenvalues, shapes : ndarray, shapes (N, m) and (N, m, n)
-        poses : ndarray of int, optional
-            Those requested, by default all.
+        - eigenvalues, shapes: (N, m) and (N, m, n)
+        - poses: those requested, by default all
         """
         dM, dK = self.dense(poses)
         chosen = slice(None) if poses is None else poses
@@ -326,12 +306,10 @@ class MatrixDerivatives:
     def _locked_changes(self, eigenvalues: Array, shapes: Array) -> tuple[Array, Array]:
         """Return the replacements of (dK - lambda dM) phi and phi^T dM phi along the L paths in `locked`.
 
-        Returns
-        -------
-        change : ndarray, shape (N, L, m, n)
-            -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked.
-        norm : ndarray, shape (N, L, m)
-            Change of the modal mass due to the motion of the joint.
+        Returns, in this order:
+        - change: -B^T B phi at each mode's eigenvalue, plus the springs of the path's joints that are not locked,
+          (N, L, m, n)
+        - norm: change of the modal mass due to the motion of the joint, (N, L, m)
         """
         _, change, norm = self._released(eigenvalues, shapes)
         springs = self.locked_joints.springs[:, self.free]
@@ -348,17 +326,11 @@ class MatrixDerivatives:
         and the remainder is far smaller than the rounding of the cancelling terms.  Adding the multiple of
         K phi = lambda M phi that eliminates the spring puts the rest of K in its place.
 
-        Parameters
-        ----------
-        pose : int
-            Index of the pose.
-        eigenvalues, shapes : ndarray, shapes (m,) and (m, n)
-        dM, dK : ndarray, shape (T, n, n)
-            From `dense`.
+        - pose: index of the pose
+        - eigenvalues, shapes: (m,) and (m, n)
+        - dM, dK: from `dense`, (T, n, n)
 
-        Returns
-        -------
-        ndarray, shape (T, m, n)
+        Returns (T, m, n).
         """
         free, diagonal = self.free, np.arange(len(self.free))
         springs, joints = self._springs[0][:, free], self.system.joints[free]

@@ -28,19 +28,12 @@ ROUNDING = 1e-13
 def groups(eigenvalues: Array, close: float, magnitude: Array) -> Index:
     """Number the groups of modes whose eigenvalues differ by less than a fraction of their size.
 
-    Parameters
-    ----------
-    eigenvalues : ndarray, shape (..., m)
-        Ascending.
-    close : float
-        The fraction; gaps below rounding are also ignored.
-    magnitude : ndarray, shape (..., m)
-        Magnitude to which the rounding of each eigenvalue is relative (`pkmodes.core.linalg.eigen.magnitude`).
+    - eigenvalues: ascending, (..., m)
+    - close: the fraction; gaps below rounding are also ignored
+    - magnitude: magnitude to which the rounding of each eigenvalue is relative
+      (`pkmodes.core.linalg.eigen.magnitude`), (..., m)
 
-    Returns
-    -------
-    ndarray of int, shape (..., m)
-        The same number for the members of a group, ascending from 0.
+    Returns (..., m): the same number for the members of a group, ascending from 0.
     """
     apart = separate(eigenvalues, close, magnitude)
     first = np.zeros((*eigenvalues.shape[:-1], 1), dtype=np.intp)
@@ -58,17 +51,11 @@ def separate(eigenvalues: Array, close: float, magnitude: Array) -> NDArray[np.b
 def branches(change: Array, shapes: Array, group: Index) -> Array:
     """Compute the eigenvalue derivatives of one system; in each group those of its branches, ascending.
 
-    Parameters
-    ----------
-    change : ndarray, shape (T, m, n)
-        (dK - lambda_i dM) phi_i for each parameter.
-    shapes : ndarray, shape (m, n)
-    group : ndarray of int, shape (m,)
-        From `groups`.
+    - change: (dK - lambda_i dM) phi_i for each parameter, (T, m, n)
+    - shapes: (m, n)
+    - group: from `groups`, (m,)
 
-    Returns
-    -------
-    ndarray, shape (T, m)
+    Returns (T, m).
     """
     rates = np.empty(change.shape[:2])
     for number in np.unique(group):
@@ -98,27 +85,17 @@ def mode_derivatives(
 ) -> tuple[Array, Array]:
     """Compute derivatives of the modes of one system with respect to several parameters.
 
-    Parameters
-    ----------
-    M, K : ndarray, shape (n, n)
-    eigenvalues : ndarray, shape (m,)
-    shapes : ndarray, shape (m, n)
-        Mass-normalised.
-    change : ndarray, shape (T, m, n)
-        (dK - lambda_i dM) phi_i for each parameter.
-    norm : ndarray, shape (T, m)
-        phi_i^T dM phi_i.
-    group : ndarray of int, shape (m,)
-        From `groups`.
-    magnitude : ndarray, shape (m,)
-        As for `groups`; each mode's equations are scaled with it.
+    - M, K: (n, n)
+    - eigenvalues: (m,)
+    - shapes: mass-normalised, (m, n)
+    - change: (dK - lambda_i dM) phi_i for each parameter, (T, m, n)
+    - norm: phi_i^T dM phi_i, (T, m)
+    - group: from `groups`, (m,)
+    - magnitude: as for `groups`, (m,); each mode's equations are scaled with it
 
-    Returns
-    -------
-    d_eigenvalues : ndarray, shape (T, m)
-        In a group, those of the branches, ascending.
-    d_shapes : ndarray, shape (T, m, n)
-        In a group, the part that is M-orthogonal to the other members.
+    Returns, in this order:
+    - d_eigenvalues: in a group, those of the branches, ascending, (T, m)
+    - d_shapes: in a group, the part that is M-orthogonal to the other members, (T, m, n)
     """
     sizes = np.bincount(group)
     if len(sizes) == len(group):

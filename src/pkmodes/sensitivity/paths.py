@@ -26,16 +26,10 @@ Moves = tuple[str, Mapping[Slot, float]]
 class ParameterPath:
     """A quantity that can vary.
 
-    Attributes
-    ----------
-    path : str
-        Dotted path, such as ``platform.mass``, ``axis.span`` or ``effects.payload.mass``.
-    value : float
-        The declared value in SI units.
-    unit : str
-        SI unit, ``"1"`` if dimensionless.
-    weights : mapping of slot to float
-        Change of each number of the generated model when the quantity changes by one unit.
+    - path: dotted path, such as ``platform.mass``, ``axis.span`` or ``effects.payload.mass``
+    - value: the declared value in SI units
+    - unit: SI unit, ``"1"`` if dimensionless
+    - weights: change of each number of the generated model when the quantity changes by one unit
     """
 
     path: str
@@ -52,17 +46,10 @@ def paths(robot: Robot) -> tuple[str, ...]:
 def resolve(robot: Robot, path: str) -> ParameterPath:
     """Resolve a path.
 
-    Parameters
-    ----------
-    robot : Robot
-        Its declared values are the starting point of the path's line.
-    path : str
-        Dotted path, see docs/sensitivities.md.
+    - robot: its declared values are the starting point of the path's line
+    - path: dotted path, see docs/sensitivities.md
 
-    Raises
-    ------
-    PkmodesError
-        If there is no such quantity, it cannot vary, or no mode depends on it.
+    Raises PkmodesError if there is no such quantity, it cannot vary, or no mode depends on it.
     """
     return resolve_all(robot, [path])[0]
 

@@ -76,11 +76,9 @@ def rates_of(
 def relative_of(rates: Array, values: Array, frequencies: Array) -> Array:
     """Return d ln f / d ln p, NaN where the value or the frequency is 0.
 
-    Parameters
-    ----------
-    rates : ndarray, shape (..., T, m)
-    values : ndarray, shape (T,)
-    frequencies : ndarray, shape (..., m)
+    - rates: (..., T, m)
+    - values: (T,)
+    - frequencies: (..., m)
     """
     nonzero = np.where(values == 0.0, np.nan, values)
     sizes = np.where(frequencies == 0.0, np.nan, frequencies)
@@ -91,17 +89,10 @@ def relative_of(rates: Array, values: Array, frequencies: Array) -> Array:
 def alike_around(model: Model, pose: ArrayLike, paths: list[str], drives: str) -> list[Alike]:
     """Return which quantities act as one, whatever the pose.
 
-    Parameters
-    ----------
-    pose : array_like, shape (d,)
-        In SI units; what is compared lies around it.
-    paths : list of str
-        Quantities; those that are zero act like no other.
+    - pose: in SI units, (d,); what is compared lies around it
+    - paths: quantities; those that are zero act like no other
 
-    Returns
-    -------
-    list of Alike
-        Of indices into `paths`.
+    They are given by their indices in `paths`.
     """
     robot = model.robot
     far = np.array(

@@ -109,26 +109,15 @@ class Sensitivities(ChosenFields):
 class ResolvedPaths:
     """Parameter paths of a robot, resolved once for any number of calls.
 
-    Parameters
-    ----------
-    parameters : sequence of str or ParameterPath, optional
-        Paths, perhaps resolved; by default all that can vary.
-    drives : {"free", "held"}
-        What the motors do.
+    - parameters: paths, perhaps resolved; by default all that can vary
+    - drives: what the motors do, "free" or "held"
 
-    Attributes
-    ----------
-    names, units : tuple of str, length T
-        Paths and SI units.
-    values : ndarray, shape (T,)
-        As the robot has them.
-    system : Evaluation
-        Of the robot, with free or held motors.
+    Its attributes:
+    - names, units: paths and SI units, length T
+    - values: as the robot has them, (T,)
+    - system: of the robot, with free or held motors
 
-    Raises
-    ------
-    PkmodesError
-        If a path is unknown or cannot vary.
+    Raises PkmodesError if a path is unknown or cannot vary.
     """
 
     def __init__(

@@ -27,24 +27,15 @@ def shape_derivatives(
 ) -> Array:
     """Compute derivatives of all mode shapes along parameter paths.
 
-    Parameters
-    ----------
-    derivatives : MatrixDerivatives
-        For N poses and T paths.
-    eigenvalues : ndarray, shape (N, m)
-    shapes : ndarray, shape (N, m, n)
-        In the free coordinates, mass-normalised.
-    motions : ndarray, shape (N, m, d), optional
-        Motions in each mode that are linear in the coordinates, such as those of the platform.
-    motion : callable, optional
-        Returns these motions per unit of all coordinates, (N, d, e); called only if there are coordinates without
-        inertia, or locked joints.
+    - derivatives: for N poses and T paths
+    - eigenvalues: (N, m)
+    - shapes: in the free coordinates, mass-normalised, (N, m, n)
+    - motions: motions in each mode that are linear in the coordinates, such as those of the platform, (N, m, d)
+    - motion: returns these motions per unit of all coordinates, (N, d, e); called only if there are coordinates
+      without inertia, or locked joints
 
-    Returns
-    -------
-    ndarray, shape (N, T, m, e + d)
-        In all coordinates of the generated model, including those of locked joints, which deflect; then the motions,
-        per unit of the coordinates as they are.
+    Returns (N, T, m, e + d): in all coordinates of the generated model, including those of locked joints, which
+    deflect; then the motions, per unit of the coordinates as they are.
     """
     change, norm = derivatives.changes(eigenvalues, shapes)
     share = modal_expansion(change, norm, eigenvalues, shapes)

@@ -53,10 +53,7 @@ def spread_of(
 
     See `pkmodes.Model.frequency_sigmas`.
 
-    Parameters
-    ----------
-    known : collection of str
-        Paths of values that are known exactly all the same, such as those that a sweep sets.
+    - known: paths of values that are known exactly all the same, such as those that a sweep sets
     """
     owners = {table_path for path, table_path in lent(model.robot.mechanism).items() if path in known}
     names = [path for path in stated_sigmas(model.robot) if path not in known and path not in owners]

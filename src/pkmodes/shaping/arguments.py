@@ -21,10 +21,8 @@ SUM = 1e-3
 def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Array, Array]:
     """Return frequencies [Hz] and damping ratios [-] as arrays of one shape.
 
-    Raises
-    ------
-    PkmodesError
-        If a frequency is not a positive finite number, a ratio is not in [0, 1), or the shapes do not go together.
+    Raises PkmodesError if a frequency is not a positive finite number, a ratio is not in [0, 1), or the shapes do not
+    go together.
     """
     f = real_numbers(frequencies, "frequencies in Hz", "frequencies", GIVE)
     zeta = real_numbers(damping_ratios, "damping ratios", "damping_ratios", GIVE)
@@ -53,10 +51,8 @@ def checked_modes(frequencies: ArrayLike, damping_ratios: ArrayLike) -> tuple[Ar
 def checked_impulses(shaper: Any) -> tuple[Array, Array]:
     """Return the amplitudes and delays of a shaper as arrays of one shape (..., n).
 
-    Raises
-    ------
-    PkmodesError
-        If it is not a shaper, an amplitude is negative, their sum is not 1, or the delays do not ascend from 0.
+    Raises PkmodesError if it is not a shaper, an amplitude is negative, their sum is not 1, or the delays do not
+    ascend from 0.
     """
     try:
         parts = [np.asarray(part, dtype=float) for part in (shaper.amplitudes, shaper.delays)]

@@ -87,16 +87,10 @@ def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
     and the frequency that leaves least of them, both weighted by the squared amplitudes.  That frequency may jump
     between neighbouring poses.
 
-    Parameters
-    ----------
-    continuous : bool
-        Use the mean frequency instead, which has no jump: a command that changes from one shaper to another one is
-        smooth only if they differ little.
+    - continuous: use the mean frequency instead, which has no jump: a command that changes from one shaper to another
+      one is smooth only if they differ little
 
-    Raises
-    ------
-    PkmodesError
-        If a product has more factors than the machine has modes that count.
+    Raises PkmodesError if a product has more factors than the machine has modes that count.
     """
     count = check_factors(kind, at, "kind")
     if count > 1:
@@ -115,10 +109,7 @@ def own_shapers(kind: str, at: Ringing, *, continuous: bool = False) -> Shaper:
 def check_factors(kind: str, at: Ringing, where: str) -> int:
     """Return the number of factors of a kind, each of which is for a mode that counts.
 
-    Raises
-    ------
-    PkmodesError
-        If it has more factors than modes count.
+    Raises PkmodesError if it has more factors than modes count.
     """
     count = len(factors(kind))
     if count > at.modes:

@@ -49,10 +49,7 @@ def choose(
 ) -> Choice:
     """Compare shapers: see `pkmodes.Model.shapers`.
 
-    Parameters
-    ----------
-    follow : bool
-        Whether to compare those that follow the pose as well.
+    - follow: whether to compare those that follow the pose as well
     """
     check_argument(left, SHARE, "left", "for example: 0.1")
     check_argument(tick, TIME, "tick", "for example: 0.001")
@@ -138,21 +135,13 @@ def recommended_of(
 ) -> tuple[int | None, bool]:
     """Return the index of the shortest fixed shaper that is good enough, or else of the best one.
 
-    Parameters
-    ----------
-    share : float
-        Share at the worst pose that is good enough.
-    length : float or None
-        Longest duration allowed [s].
-    firmware : str or None
-        The version of a firmware that has it; None for any.
+    - share: share at the worst pose that is good enough
+    - length: longest duration allowed [s]
+    - firmware: the version of a firmware that has it; None for any
 
-    Returns
-    -------
-    index : int or None
-        None if none lasts at most `length`, or the firmware has none.
-    good : bool
-        Whether it is good enough.
+    Returns, in this order:
+    - index: None if none lasts at most `length`, or the firmware has none
+    - good: whether it is good enough
     """
     allowed = [
         i

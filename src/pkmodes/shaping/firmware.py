@@ -25,12 +25,8 @@ NAMES = {"klipper": "Klipper", "marlin": "Marlin", "reprapfirmware": "RepRapFirm
 class Version(NamedTuple):
     """A version of a firmware.
 
-    Attributes
-    ----------
-    firmware : str
-        A key of `NAMES`.
-    since : str
-        With what it begins; "" for the oldest that is known here.
+    - firmware: a key of `NAMES`
+    - since: with what it begins; "" for the oldest that is known here
     """
 
     firmware: str
@@ -78,12 +74,8 @@ IMPULSES, APART = 5, 1e-5
 def version_name(version: str, oldest: str | None = None) -> str:
     """Return the name of a version with its dates; that of the firmware for the newest, unless an oldest is given.
 
-    Parameters
-    ----------
-    version : str
-        A key of `VERSIONS`.
-    oldest : str, optional
-        Another one of the same firmware: the name is that of all from it up to `version`.
+    - version: a key of `VERSIONS`
+    - oldest: another one of the same firmware: the name is that of all from it up to `version`
     """
     name = VERSIONS[version].firmware
     keys = [key for key, release in VERSIONS.items() if release.firmware == name]
@@ -97,15 +89,9 @@ def version_name(version: str, oldest: str | None = None) -> str:
 def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper) -> dict[str, str | None]:
     """Return the lines for the current version by firmware; None where it has no such shaper.
 
-    Parameters
-    ----------
-    kind : str
-    frequencies : tuple of float
-        Of the design [Hz].
-    zeta : float
-        Damping ratio of the design.
-    shaper : Shaper
-        Its impulses, (n,).
+    - frequencies: of the design [Hz]
+    - zeta: damping ratio of the design
+    - shaper: its impulses, (n,)
     """
     return {name: setting(name, kind, frequencies, zeta, shaper) for name in NAMES}
 
@@ -113,10 +99,7 @@ def firmware(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Sha
 def command(kind: str, frequencies: tuple[float, ...], zeta: float, shaper: Shaper) -> dict[str, str | None]:
     """Return the G-code that changes the shaper during a print, by firmware; None where it has no such shaper.
 
-    Parameters
-    ----------
-    kind, frequencies, zeta, shaper
-        As for `firmware`.
+    - kind, frequencies, zeta, shaper: as for `firmware`
     """
     return {name: change(name, kind, frequencies, zeta, shaper) for name in NAMES}
 
@@ -126,12 +109,8 @@ def setting(
 ) -> str | None:
     """Return the lines of a configuration; None where the version has no such shaper.
 
-    Parameters
-    ----------
-    version : str
-        A key of `VERSIONS`.
-    kind, frequencies, zeta, shaper
-        As for `firmware`.
+    - version: a key of `VERSIONS`
+    - kind, frequencies, zeta, shaper: as for `firmware`
     """
     if VERSIONS[version].firmware != "klipper":
         return change(version, kind, frequencies, zeta, shaper)
@@ -147,10 +126,7 @@ def change(
 ) -> str | None:
     """Return the G-code that changes the shaper during a print; None where the version has no such shaper.
 
-    Parameters
-    ----------
-    version, kind, frequencies, zeta, shaper
-        As for `setting`.
+    - version, kind, frequencies, zeta, shaper: as for `setting`
     """
     f, name = frequencies[0], VERSIONS[version].firmware
     if name == "klipper":

@@ -62,16 +62,10 @@ HUMPS = {
 def as_made(version: str, kind: str, frequency: float, zeta: float) -> Shaper:
     """Return the shaper that a version of a firmware makes; that of the design where it has no formulas of its own.
 
-    Parameters
-    ----------
-    version : str
-        A key of `pkmodes.shaping.firmware.VERSIONS`.
-    kind : str
-        Of one mode.
-    frequency : float
-        Of the design [Hz].
-    zeta : float
-        Damping ratio of the design.
+    - version: a key of `pkmodes.shaping.firmware.VERSIONS`
+    - kind: of one mode
+    - frequency: of the design [Hz]
+    - zeta: damping ratio of the design
     """
     name = VERSIONS[version].firmware
     if not has_own(version, kind, zeta):
@@ -88,10 +82,7 @@ def as_made(version: str, kind: str, frequency: float, zeta: float) -> Shaper:
 def has_own(version: str, kind: str, zeta: float) -> bool:
     """Return whether a version has formulas of its own for a shaper.
 
-    Parameters
-    ----------
-    version, kind, zeta
-        As for `as_made`.
+    - version, kind, zeta: as for `as_made`
     """
     name = VERSIONS[version].firmware
     if name == "klipper":
@@ -102,10 +93,7 @@ def has_own(version: str, kind: str, zeta: float) -> bool:
 def settled(version: str, kind: str, frequency: float, zeta: float) -> float:
     """Return the frequency in the middle of those for which a version makes the same impulses [Hz].
 
-    Parameters
-    ----------
-    version, kind, frequency, zeta
-        As for `as_made`.
+    - version, kind, frequency, zeta: as for `as_made`
     """
     if VERSIONS[version].firmware != "marlin" or not has_own(version, kind, zeta):
         return frequency

@@ -36,14 +36,9 @@ STARTS, APART = 5, 3
 def best_fixed(kind: str, at: Ringing, version: str | None = None) -> tuple[tuple[float, ...], Shaper]:
     """Return design frequencies [Hz], one for each factor, and the shaper, for the mean damping ratio.
 
-    Parameters
-    ----------
-    kind : str
-    at : Ringing
-        Of the machine.
-    version : str, optional
-        Of the firmware whose impulses count, a key of `pkmodes.shaping.firmware.VERSIONS`; by default those of
-        `pkmodes.shaping.shaper`, as for products.
+    - at: of the machine
+    - version: of the firmware whose impulses count, a key of `pkmodes.shaping.firmware.VERSIONS`; by default those of
+      `pkmodes.shaping.shaper`, as for products
     """
     names, zeta = factor_names(kind), at.mean_ratio
     version = None if len(names) > 1 else version

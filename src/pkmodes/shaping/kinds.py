@@ -14,10 +14,7 @@ KINDS = tuple(SHAPERS)
 def factors(kind: str) -> tuple[Kind, ...]:
     """Return the factors of a product such as "zv*zv*ei", or the one kind.
 
-    Raises
-    ------
-    PkmodesError
-        If a factor is not a kind of shaper (the message suggests the nearest).
+    Raises PkmodesError if a factor is not a kind of shaper (the message suggests the nearest).
     """
     names = factor_names(kind)
     for name in names:

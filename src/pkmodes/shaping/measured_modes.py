@@ -56,14 +56,9 @@ class LeftOfModes(Document, frozen=True):
 class MeasuredRinging(Ringing):
     """R measured modes, each at K points within its errors and treated by itself: N = R K poses of one mode.
 
-    Attributes
-    ----------
-    data : Measurements
-        The table.
-    rows : ndarray of int, shape (R,)
-        Those that count.
-    assumed : float or None
-        Damping ratio of the modes without one; None: anything within `UNKNOWN`.
+    - data: the table
+    - rows: those that count, (R,)
+    - assumed: damping ratio of the modes without one; None: anything within `UNKNOWN`
     """
 
     data: Measurements = field(kw_only=True)
@@ -134,21 +129,12 @@ def measured_ringing(
 
     Where motors were held at some poses and free at others, those of held motors count.
 
-    Parameters
-    ----------
-    data : Measurements
-        With a standard deviation of each frequency.
-    modes : int, optional
-        How many modes count at each pose, the lowest; by default all.
-    damping : float, optional
-        Damping ratio of the modes without one; by default anything from 0 to 10 %.
+    - data: with a standard deviation of each frequency
+    - modes: how many modes count at each pose, the lowest; by default all
+    - damping: damping ratio of the modes without one; by default anything from 0 to 10 %
 
-    Raises
-    ------
-    PkmodesError
-        If an argument is invalid.
-    MeasurementError
-        If the table has no modes.
+    Raises PkmodesError if an argument is invalid.
+    Raises MeasurementError if the table has no modes.
     """
     if modes is not None:
         check_argument(modes, POSITIVE_INTEGER, "modes", "for example: 3")
@@ -190,10 +176,7 @@ def measured_ringing(
 def of_measured(choice: Choice) -> MeasuredRinging:
     """Return the modes of a choice that `measured_shapers` made.
 
-    Raises
-    ------
-    TypeError
-        If they are those of a robot.
+    Raises TypeError if they are those of a robot.
     """
     if not isinstance(choice.ringing, MeasuredRinging):
         raise TypeError("expected a choice for measured modes")
@@ -213,34 +196,19 @@ def measured_shapers(
 ) -> Choice:
     """Compare fixed shapers for the modes in a table.
 
-    Parameters
-    ----------
-    data : Measurements
-        Such as `pkmodes.updating.read` reads.
-    kinds : str or sequence of str, optional
-        By default all for one mode, and products of zv for up to three modes.
-    modes : int, optional
-        How many modes count at each pose, the lowest; by default all.
-    damping : float, optional
-        Damping ratio of the modes without one; by default anything from 0 to 10 %.
-    left : float
-        Share that the recommended shaper may leave of each mode, within two standard deviations of its frequency and
-        damping ratio.
-    length, tick, firmware
-        As for `pkmodes.Model.shapers`.
+    - data: such as `pkmodes.updating.read` reads
+    - kinds: by default all for one mode, and products of zv for up to three modes
+    - modes: how many modes count at each pose, the lowest; by default all
+    - damping: damping ratio of the modes without one; by default anything from 0 to 10 %
+    - left: share that the recommended shaper may leave of each mode, within two standard deviations of its frequency
+      and damping ratio
+    - length, tick, firmware: as for `pkmodes.Model.shapers`
 
-    Returns
-    -------
-    Choice
-        ``ringing`` is a `MeasuredRinging`; ``left.worst`` of a candidate is what it leaves at most of any mode within
-        two standard deviations.
-
-    Raises
-    ------
-    PkmodesError
-        If an argument is invalid, no shaper is long or short enough, or the firmware has none of them.
-    MeasurementError
-        If the table has no modes.
+    ``ringing`` is a `MeasuredRinging`; ``left.worst`` of a candidate is what it leaves at most of any mode within two
+    standard deviations.
+    Raises PkmodesError if an argument is invalid, no shaper is long or short enough, or the firmware has none of
+    them.
+    Raises MeasurementError if the table has no modes.
     """
     at = measured_ringing(data, modes, damping)
     chosen = default_kinds(min(at.modes, MODES)) if kinds is None else kinds

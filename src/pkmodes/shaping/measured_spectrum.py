@@ -29,14 +29,9 @@ OTHERS = {
 class MeasuredSpectrum:
     """A power spectral density at F frequencies above 0, the sum over the directions in a file.
 
-    Attributes
-    ----------
-    source : str
-        The file.
-    frequencies, density : ndarray, shape (F,)
-        Ascending [Hz]; in the unit of the file.
-    directions : tuple of str
-        The columns or degrees of freedom that are summed.
+    - source: the file
+    - frequencies, density: ascending, (F,) [Hz]; in the unit of the file
+    - directions: the columns or degrees of freedom that are summed
     """
 
     source: str
@@ -67,16 +62,10 @@ class MeasuredSpectrum:
 def read_spectrum(path: str | PathLike[str]) -> MeasuredSpectrum:
     """Read a measured power spectrum.
 
-    Parameters
-    ----------
-    path : path-like
-        A table with a column ``freq`` or ``frequency`` [Hz] and densities ``psd_x``, ``psd_y``, ``psd_z``, as Klipper
-        writes it, or one column for each sensor; or power spectra in a universal, MATLAB or NumPy file.
+    - path: a table with a column ``freq`` or ``frequency`` [Hz] and densities ``psd_x``, ``psd_y``, ``psd_z``, as
+      Klipper writes it, or one column for each sensor; or power spectra in a universal, MATLAB or NumPy file
 
-    Raises
-    ------
-    MeasurementError
-        If the file cannot be read, holds something else, or its spectra cannot be summed.
+    Raises MeasurementError if the file cannot be read, holds something else, or its spectra cannot be summed.
     """
     source = fspath(path)
     read = read_signals(path)

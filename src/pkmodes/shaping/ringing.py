@@ -189,26 +189,16 @@ def ringing(
 ) -> Ringing:
     """Evaluate the modes of a machine in use.
 
-    Parameters
-    ----------
-    poses : array_like, shape (..., d)
-        Those that cannot be evaluated, or at which a mode does not oscillate, are left out.
-    modes : int, optional
-        How many modes count, the lowest; by default three, or all if there are fewer.
-    settings : mapping of str to array_like, optional
-        Values of parameters in SI units, by path: the poses of every combination count.
-    drives : {"free", "held"}, optional
-        As for `pkmodes.Model.shapers`.
+    - poses: those that cannot be evaluated, or at which a mode does not oscillate, are left out, (..., d)
+    - modes: how many modes count, the lowest; by default three, or all if there are fewer
+    - settings: values of parameters in SI units, by path: the poses of every combination count
+    - drives: as for `pkmodes.Model.shapers`
 
-    Raises
-    ------
-    PkmodesError
-        If the machine has fewer modes, or rigid ones although its motors are held; if motors that nothing holds are
-        to be free, or some settings have springs on the motors and others none; or if settings are invalid.
-    RobotFileError
-        If a robot file with a setting would be rejected.
-    PoseError
-        If no pose is left.
+    Raises PkmodesError if the machine has fewer modes, or rigid ones although its motors are held; if motors that
+    nothing holds are to be free, or some settings have springs on the motors and others none; or if settings are
+    invalid.
+    Raises RobotFileError if a robot file with a setting would be rejected.
+    Raises PoseError if no pose is left.
     """
     say("computing the modes of the machine in use")
     if settings is None or (isinstance(settings, Mapping) and not settings):
@@ -248,10 +238,7 @@ def at_settings(
 def _common_drives(models: Sequence[Model], settings: Sequence[Setting], drives: str | None) -> str:
     """Return what the motors do at all settings.
 
-    Raises
-    ------
-    PkmodesError
-        If some settings have springs on the motors and others none.
+    Raises PkmodesError if some settings have springs on the motors and others none.
     """
     give_way = [motors_give_way(variant.robot) for variant in models]
     if drives != HELD and len(set(give_way)) > 1:

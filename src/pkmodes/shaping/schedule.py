@@ -49,25 +49,14 @@ def schedule_of(
 ) -> Schedule:
     """Choose a fixed shaper for each setting, by the rule of the choice for all of them.
 
-    Parameters
-    ----------
-    model : Model
-        The evaluator of the robot.
-    poses : array_like, shape (..., d)
-        Those of the choice.
-    whole : Choice
-        For all settings.
-    kinds : sequence of str or None
-        Of the choice.
-    tick : float
-        Of the choice [s].
-    height : sequence of two float, optional
-        Layer heights of the first and of the last value [m], between which the parameter grows evenly.
+    - model: the evaluator of the robot
+    - poses: those of the choice, (..., d)
+    - whole: for all settings
+    - kinds: of the choice
+    - tick: of the choice [s]
+    - height: layer heights of the first and of the last value [m], between which the parameter grows evenly
 
-    Raises
-    ------
-    PkmodesError
-        If no shaper is long or short enough at a setting.
+    Raises PkmodesError if no shaper is long or short enough at a setting.
     """
     at = whole.ringing
     parameter = varying(at.settings)
@@ -108,9 +97,7 @@ def varying(settings: Sequence[Setting]) -> str | None:
 def check_heights(height: Any, parameter: str | None) -> None:
     """Refuse anything but the heights of the first and the last value of a single parameter.
 
-    Raises
-    ------
-    PkmodesError
+    Raises PkmodesError.
     """
     check_argument(height, HEIGHTS, "height", "for example: (0.0, 0.2)")
     if parameter is None:

@@ -50,10 +50,7 @@ def with_unit(text: str, unit: str) -> str:
 def settings_of(model: Model, swept: Mapping[str, Any]) -> tuple[Setting, ...]:
     """Return every combination of values, those of each parameter ascending, the last parameter fastest.
 
-    Raises
-    ------
-    PkmodesError
-        If they are not values by path, or too many.
+    Raises PkmodesError if they are not values by path, or too many.
     """
     values = {path: np.sort(axis) for path, axis in swept_values(swept, "settings").items()}
     count = prod(map(len, values.values()))

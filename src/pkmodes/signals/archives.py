@@ -72,10 +72,8 @@ class Measurement(NamedMeasurement):
 def read_shake_and_tune(path: Path, request: SignalRequest) -> SignalFile:
     """Read one measurement of Shake&Tune.
 
-    Raises
-    ------
-    MeasurementError
-        If zstandard is not installed, the file is damaged or of an old version, or has no such measurement.
+    Raises MeasurementError if zstandard is not installed, the file is damaged or of an old version, or has no such
+    measurement.
     """
     source = fspath(path)
     names: dict[str, None] = {}
@@ -178,10 +176,7 @@ def _unpacked(path: Path, source: str) -> Iterator[bytes]:
 def read_archive(path: Path, request: SignalRequest) -> SignalFile:
     """Read one table of a zip or tar archive.
 
-    Raises
-    ------
-    MeasurementError
-        If it is damaged, or has no such table.
+    Raises MeasurementError if it is damaged, or has no such table.
     """
     source, limit = fspath(path), _most_unpacked(path)
     try:

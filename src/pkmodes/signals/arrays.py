@@ -48,17 +48,10 @@ NAMES = 'say in the record which it is, names = { time = "NAME" } or { frequency
 class _Signal(NamedTuple):
     """A vector in a variable.
 
-    Attributes
-    ----------
-    name, response, reference : str
-        Its own, and those of its sensor and reference.
-    variable : str
-    pick : callable
-        Extracts it from all values.
-    length : int
-        Number of its values.
-    measurement : int or None
-        Index of the measurement in its variable, from 0; None if this does not hold several.
+    - name, response, reference: its own, and those of its sensor and reference
+    - pick: extracts it from all values
+    - length: number of its values
+    - measurement: index of the measurement in its variable, from 0; None if this does not hold several
     """
 
     name: str
@@ -79,17 +72,10 @@ def functions_of(
 ) -> SignalFile:
     """Return the functions that variables hold; only the values of requested ones are read.
 
-    Parameters
-    ----------
-    file_kind : str
-        Kind of the file, for messages.
-    size : int, optional
-        Of the file [bytes], which limits the size of its unpacked arrays.
+    - file_kind: kind of the file, for messages
+    - size: of the file [bytes], which limits the size of its unpacked arrays
 
-    Raises
-    ------
-    MeasurementError
-        If there are no times, frequencies or rate, or arrays do not belong together.
+    Raises MeasurementError if there are no times, frequencies or rate, or arrays do not belong together.
     """
     by_name: dict[str, FileVariable] = {}
     fields = Counter(variable.name.rpartition(".")[2] for variable in variables)
@@ -246,12 +232,8 @@ def _signals(
 ) -> list[_Signal]:
     """Return the signals in a variable.
 
-    Parameters
-    ----------
-    count : int or None
-        Of the times or frequencies, if known.
-    blows : int or None
-        If it is the force: number of measurements in the file.
+    - count: of the times or frequencies, if known
+    - blows: if it is the force: number of measurements in the file
     """
     shape, lengths = variable.shape or (), variable.lengths
     if not lengths or max(lengths) < FEWEST:

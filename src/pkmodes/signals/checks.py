@@ -22,15 +22,9 @@ PER_CENT = (2.0, 100.0 * (1.0 + ROUNDING))
 def check_finite(values: NDArray[Any], where: str, before: int = 0) -> None:
     """Refuse values that are not finite.
 
-    Parameters
-    ----------
-    before : int
-        Number of values of the same signal before them.
+    - before: number of values of the same signal before them
 
-    Raises
-    ------
-    MeasurementError
-        With the number of the first bad value.
+    Raises MeasurementError with the number of the first bad value.
     """
     bad = np.flatnonzero(~np.isfinite(values))
     if bad.size:
@@ -49,10 +43,7 @@ def within(abscissa: Array, band: tuple[float, float] | None) -> slice:
 def check_abscissa(abscissa: Array, where: str) -> None:
     """Refuse an abscissa that is too short, not finite or not ascending.
 
-    Raises
-    ------
-    MeasurementError
-        With the number of the first wrong point.
+    Raises MeasurementError with the number of the first wrong point.
     """
     if abscissa.size < FEWEST:
         problem = f"expected at least {FEWEST} points, found {abscissa.size or 'none'}"
@@ -69,10 +60,7 @@ def check_abscissa(abscissa: Array, where: str) -> None:
 def outside_coherence(values: NDArray[Any]) -> tuple[int, str, str] | None:
     """Return the index of the first invalid coherence, the problem and its remedy; None if all are valid.
 
-    Parameters
-    ----------
-    values : ndarray, shape (n,)
-        Finite.
+    - values: finite, (n,)
     """
     bad = np.flatnonzero((values < -ROUNDING) | (values > 1.0 + ROUNDING))
     if not bad.size:
@@ -85,10 +73,7 @@ def outside_coherence(values: NDArray[Any]) -> tuple[int, str, str] | None:
 def check_coherence(values: NDArray[Any], where: str) -> None:
     """Refuse a coherence outside 0 to 1.
 
-    Raises
-    ------
-    MeasurementError
-        With the number of the first wrong value.
+    Raises MeasurementError with the number of the first wrong value.
     """
     fault = outside_coherence(values)
     if fault is not None:

@@ -24,17 +24,11 @@ def is_clock(text: str) -> bool:
 def seconds_of(texts: Iterable[str]) -> tuple[Array, int | None]:
     """Return times since the first one.
 
-    Parameters
-    ----------
-    texts : iterable of str
-        Such as ``2024-05-03 10:00:00.005`` or ``10:00:00.005``; a time of day may pass midnight.
+    - texts: such as ``2024-05-03 10:00:00.005`` or ``10:00:00.005``; a time of day may pass midnight
 
-    Returns
-    -------
-    seconds : ndarray, shape (n,)
-        [s].
-    bad : int or None
-        Index of the first text that is no time.
+    Returns, in this order:
+    - seconds: (n,) [s]
+    - bad: index of the first text that is no time
     """
     moments = array("q")
     for i, text in enumerate(texts):

@@ -53,20 +53,12 @@ class Axis:
 class Header:
     """The header of a dataset 58.
 
-    Attributes
-    ----------
-    function : int
-        Type of the function.
-    response, reference : tuple of int
-        Node and direction.
-    complex, double, even : bool
-        Of the values, their precision, and the spacing of the abscissa.
-    count : int
-        Number of points.
-    start, step : float
-        Of an even abscissa.
-    abscissa, ordinate, denominator : Axis
-        Their quantities and units.
+    - function: type of the function
+    - response, reference: node and direction
+    - complex, double, even: of the values, their precision, and the spacing of the abscissa
+    - count: number of points
+    - start, step: of an even abscissa
+    - abscissa, ordinate, denominator: their quantities and units
     """
 
     function: int
@@ -86,17 +78,10 @@ class Header:
 def read_header(scanner: Scanner, lines: int = LINES) -> Header:
     """Read the header of a dataset 58.
 
-    Parameters
-    ----------
-    scanner : Scanner
-        At the line after the number of the dataset.
-    lines : int
-        Number that the dataset declares.
+    - scanner: at the line after the number of the dataset
+    - lines: number that the dataset declares
 
-    Raises
-    ------
-    MeasurementError
-        If a required field is missing or wrong.
+    Raises MeasurementError if a required field is missing or wrong.
     """
     if not LINES <= lines <= 100:
         scanner.refuse(f"expected {LINES} header lines, found {lines} declared")
@@ -180,10 +165,7 @@ class Stored:
     def read(self, part: str) -> Array | Complex:
         """Return the field `part` of all points in double precision.
 
-        Raises
-        ------
-        MeasurementError
-            If the file has changed.
+        Raises MeasurementError if the file has changed.
         """
         values: Array | Complex = np.empty(self.count)
         if self.dtype[part].kind == "c":
@@ -197,10 +179,7 @@ class Stored:
     def chunks(self, part: str) -> Iterator[NDArray[Any]]:
         """Yield the field `part` of chunks of points, in the precision of the file.
 
-        Raises
-        ------
-        MeasurementError
-            If the file has changed.
+        Raises MeasurementError if the file has changed.
         """
         for first in range(0, self.count, CHUNK):
             count, offset = min(CHUNK, self.count - first), self.offset + first * self.dtype.itemsize
@@ -219,16 +198,10 @@ class Stored:
 class Points:
     """The header of a dataset 58 and its data, in memory or in the file.
 
-    Attributes
-    ----------
-    header : Header
-        Describes the data.
-    where : str
-        The dataset, for messages.
-    abscissa : ndarray or None
-        None for an even abscissa.
-    values : ndarray or Stored
-        float64 or complex128.
+    - header: describes the data
+    - where: the dataset, for messages
+    - abscissa: None for an even abscissa
+    - values: float64 or complex128
     """
 
     header: Header
@@ -239,10 +212,7 @@ class Points:
     def check_finite(self, inside: slice) -> None:
         """Refuse non-finite values in a range of points.
 
-        Raises
-        ------
-        MeasurementError
-            With the number of the first one.
+        Raises MeasurementError with the number of the first one.
         """
         chunks = self.values.chunks("y") if isinstance(self.values, Stored) else [self.values]
         start = 0
@@ -256,19 +226,11 @@ class Points:
 def read_points(scanner: Scanner, binary: Binary | None, path: Path) -> Points:
     """Read a dataset 58 to its end, and check its structure and abscissa.
 
-    Parameters
-    ----------
-    scanner : Scanner
-        At the line after the number of the dataset.
-    binary : Binary, optional
-        Storage of its data, if not as text.
-    path : path
-        The file.
+    - scanner: at the line after the number of the dataset
+    - binary: storage of its data, if not as text
+    - path: the file
 
-    Raises
-    ------
-    MeasurementError
-        If it does not match what it declares.
+    Raises MeasurementError if it does not match what it declares.
     """
     if binary is None:
         return _from_text(scanner)

@@ -35,27 +35,16 @@ class FunctionKind(enum.StrEnum):
 class Function:
     """A measured function of time or frequency, in the numbers and units of its file.
 
-    Attributes
-    ----------
-    kind : FunctionKind
-        Kind of function.
-    response : str
-        Name of the sensor: of the column, or of the degree of freedom of a universal file, such as ``12:+X``; ``12``
-        without a direction.
-    reference : str
-        Name of the excitation, likewise; empty where there is none, or it has no name.
-    abscissa : ndarray, shape (n,)
-        Strictly ascending: time [s], or frequency [Hz].
-    values : ndarray, shape (n,)
-        complex128 for a frequency response, float64 otherwise.
-    unit : str or None
-        Of the values, of a frequency response that of its numerator; None where the file does not say.
-    reference_unit : str or None
-        Of the denominator of a frequency response; None where the file does not say.
-    force : bool
-        Whether this is the excitation, in time.
-    assumed : bool
-        Whether the file states the kind of its values but no unit: ``unit`` is then that of SI.
+    - kind: kind of function
+    - response: name of the sensor: of the column, or of the degree of freedom of a universal file, such as ``12:+X``;
+      ``12`` without a direction
+    - reference: name of the excitation, likewise; empty where there is none, or it has no name
+    - abscissa: strictly ascending, (n,): time [s], or frequency [Hz]
+    - values: complex128 for a frequency response, float64 otherwise, (n,)
+    - unit: of the values, of a frequency response that of its numerator; None where the file does not say
+    - reference_unit: of the denominator of a frequency response; None where the file does not say
+    - force: whether this is the excitation, in time
+    - assumed: whether the file states the kind of its values but no unit: ``unit`` is then that of SI
     """
 
     kind: FunctionKind
@@ -75,10 +64,7 @@ class StoredFunction(Function):
 
     A file of single precision would otherwise need twice its size in memory.
 
-    Attributes
-    ----------
-    load : callable
-        Reads the values.  Raises `MeasurementError` if the file has changed.
+    - load: reads the values.  Raises `MeasurementError` if the file has changed.
     """
 
     load: Callable[[], Array | Complex] = field(kw_only=True)
@@ -98,12 +84,8 @@ def computed(
 ) -> Function:
     """Return a function whose values are computed from those of another, at each access.
 
-    Parameters
-    ----------
-    of : callable
-        Computes the values from those of `function`.
-    units : sequence of str or None, optional
-        Its unit and that of its denominator, if they differ.
+    - of: computes the values from those of `function`
+    - units: its unit and that of its denominator, if they differ
     """
     unit, reference_unit = units or (function.unit, function.reference_unit)
     return StoredFunction(
@@ -123,14 +105,9 @@ def computed(
 class ModeShape:
     """An identified mode.
 
-    Attributes
-    ----------
-    frequency : float
-        Undamped natural frequency [Hz].
-    damping : float or None
-        Ratio of critical damping; None where the file does not say.
-    shape : dict of str to complex
-        Components by degree of freedom, ``12:+X`` or ``12:+RX``.
+    - frequency: undamped natural frequency [Hz]
+    - damping: ratio of critical damping; None where the file does not say
+    - shape: components by degree of freedom, ``12:+X`` or ``12:+RX``
     """
 
     frequency: float
@@ -142,20 +119,12 @@ class ModeShape:
 class SignalFile:
     """The content of a file.
 
-    Attributes
-    ----------
-    source : str
-        The file, for messages.
-    functions : tuple of Function
-        In the order of the file.
-    modes : tuple of ModeShape
-        In the order of the file.
-    messages : tuple of str
-        What the user must know of a readable file: lost samples that it states, parts that were skipped.
-    stated : mapping of str to str
-        Statements in comments of a table: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``.
-    skipped : tuple of str
-        Reasons why functions of the file are not included.
+    - source: the file, for messages
+    - functions: in the order of the file
+    - modes: in the order of the file
+    - messages: what the user must know of a readable file: lost samples that it states, parts that were skipped
+    - stated: statements in comments of a table: ``quantity``, ``drives``, and ``unit OUTPUT/INPUT``
+    - skipped: reasons why functions of the file are not included
     """
 
     source: str
@@ -170,22 +139,13 @@ class SignalFile:
 class SignalRequest:
     """A request for the content of a file.
 
-    Attributes
-    ----------
-    rate : float, optional
-        Sampling rate [Hz] of signals without a column of times.
-    sensors : frozenset of str, optional
-        Names of the sensors whose functions are requested; all by default.  Forces in time are always read.
-    columns : tuple of str
-        Names of the columns of a table, instead of its header; it may have none.
-    band : tuple of float, optional
-        Frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none.
-    member : str
-        Record in a file that holds several; "" for the only one.
-    names : mapping of str to str
-        Names in the file of ``time``, ``frequency``, ``force`` and sensors, by these names.
-    force : bool
-        Whether signals in time need a force.
+    - rate: sampling rate [Hz] of signals without a column of times
+    - sensors: names of the sensors whose functions are requested; all by default.  Forces in time are always read.
+    - columns: names of the columns of a table, instead of its header; it may have none
+    - band: frequencies [Hz] outside of which functions of frequency may have gaps, NaN; by default they may have none
+    - member: record in a file that holds several; "" for the only one
+    - names: names in the file of ``time``, ``frequency``, ``force`` and sensors, by these names
+    - force: whether signals in time need a force
     """
 
     rate: float | None = None
@@ -206,17 +166,9 @@ class SignalRequest:
         They follow `names`; otherwise a name that differs from a sensor's or ``force`` only in case is taken for it,
         if there is just one.
 
-        Parameters
-        ----------
-        names_in_file : collection of str
-            Names in the file.
-        where : str
-            For messages.
+        - where: for messages
 
-        Raises
-        ------
-        MeasurementError
-            If the file lacks a name that `names` gives, other than of a sensor.
+        Raises MeasurementError if the file lacks a name that `names` gives, other than of a sensor.
         """
         own_names: dict[str, str] = {}
         for name, theirs in self.names.items():

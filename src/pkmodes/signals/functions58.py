@@ -47,10 +47,7 @@ class Abscissas:
     def of(self, points: Points, factor: float) -> Array:
         """Return the abscissa of a dataset, times a factor.
 
-        Raises
-        ------
-        MeasurementError
-            If an even one does not ascend, since its start is too large for its step.
+        Raises MeasurementError if an even one does not ascend, since its start is too large for its step.
         """
         if points.abscissa is not None:
             return points.abscissa * factor
@@ -87,26 +84,13 @@ def function_of(
 ) -> Function | str | None:
     """Return the function in a dataset 58.
 
-    Parameters
-    ----------
-    points : Points
-        The dataset.
-    units : FileUnits
-        Of the file.
-    abscissas : Abscissas
-        Of the functions before it; one is added.
-    request : SignalRequest
-        The request for the file.
+    - points: the dataset
+    - units: of the file
+    - abscissas: of the functions before it; one is added
+    - request: the request for the file
 
-    Returns
-    -------
-    Function, str or None
-        The function, None if its sensor is not requested, or why it is skipped.
-
-    Raises
-    ------
-    MeasurementError
-        If it does not satisfy the requirements of its type.
+    Returns the function, None if its sensor is not requested, or why it is skipped.
+    Raises MeasurementError if it does not satisfy the requirements of its type.
     """
     header = points.header
     kind = KINDS.get(header.function)

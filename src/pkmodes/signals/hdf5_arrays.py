@@ -41,10 +41,7 @@ PARTS, NO_NUMBERS = ("real", "imag"), ("char", "cell", "logical", "variable of a
 def hdf5_variables(path: Path, source: str) -> Iterator[Sequence[FileVariable]]:
     """Open a file and return its variables, whose values can be read while it is open.
 
-    Raises
-    ------
-    MeasurementError
-        If h5py is not installed, or the file is damaged.
+    Raises MeasurementError if h5py is not installed, or the file is damaged.
     """
     try:
         import h5py
@@ -67,12 +64,8 @@ def _address(item: Any) -> int:
 def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterator[FileVariable]:
     """Yield the arrays of a group; those of a struct, which is a group in it, under the names of its fields.
 
-    Parameters
-    ----------
-    limit : int
-        Most bytes of a part of an array.
-    visited : set of int
-        Addresses of the groups already visited; extended here.
+    - limit: most bytes of a part of an array
+    - visited: addresses of the groups already visited; extended here
     """
     from h5py import Dataset, Group
 
@@ -98,10 +91,7 @@ def _variables(group: Any, prefix: str, limit: int, visited: set[int]) -> Iterat
 def _followed(group: Any, name: str, remaining_links: list[int]) -> Any:
     """Return the target of a link; None if it has none, or leads to another file.
 
-    Parameters
-    ----------
-    remaining_links : list of int
-        Number of links that may still be followed.
+    - remaining_links: number of links that may still be followed
     """
     from h5py import Group, HardLink, SoftLink
 

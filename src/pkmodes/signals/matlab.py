@@ -26,10 +26,8 @@ WHAT = "MATLAB"
 def read_matlab(path: Path, request: SignalRequest) -> SignalFile:
     """Read a MATLAB file.
 
-    Raises
-    ------
-    MeasurementError
-        If it is damaged, its arrays do not belong together, or it is of version 7.3 and h5py is not installed.
+    Raises MeasurementError if it is damaged, its arrays do not belong together, or it is of version 7.3 and h5py is
+    not installed.
     """
     source = fspath(path)
     with path.open("rb") as file:

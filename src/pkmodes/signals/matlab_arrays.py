@@ -46,12 +46,8 @@ class DamagedError(ValueError):
 class _Stored:
     """Bytes of a file from an offset.
 
-    Parameters
-    ----------
-    file : binary file
-        Open for reading.
-    start, size : int
-        Where they are.
+    - file: open for reading
+    - start, size: where they are
     """
 
     def __init__(self, file: BinaryIO, start: int, size: int) -> None:
@@ -72,12 +68,8 @@ class _Stored:
 class _Unpacked:
     """What compressed bytes of a file unpack to, block by block.
 
-    Parameters
-    ----------
-    file : binary file
-        Open for reading.
-    start, size : int
-        Where the compressed bytes are.
+    - file: open for reading
+    - start, size: where the compressed bytes are
     """
 
     def __init__(self, file: BinaryIO, start: int, size: int) -> None:
@@ -120,10 +112,7 @@ class _Unpacked:
 class _Reading:
     """The state of reading a file: the bytes of one element at a time, as unpacked ones take memory.
 
-    Parameters
-    ----------
-    file : binary file
-        Open for reading.
+    - file: open for reading
     """
 
     def __init__(self, file: BinaryIO) -> None:
@@ -172,17 +161,10 @@ class _Tag(NamedTuple):
 def variables(file: BinaryIO, length: int) -> Iterator[FileVariable]:
     """Yield the variables of a MATLAB file.
 
-    Parameters
-    ----------
-    file : binary file
-        Open for reading.
-    length : int
-        Of the file [bytes].
+    - file: open for reading
+    - length: of the file [bytes]
 
-    Raises
-    ------
-    DamagedError
-        If its structure is not that of such a file.
+    Raises DamagedError if its structure is not that of such a file.
     """
     file.seek(0)
     mark = file.read(HEADER)[HEADER - 2 :]
@@ -208,10 +190,7 @@ def _variables(
 ) -> Iterator[FileVariable]:
     """Yield a variable from its parts between two places, or the fields of a struct.
 
-    Parameters
-    ----------
-    name_in : str
-        Of a field in a struct, whose parts have none.
+    - name_in: of a field in a struct, whose parts have none
     """
     parts = []
     for _ in range(3):
@@ -286,10 +265,7 @@ def _values(
 ) -> NDArray[Any]:
     """Return the values of a vector, in the type in which they are stored.
 
-    Parameters
-    ----------
-    whole : bool
-        Whether it is all of its element.
+    - whole: whether it is all of its element
     """
     last = _tag(element, at, order, end)
     values = _numbers(element, last, order, count, name)

@@ -39,20 +39,10 @@ class Pole(NamedTuple):
 def read_55(scanner: Scanner) -> ModeShape | str:
     """Read a dataset 55 to its end.
 
-    Parameters
-    ----------
-    scanner : Scanner
-        At the line after the number of the dataset.
+    - scanner: at the line after the number of the dataset
 
-    Returns
-    -------
-    ModeShape or str
-        The mode, or why the dataset is none.
-
-    Raises
-    ------
-    MeasurementError
-        If it does not match what it declares.
+    Returns the mode, or why the dataset is none.
+    Raises MeasurementError if it does not match what it declares.
     """
     for number in range(1, 6):
         scanner.line(f"line {number} of the header")

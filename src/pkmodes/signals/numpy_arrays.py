@@ -35,10 +35,7 @@ LARGEST = 2_000_000_000
 def read_numpy(path: Path, request: SignalRequest) -> SignalFile:
     """Read a file of NumPy.
 
-    Raises
-    ------
-    MeasurementError
-        If it is damaged, has objects, or its arrays do not belong together.
+    Raises MeasurementError if it is damaged, has objects, or its arrays do not belong together.
     """
     source = fspath(path)
     with path.open("rb") as file:

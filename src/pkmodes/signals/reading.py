@@ -48,23 +48,11 @@ def format_of(path: Path, head: bytes) -> Format[Reader] | None:
 def read_signals(path: str | PathLike[str], request: SignalRequest = EVERYTHING) -> SignalFile:
     """Read the measured signals or identified modes in a file.
 
-    Parameters
-    ----------
-    path : path-like
-        A universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one of
-        several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``.
-    request : SignalRequest
-        The request for its content; everything by default.
+    - path: a universal file with datasets 58, 58b, 55 or 2414; a MATLAB, NumPy or WAV file; a table in text; or one
+      of several records in a file of Shake&Tune, an archive or an array, ``belts.zip/raw_data_a.csv``
+    - request: the request for its content; everything by default
 
-    Returns
-    -------
-    SignalFile
-        Its functions and modes.
-
-    Raises
-    ------
-    MeasurementError
-        If the file cannot be read, is incomplete or invalid, with the place in it.
+    Raises MeasurementError if the file cannot be read, is incomplete or invalid, with the place in it.
     """
     place, member = _within(Path(path))
     source = fspath(place)

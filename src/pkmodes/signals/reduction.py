@@ -28,30 +28,18 @@ BLOCK = 4096
 def reduction(samples: int, step: float, highest: float) -> int:
     """Return how many samples of a record become one: 1 for a record that is left as it is.
 
-    Parameters
-    ----------
-    samples : int
-        Of the record.
-    step : float
-        Between its samples [s].
-    highest : float
-        Highest frequency of interest [Hz].
+    - samples: of the record
+    - step: between its samples [s]
+    - highest: highest frequency of interest [Hz]
     """
     return max(1, int(1.0 / (step * RATE * highest))) if samples > LONG else 1
 
 
 def reduced(signal: Array, factor: int) -> Array:
-    """Return every n-th sample of a filtered signal, without a shift in time.
+    """Return every n-th sample of a filtered signal, without a shift in time, (ceil(N / factor),).
 
-    Parameters
-    ----------
-    signal : ndarray, shape (N,)
-    factor : int
-        From `reduction`; 1 returns the signal itself.
-
-    Returns
-    -------
-    ndarray, shape (ceil(N / factor),)
+    - signal: (N,)
+    - factor: from `reduction`; 1 returns the signal itself
     """
     if factor == 1:
         return signal

@@ -46,14 +46,9 @@ PART = 100_000
 class Piece:
     """An evenly sampled part of a record.
 
-    Attributes
-    ----------
-    part : slice
-        Its samples.
-    step : float
-        Mean interval of sampling [s].
-    numbers : ndarray of int, shape (n,), optional
-        Number of each sample in even steps, if some are missing between them.
+    - part: its samples
+    - step: mean interval of sampling [s]
+    - numbers: number of each sample in even steps, (n,), if some are missing between them
     """
 
     part: slice
@@ -93,26 +88,16 @@ class Piece:
 def even_pieces(time: Array, where: str, bridged: float = 0.0) -> tuple[tuple[Piece, ...], tuple[str, ...]]:
     """Split a record at its gaps.
 
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Strictly ascending [s].
-    where : str
-        The record, for messages.
-    bridged : float
-        Longest gap, of whole missing samples, that does not split the record [s].
+    - time: strictly ascending, (n,) [s]
+    - where: the record, for messages
+    - bridged: longest gap, of whole missing samples, that does not split the record [s]
 
-    Returns
-    -------
-    pieces : tuple of Piece
-        In time order; single samples between two gaps are left out.
-    messages : tuple of str
-        About the gaps.
+    Returns, in this order:
+    - pieces: in time order; single samples between two gaps are left out
+    - messages: about the gaps
 
-    Raises
-    ------
-    MeasurementError
-        If there are fewer than two samples, the sampling is uneven throughout, or too many samples are missing.
+    Raises MeasurementError if there are fewer than two samples, the sampling is uneven throughout, or too many
+    samples are missing.
     """
     if time.size < FEWEST:
         raise MeasurementError(
@@ -163,21 +148,13 @@ def stated_pieces(time: Array, rate: float, where: str) -> tuple[tuple[Piece, ..
 
     From there on, all times are later.
 
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        Strictly ascending [s].
-    rate : float
-        Of sampling [Hz].
-    where : str
-        The record, for messages.
+    - time: strictly ascending, (n,) [s]
+    - rate: of sampling [Hz]
+    - where: the record, for messages
 
-    Returns
-    -------
-    pieces : tuple of Piece
-        In time order.
-    messages : tuple of str
-        About the gaps.
+    Returns, in this order:
+    - pieces: in time order
+    - messages: about the gaps
     """
     number = np.arange(time.size)
     slope, start = np.polyfit(number, time, 1)
@@ -243,10 +220,7 @@ def as_sampled(time: Array) -> Array:
 
     Times printed with few digits differ from even ones by up to half the last digit, and may repeat.
 
-    Parameters
-    ----------
-    time : ndarray, shape (n,)
-        [s].
+    - time: (n,) [s]
     """
     if time.size <= FEWEST:
         return time

@@ -59,14 +59,9 @@ class Dataset:
 class Scanner:
     """A universal file that is read from its beginning to its end.
 
-    Parameters
-    ----------
-    file : binary file
-        Open for reading.
-    size : int
-        Of the file [bytes].
-    source : str
-        The file, for messages.
+    - file: open for reading
+    - size: of the file [bytes]
+    - source: the file, for messages
     """
 
     def __init__(self, file: BinaryIO, size: int, source: str) -> None:
@@ -97,10 +92,7 @@ class Scanner:
     def line(self, expected: str) -> bytes:
         """Return the next line with its line end.
 
-        Raises
-        ------
-        MeasurementError
-            If there is none.
+        Raises MeasurementError if there is none.
         """
         line = self._next_line()
         if line is None:
@@ -186,10 +178,7 @@ def begins_with_a_dataset(head: bytes) -> bool:
 def numbers_in(text: bytes) -> Array | None:
     """Return the numbers in a text, NaN for missing values; None if it contains anything else.
 
-    Parameters
-    ----------
-    text : bytes
-        Numbers, separated by blanks or in adjacent columns.
+    - text: numbers, separated by blanks or in adjacent columns
     """
     gaps = bool(text.translate(None, NUMERALS))
     if gaps:
@@ -215,21 +204,12 @@ def numbers_in(text: bytes) -> Array | None:
 def read_numbers(scanner: Scanner, count: int) -> Array:
     """Read numbers, and the line that closes their dataset.
 
-    Parameters
-    ----------
-    scanner : Scanner
-        At the first line of the numbers.
-    count : int
-        Number that the dataset declares.
+    - scanner: at the first line of the numbers
+    - count: number that the dataset declares
 
-    Returns
-    -------
-    ndarray, shape (count,)
-
-    Raises
-    ------
-    MeasurementError
-        If there are more or fewer, or anything else is between them, or the dataset is not closed.
+    Returns (count,).
+    Raises MeasurementError if there are more or fewer, or anything else is between them, or the dataset is not
+    closed.
     """
     # Checked before allocating memory: a damaged header may declare any number.
     if 2 * count > scanner.remaining:

@@ -63,10 +63,7 @@ Numbers = NDArray[Any]
 def read_table(path: Path, request: SignalRequest) -> SignalFile:
     """Read a table.
 
-    Raises
-    ------
-    MeasurementError
-        If it has no header, or its columns cannot be read, with line and column.
+    Raises MeasurementError if it has no header, or its columns cannot be read, with line and column.
     """
     source = fspath(path)
     if path.stat().st_size > LARGEST_FILE:

@@ -37,14 +37,9 @@ DECIBELS = "db"
 class FunctionColumn:
     """A function in a table.
 
-    Attributes
-    ----------
-    places : tuple of int
-        Of its one or two columns.
-    labels : tuple of str
-        Of their units.
-    polar : bool
-        Whether the two are magnitude and phase.
+    - places: of its one or two columns
+    - labels: of their units
+    - polar: whether the two are magnitude and phase
     """
 
     kind: FunctionKind
@@ -81,21 +76,13 @@ def layout_of(
 ) -> TableLayout:
     """Return the layout of a table's columns.
 
-    Parameters
-    ----------
-    cells : sequence of str
-        Of the header, with units.
-    where : str
-        The line of the header, for messages.
-    request : SignalRequest
-        The request for the file.
-    rated : bool
-        Whether the file states a rate, which stands in for times.
+    - cells: of the header, with units
+    - where: the line of the header, for messages
+    - request: the request for the file
+    - rated: whether the file states a rate, which stands in for times
 
-    Raises
-    ------
-    MeasurementError
-        If there is no time or frequency, or more than one; if a requested column is repeated or lacks its other part.
+    Raises MeasurementError if there is no time or frequency, or more than one; if a requested column is repeated or
+    lacks its other part.
     """
     heads = _own_heads([_head(cell, request) for cell in cells], where, request)
     times = _named(heads, (TIME,), seconds_in)

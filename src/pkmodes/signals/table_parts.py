@@ -28,12 +28,8 @@ def parts_of(text: bytes, start: int = 0) -> Iterator[tuple[int, int]]:
 def in_parts(text: bytes, change: Callable[[bytes], bytes], start: int = 0, before: bytes = b"") -> bytes:
     """Return a text from an offset, changed part by part, as replacing a pattern takes many times its memory.
 
-    Parameters
-    ----------
-    change : callable
-        Of a part, which has whole lines.
-    before : bytes
-        Text put before it.
+    - change: of a part, which has whole lines
+    - before: text put before it
     """
     return b"".join([before, *(change(text[low:high]) for low, high in parts_of(text, start))])
 
@@ -41,10 +37,7 @@ def in_parts(text: bytes, change: Callable[[bytes], bytes], start: int = 0, befo
 def check_lines(text: bytes, source: str) -> None:
     """Refuse a text with a line that is longer than any row of numbers.
 
-    Raises
-    ------
-    MeasurementError
-        With the number of the line.
+    Raises MeasurementError with the number of the line.
     """
     for start, end in parts_of(text):
         if end - start > LONGEST_LINE:

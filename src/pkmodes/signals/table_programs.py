@@ -33,13 +33,8 @@ RATE = re.compile(rb"[0-9]+\.?[0-9]*|\.[0-9]+")
 class Framed:
     """A table without the text that a program wrote around it.
 
-    Attributes
-    ----------
-    content : bytes
-    rate : float, optional
-        Sampling rate that the file states [Hz].
-    losses : tuple of str
-        Its statements on lost samples.
+    - rate: sampling rate that the file states [Hz]
+    - losses: its statements on lost samples
     """
 
     content: bytes
@@ -109,10 +104,7 @@ PROGRAMS: tuple[Callable[[bytes, str], Framed | None], ...] = (_labview, _reprap
 def framed(content: bytes, source: str) -> Framed:
     """Return a table without the text that the program wrote around it.
 
-    Raises
-    ------
-    MeasurementError
-        If the program is known, but its file is not a single table.
+    Raises MeasurementError if the program is known, but its file is not a single table.
     """
     frames = (program(content, source) for program in PROGRAMS)
     return next((frame for frame in frames if frame is not None), Framed(content))

@@ -70,10 +70,7 @@ def rates_in(comments: Iterable[str]) -> list[tuple[float, str]]:
 def stated_rate(comments: Iterable[str], source: str) -> tuple[float | None, list[str]]:
     """Return the sampling rate [Hz] stated in comments, None if there is none, and messages about it.
 
-    Raises
-    ------
-    MeasurementError
-        If they contradict each other.
+    Raises MeasurementError if they contradict each other.
     """
     rates = rates_in(comments)
     if not rates:
@@ -102,10 +99,7 @@ def counter_in(names: Sequence[str], taken: Sequence[int]) -> int | None:
 def counted(numbers: Array) -> Array | None:
     """Return the position of each sample after the first, from its number; None if the numbers are something else.
 
-    Parameters
-    ----------
-    numbers : ndarray, shape (n,)
-        Of samples, ascending; some may be missing.
+    - numbers: of samples, ascending, (n,); some may be missing
     """
     steps = np.diff(numbers)
     usual = float(np.median(steps)) if steps.size else 0.0

@@ -23,10 +23,7 @@ def without_ends(
 ) -> tuple[tuple[str, ...], bytes]:
     """Return the names and the rows of a table without separators after the last cell.
 
-    Parameters
-    ----------
-    count : int
-        Of the columns, 0 if only the names and the rows show it.
+    - count: of the columns, 0 if only the names and the rows show it
     """
     rows = [text_of(line).split(separator) for line in islice(io.BytesIO(body), FIRST) if is_row(line)]
     width = count or max((len(row) for row in rows), default=len(names))

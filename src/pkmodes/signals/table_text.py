@@ -45,22 +45,13 @@ BLANK_LINES = re.compile(rb"^[ \t\r]*\n", re.MULTILINE)
 class TableText:
     """The parts of a table.
 
-    Attributes
-    ----------
-    source : str
-        The file, for messages.
-    separator : str
-        Of its cells.
-    names : tuple of str
-        Cells of the header.
-    header_line : int
-        Number of its line.
-    head : bytes
-        The lines before the body.
-    body : bytes
-        The lines from `first_line` on.
-    first_line : int
-        Number of the first line of the body.
+    - source: the file, for messages
+    - separator: of its cells
+    - names: cells of the header
+    - header_line: number of its line
+    - head: the lines before the body
+    - body: the lines from `first_line` on
+    - first_line: number of the first line of the body
     """
 
     source: str
@@ -83,15 +74,9 @@ class TableText:
     def columns(self, places: Sequence[int]) -> list[NDArray[Any]]:
         """Read some columns.
 
-        Returns
-        -------
-        list of ndarray, shape (rows,)
-            In double precision, or in a smaller type that holds the same whole numbers.
-
-        Raises
-        ------
-        MeasurementError
-            If a cell is not a finite number or a row has too few or too many cells, with line and column.
+        Returns arrays, each (rows,), in double precision, or in a smaller type that holds the same whole numbers.
+        Raises MeasurementError if a cell is not a finite number or a row has too few or too many cells, with line and
+        column.
         """
         columns: list[list[NDArray[Any]]] = [[] for _ in places]
         for start, end in parts_of(self.body):
@@ -146,10 +131,7 @@ class TableText:
     ) -> TableText:
         """Return the table without the rows that lack a requested value and do not count.
 
-        Parameters
-        ----------
-        counts : callable
-            Whether a row counts, by the number in the column `abscissa`.
+        - counts: whether a row counts, by the number in the column `abscissa`
         """
 
         def without(part: bytes) -> bytes:
@@ -228,9 +210,7 @@ class TableText:
 def check_text(content: bytes, source: str) -> None:
     """Refuse what is not text.
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     if content.startswith(WORKBOOKS):
         remedy = "open it in a spreadsheet program and save it as CSV UTF-8"
@@ -243,15 +223,9 @@ def check_text(content: bytes, source: str) -> None:
 def split_table(content: bytes, source: str, columns: Sequence[str] = ()) -> TableText:
     """Find the header of a table: the first line that is not a comment, or a comment right above the numbers.
 
-    Parameters
-    ----------
-    columns : sequence of str
-        Names of the columns, if not those of the header, or there is none.
+    - columns: names of the columns, if not those of the header, or there is none
 
-    Raises
-    ------
-    MeasurementError
-        If the content is not text, or has no header.
+    Raises MeasurementError if the content is not text, or has no header.
     """
     check_text(content, source)
     content = content.removeprefix(b"\xef\xbb\xbf")

@@ -37,10 +37,7 @@ class Entry(NamedTuple):
 def tar_files(path: Path) -> Iterator[Entry]:
     """Yield the regular files of an archive.
 
-    Raises
-    ------
-    tarfile.TarError, OSError, EOFError, zlib.error
-        If it is damaged, or no archive.
+    Raises tarfile.TarError, OSError, EOFError or zlib.error if it is damaged, or no archive.
     """
     with path.open("rb") as file:
         head = file.read(4)
@@ -79,10 +76,7 @@ def tar_files(path: Path) -> Iterator[Entry]:
 def _head(block: bytes) -> tarfile.TarInfo:
     """Parse a header.
 
-    Raises
-    ------
-    tarfile.ReadError
-        If it is not a header.
+    Raises tarfile.ReadError if it is not a header.
     """
     try:
         info = tarfile.TarInfo.frombuf(block, "utf-8", "surrogateescape")

@@ -48,10 +48,7 @@ OTHERS |= {2411: "nodes", 2412: "elements", 2420: "coordinate systems"}
 def read_universal(path: Path, request: SignalRequest) -> SignalFile:
     """Read a universal file.
 
-    Raises
-    ------
-    MeasurementError
-        If a dataset is damaged or incomplete.
+    Raises MeasurementError if a dataset is damaged or incomplete.
     """
     sensors = request.sensors
     if sensors is not None:
@@ -87,11 +84,9 @@ def _numbered(functions: Sequence[Function], sensors: Collection[str] | None) ->
 def _read(path: Path, request: SignalRequest, units: FileUnits) -> tuple[SignalFile, FileUnits | None]:
     """Read a universal file that is in these units until it states others.
 
-    Returns
-    -------
-    content : SignalFile
-    late : FileUnits or None
-        Units that it states only after functions, to which they also apply.
+    Returns, in this order:
+    - content
+    - late: units that it states only after functions, to which they also apply
     """
     source = fspath(path)
     functions: list[Function] = []

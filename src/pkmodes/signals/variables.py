@@ -29,18 +29,11 @@ REMEDY = "save time or frequency, or fs, and a vector for each sensor or a matri
 class FileVariable(NamedTuple):
     """A variable.
 
-    Attributes
-    ----------
-    description : str
-        For messages.
-    shape : tuple of int or None
-        Of an array of numbers.
-    load : callable
-        Returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
-    itemsize : int
-        Bytes of a loaded value.
-    again : callable, optional
-        For whole numbers: returns the values again after the file was closed.
+    - description: for messages
+    - shape: of an array of numbers
+    - load: returns the values of an array, columns one after the other, while the file is open.  Raises `ValueError`.
+    - itemsize: bytes of a loaded value
+    - again: for whole numbers: returns the values again after the file was closed
     """
 
     name: str
@@ -64,9 +57,7 @@ class FileVariable(NamedTuple):
 def no_numbers(name: str) -> NoReturn:
     """Raise the error of a variable that is not an array of numbers.
 
-    Raises
-    ------
-    ValueError
+    Raises ValueError.
     """
     raise ValueError(f"{name} is not an array of numbers")
 
@@ -74,10 +65,7 @@ def no_numbers(name: str) -> NoReturn:
 def at_most(variables: Iterable[FileVariable]) -> list[FileVariable]:
     """Return the variables of a file.
 
-    Raises
-    ------
-    ValueError
-        If there are more than any measurement has.
+    Raises ValueError if there are more than any measurement has.
     """
     kept = list(islice(variables, MOST_VARIABLES + 1))
     if len(kept) > MOST_VARIABLES:
@@ -88,10 +76,7 @@ def at_most(variables: Iterable[FileVariable]) -> list[FileVariable]:
 def loaded(load: Callable[[], T], source: str, file_kind: str) -> T:
     """Return the result of `load`, turning any failure into the error of an unreadable file.
 
-    Raises
-    ------
-    MeasurementError
-        If it cannot be read.
+    Raises MeasurementError if it cannot be read.
     """
     try:
         return load()

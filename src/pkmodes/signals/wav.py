@@ -45,10 +45,7 @@ class _Form(NamedTuple):
 def read_wav(path: Path, request: SignalRequest) -> SignalFile:
     """Read a sound file.
 
-    Raises
-    ------
-    MeasurementError
-        If it is damaged, compressed or incomplete.
+    Raises MeasurementError if it is damaged, compressed or incomplete.
     """
     source = fspath(path)
     with path.open("rb") as file:
@@ -97,10 +94,7 @@ def _parts_of_full_scale(stored: NDArray[Any]) -> Array:
 def _checked(file: BinaryIO, length: int, source: str) -> _Form:
     """Check all chunks of a file and return its number format.
 
-    Raises
-    ------
-    MeasurementError
-        If a chunk is longer than the file, or the numbers are in an unsupported format.
+    Raises MeasurementError if a chunk is longer than the file, or the numbers are in an unsupported format.
     """
     order = "<" if file.read(HEAD).startswith(RIFF[0]) else ">"
     form, data, at = None, list[int](), HEAD

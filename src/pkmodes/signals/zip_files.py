@@ -17,10 +17,7 @@ SIZE, SIZE_64, COMMENT = 22, 56 + 20, 1 << 16
 def opened_zip(path: Path) -> zipfile.ZipFile:
     """Open an archive.
 
-    Raises
-    ------
-    zipfile.BadZipFile
-        If it is no zip archive, or has very many files.
+    Raises zipfile.BadZipFile if it is no zip archive, or has very many files.
     """
     length = path.stat().st_size
     with path.open("rb") as file:

@@ -27,26 +27,14 @@ def ascending(
 ) -> Array:
     """Check the values along an axis; one number is an axis of one value.
 
-    Parameters
-    ----------
-    name : str
-        Of the axis, for messages.
-    where : str
-        Of the argument, for messages.
-    example : str
-        A remedy.
-    error : type
-        The error to raise.
-    strictly : bool
-        Whether they have to ascend; otherwise they only have to differ.
+    - name: of the axis, for messages
+    - where: of the argument, for messages
+    - example: a remedy
+    - error: the error to raise
+    - strictly: whether they have to ascend; otherwise they only have to differ
 
-    Returns
-    -------
-    ndarray, shape (N,)
-
-    Raises
-    ------
-    PkmodesError
+    Returns (N,).
+    Raises PkmodesError.
     """
     if isinstance(points, np.ndarray) and points.ndim == 0:
         points = points.item()
@@ -73,22 +61,11 @@ def ascending(
 def swept_values(sweep: Any, where: str) -> dict[str, Array]:
     """Check the values of swept parameters, which only have to differ.
 
-    Parameters
-    ----------
-    sweep : mapping of str to array_like
-        Values in SI units by path; one number is a single value.
-    where : str
-        Of the argument, for messages.
+    - sweep: values in SI units by path; one number is a single value
+    - where: of the argument, for messages
 
-    Returns
-    -------
-    dict of str to ndarray
-        In the order given.
-
-    Raises
-    ------
-    PkmodesError
-        If it is none.  Whether there is such a parameter is left to `pkmodes.Robot.with_values`.
+    Returns them in the order given.
+    Raises PkmodesError if it is none.  Whether there is such a parameter is left to `pkmodes.Robot.with_values`.
     """
     check_argument(sweep, VALUES_BY_PATH, where, EXAMPLE)
     return {

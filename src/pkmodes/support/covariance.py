@@ -91,10 +91,7 @@ def _sigmas(table: Covariance, value_sigmas: Mapping[str, float]) -> list[float]
 def joined_covariance(tables: Sequence[Covariance], value_sigmas: Mapping[str, float]) -> Covariance:
     """Return one table of the values of several, which stay independent of each other.
 
-    Parameters
-    ----------
-    value_sigmas : mapping of str to float
-        Standard deviations of the values themselves, by path, for tables that have none of their own.
+    - value_sigmas: standard deviations of the values themselves, by path, for tables that have none of their own
     """
     if len(tables) == 1:
         return tables[0]

@@ -38,12 +38,8 @@ class Document(Struct, frozen=True):
     def of(cls, source: object, **overrides: Any) -> Self:
         """Fill the fields from the attributes of a result with the same names.
 
-        Parameters
-        ----------
-        source : object
-            The result.
-        **overrides : Any
-            The fields that differ from its attributes.
+        - source: the result
+        - **overrides: the fields that differ from its attributes
         """
         names = [name for name in cls.__struct_fields__ if name not in overrides]
         return cls(**{name: getattr(source, name) for name in names}, **overrides)

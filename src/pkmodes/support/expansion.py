@@ -23,20 +23,12 @@ ROUNDING = float(np.finfo(float).eps)
 def modal_expansion(change: Array, norm: Array, eigenvalues: Array, shapes: Array) -> Array:
     """Return the coefficients of all shapes j in the derivative of each shape i.
 
-    Parameters
-    ----------
-    change : ndarray, shape (N, T, m, n)
-        z_i at N poses along T parameters.
-    norm : ndarray, shape (N, T, m)
-        phi_i^T dM phi_i.
-    eigenvalues : ndarray, shape (N, m)
-    shapes : ndarray, shape (N, m, n)
-        Mass-normalised.
+    - change: z_i at N poses along T parameters, (N, T, m, n)
+    - norm: phi_i^T dM phi_i, (N, T, m)
+    - eigenvalues: (N, m)
+    - shapes: mass-normalised, (N, m, n)
 
-    Returns
-    -------
-    ndarray, shape (N, T, m, m)
-        With axes i and j.
+    Returns (N, T, m, m), with axes i and j.
     """
     gap = eigenvalues[:, :, None] - eigenvalues[:, None, :]
     least = SMALLEST_GAP * np.maximum(np.abs(eigenvalues[:, :, None]), np.abs(eigenvalues[:, None, :]))

@@ -10,19 +10,11 @@ from pkmodes.core.base.errors import MissingExtraError
 def require(features: str, extra: str, *libraries: str) -> None:
     """Check, before anything is computed, that libraries are installed.
 
-    Parameters
-    ----------
-    features : str
-        What needs them, in the plural.
-    extra : str
-        The extra that brings them.
-    *libraries : str
-        Names to import.
+    - features: what needs them, in the plural
+    - extra: the extra that brings them
+    - *libraries: names to import
 
-    Raises
-    ------
-    MissingExtraError
-        If one is not installed.
+    Raises MissingExtraError if one is not installed.
     """
     for library in libraries:
         if find_spec(library) is None:

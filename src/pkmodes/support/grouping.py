@@ -13,12 +13,8 @@ def grouped(
 ) -> list[list[T]]:
     """Return groups in the order of their first members: each element joins the first group with a member like it.
 
-    Parameters
-    ----------
-    alike : callable
-        Whether a member of a group and a further element are alike.
-    compared : int, optional
-        Number of members of each group that are compared, the first ones; by default all.
+    - alike: whether a member of a group and a further element are alike
+    - compared: number of members of each group that are compared, the first ones; by default all
     """
     groups: list[list[T]] = []
     for element in elements:

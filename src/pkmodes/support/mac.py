@@ -26,11 +26,9 @@ def normalised(shapes: Array) -> Array:
 def channel_weights(model: Array, moves: Array) -> Array:
     """Return the factors by which shapes are in units of each channel's motion, (..., 1, C).
 
-    Parameters
-    ----------
-    model : ndarray, shape (..., m, C)
-    moves : ndarray, shape (..., C)
-        See `channel_motion`; for channels that do not move in the reference, this model's motion is used.
+    - model: (..., m, C)
+    - moves: see `channel_motion`, (..., C); for channels that do not move in the reference, this model's motion is
+      used
     """
     if not (moves > 0.0).all():
         moves = np.where(moves > 0.0, moves, channel_motion(model))
@@ -40,15 +38,10 @@ def channel_weights(model: Array, moves: Array) -> Array:
 def mac(shapes: Array, model: Array, measured: NDArray[np.bool_]) -> Array:
     """Return the MAC of each shape with each mode, at the measured components; NaN if there are fewer than two.
 
-    Parameters
-    ----------
-    shapes, model : ndarray, shape (..., r, C) and (..., m, C)
-        Times `channel_weights`.
-    measured : ndarray of bool, shape (..., r, C)
+    - shapes, model: times `channel_weights`, (..., r, C) and (..., m, C)
+    - measured: (..., r, C)
 
-    Returns
-    -------
-    ndarray, shape (..., r, m)
+    Returns (..., r, m).
     """
     lengths = (shapes**2).sum(axis=-1)
     sizes = measured.astype(float) @ np.swapaxes(model**2, -1, -2)
@@ -65,12 +58,8 @@ def explained_difference(shapes: Array, errors: Array, sigmas: float) -> Array:
     To second order this is the square of the errors perpendicular to the shape, a quadratic form with known mean and
     standard deviation; errors along the shape change its scale only.
 
-    Parameters
-    ----------
-    shapes, errors : ndarray, shape (..., C)
-        Times `channel_weights`; independent standard deviations, zero where not measured.
-    sigmas : float
-        The result is the mean plus this many standard deviations.
+    - shapes, errors: times `channel_weights`, (..., C); independent standard deviations, zero where not measured
+    - sigmas: the result is the mean plus this many standard deviations
     """
     squares = shapes**2
     lengths = squares.sum(axis=-1)
@@ -87,13 +76,9 @@ def subspace_mac(
 ) -> Array:
     """Return the MAC of each shape with a subspace of modes, (B,); NaN if these would span any shape.
 
-    Parameters
-    ----------
-    shapes, model : ndarray, shape (B, C) and (B, m, C)
-        Times `channel_weights`.
-    members : ndarray of bool, shape (B, m)
-        Modes that span the subspace.
-    measured : ndarray of bool, shape (B, C)
+    - shapes, model: times `channel_weights`, (B, C) and (B, m, C)
+    - members: modes that span the subspace, (B, m)
+    - measured: (B, C)
     """
     largest_group = int(members.sum(axis=1).max(initial=1))
     order = np.argsort(~members, axis=1, kind="stable")[:, :largest_group]
@@ -111,13 +96,9 @@ def subspace_mac(
 def mass_weighted_mac(products: Array, shapes: Array, masses: Array) -> Array:
     """Return the MAC of mass-normalised shapes phi with other shapes psi, by the mass matrix M of phi.
 
-    Parameters
-    ----------
-    products : ndarray, shape (..., r, m)
-        phi^T M psi.
-    shapes : ndarray, shape (..., m, n)
-        The shapes psi.
-    masses : ndarray, shape (..., n, n)
+    - products: phi^T M psi, (..., r, m)
+    - shapes: the shapes psi, (..., m, n)
+    - masses: (..., n, n)
     """
     sizes = ((shapes @ masses) * shapes).sum(axis=-1)
     likeness: Array = products**2 / sizes[..., None, :]
@@ -127,17 +108,11 @@ def mass_weighted_mac(products: Array, shapes: Array, masses: Array) -> Array:
 def space(shapes: Array) -> tuple[Array, Array]:
     """Return orthonormal bases of the subspaces of several modes at their sensors, for a batch.
 
-    Parameters
-    ----------
-    shapes : ndarray, shape (B, g, C)
-        Times `channel_weights`, zero at components that were not measured; rows of zeros are ignored.
+    - shapes: times `channel_weights`, zero at components that were not measured, (B, g, C); rows of zeros are ignored
 
-    Returns
-    -------
-    basis : ndarray, shape (B, g, C)
-        Orthonormal rows, and rows of zeros if the modes are not independent at the sensors.
-    back : ndarray, shape (B, g, g)
-        Transformation such that basis = back @ shapes.
+    Returns, in this order:
+    - basis: orthonormal rows, and rows of zeros if the modes are not independent at the sensors, (B, g, C)
+    - back: transformation such that basis = back @ shapes, (B, g, g)
     """
     shapes = np.where(np.isfinite(shapes), shapes, 0.0)  # of a setup that cannot be evaluated
     values, vectors = np.linalg.eigh(shapes @ np.swapaxes(shapes, -1, -2))
@@ -153,9 +128,7 @@ def channel_motion(shapes: Array) -> Array:
     For mass-normalised shapes it is the inverse square root of the channel's effective mass.  Hypotheses must be
     compared with the motion of the same model, otherwise one that adds modes would seem to fit better.
 
-    Parameters
-    ----------
-    shapes : ndarray, shape (..., m, C)
+    - shapes: (..., m, C)
     """
     moves: Array = np.sqrt(np.nansum(shapes**2, axis=-2))
     return moves

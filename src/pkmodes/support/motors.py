@@ -15,13 +15,9 @@ def motors_in_words(
 ) -> str:
     """Return what the motors of a robot do, in words: motors free, held, or on their servo stiffness.
 
-    Parameters
-    ----------
-    drives : {"free", "held"}, or several
-        As for `pkmodes.Model.modes`.  A machine that is switched on has free motors with the effect of its position
-        loop; they turn against it.
-    causes : iterable of str
-        Effects that the robot has beside those of its file.
+    - drives: as for `pkmodes.Model.modes`.  A machine that is switched on has free motors with the effect of its
+      position loop; they turn against it.
+    - causes: effects that the robot has beside those of its file
     """
     words = motors([drives] if isinstance(drives, str) else drives)
     mechanism = robot.mechanism
@@ -38,15 +34,10 @@ def motors_give_way(robot: Declaration) -> bool:
 def drives_in_use(robot: Declaration, drives: str | None = None) -> str:
     """Return what the motors do in a machine that follows commands: as requested, else as the robot file has them.
 
-    Parameters
-    ----------
-    drives : {"free", "held"}, optional
-        By default motors that give way turn against their springs, "free", and others are held.
+    - drives: "free" or "held"; by default motors that give way turn against their springs, "free", and others are
+      held
 
-    Raises
-    ------
-    PkmodesError
-        If it is neither word, or motors that nothing holds are to be free: they follow no command.
+    Raises PkmodesError if it is neither word, or motors that nothing holds are to be free: they follow no command.
     """
     if drives is None:
         return FREE if motors_give_way(robot) else HELD

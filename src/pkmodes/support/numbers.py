@@ -32,12 +32,8 @@ LEAST_P = 1e-6
 class Rounded:
     """A value and its standard deviation, rounded to the same place.
 
-    Attributes
-    ----------
-    value, sigma : str
-        Their digits.
-    exponent : int
-        Power of ten by which both are multiplied; 0 for none.
+    - value, sigma: their digits
+    - exponent: power of ten by which both are multiplied; 0 for none
     """
 
     value: str
@@ -75,12 +71,8 @@ def hertz(value: float) -> str:
 def rounded(value: float, sigma: float, fit: float | None = None) -> Rounded:
     """Round a value by its standard deviation, which has two significant digits.
 
-    Parameters
-    ----------
-    value, sigma : float
-        A standard deviation that is 0, not finite, or below the digits of the value rounds nothing.
-    fit : float, optional
-        A smaller standard deviation, whose digits the value keeps.
+    - value, sigma: a standard deviation that is 0, not finite, or below the digits of the value rounds nothing
+    - fit: a smaller standard deviation, whose digits the value keeps
     """
     if not (math.isfinite(value) and math.isfinite(sigma) and sigma > 0.0):
         return Rounded(plain(value), plain(sigma, 2))

@@ -39,10 +39,7 @@ def sorted_labels(labels: Iterable[str]) -> list[str]:
 def listed(names: Sequence[str], limit: int, between: str = ", ", last: str = " and ") -> str:
     """Return the first names in a sentence, and how many more there are.
 
-    Parameters
-    ----------
-    between, last : str
-        What stands between two names, and before the number of the others.
+    - between, last: what stands between two names, and before the number of the others
     """
     surplus = len(names) - limit
     return between.join(names[:limit]) + (f"{last}{surplus} more" if surplus > 0 else "")
@@ -51,10 +48,7 @@ def listed(names: Sequence[str], limit: int, between: str = ", ", last: str = " 
 def joined(names: Collection[str], last: str = "and") -> str:
     """Return all names in a sentence: "a, b and c"; empty for none.
 
-    Parameters
-    ----------
-    last : str
-        The word before the last name.
+    - last: the word before the last name
     """
     *leading, end = [*names] or [""]
     return f"{', '.join(leading)} {last} {end}" if leading else end

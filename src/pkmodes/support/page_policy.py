@@ -17,15 +17,9 @@ def with_policy(page: str) -> str:
     Only the programs in the page run, known by their SHA-256; images come from the page itself, and nothing is
     fetched or sent.
 
-    Parameters
-    ----------
-    page : str
-        HTML with ``<meta charset="utf-8">`` on a line, and each program in a ``<script>`` without attributes.
+    - page: HTML with ``<meta charset="utf-8">`` on a line, and each program in a ``<script>`` without attributes
 
-    Returns
-    -------
-    str
-        The same for the same page.
+    The result is the same for the same page.
 
     References
     ----------

@@ -11,15 +11,9 @@ from pkmodes.core.base.errors import OutputError, shown
 def resolved(path: Path, option: str = "") -> Path:
     """Return the absolute path without symbolic links; it need not exist.
 
-    Parameters
-    ----------
-    option : str
-        The option that names it, for messages.
+    - option: the option that names it, for messages
 
-    Raises
-    ------
-    OutputError
-        If its symbolic links form a loop.
+    Raises OutputError if its symbolic links form a loop.
     """
     try:
         path.stat()

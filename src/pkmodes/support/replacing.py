@@ -25,23 +25,13 @@ def check_replaced(
 ) -> None:
     """Refuse to replace files.
 
-    Parameters
-    ----------
-    files : iterable of Path
-        What will be written.
-    where : str
-        The option or argument that names the place.
-    overwrite : bool
-        Whether the caller asked for it.
-    replaceable : callable
-        Returns whether a file that exists may be replaced without that.
-    what, remedy : str
-        What is wrong with the others, and what to do.
+    - files: what will be written
+    - where: the option or argument that names the place
+    - overwrite: whether the caller asked for it
+    - replaceable: returns whether a file that exists may be replaced without that
+    - what, remedy: what is wrong with the others, and what to do
 
-    Raises
-    ------
-    OutputError
-        If one of them exists and may not be replaced.
+    Raises OutputError if one of them exists and may not be replaced.
     """
     if overwrite:
         return

@@ -21,12 +21,8 @@ Array = NDArray[np.float64]
 def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
     """Return a robot at poses with what a solver has of some fields; NumPy evaluates the others when they are read.
 
-    Parameters
-    ----------
-    solver : Solver
-        Of its system.
-    names : str
-        Of `pkmodes.core.solve.fields.FIELDS`, none of which needs the eigenproblem.
+    - solver: of its system
+    - names: of `pkmodes.core.solve.fields.FIELDS`, none of which needs the eigenproblem
     """
     arrays = _arrays(solver, at.system, len(at.points), names)
     if arrays:
@@ -38,10 +34,7 @@ def with_fields(solver: Solver, at: RobotAtPoses, *names: str) -> RobotAtPoses:
 def with_all_coordinates(solver: Solver, at: RobotAtPoses) -> RobotAtPoses:
     """Return a robot at poses with M and K in all coordinates, from one call of a compiled solver if it is one.
 
-    Parameters
-    ----------
-    solver : Solver
-        Of its system.
+    - solver: of its system
     """
     system = at.system
     if isinstance(system, ExtendedSystem) and len(at.points):
@@ -68,21 +61,12 @@ def solved(solver: Solver, system: Evaluation, p: Array, source: str, *further_f
 
     Where a compiled solver solves, it evaluates other fields in the same call.
 
-    Parameters
-    ----------
-    solver : Solver
-        Of the robot.
-    p : ndarray, shape (N, d)
-        Poses that can be evaluated; N may be 0.
-    source : str
-        The robot, for messages.
-    further_fields : str
-        Further fields that will be read, of `pkmodes.core.solve.fields.FIELDS`.
+    - solver: of the robot
+    - p: poses that can be evaluated, (N, d); N may be 0
+    - source: the robot, for messages
+    - further_fields: further fields that will be read, of `pkmodes.core.solve.fields.FIELDS`
 
-    Raises
-    ------
-    PoseError
-        As `NumpySolver.compute` does.
+    Raises PoseError as `NumpySolver.compute` does.
     """
     at = RobotAtPoses(system, np.ascontiguousarray(p), source, {})
     if isinstance(solver, NumpySolver) or not len(p):  # the layout decides how products of shapes round

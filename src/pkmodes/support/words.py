@@ -21,10 +21,7 @@ ENTRY, ELEMENT = "j", "k"
 def meaning_of(mechanism: Mechanism, path: str) -> str:
     """Return what a path of a robot file means; empty where the mechanism does not describe it.
 
-    Parameters
-    ----------
-    path : str
-        Of a declared value, or of a parameter of an effect, with or without ``effects.``.
+    - path: of a declared value, or of a parameter of an effect, with or without ``effects.``
     """
     if path == DAMPING_RATIO:
         return "damping ratio of every mode"

@@ -23,10 +23,7 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
 
     A name may have folders in it, which are created.
 
-    Raises
-    ------
-    OutputError
-        If the folder or a file cannot be written, or a link leads out of the folder.
+    Raises OutputError if the folder or a file cannot be written, or a link leads out of the folder.
     """
     files = {folder / name: text for name, text in texts.items()}
     for name, path in zip(texts, files, strict=True):
@@ -41,10 +38,7 @@ def write_files(folder: Path, texts: Mapping[str, str | bytes]) -> list[Path]:
 def write_file(path: Path, text: str | bytes) -> None:
     """Write one text, or another content, completely or not at all; a target such as a pipe is written to directly.
 
-    Raises
-    ------
-    OutputError
-        If it cannot be written.
+    Raises OutputError if it cannot be written.
     """
     write_all({path: text})
 
@@ -54,10 +48,7 @@ def write_all(contents: Mapping[Path, str | bytes]) -> None:
 
     What is no ordinary file, such as a pipe, is written to directly, when the others are ready.
 
-    Raises
-    ------
-    OutputError
-        If one of them cannot be written.
+    Raises OutputError if one of them cannot be written.
     """
     direct = {path for path in contents if path.exists() and not path.is_file() and not path.is_dir()}
 
@@ -89,12 +80,8 @@ def _write(
     old ones are kept under other names until all contents are in place.  If anything fails, they are restored and the
     folders created for them are removed.
 
-    Parameters
-    ----------
-    folders : Path
-        Those that are made also if nothing is written there; an error names the first before any file.
-    ready : callable
-        Called when all temporary files are written, and none is in its place yet.
+    - folders: those that are made also if nothing is written there; an error names the first before any file
+    - ready: called when all temporary files are written, and none is in its place yet
     """
     staged: list[tuple[Path, Path]] = []
     kept: dict[Path, Path] = {}
@@ -133,10 +120,7 @@ def _write(
 def refusal(error: OSError, place: Path) -> OutputError:
     """Return the error for a file that the system refuses to write.
 
-    Parameters
-    ----------
-    place : Path
-        The file as the user named it; the error itself names a temporary file next to it, or none.
+    - place: the file as the user named it; the error itself names a temporary file next to it, or none
     """
     reason = (error.strerror or "it cannot be written").lower()
     need = "make room" if error.errno in FULL else "make it writable"

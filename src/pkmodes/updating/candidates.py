@@ -46,20 +46,13 @@ def suspects(
 ) -> tuple[list[Parameter], list[Candidate], dict[str, ParameterPath]]:
     """Return the parameters of the diagnosis, its candidates, and the path of each parameter of the robot.
 
-    Parameters
-    ----------
-    chosen : sequence of str, optional
-        Names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
-        ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
-        suspected, and the frame of the measurement.
-    loads : LoadCases, optional
-        Values set by the measurements: an effect whose constant is set becomes a candidate, and a value set at every
-        pose is known.
+    - chosen: names of candidates: effects, ``parameter:<path>``, ``measurement:<what>``, or the words ``effects``,
+      ``parameters`` and ``measurement`` for all of a kind.  By default all effects, every value that may be
+      suspected, and the frame of the measurement.
+    - loads: values set by the measurements: an effect whose constant is set becomes a candidate, and a value set at
+      every pose is known
 
-    Raises
-    ------
-    PkmodesError
-        If a name is unknown.
+    Raises PkmodesError if a name is unknown.
     """
     loads = LoadCases.none(robot, 0) if loads is None else loads
     nuisances = [path for path in _varying(robot) if robot.quantities[path].sigma]
@@ -218,9 +211,7 @@ def _sigmas(robot: Robot, declared: Sequence[str]) -> list[float | None]:
 def refuse_declared(subject: str, sigmas: Sequence[float | None]) -> None:
     """Refuse a candidate that has a value with a standard deviation.
 
-    Raises
-    ------
-    PkmodesError
+    Raises PkmodesError.
     """
     stated = [sigma for sigma in sigmas if sigma is not None]
     if stated:

@@ -106,17 +106,10 @@ def corrected_robot(robot: Robot | Model, diagnosis: Diagnosis) -> str:
 
     If a class has several causes, the first one, which names it, is written.
 
-    Parameters
-    ----------
-    robot : Robot or Model
-        The diagnosed robot, read from a file.
-    diagnosis : Diagnosis
-        From `diagnose`.
+    - robot: the diagnosed robot, read from a file
+    - diagnosis: from `diagnose`
 
-    Raises
-    ------
-    PkmodesError
-        If there is nothing to correct, or the robot was not read from a file.
+    Raises PkmodesError if there is nothing to correct, or the robot was not read from a file.
     """
     robot = _correctable(robot, diagnosis, "corrected_robot")
     return corrected_text(Path(robot.source), corrections(robot, diagnosis), covariance(robot, diagnosis))

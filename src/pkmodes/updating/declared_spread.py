@@ -18,18 +18,11 @@ Array = NDArray[np.float64]
 def declared_spread(robot: Robot, data: Measurements) -> Array | None:
     """Return the standard deviations of the frequencies of the declared robot at S setups.
 
-    Parameters
-    ----------
-    robot : Robot
-        As declared.
-    data : Measurements
-        A value that they set at a setup is known there, and has no standard deviation.
+    - robot: as declared
+    - data: a value that they set at a setup is known there, and has no standard deviation
 
-    Returns
-    -------
-    ndarray, shape (S, m), or None
-        Of the elastic modes, ascending [Hz]; NaN where a pose cannot be evaluated, or a setup has fewer modes.  None
-        where the robot file states no standard deviations.
+    Returns (S, m): of the elastic modes, ascending [Hz]; NaN where a pose cannot be evaluated, or a setup has fewer
+    modes.  None where the robot file states no standard deviations.
     """
     if not stated_sigmas(robot):
         return None

@@ -24,12 +24,8 @@ def joints_of(
 ) -> tuple[Joint, ...]:
     """Return the equal parts that the parameters of an effect change, one for each; none if they do anything else.
 
-    Parameters
-    ----------
-    paths : sequence of str
-        Of the parameters.
-    prefix : str
-        Of a term that is a declared value.
+    - paths: of the parameters
+    - prefix: of a term that is a declared value
     """
     matches = [CHANGE.fullmatch(p.description) for p in parameters]
     joints = []

@@ -49,10 +49,7 @@ class LoadCase:
     def of(cls, robot: Robot, values: dict[str, float], drives: str = FREE) -> LoadCase:
         """Return the load case of a robot with some values, by path.
 
-        Raises
-        ------
-        PkmodesError
-            As for `Robot.with_values`.
+        Raises PkmodesError as `Robot.with_values` does.
         """
         if not values:
             return cls(robot, drives=drives)
@@ -81,14 +78,9 @@ class LoadCase:
 class LoadCases:
     """Load cases of S setups.
 
-    Attributes
-    ----------
-    settings : tuple of str
-        Paths of the values set in some of the setups.
-    cases : tuple of LoadCase
-        Different load cases.
-    of : ndarray of int, shape (S,)
-        Index of the case of each setup.
+    - settings: paths of the values set in some of the setups
+    - cases: different load cases
+    - of: index of the case of each setup, (S,)
     """
 
     settings: tuple[str, ...]
@@ -126,17 +118,11 @@ class LoadCases:
     def arranged(self, cases: Sequence[int], included: NDArray[np.bool_]) -> tuple[Index, list[int]]:
         """Return the setups of some cases, ordered in blocks of equal size, one for each robot.
 
-        Parameters
-        ----------
-        included : ndarray of bool, shape (S,)
-            Mask of the setups to include.
+        - included: mask of the setups to include, (S,)
 
-        Returns
-        -------
-        rows : ndarray of int, shape (N,)
-            The setups.
-        owners : list of int, length B
-            Cases of the B robots, at N / B setups each.
+        Returns, in this order:
+        - rows: the setups, (N,)
+        - owners: cases of the B robots, at N / B setups each, length B
         """
         rows = [np.flatnonzero((self.of == c) & included) for c in cases]
         if len({len(block) for block in rows}) == 1 and (len(rows[0]) or len(rows) == 1):
@@ -160,11 +146,8 @@ def settable(mechanism: Mechanism, robot: Robot | None = None) -> dict[str, str]
 def load_cases(robot: Robot, data: Measurements) -> LoadCases:
     """Return the load cases of measurements.
 
-    Raises
-    ------
-    MeasurementError
-        If the robot does not have a path, or a robot file with a set value would be refused: for the first row of
-        the first such pose.
+    Raises MeasurementError if the robot does not have a path, or a robot file with a set value would be refused: for
+    the first row of the first such pose.
     """
     allowed = settable(robot.mechanism, robot)
     for path in data.settings:
@@ -203,10 +186,7 @@ def _place(data: Measurements, pose: int, error: PkmodesError) -> str:
 def payloads(robot: Robot, points: Array) -> list[dict[str, float]]:
     """Return payloads as values to set, added to the declared one; empty if the mechanism has no payload effect.
 
-    Parameters
-    ----------
-    points : ndarray, shape (P, d)
-        Poses that can be evaluated.
+    - points: poses that can be evaluated, (P, d)
     """
     platform = _platform_mass(robot, points)
     if platform is None:

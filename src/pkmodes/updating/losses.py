@@ -34,15 +34,9 @@ PART = 0.5
 def losses_of(robot: Robot, chosen: Sequence[str] | None = None) -> tuple[Loss, ...]:
     """Return the losses of a robot; empty if none is suspected.
 
-    Parameters
-    ----------
-    chosen : sequence of str, optional
-        Names of candidates, as for `pkmodes.updating.candidates.suspects`.
+    - chosen: names of candidates, as for `pkmodes.updating.candidates.suspects`
 
-    Raises
-    ------
-    PkmodesError
-        If a chosen loss has a sigma, so that it is not a candidate.
+    Raises PkmodesError if a chosen loss has a sigma, so that it is not a candidate.
     """
     names = None if chosen is None else set(chosen)
     losses = [_ratio(robot, names), *_effects(robot, names)]

@@ -45,10 +45,7 @@ OTHER_LENGTHS = {
 class MeasuredRobot:
     """A robot and measurements that it can have.
 
-    Attributes
-    ----------
-    loads : LoadCases
-        The robot with the values set at each pose, which it can reach.
+    - loads: the robot with the values set at each pose, which it can reach
     """
 
     robot: Robot
@@ -59,14 +56,10 @@ class MeasuredRobot:
     def of(cls, robot: Robot | Model, data: Measurements) -> MeasuredRobot:
         """Return a robot with its measurements.
 
-        Raises
-        ------
-        PkmodesError
-            If an argument is something else.
-        MeasurementError
-            If there are no measurements, the poses have other components than the mechanism's, a shape component is
-            not a coordinate of the robot, a set value is refused, or a pose cannot be evaluated: for the first such
-            pose, with the line of its first row.
+        Raises PkmodesError if an argument is something else.
+        Raises MeasurementError if there are no measurements, the poses have other components than the mechanism's, a
+        shape component is not a coordinate of the robot, a set value is refused, or a pose cannot be evaluated: for
+        the first such pose, with the line of its first row.
         """
         robot = robot_of(robot)
         check_measurements(data, "pkmodes.updating.read(path)")
@@ -90,10 +83,7 @@ class MeasuredRobot:
     def where_usable(self) -> MeasuredRobot:
         """Return the robot with the limits of ``[usable]`` that the measurements state in place of those it declares.
 
-        Raises
-        ------
-        MeasurementError
-            If there is no such limit, or it is none.
+        Raises MeasurementError if there is no such limit, or it is none.
         """
         stated = self.data.usable
 
@@ -110,10 +100,8 @@ class MeasuredRobot:
     ) -> RobotStructure:
         """Return the robot at the measured poses, with its nuisances and candidates, for the diagnosis.
 
-        Raises
-        ------
-        PkmodesError
-            If a candidate or the name of a prior is unknown, or a loss is suspected whose damping was not measured.
+        Raises PkmodesError if a candidate or the name of a prior is unknown, or a loss is suspected whose damping was
+        not measured.
         """
         candidates = None if is_all(candidates) else candidates
         losses = self._losses(candidates)
@@ -174,10 +162,7 @@ def _with_priors(
 ) -> list[Candidate]:
     """Return the candidates with priors, given by candidate name, each with its place for messages.
 
-    Raises
-    ------
-    PkmodesError
-        If there is no such candidate, or a prior is not a standard deviation of its parameters.
+    Raises PkmodesError if there is no such candidate, or a prior is not a standard deviation of its parameters.
     """
     by_name = {parameter.name: parameter for parameter in parameters}
     with_sigma = {candidate.name: candidate for candidate in candidates}
@@ -208,10 +193,7 @@ def _refuse(robot: Robot, name: object, claimable: Sequence[str], where: str) ->
 def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:
     """Return a standard deviation in the unit of a parameter, from a number, text with a unit, or a percentage.
 
-    Raises
-    ------
-    PkmodesError
-        If it is not above 0.
+    Raises PkmodesError if it is not above 0.
     """
     example = f'"0.01 {parameter.unit}"' if parameter.unit != "1" else "0.01"
     remedy = f"write a number in {parameter.unit}, or text with a unit such as {example}"
@@ -248,9 +230,7 @@ def _deviation(prior: float | str, parameter: Parameter, where: str) -> float:
 def check_reachable(robot: Robot, data: Measurements, loads: LoadCases) -> None:
     """Refuse the first pose that cannot be evaluated, with the line of its first row.
 
-    Raises
-    ------
-    MeasurementError
+    Raises MeasurementError.
     """
     valid = np.ones(len(data.points), dtype=bool)
     for c, case in enumerate(loads.cases):

@@ -27,19 +27,12 @@ MOTIONS = "platform_shapes"
 class StackedSystems(ExtendedSystem):
     """Several robots, evaluated at equally many poses each, robot by robot.
 
-    Parameters
-    ----------
-    systems : sequence of ExtendedSystem, length B
-        With the same free coordinates and rigid-body modes.
-    count : int
-        Number of poses of each robot.
+    - systems: with the same free coordinates and rigid-body modes, length B
+    - count: number of poses of each robot
 
-    Attributes
-    ----------
-    parameters, effects : Parameters and Effects
-        Numbers that differ between the robots have a leading axis for the N poses.
-    joints, joint_rates : ndarray, shape (N, e)
-        As for `ExtendedSystem`, at each pose.
+    Its attributes:
+    - parameters, effects: numbers that differ between the robots have a leading axis for the N poses
+    - joints, joint_rates: as for `ExtendedSystem`, at each pose, (N, e)
     """
 
     def __init__(self, systems: Sequence[ExtendedSystem], count: int) -> None:
@@ -118,19 +111,12 @@ def _flat_of_each(sets: Sequence[tuple[Any, ...]]) -> Array:
 class ModesOfSystems(NamedTuple):
     """Modes of B robots with the same free coordinates at n poses each, robot by robot.
 
-    Attributes
-    ----------
-    system : ExtendedSystem
-        All robots.
-    eigenvalues : ndarray, shape (B n, m)
-        NaN if the matrices are not those of a machine.
-    shapes : ndarray, shape (B n, m, n)
-    motions : ndarray, shape (B n, m, components)
-        Of the platform.
-    matrices : tuple of ndarray, or None
-        M and K in all coordinates, if they were evaluated.
-    solver : Solver, or None
-        Of all robots together, if there is one.
+    - system: all robots
+    - eigenvalues: (B n, m); NaN if the matrices are not those of a machine
+    - shapes: (B n, m, n)
+    - motions: of the platform, (B n, m, components)
+    - matrices: M and K in all coordinates, if they were evaluated
+    - solver: of all robots together, if there is one
     """
 
     system: ExtendedSystem
@@ -144,11 +130,8 @@ class ModesOfSystems(NamedTuple):
 def modes_of_systems(systems: Sequence[ExtendedSystem], points: Array) -> ModesOfSystems:
     """Evaluate the modes of robots with the same free coordinates, for a diagnosis.
 
-    Parameters
-    ----------
-    systems : sequence of ExtendedSystem, length B
-    points : ndarray, shape (B n, d)
-        n poses of each robot, robot by robot.
+    - systems: length B
+    - points: n poses of each robot, robot by robot, (B n, d)
     """
     system = stacked(systems, len(points) // len(systems))
     modes = _by_solvers(systems, system, np.ascontiguousarray(points))

@@ -137,12 +137,8 @@ def joined_modes(parts: Sequence[tuple[Index, Prediction]], setups: int) -> Pred
     Robots of different load cases may differ in their numbers of modes and rigid modes.  Rigid modes come first,
     padded to the largest number; missing elastic modes are placed far above (`LACKING`).
 
-    Parameters
-    ----------
-    parts : sequence of (ndarray of int, Prediction)
-        Setups and their modes.
-    setups : int
-        Number of all setups.
+    - parts: setups and their modes
+    - setups: number of all setups
     """
     rows, only = parts[0]
     if len(parts) == 1 and np.array_equal(rows, np.arange(setups)):

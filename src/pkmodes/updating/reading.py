@@ -97,20 +97,10 @@ def read_states(
 ) -> dict[str, Measurements]:
     """Read the modes measured on a robot in one or several states, by their names in the order of the file.
 
-    Parameters
-    ----------
-    path, band, robot, **stated
-        As for `read`.
+    - path, band, robot, **stated: as for `read`
 
-    Returns
-    -------
-    dict of str to Measurements
-        A file that names no state has one with an empty name.
-
-    Raises
-    ------
-    MeasurementError
-        As for `read`, or if some rows name no state.
+    A file that names no state has one with an empty name.
+    Raises MeasurementError as `read` does, or if some rows name no state.
     """
     states = states_in(path)
     if len(states) < 2:
@@ -123,20 +113,10 @@ def read_any(
 ) -> Measurements:
     """Read the modes measured on a robot, or on another structure: without positions, or with channels of its own.
 
-    Parameters
-    ----------
-    path, band, drives
-        As for `read`.
+    - path, band, drives: as for `read`
 
-    Returns
-    -------
-    Measurements
-        In SI units and Hz.
-
-    Raises
-    ------
-    MeasurementError
-        If anything in the file is wrong, it states another band, or a row lies outside the band.
+    Returns them in SI units and Hz.
+    Raises MeasurementError if anything in the file is wrong, it states another band, or a row lies outside the band.
     """
     source = str(path)
     text = read_text(Path(path), source, "the measurements", "give a CSV file with one row for each mode")

@@ -60,16 +60,11 @@ class _SolvedSetups(NamedTuple):
 class RobotStructure:
     """A robot at P platform poses.
 
-    Parameters
-    ----------
-    points : ndarray, shape (P, d)
-        Poses.
-    parameters, candidates, moves
-        From `pkmodes.updating.candidates.suspects`; parameters of the measurement frame have no move.
-    loads : LoadCases, optional
-        Values set at the poses; by default none.
-    losses : sequence of Loss
-        From `pkmodes.updating.losses.losses_of`; empty if damping is not to be diagnosed.
+    - points: poses, (P, d)
+    - parameters, candidates, moves: from `pkmodes.updating.candidates.suspects`; parameters of the measurement frame
+      have no move
+    - loads: values set at the poses; by default none
+    - losses: from `pkmodes.updating.losses.losses_of`; empty if damping is not to be diagnosed
     """
 
     def __init__(

@@ -43,12 +43,7 @@ KEPT = 4
 class RobotWithTerms:
     """A robot at poses with the terms of its mechanism beside its own candidates.
 
-    Parameters
-    ----------
-    robot : RobotStructure
-    terms : sequence of PlacedTerm
-    parameters, candidates
-        Of the robot, then of the terms.
+    - parameters, candidates: of the robot, then of the terms
     """
 
     def __init__(

@@ -30,15 +30,9 @@ def effect_name(term: str) -> str:
 def effect_text(result: Diagnosis, where: str = "effect_text") -> str:
     """Return the best member of the class that was found beyond the catalogue, as an effect's Python file.
 
-    Parameters
-    ----------
-    where : str, optional
-        For messages.
+    - where: for messages
 
-    Raises
-    ------
-    OutputError
-        If no class was found, or its best member is a declared value or an effect of the catalogue.
+    Raises OutputError if no class was found, or its best member is a declared value or an effect of the catalogue.
     """
     best, term = _best(result, where)
     form, _, place = term.partition(":")
@@ -84,10 +78,7 @@ def robot_with_term(robot: Robot | Model, result: Diagnosis) -> str:
 
     Only a mechanism that was generated with the effect reads such a file.
 
-    Raises
-    ------
-    OutputError
-        If no class was found.
+    Raises OutputError if no class was found.
     """
     declared = robot_of(robot)
     best, term = _best(result, declared.source)

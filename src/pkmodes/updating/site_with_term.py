@@ -53,15 +53,10 @@ class Site(NamedTuple):
 class TermMatrices(NamedTuple):
     """M and K of a site with a term.
 
-    Attributes
-    ----------
-    M, K : ndarray, shape (N, e + a, e + a)
-        In all coordinates and a = 0 or 1 of the term.
-    free : ndarray of int, shape (n,)
-        Coordinates that are not locked.
-    massless : ndarray of bool, shape (n,)
-    rigid : int
-        Number of rigid modes.
+    - M, K: in all coordinates and a = 0 or 1 of the term, (N, e + a, e + a)
+    - free: coordinates that are not locked, (n,)
+    - massless: (n,)
+    - rigid: number of rigid modes
     """
 
     M: Array
@@ -130,18 +125,11 @@ def held_motions(site: Site, term: Term) -> int | None:
 def eigenmodes(first: int, matrices: TermMatrices, M: Array, K: Array) -> tuple[Array, Array] | None:
     """Solve the eigenproblem with the digits that a fit needs: a stiff joint only where it costs those.
 
-    Parameters
-    ----------
-    first : int
-        Number of coordinates without joints.
-    matrices : TermMatrices
-        Whose free coordinates M and K have.
-    M, K : ndarray, shape (N, n, n)
+    - first: number of coordinates without joints
+    - matrices: whose free coordinates M and K have
+    - M, K: (N, n, n)
 
-    Returns
-    -------
-    tuple of ndarray or None
-        Eigenvalues (N, m) and shapes (N, m, n); None where M and K are not those of a machine.
+    Returns eigenvalues (N, m) and shapes (N, m, n); None where M and K are not those of a machine.
     """
     rigid, massless = matrices.rigid, matrices.massless
     try:
@@ -181,12 +169,8 @@ def in_all_coordinates(matrices: TermMatrices, shapes: Array) -> Array:
 def channels_of(system: ExtendedSystem, platform: Array, motions: Array) -> Array:
     """Return the channels of motions in all coordinates, (N, ..., C).
 
-    Parameters
-    ----------
-    system : ExtendedSystem
-    platform : ndarray, shape (N, components, e + a)
-        As returned by `platform_with`.
-    motions : ndarray, shape (N, ..., e + a)
+    - platform: as returned by `platform_with`, (N, components, e + a)
+    - motions: (N, ..., e + a)
     """
     across = np.swapaxes(platform, -1, -2)
     across = across.reshape(len(across), *(1,) * (motions.ndim - 3), *across.shape[1:])

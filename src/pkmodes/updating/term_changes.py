@@ -51,13 +51,9 @@ class TermContribution(NamedTuple):
 class Mounts(NamedTuple):
     """Rows of M and K of W mounts, and the motion of the platform with them.
 
-    Attributes
-    ----------
-    M, K : ndarray, shape (N, W, e)
-        Beside all coordinates.
-    M_own, K_own : ndarray, shape (N, W)
-        Of the mounts themselves, without their springs.
-    platform : ndarray, shape (N, W, components)
+    - M, K: beside all coordinates, (N, W, e)
+    - M_own, K_own: of the mounts themselves, without their springs, (N, W)
+    - platform: (N, W, components)
     """
 
     M: Array
@@ -70,13 +66,9 @@ class Mounts(NamedTuple):
 class Surroundings:
     """What terms need of a robot at N poses; each quantity is evaluated when it is needed.
 
-    Parameters
-    ----------
-    system : ExtendedSystem
-        The robot, with free or held motors.
-    points : ndarray, shape (N, d)
-    path : ParameterPath, optional
-        A path along which the robot and the poses take a complex step.
+    - system: the robot, with free or held motors
+    - points: (N, d)
+    - path: a path along which the robot and the poses take a complex step
     """
 
     def __init__(self, system: ExtendedSystem, points: Array, path: ParameterPath | None = None) -> None:
@@ -238,12 +230,9 @@ _FORMS: dict[str, Callable[[Term, Values, Surroundings], TermContribution]] = {
 class AtNull(NamedTuple):
     """The rates of (K - lambda M) phi and of phi^T M phi with the size of a term that is absent.
 
-    Attributes
-    ----------
-    change : ndarray, shape (N, m, e)
-    norm : ndarray, shape (N, m)
-    motion : ndarray, shape (N, m, components)
-        Rates of the platform's motion in fixed coordinates: what a mount deflects moves it.
+    - change: (N, m, e)
+    - norm: (N, m)
+    - motion: rates of the platform's motion in fixed coordinates, (N, m, components): what a mount deflects moves it
     """
 
     change: Array
@@ -254,13 +243,9 @@ class AtNull(NamedTuple):
 def at_null(term: Term, values: Values, at: Surroundings, eigenvalues: Array, shapes: Array) -> AtNull:
     """Return the rates with respect to the size of an absent term.
 
-    Parameters
-    ----------
-    values : sequence of float
-        Of its parameters; the first is 0.
-    eigenvalues : ndarray, shape (N, m)
-    shapes : ndarray, shape (N, m, e)
-        In all coordinates, mass-normalised.
+    - values: of its parameters; the first is 0
+    - eigenvalues: (N, m)
+    - shapes: in all coordinates, mass-normalised, (N, m, e)
     """
     if term.form == "mount":
         mounts, w = at.mounts, term.mount

@@ -35,16 +35,10 @@ Index = NDArray[np.intp]
 class _Rates(NamedTuple):
     """Rates along one parameter.
 
-    Attributes
-    ----------
-    change : ndarray, shape (N, m, n)
-        Of (K - lambda M) phi.
-    norm : ndarray, shape (N, m)
-        Of phi^T M phi.
-    motion : ndarray, shape (N, m, components), or None
-        Of the platform's motion in fixed coordinates.
-    deflection : ndarray, shape (N, m, e + a), or None
-        Of coordinates that are locked.
+    - change: of (K - lambda M) phi, (N, m, n)
+    - norm: of phi^T M phi, (N, m)
+    - motion: of the platform's motion in fixed coordinates, (N, m, components)
+    - deflection: of coordinates that are locked, (N, m, e + a)
     """
 
     change: Array
@@ -56,13 +50,8 @@ class _Rates(NamedTuple):
 class TermRates:
     """Derivatives of the modes of a site.
 
-    Parameters
-    ----------
-    site : Site
-    modes : TermModes
-        At the site.
-    present : PresentTerm or None
-        The term that the modes have.
+    - modes: at the site
+    - present: the term that the modes have
     """
 
     def __init__(self, site: Site, modes: TermModes, present: PresentTerm | None) -> None:
@@ -87,11 +76,7 @@ class TermRates:
     def of_terms(self, parameters: Sequence[tuple[PlacedTerm, int, Array]], shape_rates: bool) -> Prediction:
         """Return the modes with derivatives with respect to parameters of terms.
 
-        Parameters
-        ----------
-        parameters : sequence of (PlacedTerm, int, ndarray)
-            The term, which of its parameters, and the values of all of them.
-        shape_rates : bool
+        - parameters: the term, which of its parameters, and the values of all of them
         """
         return self._prediction([self._with_parameter(*parameter) for parameter in parameters], shape_rates)
 

@@ -35,14 +35,9 @@ SIGMAS = 3.0
 def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[float, float] | None:
     """Return the plausible range of a suspected value; None if it is unknown.
 
-    Parameters
-    ----------
-    item : Item or None
-        Its key; None for a group of lengths such as ``axis.span``.
-    value : float
-        As declared.
-    largest : float
-        Largest element of the vector that it belongs to.
+    - item: its key; None for a group of lengths such as ``axis.span``
+    - value: as declared
+    - largest: largest element of the vector that it belongs to
     """
     if item is not None and item.key is GRAVITY:
         return -ON_THE_GROUND * largest, ON_THE_GROUND * largest
@@ -60,10 +55,7 @@ def usual(item: Item | None, value: float, unit: str, largest: float) -> tuple[f
 def usual_factor(value: float) -> tuple[float, float]:
     """Return the plausible range of a relative change of a stiffness, such as that of the belts of one axis.
 
-    Parameters
-    ----------
-    value : float
-        As declared.
+    - value: as declared
     """
     return (1.0 + value) / FACTOR - 1.0, (1.0 + value) * FACTOR - 1.0
 

@@ -71,26 +71,12 @@ def scene_of(models: Sequence[Model], poses: Array, chosen: int = 0, *, drives: 
 
     Where some of them have joints that others lock, only as many modes are kept as all of them have.
 
-    Parameters
-    ----------
-    models : sequence of Model, length N
-        Of one mechanism; the first, or the one shown first, gives its name.
-    poses : ndarray, shape (N, d)
-        In SI units.
-    chosen : int
-        Index of the state to show first.
-    drives : {"free", "held"}
-        As for `pkmodes.Model.modes`.
+    - models: of one mechanism, length N; the first, or the one shown first, gives its name
+    - poses: in SI units, (N, d)
+    - chosen: index of the state to show first
+    - drives: as for `pkmodes.Model.modes`
 
-    Returns
-    -------
-    Scene
-        At these states.
-
-    Raises
-    ------
-    PoseError
-        If a pose cannot be evaluated.
+    Raises PoseError if a pose cannot be evaluated.
     """
     starts = [i for i, model in enumerate(models) if i == 0 or model is not models[i - 1]]
     ends = [*starts[1:], len(models)]

@@ -22,12 +22,9 @@ FINE = 10
 def mean_frequency(frequencies: Array, weights: Array | None = None) -> Array:
     """Return the frequency between states, (..., m), from those at the corners.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (..., corners, m)
-        Of paired modes [Hz]; where one is not positive, the mean of the frequencies themselves is taken.
-    weights : ndarray, shape (corners,), optional
-        Their sum is 1; by default all are equal: in the middle.
+    - frequencies: of paired modes, (..., corners, m) [Hz]; where one is not positive, the mean of the frequencies
+      themselves is taken
+    - weights: their sum is 1, (corners,); by default all are equal: in the middle
     """
     positive = np.all(frequencies > 0.0, axis=-2)
     compliances = np.where(positive[..., None, :], frequencies, 1.0) ** -2.0
@@ -46,26 +43,17 @@ def interpolation_errors(
 ) -> Array:
     """Return how far interpolated frequencies are off on each edge, face and cell of a grid.
 
-    Parameters
-    ----------
-    frequencies : ndarray, shape (N, m)
-        Of the vibration modes at the states [Hz].
-    order : ndarray of int, shape (N, m)
-        Index of the mode of each number, as from `pkmodes.view.pairing.paired_modes`, of vibration modes only.
-    places : ndarray of int
-        Index of the state at each place, -1 where there is none.
-    levels : tuple of ndarray
-        Values along each axis.
-    exact : callable
-        From values of the axes, (C, axes), the frequencies there, (C, m); NaN where there are none.
-    checked : tuple of float
-        Where along each axis the frequencies are computed, from 0 at one level to 1 at the next.
+    - frequencies: of the vibration modes at the states, (N, m) [Hz]
+    - order: index of the mode of each number, (N, m), as from `pkmodes.view.pairing.paired_modes`, of vibration modes
+      only
+    - places: index of the state at each place, -1 where there is none
+    - levels: values along each axis
+    - exact: from values of the axes, (C, axes), the frequencies there, (C, m); NaN where there are none
+    - checked: where along each axis the frequencies are computed, from 0 at one level to 1 at the next
 
-    Returns
-    -------
-    ndarray, shape (2 size - 1 along each axis, m)
-        Interpolated over computed frequency - 1 by rank, the largest of those checked, on the grid with a place
-        between each two levels; NaN at the states themselves and where one of those around is missing.
+    Returns (2 size - 1 along each axis, m): interpolated over computed frequency - 1 by rank, the largest of those
+    checked, on the grid with a place between each two levels; NaN at the states themselves and where one of those
+    around is missing.
     """
     errors = np.full((*(2 * size - 1 for size in places.shape), frequencies.shape[1]), np.nan)
     numbered = np.take_along_axis(frequencies, order, axis=1)

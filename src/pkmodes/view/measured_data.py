@@ -115,10 +115,7 @@ def _place(scene: Scene, pose: int, name: str) -> tuple[int, Array] | None:
 def measured_table(scene: Scene, key: str) -> str:
     """Return the table of the first mode at the pose that is shown first; empty without measured components.
 
-    Parameters
-    ----------
-    key : str
-        Prefix of identifiers, escaped.
+    - key: prefix of identifiers, escaped
     """
     data = measured_data(scene)
     if data is None or not scene.channels:

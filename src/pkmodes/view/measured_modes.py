@@ -36,20 +36,12 @@ class Channel:
 class MeasuredMode:
     """A measured mode at a pose of a scene.
 
-    Attributes
-    ----------
-    pose : int
-        Index of the pose.
-    mode : int or None
-        Index of its partner among all modes of the scene; None if the model has none.
-    name : str
-        Its name in the measurement.
-    frequency, sigma : float
-        Hz.
-    mac : float or None
-        Modal assurance criterion with the partner; None without a shape.
-    shape : tuple of float
-        As measured, one for each channel of the scene; NaN where not measured.
+    - pose: index of the pose
+    - mode: index of its partner among all modes of the scene; None if the model has none
+    - name: its name in the measurement
+    - frequency, sigma: Hz
+    - mac: modal assurance criterion with the partner; None without a shape
+    - shape: as measured, one for each channel of the scene; NaN where not measured
     """
 
     pose: int
@@ -69,16 +61,10 @@ class MeasuredMode:
 def scale_factor(measured: Array, model: Array, weights: Array) -> float:
     """Return the factor of a measured shape that brings it closest to that of a model.
 
-    Parameters
-    ----------
-    measured : ndarray, shape (C,)
-        NaN where not measured.
-    model, weights : ndarray, shape (C,)
+    - measured: (C,); NaN where not measured
+    - model, weights: (C,)
 
-    Returns
-    -------
-    float
-        0 without a measured component.
+    Returns 0 without a measured component.
 
     Examples
     --------

@@ -17,21 +17,13 @@ Index = NDArray[np.intp]
 def paired_modes(shapes: Array, masses: Array, places: Index, rigid: int) -> Index:
     """Follow the vibration modes over a grid by the mass-weighted modal assurance criterion.
 
-    Parameters
-    ----------
-    shapes : ndarray, shape (N, m, n)
-        Mass-normalised, the rigid-body modes first.
-    masses : ndarray, shape (N, n, n)
-    places : ndarray of int
-        Index of the state at each place of the grid, -1 where there is none.
-    rigid : int
-        Number of rigid-body modes.
+    - shapes: mass-normalised, the rigid-body modes first, (N, m, n)
+    - masses: (N, n, n)
+    - places: index of the state at each place of the grid, -1 where there is none
+    - rigid: number of rigid-body modes
 
-    Returns
-    -------
-    ndarray of int, shape (N, m)
-        Index of the mode that carries each number at each state; modes with one number continue each other.  A
-        rigid-body mode keeps its rank: these modes are an arbitrary basis.
+    Returns (N, m): index of the mode that carries each number at each state; modes with one number continue each
+    other.  A rigid-body mode keeps its rank: these modes are an arbitrary basis.
     """
     count, modes, _ = shapes.shape
     order = np.tile(np.arange(modes), (count, 1))

@@ -28,12 +28,9 @@ STOPS = tuple(k / FINE for k in range(1, FINE))
 class ViewGrid(NamedTuple):
     """How densely a page covers the workspace.
 
-    Attributes
-    ----------
-    levels : int
-        Values of each component.
-    checked : tuple of float
-        Where between two of them frequencies are computed for comparison, and in words where that is not everywhere.
+    - levels: values of each component
+    - checked: where between two of them frequencies are computed for comparison, and in words where that is not
+      everywhere
     """
 
     levels: int

@@ -32,13 +32,8 @@ def camera(scene: Scene) -> Array:
 def outline(element: Element, points: Array, angle: float = 0.0) -> Array:
     """Return what the camera sees of an element, (n, 2): a line, the edge of one of `AREAS`, or the point of a ball.
 
-    Parameters
-    ----------
-    element : Element
-    points : ndarray, shape (p, 3)
-        Of the whole machine: to the right, up, and towards the viewer.
-    angle : float
-        By which a wheel is turned [rad].
+    - points: of the whole machine, (p, 3): to the right, up, and towards the viewer
+    - angle: by which a wheel is turned [rad]
     """
     at = points[list(element.points)]
     if element.shape == "wheel":
@@ -65,12 +60,8 @@ def hull(points: Array) -> Array:
 def rim(centre: Array, axis: Array, angle: float, corners: int = 48) -> Array:
     """Return points around the rim of a wheel, (corners + 1, 3); the first is turned by an angle about the axis.
 
-    Parameters
-    ----------
-    centre, axis : ndarray, shape (3,)
-        The length of the axis is the radius.
-    angle : float
-        rad.
+    - centre, axis: the length of the axis is the radius, (3,)
+    - angle: rad
     """
     radius = float(np.linalg.norm(axis))
     unit = axis / radius

@@ -30,14 +30,9 @@ class Springs(NamedTuple):
 class RobotDrawing:
     """The drawing of one robot.
 
-    Attributes
-    ----------
-    drawing : Drawing
-        Elements, and the motion that each point has.
-    coordinates : tuple of str
-        Names of the robot's coordinates, released joints included.
-    vertical : ndarray, shape (3,)
-        Unit vector against gravity; z without gravity.
+    - drawing: elements, and the motion that each point has
+    - coordinates: names of the robot's coordinates, released joints included
+    - vertical: unit vector against gravity, (3,); z without gravity
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -98,15 +93,10 @@ class RobotDrawing:
 def upright(directions: Array, places: Array, vertical: Array) -> Array:
     """Choose a unit vector perpendicular to each direction: as upright as possible; outwards for a vertical one.
 
-    Parameters
-    ----------
-    directions, places : ndarray, shape (k, 3)
-        Unit vectors, and the points [m] where they are used.
-    vertical : ndarray, shape (3,)
+    - directions, places: unit vectors, and the points [m] where they are used, (k, 3)
+    - vertical: (3,)
 
-    Returns
-    -------
-    ndarray, shape (k, 3)
+    Returns (k, 3).
     """
     outwards = places - places.mean(axis=0)
     uprights = []

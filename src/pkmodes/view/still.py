@@ -31,14 +31,7 @@ DARK = ("#4a5663", "#a34d12", "#f2902c", "#ffe89a")
 def still(scene: Scene) -> str:
     """Return the picture of the pose and mode that are shown first.
 
-    Parameters
-    ----------
-    scene : Scene
-
-    Returns
-    -------
-    str
-        An ``svg`` element.
+    Returns an ``svg`` element.
     """
     pose, mode = scene.chosen, min(scene.rigid_modes, scene.frequencies.shape[1] - 1)
     factor = scene.scale(pose, mode) * AMPLITUDE * scene.size

@@ -28,12 +28,8 @@ SMOOTHING = 5
 class Surface:
     """The boundary of a workspace.
 
-    Attributes
-    ----------
-    vertices : ndarray, shape (V, d)
-        Poses on the boundary, without rotations of the platform.
-    faces : ndarray of int, shape (F, 4) or (F, 2)
-        Quadrilaterals in space, segments in a plane.
+    - vertices: poses on the boundary, without rotations of the platform, (V, d)
+    - faces: quadrilaterals in space, segments in a plane, (F, 4) or (F, 2)
     """
 
     vertices: Array
@@ -45,19 +41,11 @@ def workspace(
 ) -> Surface | None:
     """Find the boundary of the part of the workspace that contains a pose; the platform stays turned as it is.
 
-    Parameters
-    ----------
-    pose : ndarray, shape (d,)
-        A valid pose.
-    box : tuple of ndarray, shape (d,)
-        From `pkmodes.maps.workspace.box_of`.
-    inside : callable, optional
-        The test whether poses belong to it; by default whether they can be evaluated, on the branch of the pose.
+    - pose: a valid pose, (d,)
+    - box: from `pkmodes.maps.workspace.box_of`, each (d,)
+    - inside: the test whether poses belong to it; by default whether they can be evaluated, on the branch of the pose
 
-    Returns
-    -------
-    Surface or None
-        None if the pose has other angles, or other than two or three components besides rotations.
+    Returns None if the pose has other angles, or other than two or three components besides rotations.
     """
     moving = [i for i in range(len(pose)) if i not in resting(model, pose)]
     if len(moving) not in CELLS or any(model.mechanism.pose[i].unit != "m" for i in moving):

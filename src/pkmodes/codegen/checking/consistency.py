@@ -56,23 +56,12 @@ def check_consistency(
 ) -> list[Check]:
     """Check the derivatives of a generated model at a few poses.
 
-    Parameters
-    ----------
-    generated : Generated
-        The functions.
-    mechanism : Mechanism
-        Their mechanism.
-    parameters : Parameters
-        The robot's parameters, used to find poses.
-    effects : bool
-        Whether the model has effects; some relations of the base model do not hold with effects.
-    yielded : callable, optional
-        Yields the relations at a pose; by default those of a model.
+    - generated: the functions
+    - parameters: the robot's parameters, used to find poses
+    - effects: whether the model has effects; some relations of the base model do not hold with effects
+    - yielded: yields the relations at a pose; by default those of a model
 
-    Returns
-    -------
-    list of Check
-        One for each relation and kind of difference; a single failed check if no regular pose is found.
+    Returns one check for each relation and kind of difference; a single failed one if no regular pose is found.
     """
     say("comparing derivatives with finite differences")
     poses = regular_poses(generated, mechanism, parameters)

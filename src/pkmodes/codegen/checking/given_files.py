@@ -12,14 +12,9 @@ from pkmodes.core.base.errors import PkmodesError, shown
 def check_given_file(folder: Path, reference: str, source: str, noun: str) -> tuple[list[Any], list[str]]:
     """Check whether a file has changed since a mechanism was derived from it; return findings and unchecked items.
 
-    Parameters
-    ----------
-    reference : str
-        Path of the file relative to the folder.
-    source : str
-        Its name among the sources of the manifest.
-    noun : str
-        What it is called: "definition" or "effect".
+    - reference: path of the file relative to the folder
+    - source: its name among the sources of the manifest
+    - noun: what it is called: "definition" or "effect"
     """
     try:
         text = python_text(folder / reference, noun, "")

@@ -51,18 +51,11 @@ Array = NDArray[np.float64]
 class Report:
     """Report on one target.
 
-    Attributes
-    ----------
-    target : str
-        The folder or robot file that was checked.
-    findings : list
-        Reasons why it is not up to date (`pkmodes_derive.emit.currency.Finding`); empty if it is.
-    checks : list of Check
-        Finite-difference consistency.
-    mend : str
-        Command that fixes the findings, empty if there is nothing to fix.
-    unchecked : tuple of str
-        What could not be checked, and what to do about it.
+    - target: the folder or robot file that was checked
+    - findings: reasons why it is not up to date (`pkmodes_derive.emit.currency.Finding`); empty if it is
+    - checks: finite-difference consistency
+    - mend: command that fixes the findings, empty if there is nothing to fix
+    - unchecked: what could not be checked, and what to do about it
     """
 
     target: str
@@ -80,10 +73,7 @@ class Report:
 def check_committed(name: str) -> Report:
     """Check a parametric model supplied with pkmodes; its derivatives are checked for an asymmetric robot.
 
-    Parameters
-    ----------
-    name : str
-        The mechanism.
+    - name: the mechanism
     """
     mechanism = registry.mechanism(name)
     folder = Path(str(files(mechanism.package)))
@@ -99,10 +89,8 @@ def check_folder(folder: Path) -> Report:
     to both; if they differ, the difference is reported.  If the folder was copied without its robot file, the robot
     recorded in the manifest is used, and only the comparison with the robot file is left unchecked.
 
-    Raises
-    ------
-    PkmodesError
-        If the folder holds no generated code, its robot file is invalid, or its manifest does not record a robot.
+    Raises PkmodesError if the folder holds no generated code, its robot file is invalid, or its manifest does not
+    record a robot.
     """
     recorded = _manifest_of(folder)
     of_ones_own = "definition" in recorded or "effects" in recorded
@@ -129,10 +117,7 @@ def check_folder(folder: Path) -> Report:
 def _manifest_of(folder: Path) -> dict[str, Any]:
     """Read the manifest of a generated folder.
 
-    Raises
-    ------
-    PkmodesError
-        If there is none or it cannot be read.
+    Raises PkmodesError if there is none or it cannot be read.
     """
     place = folder / MANIFEST
     remedy = "give a folder written by: pkmodes generate ROBOT.toml --out DIR"
@@ -161,15 +146,9 @@ def _findings_of(folder: Path, fresh: dict[str, str]) -> list[Any]:
 def _check_mechanism(folder: Path, recorded: dict[str, Any]) -> Report:
     """Check the folder of a mechanism that was generated from a user's files: a definition, effects, or both.
 
-    Parameters
-    ----------
-    recorded : mapping
-        Its manifest.
+    - recorded: its manifest
 
-    Raises
-    ------
-    PkmodesError
-        If the definition or an effect is missing or invalid.
+    Raises PkmodesError if the definition or an effect is missing or invalid.
     """
     name, reference = recorded.get("product"), recorded.get("definition", "")
     of_effects = recorded.get("effects", {})
@@ -244,17 +223,10 @@ def _robot_file(folder: Path, recorded: dict[str, object]) -> tuple[str, bool]:
 def recorded_robot(recorded: Mapping[str, Any], place: str) -> Robot:
     """Read a robot from the values in a manifest, which are in SI units and complete.
 
-    Parameters
-    ----------
-    recorded : mapping
-        The manifest.
-    place : str
-        The manifest's file, for messages.
+    - recorded: the manifest
+    - place: the manifest's file, for messages
 
-    Raises
-    ------
-    PkmodesError
-        If the manifest does not record a valid robot.
+    Raises PkmodesError if the manifest does not record a valid robot.
     """
     try:
         values = recorded["robot"]["values"]
@@ -284,10 +256,7 @@ def _fix(folder: Path, findings: list[Any], generate: str) -> str:
 def check_robot(robot_file: Path) -> Report:
     """Derive the model of a robot file and check that it is consistent and equal to the parametric model.
 
-    Raises
-    ------
-    RobotFileError
-        If the robot file is invalid.
+    Raises RobotFileError if the robot file is invalid.
     """
     robot = read_robot(robot_file)
     texts = specialised(specification(robot, robot_file.name))

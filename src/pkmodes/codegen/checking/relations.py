@@ -35,27 +35,17 @@ STEP = 5e-5
 class State:
     """A robot at a pose, with numerical derivatives there.
 
-    Parameters
-    ----------
-    generated : Generated
-        The functions under test.
-    parameters : Parameters
-        The robot's parameters.
-    pose : ndarray, shape (d,)
-    derivative : callable
-        Differentiates a function of an array at an array with a step; the last axis of the result is that of the
-        derivative.
-    effects : bool
-        Whether the model has effects; some relations of the base model do not hold with effects.
+    - generated: the functions under test
+    - parameters: the robot's parameters
+    - pose: (d,)
+    - derivative: differentiates a function of an array at an array with a step; the last axis of the result is that
+      of the derivative
+    - effects: whether the model has effects; some relations of the base model do not hold with effects
 
-    Attributes
-    ----------
-    places : list of int, length k
-        Indices of the independent coordinates.
-    base : int
-        Number of coordinates without effects.
-    positions : ndarray, shape (k,)
-        Independent coordinates at the pose.
+    Its attributes:
+    - places: indices of the independent coordinates, length k
+    - base: number of coordinates without effects
+    - positions: independent coordinates at the pose, (k,)
     """
 
     def __init__(

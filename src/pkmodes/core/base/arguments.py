@@ -20,12 +20,8 @@ ALL = "all"
 class Constraint:
     """What an argument has to be.
 
-    Attributes
-    ----------
-    expected : str
-        In words: "a positive integer".
-    holds : callable
-        Whether a value of any type is one.
+    - expected: in words: "a positive integer"
+    - holds: whether a value of any type is one
     """
 
     expected: str
@@ -37,19 +33,11 @@ def check_argument(
 ) -> None:
     """Refuse a value that does not meet a constraint.
 
-    Parameters
-    ----------
-    where : str
-        Name of the argument.
-    remedy : str
-        What to do, such as an example.
-    error : type
-        The error to raise.
+    - where: name of the argument
+    - remedy: what to do, such as an example
+    - error: the error to raise
 
-    Raises
-    ------
-    PkmodesError
-        "expected ..., found ..."
+    Raises PkmodesError: "expected ..., found ...".
     """
     if not constraint.holds(value):
         raise error(f"expected {constraint.expected}, found {shown(value)}", where, remedy)
@@ -68,17 +56,10 @@ def is_number(value: object) -> bool:
 def real_numbers(values: ArrayLike, expected: str, where: str, remedy: str) -> NDArray[np.float64]:
     """Return real numbers as an array of any shape, NaN where masked; texts and booleans are refused.
 
-    Parameters
-    ----------
-    expected : str
-        What is expected, in words.
-    where, remedy : str
-        As for `check_argument`.
+    - expected: what is expected, in words
+    - where, remedy: as for `check_argument`
 
-    Raises
-    ------
-    PkmodesError
-        "expected ..., found ..."
+    Raises PkmodesError: "expected ..., found ...".
     """
     try:
         array = np.asarray(values)

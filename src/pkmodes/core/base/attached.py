@@ -11,10 +11,7 @@ from typing import Any
 class Attached:
     """A function of an application as a method, loaded at its first use.
 
-    Parameters
-    ----------
-    place : str
-        Module and name of the function, ``"pkmodes.maps.mapping:map_of"``; its first argument is the instance.
+    - place: module and name of the function, ``"pkmodes.maps.mapping:map_of"``; its first argument is the instance
     """
 
     def __init__(self, place: str) -> None:

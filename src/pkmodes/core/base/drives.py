@@ -40,10 +40,7 @@ def motors_to_be(drives: Iterable[str | None]) -> str:
 def checked_drives(drives: str) -> str:
     """Check the state of the motors that the caller gives.
 
-    Raises
-    ------
-    PkmodesError
-        If it is neither "free" nor "held".
+    Raises PkmodesError if it is neither "free" nor "held".
     """
     remedy = "say whether the motors turn freely or position loops hold them"
     check_argument(drives, _ONE_OF_THEM, "drives", remedy)

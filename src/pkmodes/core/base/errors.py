@@ -140,18 +140,11 @@ def listed(
 ) -> list[Any]:
     """Check a list from the caller; a string is not accepted as a list of its characters.
 
-    Parameters
-    ----------
-    plural : str
-        Name of the elements, in the plural.
-    where : str
-        Name of the argument.
-    example : str
-        One element, as the caller would write it.
-    kind : type or tuple of types
-        Type of the elements.
-    error : type
-        The error to raise.
+    - plural: name of the elements, in the plural
+    - where: name of the argument
+    - example: one element, as the caller would write it
+    - kind: type of the elements
+    - error: the error to raise
     """
     try:
         elements = None if isinstance(values, str | bytes | bytearray) else list(values)

@@ -14,10 +14,7 @@ LONG_KEY = re.compile(rf"(?<![\w-]){PART}(?:[ \t]*+\.[ \t]*+{PART}){{{MOST_PARTS
 def long_key(text: str) -> int | None:
     """Return the number of the line of a key with too many parts, None if there is none.
 
-    Parameters
-    ----------
-    text : str
-        Of a TOML file.
+    - text: of a TOML file
     """
     match = LONG_KEY.search(text)
     return None if match is None else text.count("\n", 0, match.start()) + 1

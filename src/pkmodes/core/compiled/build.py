@@ -81,11 +81,8 @@ def machine() -> str:
 def compiler() -> tuple[str, ...] | None:
     """Find a C compiler: that of the environment variable CC, perhaps with options, or cc, gcc or clang.
 
-    Returns
-    -------
-    tuple of str or None
-        The command: the path of the program, then its first arguments, such as those of ``CC="ccache gcc"``.  None
-        on Windows.
+    Returns the command: the path of the program, then its first arguments, such as those of ``CC="ccache gcc"``.
+    None on Windows.
     """
     if sys.platform == "win32":
         return None
@@ -104,10 +101,7 @@ def compiler() -> tuple[str, ...] | None:
 def digest(header: str) -> str:
     """SHA-256 of all that a library is built from, except the compiler.
 
-    Parameters
-    ----------
-    header : str
-        Text of the generated header.
+    - header: text of the generated header
     """
     texts = [
         header,
@@ -134,15 +128,9 @@ def is_whole(library: Path) -> bool:
 def widths_here(cc: Sequence[str]) -> tuple[int, ...]:
     """Find the widths that this processor uses: its widest, and 2 for a single pose.
 
-    Parameters
-    ----------
-    cc : sequence of str
-        The compiler, from `compiler`.
+    - cc: the compiler, from `compiler`
 
-    Returns
-    -------
-    tuple of int
-        Of `WIDTHS`; all of this architecture where a program cannot be compiled or run.
+    Returns some of `WIDTHS`; all those of this architecture where a program cannot be compiled or run.
     """
     all_widths = tuple(WIDTHS.get(machine(), {2: ()}))
     with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
@@ -167,30 +155,14 @@ def build(
 ) -> Path:
     """Compile and link a library, and put it in place whole or not at all.
 
-    Parameters
-    ----------
-    header : str
-        Text of the generated header.
-    folder : Path
-        Where the library will be; it exists.
-    stem : str
-        Beginning of the library's name; the checksum of the library and ``.so`` follow.
-    cc : sequence of str
-        The compiler, from `compiler`.
-    widths : sequence of int, optional
-        Lanes that the library will have, 2 among them; by default all of `WIDTHS` for this architecture.
+    - header: text of the generated header
+    - folder: where the library will be; it exists
+    - stem: beginning of the library's name; the checksum of the library and ``.so`` follow
+    - cc: the compiler, from `compiler`
+    - widths: lanes that the library will have, 2 among them; by default all of `WIDTHS` for this architecture
 
-    Returns
-    -------
-    Path
-        The library.
-
-    Raises
-    ------
-    BuildError
-        If the compiler fails, with its message.
-    OSError
-        If the library cannot be written.
+    Raises BuildError if the compiler fails, with its message.
+    Raises OSError if the library cannot be written.
     """
     with tempfile.TemporaryDirectory(prefix="pkmodes-") as name:
         place = Path(name)

@@ -27,21 +27,14 @@ NARROWEST = 2
 class Evaluator:
     """The compiled evaluator of one robot, or of several with the same free coordinates.
 
-    Parameters
-    ----------
-    coordinates : int
-        Without effects; with them `lanes` says how many there are.
-    largest_condition : float
-        Poses with a larger condition number are singular.
-    components, size : int
-        Components of the platform's motion and number of all coordinates of the model with effects, for `along`.
-    rigid_modes : int
-        How many modes do not vibrate.
+    - coordinates: without effects; with them `lanes` says how many there are
+    - largest_condition: poses with a larger condition number are singular
+    - components, size: components of the platform's motion and number of all coordinates of the model with effects,
+      for `along`
+    - rigid_modes: how many modes do not vibrate
 
-    Attributes
-    ----------
-    coordinates, modes : int
-        n, and m of them with inertia.
+    Its attributes:
+    - coordinates, modes: n, and m of them with inertia
     """
 
     def __init__(
@@ -87,24 +80,14 @@ class Evaluator:
     ) -> NDArray[np.int8]:
         """Evaluate poses.
 
-        Parameters
-        ----------
-        points : ndarray, shape (N, d)
-            Contiguous; for several robots the same number for each, robot by robot.
-        arrays : mapping of str to ndarray, (N, ...)
-            Contiguous arrays to fill, by field of `pkmodes.core.compiled.lanes.FIELDS`, or of `RATES` with `terms`;
-            NaN where a pose cannot be evaluated.
-        threads : int
-            Number of threads for one robot; the results do not depend on it.
-        width : int, optional
-            Number of lanes, by default the largest that the processor has.
-        terms : Terms, optional
-            Paths along which to differentiate.
+        - points: contiguous, (N, d); for several robots the same number for each, robot by robot
+        - arrays: contiguous arrays to fill, by field of `pkmodes.core.compiled.lanes.FIELDS`, or of `RATES` with
+          `terms`, each (N, ...); NaN where a pose cannot be evaluated
+        - threads: number of threads for one robot; the results do not depend on it
+        - width: number of lanes, by default the largest that the processor has
+        - terms: paths along which to differentiate
 
-        Returns
-        -------
-        ndarray of int8, shape (N,)
-            Indices into `pkmodes.core.mechanism.poses.codes_of`, or `pkmodes.core.compiled.lanes.UNSOLVED`.
+        Returns (N,): indices into `pkmodes.core.mechanism.poses.codes_of`, or `pkmodes.core.compiled.lanes.UNSOLVED`.
         """
         count = len(points)
         codes = np.empty(count, dtype=np.int8)
@@ -142,22 +125,13 @@ class Evaluator:
     ) -> dict[str, Array] | None:
         """Evaluate what the derivatives of given modes along paths need.
 
-        Parameters
-        ----------
-        points : ndarray, shape (N, d)
-            As for `run`.
-        modes : tuple of ndarray, shapes (N, m) and (N, m, n)
-            Eigenvalues and shapes, with n coordinates that are not locked; m may be 0.
-        terms : Terms
-            Of T paths; for several robots those of each.
-        fields : sequence of str
-            Of `ALONG_OF_MODES`, `RATES_OF_MATRICES` and `ALL_COORDINATES` in `pkmodes.core.compiled.lanes`; of the
-            last only with others.
+        - points: as for `run`, (N, d)
+        - modes: eigenvalues and shapes, with n coordinates that are not locked, (N, m) and (N, m, n); m may be 0
+        - terms: of T paths; for several robots those of each
+        - fields: of `ALONG_OF_MODES`, `RATES_OF_MATRICES` and `ALL_COORDINATES` in `pkmodes.core.compiled.lanes`; of
+          the last only with others
 
-        Returns
-        -------
-        dict of str to ndarray, or None
-            By field; None if a pose cannot be evaluated.
+        Returns arrays by field; None if a pose cannot be evaluated.
         """
         count, m, n = modes[1].shape
         request = Request.from_buffer_copy(self._with(terms))
@@ -211,20 +185,12 @@ class Evaluator:
 class Room:
     """A request for one pose with arrays that stay where they are; for one thread at a time.
 
-    Parameters
-    ----------
-    library : Library
-    robot : Request
-        With one robot; what its addresses point to must outlive the room.
-    size : int
-        Components of a pose.
-    tails : mapping of str to tuple of int
-        Shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is requested.
+    - robot: with one robot; what its addresses point to must outlive the room
+    - size: components of a pose
+    - tails: shape at one pose of each field of `pkmodes.core.compiled.lanes.FIELDS` that is requested
 
-    Attributes
-    ----------
-    arrays : dict of str to ndarray, shape (1, *tail)
-        What `run` has filled, by field.
+    Its attributes:
+    - arrays: what `run` has filled, by field, each (1, *tail)
     """
 
     def __init__(

@@ -41,11 +41,8 @@ UNSOLVED = -1
 class Fold(NamedTuple):
     """Coordinates that follow others: each of the former is a weight times one of the latter.
 
-    Attributes
-    ----------
-    leading, following : ndarray of int32, shape (f,)
-        Among all coordinates.
-    weights : ndarray, shape (f,)
+    - leading, following: among all coordinates, (f,)
+    - weights: (f,)
     """
 
     leading: NDArray[np.int32]
@@ -60,18 +57,11 @@ NO_FOLD = Fold(np.empty(0, dtype=np.int32), np.empty(0, dtype=np.int32), np.empt
 class Lanes(NamedTuple):
     """A robot as the kernel takes it, or several that differ only in numbers.
 
-    Attributes
-    ----------
-    parameters, effects : ndarray
-        Flat, in the order of the generated fields; a row for each of several robots.
-    joints : ndarray, shape (e,)
-        Stiffnesses of the released joints, zero elsewhere; (B, e) for several robots.
-    free : ndarray of int32, shape (n,)
-        Which of all coordinates are not locked; none without effects.
-    massless : ndarray of int8, shape (n,)
-        Which of these have no inertia.
-    fold : Fold
-        Coordinates that are not free and follow these.
+    - parameters, effects: flat, in the order of the generated fields; a row for each of several robots
+    - joints: stiffnesses of the released joints, zero elsewhere, (e,); (B, e) for several robots
+    - free: which of all coordinates are not locked, (n,); none without effects
+    - massless: which of these have no inertia, (n,)
+    - fold: coordinates that are not free and follow these
     """
 
     parameters: Array
@@ -94,21 +84,13 @@ class Terms(NamedTuple):
     of a coordinate is the derivative with respect to the stiffness of its joint or, where the joint is locked, its
     compliance.
 
-    Attributes
-    ----------
-    first : ndarray of int32, shape (T + 1,)
-        Where the terms of each path begin, and where the last ones end; (B, T + 1) for several robots.
-    places : ndarray of int32
-        Entry of each term.
-    weights : ndarray
-        Weight of each term.
-    effects : ndarray
-        Those of the robot, flat, also where all are null.
-    all_coordinates : bool
-        Whether there are terms of effects, so that the model with effects is differentiated also for a robot that
-        has none.
-    locked_joints : bool
-        Whether there are terms of locked joints.
+    - first: where the terms of each path begin, and where the last ones end, (T + 1,); (B, T + 1) for several robots
+    - places: entry of each term
+    - weights: weight of each term
+    - effects: those of the robot, flat, also where all are null
+    - all_coordinates: whether there are terms of effects, so that the model with effects is differentiated also for a
+      robot that has none
+    - locked_joints: whether there are terms of locked joints
     """
 
     first: NDArray[np.int32]

@@ -32,12 +32,7 @@ INSTALL = "install a C compiler (gcc or clang), or name one in the environment v
 
 
 class NoLibraryError(Exception):
-    """No library is available.
-
-    Parameters
-    ----------
-    why, remedy : str
-    """
+    """No library is available."""
 
     def __init__(self, why: str, remedy: str) -> None:
         super().__init__(why, remedy)
@@ -47,10 +42,7 @@ class NoLibraryError(Exception):
 class Library:
     """A loaded library.
 
-    Attributes
-    ----------
-    width : int
-        Lanes in the widest vectors that this processor and the library have.
+    - width: lanes in the widest vectors that this processor and the library have
     """
 
     def __init__(self, path: Path) -> None:
@@ -144,17 +136,9 @@ class Request(ctypes.Structure):
 def load(package: str, name: str) -> Library:
     """Load the library of a mechanism; build it where there is none yet.
 
-    Parameters
-    ----------
-    package : str
-        Python package with the generated code of the mechanism.
-    name : str
-        Its name.
+    - package: Python package with the generated code of the mechanism
 
-    Raises
-    ------
-    NoLibraryError
-        If there is none and none can be built.
+    Raises NoLibraryError if there is none and none can be built.
     """
     header_file = files(package).joinpath(build.HEADER)
     if not header_file.is_file():
@@ -175,10 +159,7 @@ def load(package: str, name: str) -> Library:
 def present(package: str, name: str) -> Library | None:
     """Load the library of a mechanism if there is one; nothing is built.
 
-    Parameters
-    ----------
-    package, name : str
-        As of `load`.
+    - package, name: as of `load`
     """
     header, cc = files(package).joinpath(build.HEADER), build.compiler()
     if not header.is_file():
@@ -240,10 +221,7 @@ def _built(name: str, header: str, digest: str) -> Library:
 def _kept(folder: Path, stem: str, digest: str) -> Library | None:
     """Return the library that was built earlier, None if there is no whole one.
 
-    Raises
-    ------
-    NoLibraryError
-        If the system refuses to load it: building it again would not help.
+    Raises NoLibraryError if the system refuses to load it: building it again would not help.
     """
     for path in _whole(folder, stem, _check_private):
         try:
@@ -314,10 +292,7 @@ def _no_compiler() -> tuple[str, str]:
 def cache_folder() -> Path:
     """Return the user's folder for libraries, created if necessary.
 
-    Raises
-    ------
-    NoLibraryError
-        If it cannot be made, or others can write to it.
+    Raises NoLibraryError if it cannot be made, or others can write to it.
     """
     configured = os.environ.get(CACHE_VARIABLE, "")
     home = os.environ.get("XDG_CACHE_HOME", "")

@@ -26,14 +26,9 @@ REPEATED = 1e-9
 class ModalDamping(NamedTuple):
     """Damping of N poses in modal coordinates.
 
-    Attributes
-    ----------
-    eigenvalues : ndarray, shape (N, m)
-        Ascending, the rigid ones first [1/s^2].
-    matrix : ndarray, shape (N, m, m)
-        D [1/s].
-    rigid : int
-        Number of rigid modes.
+    - eigenvalues: ascending, the rigid ones first, (N, m) [1/s^2]
+    - matrix: D, (N, m, m) [1/s]
+    - rigid: number of rigid modes
     """
 
     eigenvalues: Array
@@ -46,16 +41,10 @@ def modal_damping(
 ) -> ModalDamping:
     """Return damping in modal coordinates.
 
-    Parameters
-    ----------
-    eigenvalues, shapes : ndarray, shape (N, m) and (N, m, n)
-        Mass-normalised modes, the rigid ones first.
-    viscous, loss : ndarray, shape (N, n, n)
-        C_v and K'', in the coordinates of the shapes.
-    ratio : float
-        Of every vibration mode, in addition.
-    rigid : int
-        Number of rigid modes: they have viscous damping only.
+    - eigenvalues, shapes: mass-normalised modes, the rigid ones first, (N, m) and (N, m, n)
+    - viscous, loss: C_v and K'', in the coordinates of the shapes, (N, n, n)
+    - ratio: of every vibration mode, in addition
+    - rigid: number of rigid modes: they have viscous damping only
     """
     D = shapes @ viscous @ np.swapaxes(shapes, -1, -2)
     omega = np.sqrt(np.abs(eigenvalues[:, rigid:]))

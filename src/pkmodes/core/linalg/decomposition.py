@@ -14,19 +14,10 @@ def thin_svd(matrix: Array) -> tuple[Array, Array, Array]:
     LAPACK's divide and conquer (gesdd), which NumPy calls, does not converge for a few matrices of low rank, such as
     the signatures of causes of which many act alike.  The slower QR iteration (gesvd) takes its place there.
 
-    Parameters
-    ----------
-    matrix : ndarray, shape (a, b)
+    - matrix: (a, b)
 
-    Returns
-    -------
-    U, s, Vh : ndarray, shapes (a, k), (k,) and (k, b)
-        With k the smaller of a and b.
-
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If a number is not finite.
+    Returns U, s and Vh, (a, k), (k,) and (k, b), with k the smaller of a and b.
+    Raises numpy.linalg.LinAlgError if a number is not finite.
     """
     try:
         U, s, Vh = np.linalg.svd(matrix, full_matrices=False)

@@ -33,23 +33,14 @@ STIFFER = 10.0
 def generalised_eigh(M: Array, K: Array) -> tuple[Array, Array]:
     """Solve K phi = lambda M phi.
 
-    Parameters
-    ----------
-    M, K : ndarray, shape (N, n, n)
-        Symmetric; M positive definite.
+    - M, K: symmetric, (N, n, n); M positive definite
 
-    Returns
-    -------
-    eigenvalues : ndarray, shape (N, n)
-        Ascending [1/s^2].
-    shapes : ndarray, shape (N, n, n)
-        ``shapes[:, i]`` is mode i, with phi^T M phi = 1; in coordinates scaled to a unit diagonal of M, the first
-        of its largest components is positive.
+    Returns, in this order:
+    - eigenvalues: ascending, (N, n) [1/s^2]
+    - shapes: ``shapes[:, i]`` is mode i, with phi^T M phi = 1, (N, n, n); in coordinates scaled to a unit diagonal of
+      M, the first of its largest components is positive
 
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If some M is not positive definite.
+    Raises numpy.linalg.LinAlgError if some M is not positive definite.
     """
     diagonal = np.diagonal(M, axis1=-2, axis2=-1)
     if not (diagonal > 0.0).all():
@@ -75,28 +66,18 @@ def condensed_eigh(
     whole batch.  The stiffness of stiff joints on the diagonal of K may be arbitrarily large: where it costs the
     vibration modes digits, the system is solved in its graded form (`pkmodes.core.linalg.graded`).
 
-    Parameters
-    ----------
-    M, K : ndarray, shape (N, n, n)
-        Symmetric; M positive definite except for rows and columns of zeros, where K must be regular.
-    first : int
-        Index of the first released joint; released joints may be massless or stiff.
-    rigid : int
-        Number of rigid-body modes, whose eigenvalues are zero except for gravity.
-    massless : ndarray of bool, shape (n,), optional
-        Which coordinates have no inertia; by default those whose rows of M are zero.  Needed for an empty batch.
+    - M, K: symmetric, (N, n, n); M positive definite except for rows and columns of zeros, where K must be regular
+    - first: index of the first released joint; released joints may be massless or stiff
+    - rigid: number of rigid-body modes, whose eigenvalues are zero except for gravity
+    - massless: which coordinates have no inertia, (n,); by default those whose rows of M are zero.  Needed for an
+      empty batch.
 
-    Returns
-    -------
-    eigenvalues : ndarray, shape (N, m)
-        Ascending [1/s^2]; m is the number of coordinates with inertia.
-    shapes : ndarray, shape (N, m, n)
-        As returned by `generalised_eigh`, in all coordinates.
+    Returns, in this order:
+    - eigenvalues: ascending, (N, m) [1/s^2]; m is the number of coordinates with inertia
+    - shapes: as returned by `generalised_eigh`, in all coordinates, (N, m, n)
 
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If M is not positive definite on the coordinates with inertia, or K is singular on the massless ones.
+    Raises numpy.linalg.LinAlgError if M is not positive definite on the coordinates with inertia, or K is singular on
+    the massless ones.
     """
     if massless is None:
         massless = without_inertia(M, first)
@@ -136,18 +117,11 @@ def _all_sizes(M: Array, K: Array, first: int, rigid: int) -> tuple[Array, Array
 def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bool_]:
     """Return where the largest eigenvalue belongs to a stiff joint and is too large for the symmetric solver.
 
-    Parameters
-    ----------
-    eigenvalues : ndarray, shape (N, m) or (m,)
-        Ascending, accurate to rounding of the largest or better.
-    first : int
-        Index of the first released joint.
-    rigid : int
-        Number of rigid-body modes.
+    - eigenvalues: ascending, accurate to rounding of the largest or better, (N, m) or (m,)
+    - first: index of the first released joint
+    - rigid: number of rigid-body modes
 
-    Returns
-    -------
-    ndarray of bool, shape (N,) or ()
+    Returns (N,) or ().
     """
     if eigenvalues.shape[-1] <= first:
         return np.zeros(eigenvalues.shape[:-1], dtype=bool)
@@ -160,19 +134,11 @@ def has_stiff_joint(eigenvalues: Array, first: int, rigid: int) -> NDArray[np.bo
 
 
 def held_softly(eigenvalues: Array, motions: int) -> NDArray[np.bool_]:
-    """Return where springs to ground are too soft for the symmetric solver.
+    """Return where springs to ground are too soft for the symmetric solver, (N,) or ().
 
-    Parameters
-    ----------
-    eigenvalues : ndarray, shape (N, m) or (m,)
-        Ascending, accurate to rounding of the largest or better.
-    motions : int
-        Number of motions that nothing else holds, whether or not the springs hold all of them; 0 for a system that
-        is not held.
-
-    Returns
-    -------
-    ndarray of bool, shape (N,) or ()
+    - eigenvalues: ascending, accurate to rounding of the largest or better, (N, m) or (m,)
+    - motions: number of motions that nothing else holds, whether or not the springs hold all of them; 0 for a system
+      that is not held
     """
     if not motions:
         return np.zeros(eigenvalues.shape[:-1], dtype=bool)
@@ -188,18 +154,11 @@ def magnitude(eigenvalues: Array, first: int, rigid: int, motions: int = 0) -> A
     coordinates that are not stiff; where springs to ground are soft, for the motions that they hold the largest
     of these.
 
-    Parameters
-    ----------
-    eigenvalues : ndarray, shape (N, m)
-    first, rigid : int
-        As for `condensed_eigh`.
-    motions : int
-        As for `held_softly`.
+    - eigenvalues: (N, m)
+    - first, rigid: as for `condensed_eigh`
+    - motions: as for `held_softly`
 
-    Returns
-    -------
-    ndarray, shape (N, m)
-        Not negative.
+    Returns (N, m): not negative.
     """
     size = np.abs(eigenvalues)
     magnitudes = np.repeat(size.max(axis=-1, keepdims=True), size.shape[-1], axis=-1)

@@ -29,27 +29,17 @@ STIFF = 1e4
 def graded_eigh(M: Array, K: Array, soft: int, shift: float = 0.0) -> tuple[Array, Array]:
     """Solve K phi = lambda M phi for one system with some very stiff coordinates.
 
-    Parameters
-    ----------
-    M, K : ndarray, shape (n, n)
-        Symmetric; M positive definite with a unit diagonal.  The diagonal of K may be arbitrarily large.
-    soft : int
-        At least this many coordinates are not stiff.
-    shift : float
-        A larger shift, if that of the soft coordinates does not make K + shift M positive definite.
+    - M, K: symmetric, (n, n); M positive definite with a unit diagonal.  The diagonal of K may be arbitrarily large.
+    - soft: at least this many coordinates are not stiff
+    - shift: a larger shift, if that of the soft coordinates does not make K + shift M positive definite
 
-    Returns
-    -------
-    eigenvalues : ndarray, shape (n,)
-        Ascending; errors are relative to the larger of the eigenvalue itself and those of the soft coordinates.
-    shapes : ndarray, shape (n, n)
-        ``shapes[i]`` is mode i, with phi^T M phi = 1; the small components of stiff coordinates in a soft mode are
-        accurate relative to their own size.
+    Returns, in this order:
+    - eigenvalues: ascending, (n,); errors are relative to the larger of the eigenvalue itself and those of the soft
+      coordinates
+    - shapes: ``shapes[i]`` is mode i, with phi^T M phi = 1, (n, n); the small components of stiff coordinates in a
+      soft mode are accurate relative to their own size
 
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If M is not positive definite, or K is not finite.
+    Raises numpy.linalg.LinAlgError if M is not positive definite, or K is not finite.
     """
     order = np.argsort(np.diagonal(K), kind="stable")
     M, K = M[np.ix_(order, order)], K[np.ix_(order, order)]

@@ -11,12 +11,8 @@ Array = NDArray[np.float64]
 def compliance(stiffness: Array, motion: Array) -> Array:
     """Return the displacement of some outputs per force on them, L K^-1 L^T, symmetric, (N, d, d).
 
-    Parameters
-    ----------
-    stiffness : ndarray, shape (N, r, r)
-        K.
-    motion : ndarray, shape (N, d, r)
-        L, the outputs per unit of the coordinates.
+    - stiffness: K, (N, r, r)
+    - motion: L, the outputs per unit of the coordinates, (N, d, r)
     """
     flexibility = motion @ np.linalg.solve(stiffness, np.swapaxes(motion, -1, -2))
     return np.asarray(0.5 * (flexibility + np.swapaxes(flexibility, -1, -2)))
@@ -37,16 +33,10 @@ def amplitudes_of_steps(eigenvalues: Array, shapes: Array, outputs: Array, momen
 
     .. math:: |l \phi_i| \, |\phi_i^T M r_j| \, / \, \omega_i^2
 
-    Parameters
-    ----------
-    eigenvalues : ndarray, shape (N, m)
-        omega_i^2 [1/s^2].
-    shapes : ndarray, shape (N, m, n)
-        phi_i, mass-normalised.
-    outputs : ndarray, shape (N, m, d)
-        l phi_i: the norm over the d outputs counts.
-    momenta : ndarray, shape (N, n, j)
-        M r_j, with the motion r_j that is accelerated by 1.
+    - eigenvalues: omega_i^2, (N, m) [1/s^2]
+    - shapes: phi_i, mass-normalised, (N, m, n)
+    - outputs: l phi_i, (N, m, d): the norm over the d outputs counts
+    - momenta: M r_j, with the motion r_j that is accelerated by 1, (N, n, j)
     """
     moved = np.linalg.norm(outputs, axis=-1, keepdims=True)
     with np.errstate(divide="ignore", invalid="ignore"):

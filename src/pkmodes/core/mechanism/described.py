@@ -90,10 +90,7 @@ class Mechanism(Description, frozen=True, eq=False, dict=True, kw_only=True):
 def described_mechanism(package: str) -> Mechanism:
     """Return the mechanism that a package describes.
 
-    Raises
-    ------
-    DescriptionError
-        If the description is invalid.
+    Raises DescriptionError if the description is invalid.
     """
     description = decode((files(package) / FILE_NAME).read_bytes())
     content = msgspec.structs.asdict(description)

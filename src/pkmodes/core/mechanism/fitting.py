@@ -24,10 +24,7 @@ Shape = tuple[int, ...]
 def check_code(mechanism: Mechanism) -> None:
     """Compare a description with its code.
 
-    Raises
-    ------
-    PkmodesError
-        If they do not belong together.
+    Raises PkmodesError if they do not belong together.
     """
     try:
         with np.errstate(all="ignore"):

@@ -14,14 +14,9 @@ class Generated:
     A function takes only the arguments on which it depends, and these differ between mechanisms: a result may be
     constant for one and a formula for another.
 
-    Parameters
-    ----------
-    module
-        The generated model of a mechanism or of a single robot.
-    parameters : Parameters, optional
-        The robot; omitted for the model of a single robot.
-    effects : Effects, optional
-        The robot's effects, for an extended model.
+    - module: the generated model of a mechanism or of a single robot
+    - parameters: the robot; omitted for the model of a single robot
+    - effects: the robot's effects, for an extended model
     """
 
     def __init__(self, module: Any, parameters: Any = None, effects: Any = None) -> None:

@@ -46,15 +46,9 @@ def headings(mechanism: Mechanism) -> list[str]:
 def unit_vectors(motions: Array, lengths: Array) -> Array:
     """Return motions of the platform, (..., components), as unit vectors, rotations times the characteristic length.
 
-    Parameters
-    ----------
-    lengths : ndarray, shape (components,)
-        From `lengths_of`.
+    - lengths: from `lengths_of`, (components,)
 
-    Returns
-    -------
-    ndarray
-        0 where the platform does not move.
+    A vector is 0 where the platform does not move.
     """
     moved = motions * lengths
     size = np.linalg.norm(moved, axis=-1, keepdims=True)

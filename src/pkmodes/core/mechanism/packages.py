@@ -42,10 +42,7 @@ def installed() -> dict[str, str]:
 def imported(path: str | PathLike[str]) -> str:
     """Import a generated folder and return the name of the package.
 
-    Raises
-    ------
-    PkmodesError
-        If the folder is not a generated one, or its code raises.
+    Raises PkmodesError if the folder is not a generated one, or its code raises.
     """
     folder = Path(path)
     _check(folder)

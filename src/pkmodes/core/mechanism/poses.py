@@ -72,18 +72,11 @@ def codes_of(mechanism: Mechanism) -> tuple[str, ...]:
 class CheckedPoses(NamedTuple):
     """Validated poses.
 
-    Attributes
-    ----------
-    points : ndarray, shape (N, d)
-        Poses, d components each, in SI units.
-    codes : ndarray of int8, shape (N,)
-        Indices into `reasons`: 0 for a pose that can be evaluated, otherwise the reason why not.
-    batch : tuple of int
-        Leading axes of the poses as the caller gave them.
-    reasons : tuple of str
-        The reasons that the codes index.
-    unsolved : ndarray of int, optional
-        Which poses NumPy evaluated because the solver could not.
+    - points: poses, d components each, in SI units, (N, d)
+    - codes: indices into `reasons`, (N,): 0 for a pose that can be evaluated, otherwise the reason why not
+    - batch: leading axes of the poses as the caller gave them
+    - reasons: the reasons that the codes index
+    - unsolved: which poses NumPy evaluated because the solver could not
     """
 
     points: NDArray[np.float64]
@@ -102,12 +95,8 @@ class CheckedPoses(NamedTuple):
 
         If there are none, one empty part is yielded, so that results still get the right shapes.
 
-        Parameters
-        ----------
-        size : int
-            Largest number of poses in a part.
-        even : bool
-            Whether to make parts of equal size instead of full parts and a remainder.
+        - size: largest number of poses in a part
+        - even: whether to make parts of equal size instead of full parts and a remainder
         """
         places = np.flatnonzero(self.valid) if self.codes.any() else None
         count = len(self.points) if places is None else len(places)
@@ -132,22 +121,13 @@ def check_poses(
 ) -> CheckedPoses:
     """Check poses of the platform.
 
-    Parameters
-    ----------
-    poses : array_like, shape (d,) or (..., d)
-        In SI units, with the mechanism's pose components.
-    parameters : Parameters
-        The robot's parameters for the generated model.
-    on_error : {"raise", "nan"}
-        Whether a pose that cannot be evaluated raises an error or is marked invalid.
-    max_condition : float
-        Largest condition number that counts as regular.
+    - poses: in SI units, with the mechanism's pose components, (d,) or (..., d)
+    - parameters: the robot's parameters for the generated model
+    - on_error: whether a pose that cannot be evaluated raises an error or is marked invalid
+    - max_condition: largest condition number that counts as regular
 
-    Raises
-    ------
-    PoseError
-        If the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or violates a
-        condition of the mechanism.
+    Raises PoseError if the array does not hold poses; with ``on_error="raise"`` also if a pose is not finite or
+    violates a condition of the mechanism.
     """
     points, batch = given_poses(poses, mechanism, on_error)
     codes = pose_codes(points, mechanism, parameters, max_condition)
@@ -170,10 +150,7 @@ def pose_codes(
 def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tuple[Array, tuple[int, ...]]:
     """Check the pose arguments of a method; return the poses as (N, d) and their leading axes.
 
-    Raises
-    ------
-    PoseError
-        If the array is not one of poses, or `on_error` is unknown.
+    Raises PoseError if the array is not one of poses, or `on_error` is unknown.
     """
     if not (isinstance(on_error, str) and on_error in ("raise", "nan")):
         raise PoseError(
@@ -187,18 +164,11 @@ def given_poses(poses: ArrayLike, mechanism: Mechanism, on_error: OnError) -> tu
 def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, parameters: Any) -> None:
     """Raise the error of the first pose that cannot be evaluated, if there is one.
 
-    Parameters
-    ----------
-    points : ndarray, shape (N, d)
-    codes : ndarray of int8, shape (N,)
-        Indices into `codes_of`.
-    parameters : Parameters
-        The robot.
+    - points: (N, d)
+    - codes: indices into `codes_of`, (N,)
+    - parameters: the robot
 
-    Raises
-    ------
-    PoseError
-        That of the first bad pose.
+    Raises PoseError, that of the first bad pose.
     """
     if not codes.any():
         return
@@ -217,10 +187,7 @@ def refuse(points: Array, codes: NDArray[np.int8], mechanism: Mechanism, paramet
 def largest_condition(limit: float) -> float:
     """Check the largest condition number that counts as regular.
 
-    Raises
-    ------
-    PkmodesError
-        If it is not a positive number.
+    Raises PkmodesError if it is not a positive number.
     """
     remedy = f"give the largest condition number to accept, such as {MAX_CONDITION:g}"
     check_argument(limit, POSITIVE_NUMBER, "max_condition", remedy)
@@ -232,11 +199,8 @@ def as_points(
 ) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """Check an array of tuples of numbers; return it as (N, size), and its leading axes.
 
-    Raises
-    ------
-    PoseError
-        If it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and `remedy()` go into
-        the message.
+    Raises PoseError if it is not a non-empty array of real numbers of shape (size,) or (..., size); `name` and
+    `remedy()` go into the message.
     """
     try:
         if type(values) is not np.ndarray and np.ma.is_masked(values):
@@ -299,14 +263,9 @@ def explained(
 ) -> list[tuple[str, str]]:
     """Return what is wrong with poses that cannot be evaluated, and the remedies.
 
-    Parameters
-    ----------
-    points : ndarray, shape (N, d)
-        Poses.
-    codes : ndarray of int8, shape (N,)
-        Their codes from `check_poses`, all nonzero.
-    parameters : Parameters
-        The robot's parameters.
+    - points: poses, (N, d)
+    - codes: their codes from `check_poses`, all nonzero, (N,)
+    - parameters: the robot's parameters
     """
     with np.errstate(all="ignore"):
         generated = Generated(mechanism.model, parameters)

@@ -79,15 +79,9 @@ def mechanism(name: str) -> Mechanism:
 def add(package: str) -> Mechanism:
     """Register a mechanism whose description and functions were generated into a separate package.
 
-    Parameters
-    ----------
-    package : str
-        Import name of the package, which contains a ``description.json`` and a module ``extended``.
+    - package: import name of the package, which contains a ``description.json`` and a module ``extended``
 
-    Raises
-    ------
-    PkmodesError
-        If it cannot be imported, or has the name of a mechanism of pkmodes.
+    Raises PkmodesError if it cannot be imported, or has the name of a mechanism of pkmodes.
     """
     added = _described_in(package)
     of_pkmodes = package == f"{GENERATED}.{added.name}" or effect_files(package, added.effects)

@@ -68,17 +68,10 @@ def extent(mechanism: Mechanism, parameters: Any) -> float:
 def regular_poses(generated: Generated, mechanism: Mechanism, parameters: Any, count: int = 4) -> Array:
     """Find poses well inside the workspace of a robot.
 
-    Parameters
-    ----------
-    generated : Generated
-        Functions for this robot.
-    count : int
-        Number of poses.
+    - generated: functions for this robot
+    - count: number of poses
 
-    Returns
-    -------
-    ndarray, shape (N, d)
-        At most `count` poses; fewer if no more were found.
+    Returns (N, d): at most `count` poses; fewer if no more were found.
     """
     rng = np.random.default_rng(SEED)
     chosen: list[Array] = []
@@ -106,15 +99,9 @@ def drawn_poses(
     Where the platform turns, the box is narrowed to poses that nearly meet all conditions: in six dimensions hardly
     any pose of a wide one does.
 
-    Parameters
-    ----------
-    generated : Generated
-        Functions for this robot.
+    - generated: functions for this robot
 
-    Returns
-    -------
-    ndarray, shape (count, d)
-        NaN where links do not meet; not all of the others can be reached.
+    Returns (count, d); NaN where links do not meet; not all of the others can be reached.
     """
     names = tuple(component.name for component in mechanism.pose)
     ends = travel(mechanism, parameters)

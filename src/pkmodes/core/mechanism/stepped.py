@@ -14,11 +14,8 @@ STEP = 1e-30
 def stepped(numbers: Any, names: Sequence[tuple[str, tuple[int, ...]]]) -> Any:
     """Return parameters or effects with a complex step in one number at a time, along a new first axis.
 
-    Parameters
-    ----------
-    numbers : Parameters or Effects
-    names : sequence of (str, tuple of int)
-        Field and index of each number; those of other fields have no step.
+    - numbers: Parameters or Effects
+    - names: field and index of each number; those of other fields have no step
     """
     copies = {}
     for k, (field, index) in enumerate(names):

@@ -19,19 +19,11 @@ EXAMPLES = {"Hz": '"Hz" or "rad/s"', "1": '"%"', "m": '"mm"', "rad": '"deg"'}
 def column_of(cell: str, where: str, units: Mapping[str, str]) -> tuple[str, Decimal | None]:
     """Return the name of a column and the factor of its unit to SI, None without a unit; other columns have none.
 
-    Parameters
-    ----------
-    cell : str
-        Of the header.
-    where : str
-        For messages.
-    units : mapping of str to str
-        SI units of the columns that are read.
+    - cell: of the header
+    - where: for messages
+    - units: SI units of the columns that are read
 
-    Raises
-    ------
-    MeasurementError
-        If the unit is not one of that kind.
+    Raises MeasurementError if the unit is not one of that kind.
     """
     name, unit = parted(cell, list(units))
     if unit is None or name not in units:
@@ -68,10 +60,7 @@ def _listed_name(name: str, names: Sequence[str]) -> str:
 def frequency_factor(unit: str) -> Decimal:
     """Return the factor that converts a frequency in this unit to Hz.
 
-    Raises
-    ------
-    QuantityError
-        If it is not a unit of frequency.
+    Raises QuantityError if it is not a unit of frequency.
     """
     factor, powers = base_units(unit)
     if powers == {"second": -1}:
@@ -89,15 +78,9 @@ def unit_remedy(si: str) -> str:
 def factor_of(name: str, unit: str, place: str, allowed: Sequence[str], remedy: str) -> Decimal:
     """Return the factor that converts the numbers of a column to SI units.
 
-    Parameters
-    ----------
-    allowed : sequence of str
-        SI units, one of which its unit has to be a multiple of.
+    - allowed: SI units, one of which its unit has to be a multiple of
 
-    Raises
-    ------
-    MeasurementError
-        If it is none.
+    Raises MeasurementError if it is none.
     """
     expected = " or ".join(EXAMPLES.get(si, f'"{si}"') for si in allowed)
     try:

@@ -39,14 +39,9 @@ Problem = Callable[[str, str, str], None]
 class Covariance:
     """Values whose errors belong together.
 
-    Attributes
-    ----------
-    paths : tuple of str, length k
-        In the order of the table.
-    correlation : tuple of k tuples of k floats
-        Symmetric and positive semidefinite, 1 on its diagonal.
-    sigmas : tuple of float, length k, or None
-        Standard deviations that belong to it [SI]; None for the values' own.
+    - paths: in the order of the table, length k
+    - correlation: symmetric and positive semidefinite, 1 on its diagonal
+    - sigmas: standard deviations that belong to it, length k [SI]; None for the values' own
     """
 
     paths: tuple[str, ...]
@@ -94,19 +89,11 @@ def read_covariance(
 ) -> tuple[Covariance, ...]:
     """Read the tables.
 
-    Parameters
-    ----------
-    raw : object
-        The list of tables in the parsed file.
-    quantities : mapping of str to Quantity
-        Every declared value by path.
-    problem : callable
-        Takes the path, what is wrong, and the remedy of each problem.
+    - raw: the list of tables in the parsed file
+    - quantities: every declared value by path
+    - problem: takes the path, what is wrong, and the remedy of each problem
 
-    Returns
-    -------
-    tuple of Covariance
-        Those without a problem; a value that an effect takes from a table of the file has its path there.
+    Returns those without a problem; a value that an effect takes from a table of the file has its path there.
     """
     if not isinstance(raw, list) or not all(isinstance(table, Mapping) for table in raw):
         actual = shown(raw)

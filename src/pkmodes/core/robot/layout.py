@@ -36,17 +36,11 @@ OF_QUANTITIES = ("quantity", "vector", "pair")
 class Number:
     """A quantity of a robot file.
 
-    Attributes
-    ----------
-    path : str
-        Such as ``platform.mass``, ``axis.2.belt.width``, ``axis.1.origin.x``.
-    unit : str
-        SI unit.
-    slot : Slot or None
-        None for a value that the entries of a repeated table share: it is stored in the slots of the entries; and for
-        a value that changes neither M nor K, such as a damping ratio.
-    place : tuple of str and int
-        Its keys in the parsed file.
+    - path: such as ``platform.mass``, ``axis.2.belt.width``, ``axis.1.origin.x``
+    - unit: SI unit
+    - slot: None for a value that the entries of a repeated table share: it is stored in the slots of the entries; and
+      for a value that changes neither M nor K, such as a damping ratio
+    - place: its keys in the parsed file
     """
 
     path: str
@@ -59,18 +53,11 @@ class Number:
 class Item:
     """A key of the robot file in one of its tables.
 
-    Attributes
-    ----------
-    path : str
-        Such as ``gravity``, ``belt.width``, ``axis.2.belt.width``, ``axis.1.direction``.
-    index : tuple of int or None
-        Index of its numbers in their field; None for a value that the entries of a repeated table share.
-    entry : int or None
-        Index of the entry in the repeated table, from 0.
-    shared : str
-        Path of the shared value that is used if this one is not given; empty for none.
-    place : tuple of str and int
-        Its keys in the parsed file.
+    - path: such as ``gravity``, ``belt.width``, ``axis.2.belt.width``, ``axis.1.direction``
+    - index: index of its numbers in their field; None for a value that the entries of a repeated table share
+    - entry: index of the entry in the repeated table, from 0
+    - shared: path of the shared value that is used if this one is not given; empty for none
+    - place: its keys in the parsed file
     """
 
     path: str

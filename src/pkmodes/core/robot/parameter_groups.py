@@ -58,10 +58,7 @@ def weights_of(robot: Declaration, group: ParameterGroup) -> dict[Slot, float]:
 def elements_of(robot: Declaration, group: ParameterGroup, value: float) -> dict[str, float]:
     """Return the elements by path that give a group another value.
 
-    Raises
-    ------
-    PkmodesError
-        If a vector is zero and has no direction, or would shrink to zero.
+    Raises PkmodesError if a vector is zero and has no direction, or would shrink to zero.
     """
     vectors = _vectors(robot, group).tolist()
     elements: dict[str, float] = {}

@@ -25,16 +25,10 @@ Named = tuple[Sequence[Any], Callable[[int], Any]]
 def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
     """Return poses as an array with the components in their order; what has no names is returned unchanged.
 
-    Parameters
-    ----------
-    poses : array_like, or table
-        A table has a column for each component of the pose, in SI units or with a unit in its name (``x [mm]``);
-        other columns are ignored.
+    - poses: a table has a column for each component of the pose, in SI units or with a unit in its name (``x [mm]``);
+      other columns are ignored
 
-    Raises
-    ------
-    PoseError
-        If a column is missing or repeated, does not hold numbers, or has another kind of unit.
+    Raises PoseError if a column is missing or repeated, does not hold numbers, or has another kind of unit.
     """
     if _is_array(poses):
         return poses  # at once: a single pose takes microseconds
@@ -44,12 +38,8 @@ def poses_by_name(poses: ArrayLike, mechanism: Mechanism) -> ArrayLike:
 def by_name(numbers: ArrayLike, units: Mapping[str, str], where: str) -> ArrayLike:
     """Return numbers by their names, (..., k), as `poses_by_name` does.
 
-    Parameters
-    ----------
-    units : mapping of str to str
-        Names and SI units, in the order of the result.
-    where : str
-        Name of the argument, for messages.
+    - units: names and SI units, in the order of the result
+    - where: name of the argument, for messages
     """
     named = None if _is_array(numbers) else _named(numbers)
     if named is None:

@@ -20,18 +20,11 @@ LONGEST = 120
 def read_report(raw: Any, problem: Callable[[str, str, str], None]) -> dict[str, str]:
     """Read the table.
 
-    Parameters
-    ----------
-    raw : object
-        The table in the parsed file.
-    problem : callable
-        Takes the path, what is wrong, and the remedy of each problem.
+    - raw: the table in the parsed file
+    - problem: takes the path, what is wrong, and the remedy of each problem
 
-    Returns
-    -------
-    dict of str to str
-        The fields that it gives, in the order of the head, on one line each and without characters that are not
-        visible.
+    Returns the fields that it gives, in the order of the head, on one line each and without characters that are not
+    visible.
     """
     if not isinstance(raw, Mapping):
         problem(REPORT, f"expected a table, found {shown(raw)}", f'write customer = "..." below [{REPORT}]')

@@ -36,10 +36,7 @@ Value = Quantity | tuple[Quantity | float, ...] | int
 class RefusedError(ValueError):
     """A rejected value; the caller adds its place in the file.
 
-    Attributes
-    ----------
-    element : str
-        Name of the element in a vector, empty otherwise.
+    - element: name of the element in a vector, empty otherwise
     """
 
     def __init__(self, what: str, remedy: str = SI_REMEDY, element: str = "") -> None:
@@ -50,15 +47,8 @@ class RefusedError(ValueError):
 def key_value(raw: Any, key: Key) -> Value:
     """Read the value of a key.
 
-    Returns
-    -------
-    Quantity, tuple of Quantity, tuple of float or int
-        A quantity; a vector or pair of quantities; a direction or signs; a choice.
-
-    Raises
-    ------
-    RefusedError
-        If the key does not accept the value.
+    Returns a quantity; a vector or pair of quantities; a direction or signs; a choice.
+    Raises RefusedError if the key does not accept the value.
     """
     if key.kind == "quantity":
         return number_of(raw, key)
@@ -79,10 +69,7 @@ def key_value(raw: Any, key: Key) -> Value:
 def number_of(raw: Any, key: Key) -> Quantity:
     """Read the quantity of a key, or one element of a vector of them.
 
-    Raises
-    ------
-    RefusedError
-        If the key does not accept it.
+    Raises RefusedError if the key does not accept it.
     """
     return quantity(raw, key.dimension, *_bounds(key))
 

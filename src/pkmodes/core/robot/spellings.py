@@ -59,12 +59,9 @@ SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴", "-01234")
 def plain_numbers(text: str) -> tuple[list[tuple[str, str]], str]:
     """Return the readings of a number whose digits are separated by anything but one decimal point.
 
-    Returns
-    -------
-    list of tuple of str
-        The number with a decimal point and the unit, for each reading; empty if it is no such number.
-    str
-        What is unusual about it, as a relative clause.
+    Returns, in this order:
+    - the number with a decimal point and the unit, for each reading; empty if it is no such number
+    - what is unusual about it, as a relative clause
     """
     match = SEPARATED.fullmatch(text)
     if match is None:

@@ -29,32 +29,18 @@ T = TypeVar("T")
 class Tables:
     """The tables of a robot file.
 
-    Parameters
-    ----------
-    document : mapping
-        The parsed file.
-    source : str
-        Its name, for messages.
+    - document: the parsed file
+    - source: its name, for messages
 
-    Attributes
-    ----------
-    name : str
-        The robot's name.
-    values : mapping of str to Value
-        By path, as given in the tables: without merging and without defaults.
-    effects : mapping of str to Quantity
-        Parameters of the effects in the file, by path.
-    usable : mapping of str to Limits, Radius or SingularAngle
-        Limits of components of the pose, where the file gives any.
-    report : mapping of str to str
-        Fields of the head of reports.
-    covariance : object
-        The tables of correlations as they were given: they need all values.
+    Its attributes:
+    - name: the robot's name
+    - values: by path, as given in the tables: without merging and without defaults
+    - effects: parameters of the effects in the file, by path
+    - usable: limits of components of the pose, where the file gives any
+    - report: fields of the head of reports
+    - covariance: the tables of correlations as they were given: they need all values
 
-    Raises
-    ------
-    RobotFileError
-        If the mechanism is unknown, because it defines the tables.
+    Raises RobotFileError if the mechanism is unknown, because it defines the tables.
     """
 
     def __init__(self, document: Mapping[str, Any], source: str) -> None:

@@ -117,10 +117,7 @@ class Quantity:
 class QuantityError(ValueError):
     """Text that is not the expected quantity; the message says what was expected and found.
 
-    Attributes
-    ----------
-    remedy : str
-        How to write what was probably meant; empty if unknown.
+    - remedy: how to write what was probably meant; empty if unknown
     """
 
     def __init__(self, what: str, remedy: str = "") -> None:
@@ -141,19 +138,11 @@ def _registry() -> UnitRegistry[Decimal]:
 def parse(text: str, dimension: str, bare: bool = False) -> float:
     """Convert a number with its unit to SI.
 
-    Parameters
-    ----------
-    text : str
-        For example ``"400 mm"``.
-    dimension : str
-        A key of `DIMENSIONS`.
-    bare : bool
-        Whether a number without a unit is accepted, in SI units; for the dimension "number" it always is.
+    - text: for example ``"400 mm"``
+    - dimension: a key of `DIMENSIONS`
+    - bare: whether a number without a unit is accepted, in SI units; for the dimension "number" it always is
 
-    Raises
-    ------
-    QuantityError
-        If the number or unit is missing, or the unit is unknown or of another dimension.
+    Raises QuantityError if the number or unit is missing, or the unit is unknown or of another dimension.
     """
     si_unit, example = DIMENSIONS[dimension]
     expected = f'expected {article(dimension)} such as "{example}"'
@@ -204,15 +193,9 @@ def _in_plain_numbers(readings: list[tuple[str, str]], dimension: str, bare: boo
 def parse_number_or_quantity(text: str, unit: str) -> float:
     """Read a bare number in SI units, or a number with its unit; also infinity and NaN.
 
-    Parameters
-    ----------
-    unit : str
-        The SI unit.
+    - unit: the SI unit
 
-    Raises
-    ------
-    QuantityError
-        If it is neither.
+    Raises QuantityError if it is neither.
     """
     try:
         if "_" in text:  # Python's float() would read 1_0 as 10
@@ -225,15 +208,9 @@ def parse_number_or_quantity(text: str, unit: str) -> float:
 def check_plain_number(text: str, expected: str) -> None:
     """Reject a number, perhaps with a unit, whose digits are separated by anything but one decimal point.
 
-    Parameters
-    ----------
-    expected : str
-        What was expected, with its article, for the message.
+    - expected: what was expected, with its article, for the message
 
-    Raises
-    ------
-    QuantityError
-        With the number as it is to be written.
+    Raises QuantityError with the number as it is to be written.
     """
     readings, flaw = plain_numbers(text)
     if readings:
@@ -257,10 +234,7 @@ class _UnitError(ValueError):
 def _convert(number: Decimal, unit: str, si_unit: str) -> float:
     """Convert a number to an SI unit.
 
-    Raises
-    ------
-    _UnitError
-        With the reason as a relative clause.
+    Raises _UnitError with the reason as a relative clause.
     """
     if (factor := COMMON.get(si_unit, {}).get(unit)) is not None:
         return float(number * factor)
@@ -300,10 +274,7 @@ def _convert(number: Decimal, unit: str, si_unit: str) -> float:
 def meant_as(unit: str, si_unit: str) -> str | None:
     """Return the spelling of the unit that was probably meant, such as ``N*m`` for ``Nm``; None if unknown.
 
-    Parameters
-    ----------
-    si_unit : str
-        The SI unit of the expected dimension.
+    - si_unit: the SI unit of the expected dimension
     """
     for spelling in spellings(unit) if len(unit) <= LONGEST else ():
         if spelling == "%" and si_unit == "1":
@@ -323,10 +294,7 @@ def base_units(unit: str) -> tuple[Decimal, Mapping[str, object]]:
 
     An angle counts as a base unit, which distinguishes rad/s from Hz; ``"1"`` has no base units.
 
-    Raises
-    ------
-    QuantityError
-        If it is not a unit, unknown, one that is often confused, or not proportional to a base unit.
+    Raises QuantityError if it is not a unit, unknown, one that is often confused, or not proportional to a base unit.
     """
     if unit == "1":
         return Decimal(1), {}

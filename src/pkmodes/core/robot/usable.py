@@ -58,17 +58,10 @@ Bound = Limits | Radius | SingularAngle
 def read_usable(mechanism: Mechanism, raw: Any, problem: Callable[[str, str, str], None]) -> dict[str, Bound]:
     """Read the table.
 
-    Parameters
-    ----------
-    raw : object
-        The table in the parsed file.
-    problem : callable
-        Takes the path, what is wrong, and the remedy of each problem.
+    - raw: the table in the parsed file
+    - problem: takes the path, what is wrong, and the remedy of each problem
 
-    Returns
-    -------
-    dict of str to Limits, Radius or SingularAngle
-        In SI units: components of the pose in its order, then the others.
+    Returns the bounds in SI units: components of the pose in its order, then the others.
     """
     units = {component.name: component.unit for component in mechanism.pose}
     if not isinstance(raw, Mapping):

@@ -27,15 +27,9 @@ Values = Mapping[str, schema.Value]
 def declaration(document: Mapping[str, Any], source: str) -> Declaration:
     """Validate a parsed robot file.
 
-    Parameters
-    ----------
-    source : str
-        Name of the file, for messages.
+    - source: name of the file, for messages
 
-    Raises
-    ------
-    RobotFileError
-        With one problem for each thing to fix.
+    Raises RobotFileError with one problem for each thing to fix.
     """
     tables = Tables(document, source)
     tables.raise_problems()

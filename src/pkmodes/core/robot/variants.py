@@ -101,12 +101,8 @@ def _with_replaced(robot: Declaration, changes: Mapping[str, Any], source: str) 
 class _Replaceable(NamedTuple):
     """A number that another one may replace: how that is read, and where it goes.
 
-    Attributes
-    ----------
-    read : callable
-        From what a robot file may contain.
-    slots : list of (str, Slot)
-        In the generated parameters or effects, each with the path that would give it another value.
+    - read: from what a robot file may contain
+    - slots: in the generated parameters or effects, each with the path that would give it another value
     """
 
     read: Callable[[Any], Quantity]
@@ -148,23 +144,13 @@ def document_of(
 ) -> dict[str, Any]:
     """Return the document of a robot file with only these values.
 
-    Parameters
-    ----------
-    name : str
-        The robot's name.
-    values : mapping of str to value
-        By path, as a file could contain them; a vector by all of its elements.
-    usable : mapping of str to Limits, Radius or SingularAngle, optional
-        Where the machine is used.
-    report : mapping of str to str, optional
-        Fields of the head of reports.
-    covariance : sequence of Covariance, optional
-        Values whose errors belong together.
+    - name: the robot's name
+    - values: by path, as a file could contain them; a vector by all of its elements
+    - usable: where the machine is used
+    - report: fields of the head of reports
+    - covariance: values whose errors belong together
 
-    Raises
-    ------
-    KeyError
-        If an element of a vector is missing.
+    Raises KeyError if an element of a vector is missing.
     """
     document: dict[str, Any] = {"format": FORMAT, "name": name, "mechanism": mechanism.name}
     for table in mechanism.tables:

@@ -21,13 +21,9 @@ Array = NDArray[np.float64]
 class RobotAtPoses:
     """The quantities of a robot at N poses; each is evaluated once, when it is needed.
 
-    Parameters
-    ----------
-    points : ndarray, shape (N, d)
-    source : str
-        The robot, for messages.
-    quantities : mapping of str to object
-        Quantities that need not be evaluated, such as ``eigenvalues`` and ``shapes`` from a solver.
+    - points: (N, d)
+    - source: the robot, for messages
+    - quantities: quantities that need not be evaluated, such as ``eigenvalues`` and ``shapes`` from a solver
     """
 
     def __init__(self, system: Evaluation, points: Array, source: str, quantities: Mapping[str, Any]) -> None:

@@ -39,15 +39,9 @@ COUNTED = {3: "three", 4: "four", 5: "five"}
 def chosen(backend: str) -> str:
     """Return the back end that the caller or the environment selects.
 
-    Parameters
-    ----------
-    backend : str
-        A name of `SOLVERS`; with "auto", the environment variable ``PKMODES_BACKEND`` decides.
+    - backend: a name of `SOLVERS`; with "auto", the environment variable ``PKMODES_BACKEND`` decides
 
-    Raises
-    ------
-    PkmodesError
-        If either is not the name of a back end.
+    Raises PkmodesError if either is not the name of a back end.
     """
     name, where = backend, "backend"
     if isinstance(backend, str) and backend == AUTO:
@@ -63,10 +57,7 @@ def chosen(backend: str) -> str:
 def checked_threads(threads: int | None) -> int:
     """Check a number of threads; by default one for each core that this process may use.
 
-    Raises
-    ------
-    PkmodesError
-        If it is not a positive integer.
+    Raises PkmodesError if it is not a positive integer.
     """
     if threads is None:
         return all_cores()
@@ -86,12 +77,8 @@ def all_cores() -> int:
 class HeldSolver(Solver):
     """Solves for held motors, by another solver of their system.
 
-    Parameters
-    ----------
-    solver : Solver
-        Of `system`.
-    free : Solver, optional
-        Of the robot with free motors, for the fields in its coordinates, if its digits are those of NumPy.
+    - solver: of `system`
+    - free: of the robot with free motors, for the fields in its coordinates, if its digits are those of NumPy
     """
 
     together = False
@@ -164,19 +151,11 @@ def solver_of(
 ) -> Solver:
     """Return the solver of a robot.
 
-    Parameters
-    ----------
-    largest_condition : float
-        Poses with a larger condition number are singular.
-    backend : str
-        From `chosen`; with "auto", the first of `PREFERRED` that can be used.
-    free : Solver, optional
-        For held motors: see `HeldSolver`.
+    - largest_condition: poses with a larger condition number are singular
+    - backend: from `chosen`; with "auto", the first of `PREFERRED` that can be used
+    - free: for held motors: see `HeldSolver`
 
-    Raises
-    ------
-    UnavailableError
-        If it cannot be used here.
+    Raises UnavailableError if it cannot be used here.
     """
     if isinstance(system, MotorsHeld):
         return HeldSolver(_solver_of(system, largest_condition, backend), system, free)

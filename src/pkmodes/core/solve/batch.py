@@ -26,24 +26,16 @@ Rows = Mapping[str, Array]
 class Job:
     """What to evaluate at the poses of a robot.
 
-    Attributes
-    ----------
-    tails : mapping of str to (tuple of int, str)
-        Shape at one pose, and type, of each field.
-    reasons : tuple of str
-        The reasons that codes index: `pkmodes.core.mechanism.poses.codes_of`.
-    compute : callable
-        Fills the fields at poses, (n, d), with so many threads at most, and returns their codes, `UNSOLVED` where
-        `by_numpy` has to do it.
-    by_numpy : callable
-        Returns the fields at poses, (n, d), that can be evaluated.
-    checks_poses : bool
-        Whether `compute` checks the poses; without fields it only checks them.  If not, it is given some thousand
-        poses at a time that can be evaluated.
-    refusable : bool
-        Whether a pose may be refused after it was checked: then the caller's arrays are filled at the end.
-    at_one_pose : callable, optional
-        Evaluates the fields at a single pose with less overhead: see `pkmodes.core.solve.solver.Solver.alone`.
+    - tails: shape at one pose, and type, of each field
+    - reasons: the reasons that codes index: `pkmodes.core.mechanism.poses.codes_of`
+    - compute: fills the fields at poses, (n, d), with so many threads at most, and returns their codes, `UNSOLVED`
+      where `by_numpy` has to do it
+    - by_numpy: returns the fields at poses, (n, d), that can be evaluated
+    - checks_poses: whether `compute` checks the poses; without fields it only checks them.  If not, it is given some
+      thousand poses at a time that can be evaluated.
+    - refusable: whether a pose may be refused after it was checked: then the caller's arrays are filled at the end
+    - at_one_pose: evaluates the fields at a single pose with less overhead: see
+      `pkmodes.core.solve.solver.Solver.alone`
     """
 
     tails: Mapping[str, tuple[tuple[int, ...], str]]
@@ -66,17 +58,11 @@ def run_job(
 ) -> tuple[CheckedPoses, dict[str, Array]]:
     """Evaluate a job.
 
-    Returns
-    -------
-    CheckedPoses
-        With the code of each pose.
-    dict of str to ndarray, shape (..., *tail)
-        By field; NaN where a pose cannot be evaluated.
+    Returns, in this order:
+    - the poses, with the code of each
+    - arrays by field, each (..., *tail); NaN where a pose cannot be evaluated
 
-    Raises
-    ------
-    PoseError, PkmodesError
-        As `pkmodes.Model.modes` does.
+    Raises PoseError or PkmodesError as `pkmodes.Model.modes` does.
     """
     mechanism = robot.mechanism
     points, batch = given_poses(poses_by_name(poses, mechanism), mechanism, on_error)

@@ -29,10 +29,7 @@ APART = 1e-6
 class CompiledSolver(Solver):
     """Evaluates modes with the compiled library of a mechanism.
 
-    Parameters
-    ----------
-    system : Evaluation
-        Of the same robot or robots.
+    - system: of the same robot or robots
     """
 
     name = "compiled"
@@ -51,10 +48,7 @@ class CompiledSolver(Solver):
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
         """Load the library of a robot's mechanism, or build it.
 
-        Raises
-        ------
-        UnavailableError
-            If there is no library.
+        Raises UnavailableError if there is no library.
         """
         # Building and loading libraries needs modules that are slow to import.
         from pkmodes.core.compiled import loader
@@ -140,15 +134,10 @@ class CompiledSolver(Solver):
     def unresolved(self, shown: str, values: Array) -> NDArray[np.bool_]:
         """Return where joints are too soft or too stiff, springs to ground too soft, or magnitudes too different.
 
-        Parameters
-        ----------
-        shown : {"eigenvalues", "frequencies"}
-        values : ndarray, shape (N, m) or (m,)
-            Of this field.
+        - shown: "eigenvalues" or "frequencies"
+        - values: of this field, (N, m) or (m,)
 
-        Returns
-        -------
-        ndarray of bool, shape (N,) or ()
+        Returns (N,) or ().
         """
         system = self._system
         first, rigid = system.first, system.rigid_modes

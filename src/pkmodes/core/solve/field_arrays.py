@@ -28,24 +28,13 @@ Out = Mapping[str, Array] | None
 def chosen_fields(fields: Fields, out: Out, available: tuple[str, ...]) -> tuple[str, ...]:
     """Check which fields are requested.
 
-    Parameters
-    ----------
-    fields : iterable of str, optional
-        By default the fields in `out`, or all without `out`; the word "all" for all.
-    out : mapping of str to ndarray, optional
-        Arrays to fill, by field.
-    available : tuple of str
-        All fields.
+    - fields: by default the fields in `out`, or all without `out`; the word "all" for all
+    - out: arrays to fill, by field
+    - available: all fields
 
-    Returns
-    -------
-    tuple of str
-        In the order of `available`.
-
-    Raises
-    ------
-    PkmodesError
-        If a field is unknown, no field is requested, or `out` is not a mapping of fields to different arrays.
+    Returns them in the order of `available`.
+    Raises PkmodesError if a field is unknown, no field is requested, or `out` is not a mapping of fields to different
+    arrays.
     """
     if out is not None and not isinstance(out, Mapping):
         raise PkmodesError(
@@ -101,23 +90,14 @@ def _check_fits(name: str, array: Array, shape: tuple[int, ...], dtype: np.dtype
 class FieldArrays:
     """Arrays with the leading axes of the caller's poses, filled part by part.
 
-    Parameters
-    ----------
-    batch : tuple of int
-        Shape of the poses.
-    out : mapping of str to ndarray, optional
-        Arrays of the caller's to fill; arrays of other fields are allocated.
-    aside : bool
-        Whether the caller's arrays are left unchanged until `finish`.
-    blank : bool
-        Whether arrays begin with NaN, or -1 in arrays of integers, instead of anything.
+    - batch: shape of the poses
+    - out: arrays of the caller's to fill; arrays of other fields are allocated
+    - aside: whether the caller's arrays are left unchanged until `finish`
+    - blank: whether arrays begin with NaN, or -1 in arrays of integers, instead of anything
 
-    Attributes
-    ----------
-    arrays : dict of str to ndarray, shape (..., *tail)
-        By field.
-    rows : dict of str to ndarray, shape (N, *tail)
-        What to fill, contiguous: a view of the array, or a stand-in until `finish`.
+    Its attributes:
+    - arrays: by field, each (..., *tail)
+    - rows: what to fill, contiguous, each (N, *tail): a view of the array, or a stand-in until `finish`
     """
 
     def __init__(

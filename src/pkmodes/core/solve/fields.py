@@ -37,46 +37,26 @@ EVERY = frozenset({SHAPES, DISSIPATION, HELD})
 class Field:
     """A quantity that is evaluated at poses.
 
-    Attributes
-    ----------
-    name : str
-        In `pkmodes.Modes` and the arguments ``fields`` and ``out``, if it is one of the results there.
-    dims : tuple of str
-        Axes after those of the poses.
-    needs : tuple of str
-        The quantities of which it is a function.
-    of : callable
-        From their values at N poses, its values, (N, ...); by default those of the only one.
-    in_modes : bool
-        Whether `pkmodes.Modes` has it.
-    variable : str
-        Its name in maps, datasets and tables; empty if it is in none.
-    key : str
-        Its name in the JSON of ``pkmodes modes``; empty if it is not there.
-    key_text : str
-        What it is, for the JSON Schema.
-    units : str or callable
-        In maps; of a mechanism.
-    text : str
-        What it is, for maps; {plane}, {normal}, {independent} and {effort} are replaced.
-    symbol : str
-        Heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there.
-    only : {"", "shapes", "dissipation", "held"}
-        Under which condition maps have it (`conditions_of`), if not always.  With ``"held"`` it is null in JSON where
-        motors are free and no spring holds them.
-    signed : bool
-        Whether it changes its sign with the sign of the mode shape.
-    nullable : bool
-        Whether its numbers may be null in JSON.
-    same_as : str
-        Another field whose values it has, for mechanisms whose independent coordinates have its name.
-    otherwise : float
-        Its value where the robot does not dissipate, or the motors are free, if `only` says that it is for the other
-        case; NaN for rigid modes.
-    on_demand : bool
-        Whether results evaluate it only when it is read, unless it was asked for by name.
-    read_with : str
-        Another such field that is mostly read too: at few poses reading one of them evaluates both.
+    - name: in `pkmodes.Modes` and the arguments ``fields`` and ``out``, if it is one of the results there
+    - dims: axes after those of the poses
+    - needs: the quantities of which it is a function
+    - of: from their values at N poses, its values, (N, ...); by default those of the only one
+    - in_modes: whether `pkmodes.Modes` has it
+    - variable: its name in maps, datasets and tables; empty if it is in none
+    - key: its name in the JSON of ``pkmodes modes``; empty if it is not there
+    - key_text: what it is, for the JSON Schema
+    - units: in maps; of a mechanism
+    - text: what it is, for maps; {plane}, {normal}, {independent} and {effort} are replaced
+    - symbol: heading in the table of a notebook, followed by the number of the mode; empty if it has no columns there
+    - only: under which condition maps have it (`conditions_of`), "", "shapes", "dissipation" or "held", if not
+      always.  With ``"held"`` it is null in JSON where motors are free and no spring holds them.
+    - signed: whether it changes its sign with the sign of the mode shape
+    - nullable: whether its numbers may be null in JSON
+    - same_as: another field whose values it has, for mechanisms whose independent coordinates have its name
+    - otherwise: its value where the robot does not dissipate, or the motors are free, if `only` says that it is for
+      the other case; NaN for rigid modes
+    - on_demand: whether results evaluate it only when it is read, unless it was asked for by name
+    - read_with: another such field that is mostly read too: at few poses reading one of them evaluates both
     """
 
     name: str
@@ -385,14 +365,9 @@ def of_modes(mechanism: Mechanism | None = None) -> tuple[str, ...]:
 def conditions_of(robots: Iterable[Robot], shapes: bool, drives: str) -> frozenset[str]:
     """Return which conditions hold, of those under which maps have a field.
 
-    Parameters
-    ----------
-    robots : iterable of Robot
-        All of a map: a field of damping is there if any of them dissipates.
-    shapes : bool
-        Whether mode shapes are kept.
-    drives : {"free", "held"}
-        What the motors do.
+    - robots: all of a map: a field of damping is there if any of them dissipates
+    - shapes: whether mode shapes are kept
+    - drives: what the motors do, "free" or "held"
     """
     holds = {SHAPES: shapes, DISSIPATION: any(robot.dissipates for robot in robots), HELD: drives == HELD}
     return frozenset(name for name, held in holds.items() if held)

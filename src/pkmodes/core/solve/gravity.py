@@ -16,13 +16,9 @@ Array = NDArray[np.float64]
 def gravitational_stiffness(solver: Solver, system: ExtendedSystem, p: Array) -> Array:
     """Return K_g at poses that can be evaluated, (N, n, n): separately, since K_el + K_g has few of its digits.
 
-    Parameters
-    ----------
-    solver : Solver
-        Of the robot; NumPy evaluates where it does not differentiate.
-    system : ExtendedSystem
-        The robot with free motors.
-    p : ndarray, shape (N, d)
+    - solver: of the robot; NumPy evaluates where it does not differentiate
+    - system: the robot with free motors
+    - p: (N, d)
     """
     parameters, gravity = system.parameters, np.asarray(system.parameters.gravity, dtype=float)
     first = flat(parameters[: parameters._fields.index("gravity")]).size

@@ -46,16 +46,10 @@ SMALLEST = 1e-290
 def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
     """Solve again, in place, where motions that springs to ground hold have lost digits.
 
-    Parameters
-    ----------
-    eigenvalues : ndarray, shape (N, m)
-        From `pkmodes.core.linalg.eigen.condensed_eigh`.
-    shapes : ndarray, shape (N, m, n)
+    - eigenvalues: from `pkmodes.core.linalg.eigen.condensed_eigh`, (N, m)
+    - shapes: (N, m, n)
 
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If the springs are too soft for any number.
+    Raises numpy.linalg.LinAlgError if the springs are too soft for any number.
     """
     system = at.system
     softly = held_softly(eigenvalues, system.loose_motions)
@@ -74,26 +68,15 @@ def solve_held(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> None:
 def _held_eigh(M: Array, stiff: Array, soft: Array, first: int, motions: int) -> tuple[Array, Array]:
     """Solve (stiff + soft) phi = lambda M phi where `stiff` leaves some motions free.
 
-    Parameters
-    ----------
-    M, stiff, soft : ndarray, shape (N, n, n)
-        Symmetric; `stiff` has `motions` eigenvalues that are zero, the others positive.
-    first : int
-        Index of the first released joint.
-    motions : int
-        Number of free motions.
+    - M, stiff, soft: symmetric, (N, n, n); `stiff` has `motions` eigenvalues that are zero, the others positive
+    - first: index of the first released joint
+    - motions: number of free motions
 
-    Returns
-    -------
-    eigenvalues : ndarray, shape (N, m)
-        Ascending; errors of the lowest ones are relative to the soft part.
-    shapes : ndarray, shape (N, m, n)
-        As returned by `condensed_eigh`.
+    Returns, in this order:
+    - eigenvalues: ascending, (N, m); errors of the lowest ones are relative to the soft part
+    - shapes: as returned by `condensed_eigh`, (N, m, n)
 
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If M is not positive definite, or the soft part is too small to be represented.
+    Raises numpy.linalg.LinAlgError if M is not positive definite, or the soft part is too small to be represented.
     """
     from pkmodes.core.linalg.graded import graded_eigh  # SciPy's linear algebra takes a while to import
 
@@ -128,15 +111,9 @@ def refuse_unresolved(at: RobotAtPoses, eigenvalues: Array, shapes: Array) -> No
     A motion that springs hold and gravity destabilises is not refused, however near to balance they are; nor is one
     that no spring holds, which is a rigid mode: at 0 Hz where gravity leaves it alone, too.
 
-    Parameters
-    ----------
-    eigenvalues, shapes : ndarray, shape (N, m) and (N, m, n)
-        After `solve_held`.
+    - eigenvalues, shapes: after `solve_held`, (N, m) and (N, m, n)
 
-    Raises
-    ------
-    PoseError
-        With the smallest stiffness of a spring to ground that is resolved, if it is to blame.
+    Raises PoseError with the smallest stiffness of a spring to ground that is resolved, if it is to blame.
     """
     system, motions = at.system, at.system.loose_motions
     where = np.flatnonzero(held_softly(eigenvalues, motions))

@@ -38,21 +38,13 @@ class ModeFields:
 
     A field that is the same for any robot, such as damping where nothing dissipates, is filled instead of computed.
 
-    Parameters
-    ----------
-    solved : Evaluation
-        The system that the solver solves: that of the robot, or the one with held motors.
-    source : str
-        The robot, for messages.
-    names : iterable of str
-        Of `pkmodes.core.solve.fields.FIELDS`.
-    quantities : mapping of str to object
-        Quantities that fields need and a robot does not have, such as the normal of a plane.
+    - solved: the system that the solver solves: that of the robot, or the one with held motors
+    - source: the robot, for messages
+    - names: of `pkmodes.core.solve.fields.FIELDS`
+    - quantities: quantities that fields need and a robot does not have, such as the normal of a plane
 
-    Attributes
-    ----------
-    job : Job
-        Evaluates the fields.
+    Its attributes:
+    - job: evaluates the fields
     """
 
     def __init__(
@@ -227,19 +219,11 @@ class ModeFields:
 class FieldPlan:
     """What a call for some fields does, for given drives and one back end.
 
-    Attributes
-    ----------
-    fields : ModeFields
-        Those that are computed at once.
-    shared : mapping of str to str
-        Those that share the array of another one, by name.
-    later : mapping of str to ModeFields
-        Those that are evaluated when they are read, one by one.
-    paired : mapping of str to ModeFields
-        The same at few poses, where fields that are mostly read together are evaluated together.
-    rigid_modes : int
-    backend : str
-        Of the result.
+    - fields: those that are computed at once
+    - shared: those that share the array of another one, by name
+    - later: those that are evaluated when they are read, one by one
+    - paired: the same at few poses, where fields that are mostly read together are evaluated together
+    - backend: of the result
     """
 
     fields: ModeFields
@@ -253,17 +237,10 @@ class FieldPlan:
 class Later:
     """The fields of a result that are evaluated when they are read, with the values that they would have had at once.
 
-    Parameters
-    ----------
-    plan : FieldPlan
-        Of the result.
-    robot : Robot
-    max_condition : float
-        As for the result.
-    checked : CheckedPoses
-        The poses of the result.  They are copied: the caller may change what the result shows.
-    threads : int
-        As for the result.
+    - plan: of the result
+    - max_condition: as for the result
+    - checked: the poses of the result.  They are copied: the caller may change what the result shows.
+    - threads: as for the result
     """
 
     __slots__ = ("_checked", "_fields", "_max_condition", "_robot", "_threads", "_unread")
@@ -303,13 +280,10 @@ class Later:
 def _given_by_motors(system: Evaluation, solved: Evaluation) -> dict[str, Any]:
     """Return what fields need to know of the motors.
 
-    Returns
-    -------
-    dict of str to object
-        ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from the elastic stiffness and the
-        platform Jacobian of N poses the motions of all coordinates, None where motors follow no command: they are
-        free, without springs that hold them; ``kept``, all coordinates per unit of those that remain with held
-        motors, (n, r), None with free motors or if a motion remains that nothing elastic resists.
+    Returns ``rigid_modes``, the number of rigid modes; ``strain_free_motions``, from the elastic stiffness and the
+    platform Jacobian of N poses the motions of all coordinates, None where motors follow no command: they are free,
+    without springs that hold them; ``kept``, all coordinates per unit of those that remain with held motors, (n, r),
+    None with free motors or if a motion remains that nothing elastic resists.
     """
     quantities: dict[str, Any] = {
         "rigid_modes": solved.rigid_modes,

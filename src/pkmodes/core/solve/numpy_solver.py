@@ -34,10 +34,7 @@ class NumpySolver(Solver):
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill the eigenvalues and shapes.
 
-        Raises
-        ------
-        PoseError
-            As `checked_modes` does.
+        Raises PoseError as `checked_modes` does.
         """
         both = dict(zip((EIGENVALUES, SHAPES), checked_modes(at), strict=True))
         for name, array in arrays.items():
@@ -48,11 +45,8 @@ class NumpySolver(Solver):
 def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
     """Return eigenvalues and shapes as `modes_of` does, with its layout in memory.
 
-    Raises
-    ------
-    PoseError
-        If M is not positive definite, the eigenvalues are not finite, or a frequency of vibration is lost in
-        rounding.
+    Raises PoseError if M is not positive definite, the eigenvalues are not finite, or a frequency of vibration is
+    lost in rounding.
     """
     try:
         eigenvalues, shapes = modes_of(at)
@@ -67,10 +61,7 @@ def checked_modes(at: RobotAtPoses) -> tuple[Array, Array]:
 def modes_of(at: RobotAtPoses) -> tuple[Array, Array]:
     """Return eigenvalues, (N, m), and shapes, (N, m, n), at N valid poses; N may be 0.
 
-    Raises
-    ------
-    numpy.linalg.LinAlgError
-        If M is not positive definite.
+    Raises numpy.linalg.LinAlgError if M is not positive definite.
     """
     system = at.system
     massless = None if len(at.points) else system.massless

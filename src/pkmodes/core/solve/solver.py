@@ -31,22 +31,15 @@ class UnavailableError(PkmodesError):
 class Solver(ABC):
     """Solves the eigenproblem of one robot at poses.
 
-    Attributes
-    ----------
-    name : str
-        As the user gives it.
-    fields : frozenset of str
-        The quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from them.
-    at_hand : frozenset of str
-        Fields that cost no more than a copy where `compute` has solved for modes.
-    checks_poses : bool
-        Whether `compute` checks the poses itself.  If not, it is given poses that can be evaluated, a few thousand
-        at a time.
-    differentiates : bool
-        Whether it has `rates`.
-    together : bool
-        Whether `init` also takes several robots, stacked into one system, with the same coordinates without
-        inertia.
+    - name: as the user gives it
+    - fields: the quantities that `compute` fills, at least ``eigenvalues`` and ``shapes``; other fields follow from
+      them
+    - at_hand: fields that cost no more than a copy where `compute` has solved for modes
+    - checks_poses: whether `compute` checks the poses itself.  If not, it is given poses that can be evaluated, a few
+      thousand at a time.
+    - differentiates: whether it has `rates`
+    - together: whether `init` also takes several robots, stacked into one system, with the same coordinates without
+      inertia
     """
 
     name: ClassVar[str]
@@ -66,51 +59,31 @@ class Solver(ABC):
     def init(cls, system: Evaluation, largest_condition: float) -> Self:
         """Prepare for a robot.
 
-        Parameters
-        ----------
-        system : Evaluation
-            The robot; if `together`, also several.
-        largest_condition : float
-            Poses with a larger condition number are singular; for back ends that check poses.
+        - system: the robot; if `together`, also several
+        - largest_condition: poses with a larger condition number are singular; for back ends that check poses
 
-        Raises
-        ------
-        UnavailableError
-            If the back end cannot be used here.
+        Raises UnavailableError if the back end cannot be used here.
         """
 
     @abstractmethod
     def compute(self, at: RobotAtPoses, arrays: Mapping[str, Array], threads: int = 1) -> Codes:
         """Fill arrays at N poses.
 
-        Parameters
-        ----------
-        arrays : mapping of str to ndarray, shape (N, ...)
-            Contiguous, by name of `fields`; eigenvalues (N, m) ascending, shapes (N, m, n) as `condensed_eigh`
-            returns them.
-        threads : int
-            Largest number of threads.
+        - arrays: contiguous, by name of `fields`, each (N, ...); eigenvalues (N, m) ascending, shapes (N, m, n) as
+          `condensed_eigh` returns them
+        - threads: largest number of threads
 
-        Returns
-        -------
-        ndarray of int8, shape (N,)
-            0 where the arrays are filled, `UNSOLVED` where NumPy has to do it; from a back end that checks poses,
-            also indices into `pkmodes.core.mechanism.poses.codes_of`, where it fills NaN.
+        Returns (N,): 0 where the arrays are filled, `UNSOLVED` where NumPy has to do it; from a back end that checks
+        poses, also indices into `pkmodes.core.mechanism.poses.codes_of`, where it fills NaN.
         """
 
     def alone(self, tails: Mapping[str, tuple[int, ...]]) -> Alone | None:
         """Return what fills arrays at a single pose with less overhead than `compute`; None if nothing does.
 
-        Parameters
-        ----------
-        tails : mapping of str to tuple of int
-            Shapes at one pose of fields of `fields`.
+        - tails: shapes at one pose of fields of `fields`
 
-        Returns
-        -------
-        callable or None
-            From a pose, (1, d), new arrays, (1, *tail), by field, to the last digit those of `compute`; None where
-            `compute` has to evaluate the pose, because its code is not 0.  Several threads may call it.
+        It returns, from a pose, (1, d), new arrays, (1, *tail), by field, to the last digit those of `compute`; None
+        where `compute` has to evaluate the pose, because its code is not 0.  Several threads may call it.
         """
         return None
 
@@ -123,13 +96,8 @@ class Solver(ABC):
     ) -> dict[str, Array] | None:
         """Return what the derivatives of given modes along paths need; None if NumPy has to evaluate it.
 
-        Parameters
-        ----------
-        modes : tuple of ndarray, shapes (N, m) and (N, m, n)
-            Eigenvalues and shapes.
-        terms : Terms
-            Of each robot.
-        fields : sequence of str
-            As of `pkmodes.core.compiled.evaluator.Evaluator.along`.
+        - modes: eigenvalues and shapes, (N, m) and (N, m, n)
+        - terms: of each robot
+        - fields: as of `pkmodes.core.compiled.evaluator.Evaluator.along`
         """
         return None

@@ -14,17 +14,11 @@ Array = NDArray[np.float64]
 class Dissipation:
     """The damping of one robot.
 
-    Parameters
-    ----------
-    system : Evaluation
-        The robot with free motors.
+    - system: the robot with free motors
 
-    Attributes
-    ----------
-    ratio : float
-        Damping ratio of every vibration mode, in addition to what the effects dissipate.
-    by_effects : bool
-        Whether any effect dissipates.
+    Its attributes:
+    - ratio: damping ratio of every vibration mode, in addition to what the effects dissipate
+    - by_effects: whether any effect dissipates
     """
 
     def __init__(self, robot: Robot, system: Evaluation) -> None:

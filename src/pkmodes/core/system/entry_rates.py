@@ -25,10 +25,7 @@ AT_ONCE = 4096
 class Entries(NamedTuple):
     """The entries of a symmetric matrix to which the derivatives belong, in their order.
 
-    Attributes
-    ----------
-    slot, row, column : ndarray of int, shape (E,)
-        Index of the parameter, and position in the upper triangle.
+    - slot, row, column: index of the parameter, and position in the upper triangle, (E,)
     """
 
     slot: Index
@@ -47,17 +44,10 @@ def value_rates(
 ) -> tuple[Array, Array]:
     """Evaluate the derivatives with respect to numbers that move no coordinate, at N poses, (N, d).
 
-    Parameters
-    ----------
-    parameters, effects : Parameters and Effects
-        Of the robot; numbers may have a leading axis for the poses.
-    fields : collection of str, optional
-        The requested fields; derivatives with respect to others may be 0.
+    - parameters, effects: of the robot; numbers may have a leading axis for the poses
+    - fields: the requested fields; derivatives with respect to others may be 0
 
-    Returns
-    -------
-    of_M, of_K : ndarray, shape (N, entries)
-        As ``VALUE_SENSITIVITIES`` lists them.
+    Returns of_M and of_K, (N, entries), as ``VALUE_SENSITIVITIES`` lists them.
     """
     generated = Generated(mechanism.extended, parameters, effects)
     if generated.has("value_sensitivities"):
@@ -99,16 +89,10 @@ def rates_by_steps(
 ) -> tuple[Array, Array]:
     """Evaluate derivatives by complex step at N poses, (N, d), a block of parameters at once.
 
-    Parameters
-    ----------
-    listed : sequence
-        The parameters with derivatives: field, index, entries of M and of K.
-    moved : sequence of int
-        Indices of the requested parameters; derivatives with respect to others are 0.
+    - listed: the parameters with derivatives: field, index, entries of M and of K
+    - moved: indices of the requested parameters; derivatives with respect to others are 0
 
-    Returns
-    -------
-    of_M, of_K : ndarray, shape (N, entries)
+    Returns of_M and of_K, (N, entries).
     """
     entries = [entries_of(listed, matrix) for matrix in (0, 1)]
     values = tuple(np.zeros((len(p), len(matrix_entries.slot))) for matrix_entries in entries)

@@ -28,23 +28,14 @@ INERTIAS = ("mass", "moment of inertia")
 class Evaluation:
     """The matrices of a robot: here of the base model, without effects.
 
-    Parameters
-    ----------
-    parameters : Parameters
-        Of the generated model.
+    - parameters: of the generated model
 
-    Attributes
-    ----------
-    coordinates : tuple of str
-        Names of the n generalised coordinates.
-    first : int
-        Index of the first coordinate of a released joint, which is the number of coordinates without effects.
-    rigid_modes : int
-        Number of modes that strain nothing elastic.
-    held_motions : int
-        Number of motions that strain only springs to ground: the rank of these springs.
-    springs_to_ground : mapping of str to float
-        The springs that do so, by path without ``effects.``.
+    Its attributes:
+    - coordinates: names of the n generalised coordinates
+    - first: index of the first coordinate of a released joint, which is the number of coordinates without effects
+    - rigid_modes: number of modes that strain nothing elastic
+    - held_motions: number of motions that strain only springs to ground: the rank of these springs
+    - springs_to_ground: the springs that do so, by path without ``effects.``
     """
 
     coordinates: tuple[str, ...]
@@ -106,29 +97,18 @@ class Evaluation:
 class ExtendedSystem(Evaluation):
     """The extended model of one robot, including the coordinates of released joints that are not locked.
 
-    Parameters
-    ----------
-    parameters : Parameters
-        The robot, as the generated model takes it.
-    effects : mapping of str to float
-        By ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
-        ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``.
+    - parameters: the robot, as the generated model takes it
+    - effects: by ``<effect>.<parameter>``; the additional compliance of a single joint of an effect is given by
+      ``<effect>.<parameter>.<coordinate>``, such as ``gearbox_compliance.compliance.psi_2``
 
-    Attributes
-    ----------
-    parameters, effects : Parameters and Effects
-        Arguments of the generated model.
-    given : mapping of str to float
-        The effects as given.
-    free : ndarray of int, shape (n,)
-        Indices of the coordinates of the extended model that are not locked.
-    coordinates : tuple of str, length n
-        Their names.
-    first, rigid_modes, held_motions, springs_to_ground
-        See `Evaluation`.
-    joints, joint_rates : ndarray, shape (e,)
-        Stiffnesses of the released joints and their derivatives with respect to the compliances; zero for other
-        coordinates.
+    Its attributes:
+    - parameters, effects: arguments of the generated model
+    - given: the effects as given
+    - free: indices of the coordinates of the extended model that are not locked, (n,)
+    - coordinates: their names, length n
+    - first, rigid_modes, held_motions, springs_to_ground: see `Evaluation`
+    - joints, joint_rates: stiffnesses of the released joints and their derivatives with respect to the compliances,
+      (e,); zero for other coordinates
     """
 
     #: The coordinates of the generated model per unit of all coordinates here, (e, e), if the two differ.

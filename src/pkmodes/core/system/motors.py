@@ -35,21 +35,13 @@ class MotorsHeld(ExtendedSystem):
     by the angles of the motors, q = T r, and then locked.  The inertia of the motors and springs between them and
     ground have no influence, and are left out: nothing large cancels.
 
-    Parameters
-    ----------
-    system : ExtendedSystem
-        The robot with free motors.
+    - system: the robot with free motors
 
-    Attributes
-    ----------
-    basis : ndarray, shape (e, e)
-        T, in all coordinates: 0, 1 or -1.
-    free : ndarray of int, shape (r,)
-        Indices of the coordinates that remain.
-    coordinates : tuple of str, length r
-        Their names.
-    rotors : list of int
-        Index of the rotor that each motor drives.
+    Its attributes:
+    - basis: T, in all coordinates, (e, e): 0, 1 or -1
+    - free: indices of the coordinates that remain, (r,)
+    - coordinates: their names, length r
+    - rotors: index of the rotor that each motor drives
     """
 
     basis: Array
@@ -111,12 +103,8 @@ class _Remaining(NamedTuple):
 def _remaining(mechanism: Mechanism, motion: bytes, listed: bytes) -> _Remaining:
     """Return what remains where the motors are held.
 
-    Parameters
-    ----------
-    motion : bytes
-        The angle of each motor per unit of each coordinate.
-    listed : bytes
-        The coordinates that are not locked with free motors.
+    - motion: the angle of each motor per unit of each coordinate
+    - listed: the coordinates that are not locked with free motors
     """
     first, names = len(mechanism.coordinates), mechanism.extended.COORDINATES
     of_all = np.frombuffer(motion).reshape(-1, len(names))
@@ -135,12 +123,8 @@ class _Inert(NamedTuple):
 def _following(motion: Array, first: int) -> tuple[list[int], Array]:
     """Return the driven rotors, and T, which has the angle of its motor in the place of each.
 
-    Parameters
-    ----------
-    motion : ndarray, shape (drives, n)
-        The angle of each motor per unit of each coordinate.
-    first : int
-        Number of coordinates without effects.
+    - motion: the angle of each motor per unit of each coordinate, (drives, n)
+    - first: number of coordinates without effects
     """
     rotors = [int(np.flatnonzero(row[:first])[0]) for row in motion]
     T = np.eye(motion.shape[1])
@@ -186,10 +170,7 @@ def springs_on_motors(mechanism: Mechanism, effects: Mapping[str, float]) -> tup
 
     They tie the robot to ground, and have no influence once the motors are held.
 
-    Parameters
-    ----------
-    effects : mapping of str to float
-        By ``<effect>.<parameter>``.
+    - effects: by ``<effect>.<parameter>``
     """
     return _springs_on_motors(mechanism, tuple(effects.items()))
 
@@ -221,11 +202,8 @@ def solved_system(system: Evaluation, drives: str) -> Evaluation: ...
 def solved_system(system: Evaluation, drives: str) -> Evaluation:
     """Return the system that is solved for a robot, with free or held motors.
 
-    Parameters
-    ----------
-    system : Evaluation
-        The robot with free motors.
-    drives : {"free", "held"}
+    - system: the robot with free motors
+    - drives: "free" or "held"
     """
     return system if drives == FREE else MotorsHeld(extended_system(system))
 

@@ -23,12 +23,8 @@ RIGID = 1e-9
 class RigidMotions(NamedTuple):
     """Numbers of motions that strain nothing of the machine.
 
-    Attributes
-    ----------
-    rigid : int
-        Those that strain no spring to ground, either.
-    held : int
-        Those that springs to ground hold.
+    - rigid: those that strain no spring to ground, either
+    - held: those that springs to ground hold
     """
 
     rigid: int
@@ -41,12 +37,8 @@ def rigid_motions(
 ) -> RigidMotions:
     """Count the motions that strain nothing of a machine.
 
-    Parameters
-    ----------
-    springs : tuple of str
-        The effect parameters that hold it to ground, by generated field.
-    locked : tuple of int
-        Coordinates without effects that are at rest, such as those of held motors.
+    - springs: the effect parameters that hold it to ground, by generated field
+    - locked: coordinates without effects that are at rest, such as those of held motors
     """
     plain, pose, base = sample(mechanism), sample_pose(mechanism), len(mechanism.coordinates)
     none = mechanism.extended.Effects()

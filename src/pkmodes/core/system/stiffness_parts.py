@@ -19,13 +19,8 @@ Array = NDArray[np.float64]
 class StiffnessParts(NamedTuple):
     """Parts of K in the free coordinates, each (N, n, n).
 
-    Attributes
-    ----------
-    machine : ndarray
-        Belts, reducers and released joints.
-    ground : ndarray
-        Springs to ground.
-    gravity : ndarray
+    - machine: belts, reducers and released joints
+    - ground: springs to ground
     """
 
     machine: Array

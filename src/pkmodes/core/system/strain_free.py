@@ -14,11 +14,8 @@ Array = NDArray[np.float64]
 def strain_free_motions(system: Evaluation, points: Array) -> Array:
     """Return the motions of `StrainFreeMotions` at N poses, (N, n, components).
 
-    Parameters
-    ----------
-    system : Evaluation
-        With free motors.
-    points : ndarray, shape (N, d)
+    - system: with free motors
+    - points: (N, d)
     """
     model = Generated(system.mechanism.model, system.parameters)
     return StrainFreeMotions(system)(model.elastic_hessian(points), model.platform_jacobian(points))
@@ -30,10 +27,7 @@ class StrainFreeMotions:
     They are those of rigid links, belts, reducers and joints: released joints do not move, and springs to ground
     count as no strain.  The other components of the platform's motion are 0.
 
-    Parameters
-    ----------
-    system : Evaluation
-        With free motors.
+    - system: with free motors
     """
 
     def __init__(self, system: Evaluation) -> None:
@@ -46,17 +40,10 @@ class StrainFreeMotions:
     def __call__(self, elastic: Array, jacobian: Array) -> Array:
         """Return the motions at N poses.
 
-        Parameters
-        ----------
-        elastic : ndarray, shape (N, b, b)
-            K without effects and gravity, in base coordinates.
-        jacobian : ndarray, shape (N, k, k)
-            Of the platform, whose components are those of the pose.
+        - elastic: K without effects and gravity, in base coordinates, (N, b, b)
+        - jacobian: of the platform, whose components are those of the pose, (N, k, k)
 
-        Returns
-        -------
-        ndarray, shape (N, n, components)
-            In all n coordinates, motors included.
+        Returns (N, n, components), in all n coordinates, motors included.
         """
         rates = np.linalg.inv(jacobian)
         motions = np.zeros((len(jacobian), self._coordinates, rates.shape[-1]))

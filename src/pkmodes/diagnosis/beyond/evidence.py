@@ -37,10 +37,7 @@ EQUAL = 1e-6
 class TermEvidence(Evidence):
     """The evidence for the best term, beside all others and the explanations of the catalogue.
 
-    Attributes
-    ----------
-    groups : list of list of Fit
-        Classes of the explanations that leave noise, that of the best one first.
+    - groups: classes of the explanations that leave noise, that of the best one first
     """
 
     def __init__(self, tried: Tried) -> None:

@@ -28,12 +28,8 @@ from pkmodes.diagnosis.verdict.verdicts import AMBIGUOUS, EFFECT_FOUND, FOUND, N
 class TermSearch:
     """A search among terms, run when it is first needed.
 
-    Parameters
-    ----------
-    structure : Extensible
-        At all measured setups.
-    held : sequence of int
-        Held-out setups.
+    - structure: at all measured setups
+    - held: held-out setups
     """
 
     def __init__(self, structure: Extensible, held: Sequence[int], progress: Progress | None) -> None:

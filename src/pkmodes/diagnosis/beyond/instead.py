@@ -32,12 +32,8 @@ def one_of_many(catalogue: Evidence) -> bool:
 def may_compete(structure: Structure, catalogue: Evidence, held: Sequence[int]) -> bool:
     """Return whether some term of a structure may explain as much as the causes, by the linear model.
 
-    Parameters
-    ----------
-    structure : Structure
-        With its terms, at all measured setups.
-    held : sequence of int
-        Held-out setups.
+    - structure: with its terms, at all measured setups
+    - held: held-out setups
     """
     declared = catalogue.outcome.nuisances
     fitter = fitter_of(structure, catalogue, held, catalogue.fitter.shape_scatter)

@@ -48,16 +48,10 @@ SHARPENED = 2
 class Tried:
     """Fits with one term each, and the explanations of the catalogue that leave noise.
 
-    Attributes
-    ----------
-    setups : AllSetups
-        Of the structure with its terms.
-    plain : Fit
-        Without any cause, with the measurement errors of the fits.
-    fits : tuple of Fit
-        With one term, best first.
-    carried : tuple of Fit
-        Of the catalogue, fitted again beside the terms.
+    - setups: of the structure with its terms
+    - plain: without any cause, with the measurement errors of the fits
+    - fits: with one term, best first
+    - carried: of the catalogue, fitted again beside the terms
     """
 
     setups: AllSetups
@@ -82,14 +76,9 @@ def tried(
 ) -> Tried | None:
     """Try all terms of a structure; None if it has none, or cannot be evaluated.
 
-    Parameters
-    ----------
-    structure : Structure
-        With its terms, at all measured setups.
-    catalogue : Evidence
-        What the catalogue found.
-    held : sequence of int
-        Held-out setups.
+    - structure: with its terms, at all measured setups
+    - catalogue: what the catalogue found
+    - held: held-out setups
     """
     terms = tuple(term for term in structure.candidates if term.form)
     setups, scatter = catalogue.setups, catalogue.fitter.shape_scatter
@@ -149,10 +138,7 @@ def _ranked(
 class _Explorer:
     """A search among terms, with one scatter of the shapes.
 
-    Parameters
-    ----------
-    before : Tried or None
-        The result with a larger scatter: only the terms that it refitted are refitted, from their values there.
+    - before: the result with a larger scatter: only the terms that it refitted are refitted, from their values there
     """
 
     def __init__(

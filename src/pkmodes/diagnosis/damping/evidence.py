@@ -24,13 +24,9 @@ from pkmodes.diagnosis.verdict.verdicts import Verdict
 class LossSays(Says):
     """The answer of a rule that applies.
 
-    Attributes
-    ----------
-    scatter : float
-        How far the ratios scatter about the model beyond their stated errors, where the verdict allows for that: the
-        standard deviation of their logarithm.
-    rivals : tuple of LossFit
-        Explanations that remain where several do, the best first.
+    - scatter: how far the ratios scatter about the model beyond their stated errors, where the verdict allows for
+      that: the standard deviation of their logarithm
+    - rivals: explanations that remain where several do, the best first
     """
 
     scatter: float = 0.0
@@ -41,18 +37,11 @@ class LossSays(Says):
 class DampingJudgement:
     """A verdict on damping, and what it leaves.
 
-    Attributes
-    ----------
-    rule : str
-        That gave it.
-    base : LossFit
-        With the declared losses.
-    final : LossFit
-        With the causes; the base where none is found or remains.
-    places, p_values
-        Those of the `LossExplanation` that is found or remains; otherwise empty.
-    says : LossSays
-        Why; empty for a claim, where several explanations remain, and where the declared losses leave noise.
+    - rule: that gave it
+    - base: with the declared losses
+    - final: with the causes; the base where none is found or remains
+    - places, p_values: those of the `LossExplanation` that is found or remains; otherwise empty
+    - says: why; empty for a claim, where several explanations remain, and where the declared losses leave noise
     """
 
     rule: str
@@ -67,16 +56,10 @@ class DampingJudgement:
 class LossEvidence:
     """Damping ratios and the losses that explain them; costly results are computed when a rule first needs them.
 
-    Parameters
-    ----------
-    fitter : LossFitter
-        Of the rows that take part.
-    doubts : tuple of Rule
-        Where one of these applies, nothing is claimed.
-    trials : mapping of str to DampingJudgement, optional
-        By change of the errors or priors.
-    held : DampingObservations, optional
-        Those of the held-out poses.
+    - fitter: of the rows that take part
+    - doubts: where one of these applies, nothing is claimed
+    - trials: by change of the errors or priors
+    - held: those of the held-out poses
     """
 
     def __init__(
@@ -154,10 +137,7 @@ LossRules = tuple[Rule[LossEvidence, LossSays], ...]
 def contradicted(held: DampingObservations, values: Array, criteria: Criteria, scatter: float = 0.0) -> bool:
     """Return whether the rows of held-out poses contradict losses.
 
-    Parameters
-    ----------
-    scatter : float
-        Of the ratios beyond their stated errors, which the verdict allows for.
+    - scatter: of the ratios beyond their stated errors, which the verdict allows for
     """
     if not len(held.ratio) or not values.any():
         return False

@@ -24,15 +24,9 @@ SAME = 1.0
 class LossExplanation:
     """Losses that leave noise.
 
-    Attributes
-    ----------
-    best : LossFit
-    places : tuple of tuple of LossFit
-        For each cause, the fits of its class, the best explanation first.
-    rivals : tuple of LossFit
-        Explanations in no class that are as good, the best first.
-    p_values : tuple of float
-        One for each cause.
+    - places: for each cause, the fits of its class, the best explanation first
+    - rivals: explanations in no class that are as good, the best first
+    - p_values: one for each cause
     """
 
     best: LossFit

@@ -35,20 +35,12 @@ PARTS = (0.9, 0.1)
 class LossFit(Fitted):
     """Losses fitted to damping ratios; all parameters are the values of the J losses.
 
-    Attributes
-    ----------
-    free : tuple of int
-        Losses with a prior, then the causes.
-    white : ndarray, shape (R + priors,)
-        The residual of a row set aside is 0.
-    causes : tuple of int
-        Losses that may differ from their declared values.
-    count, degrees : int
-        Number R of ratios, and of residuals less the fitted losses without a prior.
-    outlier : int or None
-        Row set aside.
-    absent : tuple of int
-        Fitted losses that are practically 0.
+    - free: losses with a prior, then the causes
+    - white: the residual of a row set aside is 0, (R + priors,)
+    - causes: losses that may differ from their declared values
+    - count, degrees: number R of ratios, and of residuals less the fitted losses without a prior
+    - outlier: row set aside
+    - absent: fitted losses that are practically 0
     """
 
     causes: tuple[int, ...]
@@ -77,12 +69,7 @@ class LossFit(Fitted):
 class LossFitter:
     """Fits losses to damping ratios.
 
-    Attributes
-    ----------
-    observations : DampingObservations
-    losses : tuple of Loss
-    widened : float
-        Factor by which priors are wider than declared.
+    - widened: factor by which priors are wider than declared
     """
 
     observations: DampingObservations
@@ -131,12 +118,8 @@ class LossFitter:
     def fit(self, causes: Sequence[int] = (), fixed: dict[int, float] | None = None) -> LossFit:
         """Fit losses; a row that contradicts all others is set aside.
 
-        Parameters
-        ----------
-        causes : sequence of int
-            Losses that are fitted freely.
-        fixed : dict of int to float, optional
-            Values of some losses, which are not fitted.
+        - causes: losses that are fitted freely
+        - fixed: values of some losses, which are not fitted
         """
         key = tuple(causes), tuple((fixed or {}).items())
         if key not in self._fits:

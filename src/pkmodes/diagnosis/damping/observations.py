@@ -32,24 +32,14 @@ SMALLEST = 1e-3
 class DampingObservations:
     """R measured damping ratios whose modes have a partner in the model, as the data of a fit.
 
-    Attributes
-    ----------
-    index : ndarray of int, shape (R,)
-        Rows of the measurements.
-    mode : ndarray of int, shape (R,)
-        Numbers of the partners among the elastic modes of their setups, from 0.
-    ratio, stated : ndarray, shape (R,)
-        Measured ratios and the standard deviations of their logarithms, as the file states them.
-    unstated : ndarray, shape (R,)
-        Root sum of squares of all other errors of the logarithms.
-    above : ndarray of bool, shape (R,)
-        Whether the ratio is significantly above 0; otherwise it only says that the mode is not damped more.
-    frequency : ndarray, shape (R,)
-        [Hz].
-    least : ndarray, shape (R,)
-        Ratio that a prediction of no damping counts as.
-    by_loss : ndarray, shape (R, J)
-        Damping ratio per unit of each loss.
+    - index: rows of the measurements, (R,)
+    - mode: numbers of the partners among the elastic modes of their setups, from 0, (R,)
+    - ratio, stated: measured ratios and the standard deviations of their logarithms, (R,), as the file states them
+    - unstated: root sum of squares of all other errors of the logarithms, (R,)
+    - above: whether the ratio is significantly above 0, (R,); otherwise it only says that the mode is not damped more
+    - frequency: (R,) [Hz]
+    - least: ratio that a prediction of no damping counts as, (R,)
+    - by_loss: damping ratio per unit of each loss, (R, J)
     """
 
     index: NDArray[np.intp]
@@ -121,15 +111,11 @@ def observed(
 ) -> DampingObservations:
     """Return the rows with a damping ratio and a partner.
 
-    Parameters
-    ----------
-    structure : Structure
-        At the setups of the measurements; one that knows what its modes dissipate.
-    mode : ndarray of int, shape (rows,)
-        Number of the partner of each measured mode among the elastic modes of its setup, from 1; 0 without one.
-    states : sequence of ndarray
-        Values of all parameters: those of the model, and each moved by one standard deviation of a combination that
-        the fit leaves uncertain.
+    - structure: at the setups of the measurements; one that knows what its modes dissipate
+    - mode: number of the partner of each measured mode among the elastic modes of its setup, from 1, (rows,); 0
+      without one
+    - states: values of all parameters: those of the model, and each moved by one standard deviation of a combination
+      that the fit leaves uncertain
     """
     assert isinstance(structure, Damped)
     index = np.flatnonzero(~np.isnan(data.damping) & (mode > 0))

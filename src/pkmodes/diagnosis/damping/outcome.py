@@ -296,12 +296,8 @@ def _examined(
 ) -> Examined:
     """Return the test of a loss, its smallest visible value beside a fit, and whether it is detectable.
 
-    Parameters
-    ----------
-    bounded : bool
-        Whether the data bound it.
-    shown : bool
-        Whether it is claimed, in the class of a claim, or remains as an explanation.
+    - bounded: whether the data bound it
+    - shown: whether it is claimed, in the class of a claim, or remains as an explanation
     """
     c, suspect = fitter.criteria, fitter.losses[loss]
     sigma = _sigma(fitter, final, loss)

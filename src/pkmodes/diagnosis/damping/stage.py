@@ -18,20 +18,11 @@ from pkmodes.diagnosis.verdict.verdicts import EFFECT_FOUND
 class DampingStage:
     """Damping at the final model.
 
-    Attributes
-    ----------
-    fitter : LossFitter
-        Of the rows that take part.
-    all_rows : DampingObservations
-        All rows with a damping ratio and a partner.
-    held : ndarray of bool
-        Which of these are held out and informative.
-    strange : ndarray of bool
-        Which of these differ in shape from the modes with which they are paired.
-    judged : DampingJudgement
-    trials : mapping of str to DampingJudgement
-        By change of the errors or priors.
-    notes : tuple of str
+    - fitter: of the rows that take part
+    - all_rows: all rows with a damping ratio and a partner
+    - held: which of these are held out and informative
+    - strange: which of these differ in shape from the modes with which they are paired
+    - trials: by change of the errors or priors
     """
 
     fitter: LossFitter

@@ -59,12 +59,8 @@ def common_ratio(ratio: float, sigma: float) -> str:
 def scattered(ratio: float | None, scatter: float) -> str:
     """Return the sentence for damping that scatters as in repeated tests, and that no loss explains.
 
-    Parameters
-    ----------
-    ratio : float or None
-        The value about which it scatters; None if this is the damping that the file declares.
-    scatter : float
-        Beyond the stated errors: the standard deviation of the logarithm.
+    - ratio: the value about which it scatters; None if this is the damping that the file declares
+    - scatter: beyond the stated errors: the standard deviation of the logarithm
     """
     by = f"by a factor of {plain(np.exp(scatter), 2)} beyond their stated errors"
     if ratio is None:

@@ -14,17 +14,12 @@ from pkmodes.diagnosis.problem import Array
 def left_out(fit: Fit, setups: Sequence[NDArray[np.intp]]) -> tuple[Array, Array]:
     """Predict each setup from a fit to the others, to first order.
 
-    Parameters
-    ----------
-    setups : sequence of ndarray of int
-        Indices of the data of each setup.
+    - setups: indices of the data of each setup
 
-    Returns
-    -------
-    squares : ndarray, shape (S,)
-        Sum of squares of each setup.
-    leverage : ndarray, shape (S,)
-        Largest eigenvalue of H_ii: near 1 the setup alone determines some parameter, which no other predicts.
+    Returns, in this order:
+    - squares: sum of squares of each setup, (S,)
+    - leverage: largest eigenvalue of H_ii, (S,): near 1 the setup alone determines some parameter, which no other
+      predicts
     """
     squares, leverage = [], []
     for rows in setups:
@@ -42,12 +37,8 @@ def deleted(basis: Array, white: Array) -> Array:
     With H the projection onto the derivatives, it is (1 - H_ii)^-1 r_i: no refit is needed (Cook and Weisberg,
     Residuals and Influence in Regression, 1982).
 
-    Parameters
-    ----------
-    basis : ndarray, shape (n, k)
-        Their rows of an orthonormal basis of the derivatives.
-    white : ndarray, shape (n,)
-        Their whitened residual r_i.
+    - basis: their rows of an orthonormal basis of the derivatives, (n, k)
+    - white: their whitened residual r_i, (n,)
     """
     # (1 - B B^T)^-1 r = r + B (1 - B^T B)^-1 B^T r: as many equations as parameters, not as data.
     inside = basis.T @ basis

@@ -32,16 +32,10 @@ SCOUTED = 12
 class Fitter:
     """Fits hypotheses about one structure to one set of measurements.
 
-    Parameters
-    ----------
-    structure : Structure
-        At the setups of the measurements.
-    scatter : float, optional
-        Standard deviation of shape components without a stated one, relative to the row's largest.
-    widened : float, optional
-        Factor by which all priors are wider than declared.
-    parameters : sequence of Parameter, optional
-        Parameters of the structure with other priors.
+    - structure: at the setups of the measurements
+    - scatter: standard deviation of shape components without a stated one, relative to the row's largest
+    - widened: factor by which all priors are wider than declared
+    - parameters: parameters of the structure with other priors
     """
 
     def __init__(
@@ -115,13 +109,10 @@ class Fitter:
     def unfitted(self, values: Array, used: NDArray[np.bool_]) -> tuple[Pairing, Array, Array, float]:
         """Evaluate given values without any fit, including the errors of uncertain positions.
 
-        Returns
-        -------
-        pairing : Pairing
-        residual, sigma : ndarray, shape (R,)
-            ln f measured minus model, and its standard deviation.
-        chi2 : float
-            Whitened sum of squares of the frequencies of the used rows.
+        Returns, in this order:
+        - pairing
+        - residual, sigma: ln f measured minus model, and its standard deviation, (R,)
+        - chi2: whitened sum of squares of the frequencies of the used rows
         """
         prediction = self.structure.predict(values, ())
         pairing = self.observations.pairer.pair(prediction, used)
@@ -136,10 +127,7 @@ class Fitter:
     def fit(self, hypothesis: Hypothesis, start: Array | None = None) -> Fit | None:
         """Fit a hypothesis; None if the structure cannot be evaluated.
 
-        Parameters
-        ----------
-        start : ndarray, optional
-            Start values of all parameters; by default the declared ones.
+        - start: start values of all parameters; by default the declared ones
         """
         values = np.array(self.declared if start is None else start)
         free = self._free(hypothesis)
@@ -241,10 +229,7 @@ class Fitter:
     def evaluated(self, hypothesis: Hypothesis, values: Array, scatter: float) -> Fit | None:
         """Return given values as a fit of a hypothesis; None if the structure cannot be evaluated.
 
-        Parameters
-        ----------
-        scatter : float
-            Standard deviation of the error that the modes of a setup share.
+        - scatter: standard deviation of the error that the modes of a setup share
         """
         free, used = self._free(hypothesis), self.used(hypothesis)
         return self._finished(hypothesis, values, free, used, scatter, True)

@@ -18,10 +18,7 @@ REPEATED = 1e-7
 class FrequencyRows:
     """The logarithms of R measured frequencies as data of a fit, a `ComparedQuantity`.
 
-    Attributes
-    ----------
-    sigma : ndarray, shape (R, 1)
-        Their standard deviations.
+    - sigma: their standard deviations, (R, 1)
     """
 
     pairer: Pairer

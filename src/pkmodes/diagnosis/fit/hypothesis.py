@@ -41,14 +41,9 @@ class Misfit(NamedTuple):
 class Hypothesis:
     """Assumptions beyond the declared model and its nuisances.
 
-    Attributes
-    ----------
-    causes : tuple of Candidate
-        Added causes.
-    excluded : frozenset of int
-        Rows treated as outliers.
-    scatter : bool
-        Whether the modes of a setup share an error.
+    - causes: added causes
+    - excluded: rows treated as outliers
+    - scatter: whether the modes of a setup share an error
     """
 
     causes: tuple[Candidate, ...] = ()
@@ -79,14 +74,10 @@ class Hypothesis:
 class Fitted:
     """Parameters fitted to data by least squares.
 
-    Attributes
-    ----------
-    values : ndarray, shape (P,)
-        All parameters.
-    free : tuple of int
-        Indices of the k fitted ones.
-    white, jacobian : ndarray, shape (D,) and (D, k)
-        Whitened residual of data and priors, and its derivatives with respect to the fitted parameters.
+    - values: all parameters, (P,)
+    - free: indices of the k fitted ones
+    - white, jacobian: whitened residual of data and priors, and its derivatives with respect to the fitted
+      parameters, (D,) and (D, k)
     """
 
     values: Array
@@ -137,20 +128,12 @@ class Fit(Fitted):
 
     The data are those of `Observations` (0 where not measured), then the priors.
 
-    Attributes
-    ----------
-    free : tuple of int
-        Nuisances first, then the parameters of the causes.
-    log_determinant : float
-        That of the covariance V of the data.
-    scatter : float
-        Standard deviation of the error shared in a setup, tau.
-    residual : ndarray, shape (D,)
-        Measured minus model, of ln f clipped if unmatched; 0 if excluded.
-    at_bound : tuple of str
-        Parameters of causes at a bound other than their null value.
-    converged : bool
-        Whether the solver converged.
+    - free: nuisances first, then the parameters of the causes
+    - log_determinant: that of the covariance V of the data
+    - scatter: standard deviation of the error shared in a setup, tau
+    - residual: measured minus model, of ln f clipped if unmatched, (D,); 0 if excluded
+    - at_bound: parameters of causes at a bound other than their null value
+    - converged: whether the solver converged
     """
 
     hypothesis: Hypothesis
@@ -176,10 +159,7 @@ class Fit(Fitted):
 def parallel(rates: Array) -> NDArray[np.bool_]:
     """Return which of T parameters change all modes alike, up to a factor, (T, T).
 
-    Parameters
-    ----------
-    rates : ndarray, shape (S, m, T)
-        Derivatives of the eigenvalues; modes for which some are unknown are left out.
+    - rates: derivatives of the eigenvalues, (S, m, T); modes for which some are unknown are left out
     """
     finite = rates[np.isfinite(rates).all(axis=-1)]
     size = np.linalg.norm(finite, axis=0)

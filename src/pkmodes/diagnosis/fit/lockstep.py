@@ -29,13 +29,9 @@ ENOUGH, PART = 0.05, 1e-3
 class Evaluated(NamedTuple):
     """A hypothesis evaluated at some values.
 
-    Attributes
-    ----------
-    chi2 : float
-        Whitened sum of squares with priors.
-    white, jacobian : ndarray, shape (D,) and (D, k)
-        Whitened residual with priors, and its derivatives.
-    residual : ndarray, shape (R + R C,)
+    - chi2: whitened sum of squares with priors
+    - white, jacobian: whitened residual with priors, and its derivatives, (D,) and (D, k)
+    - residual: (R + R C,)
     """
 
     chi2: float
@@ -49,18 +45,11 @@ class Evaluated(NamedTuple):
 class Descent:
     """The descent of one hypothesis.
 
-    Attributes
-    ----------
-    values : ndarray, shape (P,)
-        Values of all parameters.
-    free : tuple of int
-        Indices of the free parameters.
-    used : ndarray of bool, shape (R,)
-        Used rows.
-    at : Evaluated or None
-        Evaluation at these values; None if the structure cannot be evaluated.
-    arrived : bool
-        Whether the descent has converged.
+    - values: values of all parameters, (P,)
+    - free: indices of the free parameters
+    - used: used rows, (R,)
+    - at: evaluation at these values; None if the structure cannot be evaluated
+    - arrived: whether the descent has converged
     """
 
     values: Array
@@ -79,12 +68,8 @@ class Descent:
 class Lockstep:
     """Rough fits of many hypotheses about one structure and one set of measurements.
 
-    Parameters
-    ----------
-    bounds : tuple of two ndarrays, shape (P,)
-        Of all parameters.
-    observations : Observations
-        Their errors are taken as uncorrelated.
+    - bounds: of all parameters, each (P,)
+    - observations: their errors are taken as uncorrelated
     """
 
     def __init__(

@@ -27,14 +27,9 @@ from pkmodes.measured.measurements import Measurements
 class Whitening:
     """Square root of V.
 
-    Attributes
-    ----------
-    sigma : ndarray, shape (D,)
-        Standard deviations of the uncorrelated data.
-    blocks : tuple
-        For each setup with correlated errors, the indices of its data and the Cholesky factor of its block of V.
-    log_determinant : float
-        Log determinant of V, up to a constant for the shapes' stated errors.
+    - sigma: standard deviations of the uncorrelated data, (D,)
+    - blocks: for each setup with correlated errors, the indices of its data and the Cholesky factor of its block of V
+    - log_determinant: log determinant of V, up to a constant for the shapes' stated errors
     """
 
     sigma: Array
@@ -52,23 +47,14 @@ class Whitening:
 class Noise:
     """Errors of one set of measurements.
 
-    Parameters
-    ----------
-    quantities : sequence of ComparedQuantity
-        The frequencies first.
-    most_shared : float
-        Largest error that the modes of a setup may share.
+    - quantities: the frequencies first
+    - most_shared: largest error that the modes of a setup may share
 
-    Attributes
-    ----------
-    sigma : ndarray, shape (R,)
-        Stated standard deviations of ln f.
-    stated : ndarray, shape (D,)
-        Standard deviations of all data, without correlated errors.
-    rows : list of ndarray
-        Rows of each setup.
-    uncertain : bool
-        Whether positions of setups are uncertain.
+    Its attributes:
+    - sigma: stated standard deviations of ln f, (R,)
+    - stated: standard deviations of all data, without correlated errors, (D,)
+    - rows: rows of each setup
+    - uncertain: whether positions of setups are uncertain
     """
 
     def __init__(
@@ -92,14 +78,10 @@ class Noise:
     def whitening(self, motion: Array | None, used: NDArray[np.bool_], tau: float) -> Whitening:
         """Return the square root of V.
 
-        Parameters
-        ----------
-        motion : ndarray, shape (D, d), or None
-            Derivatives of the data with respect to the d components of their setup's position, if it is uncertain.
-        used : ndarray of bool, shape (R,)
-            Rows that are not excluded.
-        tau : float
-            Standard deviation of the shared error.
+        - motion: derivatives of the data with respect to the d components of their setup's position, (D, d), if it is
+          uncertain
+        - used: rows that are not excluded, (R,)
+        - tau: standard deviation of the shared error
         """
         log = 2.0 * np.log(self.sigma)
         if motion is None and tau == 0.0:

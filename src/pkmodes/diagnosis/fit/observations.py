@@ -29,10 +29,7 @@ from pkmodes.measured.quantities import FREQUENCY
 class ObservationInput(NamedTuple):
     """Arguments from which the data of a quantity are made.
 
-    Attributes
-    ----------
-    scatter : float
-        Standard deviation of the components of shapes without a stated one, relative to the row's largest.
+    - scatter: standard deviation of the components of shapes without a stated one, relative to the row's largest
     """
 
     data: Measurements
@@ -57,11 +54,8 @@ QUANTITIES: dict[str, Callable[[ObservationInput], ComparedQuantity]] = {SHAPE: 
 class Beside(NamedTuple):
     """Measurements beside one of several predictions.
 
-    Attributes
-    ----------
-    number : int
-        Of the prediction.
-    residual, rates : ndarray, shape (D,) and (D, T)
+    - number: of the prediction
+    - residual, rates: (D,) and (D, T)
     """
 
     number: int
@@ -73,23 +67,14 @@ class Beside(NamedTuple):
 class Observations:
     """Measured modes at the setups of a structure.
 
-    Parameters
-    ----------
-    reference : Prediction
-        Of the declared model: the motion of its channels weights those of the shapes.
-    scatter : float
-        See `ObservationInput`.
+    - reference: of the declared model: the motion of its channels weights those of the shapes
+    - scatter: see `ObservationInput`
 
-    Attributes
-    ----------
-    log, sigma : ndarray, shape (R,)
-        ln f and its stated standard deviation.
-    size : int
-        Number D of data.
-    frequency_rows : slice
-        The data that are frequencies.
-    beside : mapping of str to ComparedQuantity
-        The other quantities.
+    Its attributes:
+    - log, sigma: ln f and its stated standard deviation, (R,)
+    - size: number D of data
+    - frequency_rows: the data that are frequencies
+    - beside: the other quantities
     """
 
     def __init__(
@@ -208,13 +193,9 @@ class Observations:
 
         Sets at which it cannot be evaluated are left out.
 
-        Parameters
-        ----------
-        values : ndarray, shape (B, P)
-        by : sequence of tuple of int
-            Parameters with respect to which each is differentiated.
-        used : sequence of ndarray of bool
-            Used rows of each.
+        - values: (B, P)
+        - by: parameters with respect to which each is differentiated
+        - used: used rows of each
         """
         if not len(values):
             return

@@ -24,25 +24,15 @@ LEAST, ROUNDING = 1e-8, 1e-6
 class Priors:
     """Normal and log-normal priors of the parameters that have one.
 
-    Parameters
-    ----------
-    widened : float, optional
-        Factor on all standard deviations.
+    - widened: factor on all standard deviations
 
-    Attributes
-    ----------
-    index : ndarray of int, shape (P,)
-        Indices of the parameters with a prior.
-    sigma : ndarray, shape (P,)
-        Their standard deviations, of the logarithms if they are log-normal.
-    whitening : ndarray, shape (P, P), or None
-        The symmetric inverse root of their correlation; None if all are independent.
+    Its attributes:
+    - index: indices of the parameters with a prior, (P,)
+    - sigma: their standard deviations, of the logarithms if they are log-normal, (P,)
+    - whitening: the symmetric inverse root of their correlation, (P, P); None if all are independent
 
-    Raises
-    ------
-    PkmodesError
-        If correlations are asymmetric or impossible, a prior is not positive, a candidate does not have one for
-        each parameter, two candidates contradict each other, or a log-normal parameter is not positive.
+    Raises PkmodesError if correlations are asymmetric or impossible, a prior is not positive, a candidate does not
+    have one for each parameter, two candidates contradict each other, or a log-normal parameter is not positive.
     """
 
     def __init__(
@@ -115,15 +105,9 @@ class Priors:
 def whitening(parameters: Sequence[Parameter]) -> Array | None:
     """Return the symmetric inverse root of the correlation of priors, (P, P); None if they are independent.
 
-    Parameters
-    ----------
-    parameters : sequence of Parameter
-        Correlations with other parameters do not count.
+    - parameters: correlations with other parameters do not count
 
-    Raises
-    ------
-    PkmodesError
-        If the correlations are asymmetric or impossible.
+    Raises PkmodesError if the correlations are asymmetric or impossible.
     """
     place = {p.name: i for i, p in enumerate(parameters)}
     correlation = np.eye(len(parameters))

@@ -73,24 +73,14 @@ class ProfilePoint(NamedTuple):
 class Side:
     """One end of an interval to be found.
 
-    Attributes
-    ----------
-    index : int
-        The parameter, one of the free ones.
-    declared : float
-        Its declared value: sizes are distances from it.
-    sign : int
-        Side of the declared value.
-    free : tuple of int
-        Indices of all free parameters.
-    without_prior : tuple of int
-        Parameters to be taken without their priors.
-    largest : float
-        Largest plausible size on this side.
-    least : ProfilePoint
-        Point of the smallest sum of squares.
-    target : float
-        Sum of squares at the end.
+    - index: the parameter, one of the free ones
+    - declared: its declared value: sizes are distances from it
+    - sign: side of the declared value
+    - free: indices of all free parameters
+    - without_prior: parameters to be taken without their priors
+    - largest: largest plausible size on this side
+    - least: point of the smallest sum of squares
+    - target: sum of squares at the end
     """
 
     index: int
@@ -116,17 +106,11 @@ class Side:
 class End:
     """An end that was found, or the largest plausible size if the sum of squares does not rise enough before it.
 
-    Attributes
-    ----------
-    values : ndarray, shape (P,)
-        All parameters there, the nuisances refitted.
-    size : float
-        Distance from the declared value.
-    bounded : bool
-        Whether the data bound the parameter within its plausible range.
-    reached : bool
-        Whether the values are those at the end.  Otherwise the size is the smallest known to be outside, and the
-        values are the farthest known to be inside.
+    - values: all parameters there, the nuisances refitted, (P,)
+    - size: distance from the declared value
+    - bounded: whether the data bound the parameter within its plausible range
+    - reached: whether the values are those at the end.  Otherwise the size is the smallest known to be outside, and
+      the values are the farthest known to be inside.
     """
 
     values: Array
@@ -138,16 +122,11 @@ class End:
 class ProfileStep(NamedTuple):
     """The linear model of a profile at a point.
 
-    Attributes
-    ----------
-    profile : float
-        Least sum of squares with the parameter where it is.
-    unsettled : float
-        By how much the sum of squares there exceeds it.
-    slope, square : float
-        The profile changes by 2 slope d + square d^2.
-    at_rest, along : ndarray, shape (P,)
-        Change of all parameters that refits the nuisances, and its change per unit of the parameter.
+    - profile: least sum of squares with the parameter where it is
+    - unsettled: by how much the sum of squares there exceeds it
+    - slope, square: the profile changes by 2 slope d + square d^2
+    - at_rest, along: change of all parameters that refits the nuisances, and its change per unit of the parameter,
+      (P,)
     """
 
     profile: float
@@ -275,18 +254,11 @@ class Profiles:
 class _EndSearch:
     """The search for one end.
 
-    Attributes
-    ----------
-    next : ndarray, shape (P,)
-        Values to be evaluated next.
-    inside, outside : float
-        Largest size known to be in the interval, and smallest one known not to be.
-    within : ndarray, shape (P,)
-        Values at the former.
-    first : float
-        Size in the linear model.
-    astray : bool
-        Whether the nuisances were not refitted at the smallest size outside: it may be inside after all.
+    - next: values to be evaluated next, (P,)
+    - inside, outside: largest size known to be in the interval, and smallest one known not to be
+    - within: values at the former, (P,)
+    - first: size in the linear model
+    - astray: whether the nuisances were not refitted at the smallest size outside: it may be inside after all
     """
 
     side: Side

@@ -39,27 +39,16 @@ class _Spaces(NamedTuple):
 class ShapeRows:
     """Measured shapes as data of a fit, a `ComparedQuantity`.
 
-    Parameters
-    ----------
-    columns : ndarray of int, shape (C,)
-        Indices of the measured channels among the model's.
-    units : sequence of str, length C
-        Units of the measured channels.
-    moves : ndarray, shape (S, C)
-        Motion of each channel in the declared model, see `support.mac.channel_motion`.
-    scatter : float
-        Standard deviation of the components of rows without a stated one.
+    - columns: indices of the measured channels among the model's, (C,)
+    - units: units of the measured channels, length C
+    - moves: motion of each channel in the declared model, see `support.mac.channel_motion`, (S, C)
+    - scatter: standard deviation of the components of rows without a stated one
 
-    Attributes
-    ----------
-    known : ndarray of bool, shape (R,)
-        Rows with a usable shape.
-    stated : ndarray of bool, shape (R,)
-        Rows with a stated standard deviation.
-    count : ndarray of int, shape (R,)
-        Degrees of freedom of each shape: its components less one for each mode that it is compared with.
-    sigma : ndarray, shape (R, C)
-        Standard deviations of the components.
+    Its attributes:
+    - known: rows with a usable shape, (R,)
+    - stated: rows with a stated standard deviation, (R,)
+    - count: degrees of freedom of each shape, (R,): its components less one for each mode that it is compared with
+    - sigma: standard deviations of the components, (R, C)
     """
 
     def __init__(

@@ -28,24 +28,16 @@ def bounded_least_squares(
 ) -> tuple[Array, bool]:
     """Minimise the sum of squares over some of the values.
 
-    Parameters
-    ----------
-    residual : callable
-        Whitened residual (D,) for all values.
-    rates : callable
-        Its derivatives (D, k) with respect to the free values.
-    values : ndarray, shape (P,)
-        Start values.
-    free : sequence of int
-        Indices of the k free values.
-    bounds : tuple of two ndarrays, shape (k,)
-    steps : int
-        Largest number of evaluations of the residual.
+    - residual: whitened residual (D,) for all values
+    - rates: its derivatives (D, k) with respect to the free values
+    - values: start values, (P,)
+    - free: indices of the k free values
+    - bounds: each (k,)
+    - steps: largest number of evaluations of the residual
 
-    Returns
-    -------
-    values : ndarray, shape (P,)
-    converged : bool
+    Returns, in this order:
+    - values: (P,)
+    - converged
     """
     if not free:
         return values, True

@@ -28,10 +28,7 @@ def key(hypothesis: Hypothesis) -> Key:
 class FitStore:
     """Fits of hypotheses about one structure and one set of measurements.
 
-    Parameters
-    ----------
-    before : FitStore, optional
-        Fits of the same data with other errors, which give start values.
+    - before: fits of the same data with other errors, which give start values
     """
 
     def __init__(self, fitter: Fitter, before: FitStore | None = None) -> None:

@@ -37,12 +37,8 @@ from pkmodes.support.mac import (
 class Pairing:
     """Partners of the R measured modes.
 
-    Attributes
-    ----------
-    partner : ndarray of int, shape (R,)
-        Mode of the model in the row's setup, counted from 0, rigid ones included; -1 if unmatched.
-    mac : ndarray, shape (R,)
-        MAC with the partner, or with the subspace of the partners of close modes; NaN without shapes.
+    - partner: mode of the model in the row's setup, counted from 0, rigid ones included, (R,); -1 if unmatched
+    - mac: MAC with the partner, or with the subspace of the partners of close modes, (R,); NaN without shapes
     """
 
     partner: Index
@@ -77,22 +73,14 @@ class _Shapes(NamedTuple):
 class Pairer:
     """Pairs the rows of one set of measurements with predictions.
 
-    Parameters
-    ----------
-    channels : tuple of str
-        The model's channels, which include those of the measurements.
-    reference : Prediction, optional
-        Prediction of the declared model: the motion of its channels sets their weights for all models that are
-        compared.  By default each prediction sets its own weights.
+    - channels: the model's channels, which include those of the measurements
+    - reference: prediction of the declared model: the motion of its channels sets their weights for all models that
+      are compared.  By default each prediction sets its own weights.
 
-    Attributes
-    ----------
-    columns : ndarray of int, shape (C,)
-        Indices of the measured channels among the model's.
-    moves : ndarray, shape (S, C)
-        Motion of these channels in the reference.
-    pose : ndarray of int, shape (R,)
-        Setup of each row.
+    Its attributes:
+    - columns: indices of the measured channels among the model's, (C,)
+    - moves: motion of these channels in the reference, (S, C)
+    - pose: setup of each row, (R,)
     """
 
     def __init__(
@@ -138,11 +126,8 @@ class Pairer:
     def pair(self, prediction: Prediction, used: NDArray[np.bool_], *, compare: bool = True) -> Pairing:
         """Pair the used rows; the others get no partner.
 
-        Parameters
-        ----------
-        used : ndarray of bool, shape (R,)
-        compare : bool, optional
-            Whether to compute the MAC with the partners, which takes time.
+        - used: (R,)
+        - compare: whether to compute the MAC with the partners, which takes time
         """
         c, rigid = self._criteria, prediction.rigid
         logs = prediction.log_frequencies[:, rigid:]
@@ -254,10 +239,7 @@ def neighbours(data: Measurements, criteria: Criteria) -> Index:
 
     Their frequencies are close enough for the shapes to mix, or differ by less than their errors.
 
-    Returns
-    -------
-    ndarray of int, shape (R, g)
-        The row itself first, then the others, padded with -1.
+    Returns (R, g): the row itself first, then the others, padded with -1.
     """
     log, sigma = FREQUENCY.transformed(data), FREQUENCY.transformed_sigma(data)
     limits, pose = criteria.pairing, data.pose
@@ -292,16 +274,10 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
 
     A measured mode may be any mixture of the two, so its pairing with one of them is arbitrary.
 
-    Parameters
-    ----------
-    partner, pose : ndarray of int, shape (R,)
-    close : float
-        Largest difference of the logarithms of their frequencies.
+    - partner, pose: (R,)
+    - close: largest difference of the logarithms of their frequencies
 
-    Returns
-    -------
-    ndarray of int, shape (R, 4)
-        Mode numbers, counted from 0, rigid ones included; padded with -1.
+    Returns (R, 4): mode numbers, counted from 0, rigid ones included; padded with -1.
     """
     logs = prediction.log_frequencies
     taken = np.zeros(logs.shape, dtype=bool)
@@ -319,13 +295,9 @@ def unmeasured_neighbours(prediction: Prediction, partner: Index, pose: Index, c
 def _assigned(cost: Array, present: NDArray[np.bool_], available: NDArray[np.bool_]) -> Index:
     """Assign the rows of each setup one-to-one to modes (S, r) with the least sum of costs; -1 for unassigned rows.
 
-    Parameters
-    ----------
-    cost : ndarray, shape (S, r, m)
-    present : ndarray of bool, shape (S, r)
-        Rows to assign.
-    available : ndarray of bool, shape (S, m)
-        Modes available.
+    - cost: (S, r, m)
+    - present: rows to assign, (S, r)
+    - available: modes available, (S, m)
     """
     cost = np.where(available[:, None], cost, np.inf)
     best: Index = cost.argmin(axis=2)

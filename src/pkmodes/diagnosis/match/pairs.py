@@ -12,17 +12,10 @@ def pairs_of_setups(pose: Index, order: Index) -> Iterator[tuple[Index, Index]]:
 
     The time grows as the number of rows times the largest number of rows in a setup.
 
-    Parameters
-    ----------
-    pose : ndarray of int, shape (R,)
-        Setup of each row.
-    order : ndarray of int, shape (R,)
-        The rows, those of each setup together.
+    - pose: setup of each row, (R,)
+    - order: the rows, those of each setup together, (R,)
 
-    Yields
-    ------
-    a, b : ndarray of int
-        The first and the second rows of the pairs; a row occurs at most once in each array.
+    Yields a and b: the first and the second rows of the pairs; a row occurs at most once in each array.
     """
     for step in range(1, len(order)):
         a, b = order[:-step], order[step:]

@@ -20,21 +20,14 @@ FAR = 1e6
 class Predicted:
     """Predictions of one model for all R measured modes at S setups, with m elastic modes each.
 
-    Attributes
-    ----------
-    frequency : ndarray, shape (R,)
-        Frequency of the partner [Hz], NaN if the mode is unmatched.
-    mode : ndarray of int, shape (R,)
-        Number of the partner among the elastic modes of its setup, from 1; 0 if unmatched.
-    sigmas : ndarray, shape (R,)
-        ln(f_model / f_measured) in standard deviations of the measurement, including its position error; NaN if
-        unmatched.
-    mac : ndarray, shape (R,)
-        MAC with the partner, or with the subspace of the partners of close modes; NaN without shape or partner.
-    macs : ndarray, shape (R, m)
-        MAC with each elastic mode of the setup; NaN without shape.
-    spectrum : ndarray, shape (S, m)
-        Frequencies of the elastic modes of each setup [Hz], ascending; modes that pad a setup are NaN.
+    - frequency: frequency of the partner, (R,) [Hz], NaN if the mode is unmatched
+    - mode: number of the partner among the elastic modes of its setup, from 1, (R,); 0 if unmatched
+    - sigmas: ln(f_model / f_measured) in standard deviations of the measurement, including its position error, (R,);
+      NaN if unmatched
+    - mac: MAC with the partner, or with the subspace of the partners of close modes, (R,); NaN without shape or
+      partner
+    - macs: MAC with each elastic mode of the setup, (R, m); NaN without shape
+    - spectrum: frequencies of the elastic modes of each setup, (S, m) [Hz], ascending; modes that pad a setup are NaN
     """
 
     frequency: Array
@@ -50,12 +43,8 @@ class Predicted:
     ) -> Predicted:
         """Return the predictions for paired measurements.
 
-        Parameters
-        ----------
-        pairing : Pairing
-            Of all rows.
-        sigma : ndarray, shape (R,)
-            Standard deviations of ln f.
+        - pairing: of all rows
+        - sigma: standard deviations of ln f, (R,)
         """
         paired = pairing.partner >= 0
         logs = prediction.log_frequencies

@@ -38,20 +38,14 @@ class Linearised:
 
     The D data are those of the fit.
 
-    Attributes
-    ----------
-    log_factor : float
-        Logarithm of all factors of the evidence beside the likelihood: the priors of rows set aside and of a shared
-        error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is not
-        plausible.
-    parts : tuple of slice
-        Frequencies, each other quantity, and priors among the data.
-    degrees : tuple of float
-        Degrees of freedom of all these except the priors, without the rows set aside.
-    basis, white : ndarray, shape (D, k) and (D,)
-        Orthonormal basis of the derivatives, and the whitened residual, 0 for rows set aside.
-    set_aside : frozenset of int
-        Rows.
+    - log_factor: logarithm of all factors of the evidence beside the likelihood: the priors of rows set aside and of
+      a shared error, and the Occam factors of uncertain values and of sizes of causes; minus infinity if a size is
+      not plausible
+    - parts: frequencies, each other quantity, and priors among the data
+    - degrees: degrees of freedom of all these except the priors, without the rows set aside
+    - basis, white: orthonormal basis of the derivatives, and the whitened residual, (D, k) and (D,), 0 for rows set
+      aside
+    - set_aside: rows
     """
 
     fit: Fit
@@ -76,10 +70,7 @@ class Linearised:
     def log_evidence_with(self, along: Array, taken: Array) -> Array:
         """Return the logarithm of the evidence with each of n linear additions, without their Occam factors, (n,).
 
-        Parameters
-        ----------
-        along, taken : ndarray, shape (D, n)
-            Parts of the residual that they remove, and the leverages of their directions.
+        - along, taken: parts of the residual that they remove, and the leverages of their directions, (D, n)
         """
         residual = self.white[:, None] - along
         squares = [(residual[part] ** 2).sum(axis=0) for part in self.parts]
@@ -92,10 +83,7 @@ class Linearised:
 def linearised(fitter: Fitter, fit: Fit, plausible: Mapping[int, float]) -> Linearised:
     """Return the linear model at a fit, without rows that are no modes.
 
-    Parameters
-    ----------
-    plausible : mapping of int to float
-        Largest plausible deviations of parameters of causes from their declared values.
+    - plausible: largest plausible deviations of parameters of causes from their declared values
     """
     white, basis, aside = fit.white, fit.basis, set(fit.hypothesis.excluded)
     observations = fitter.observations

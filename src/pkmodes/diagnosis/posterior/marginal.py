@@ -42,12 +42,8 @@ def prior_of_scale() -> Array:
 def marginal_log_likelihood(squares: Array, degrees: Array, prior: Array) -> Array:
     r"""Return :math:`\ln \int p(s) s^{-\nu} e^{-q / 2 s^2} ds`, the factor s on the errors integrated out, (n,).
 
-    Parameters
-    ----------
-    squares, degrees : ndarray, shape (n,)
-        Sums of squares q, and their degrees of freedom nu.
-    prior : ndarray, shape (85,)
-        Probabilities p of the factors `LOG_SCALE`.
+    - squares, degrees: sums of squares q, and their degrees of freedom nu, (n,)
+    - prior: probabilities p of the factors `LOG_SCALE`, (85,)
     """
     q, nu = np.asarray(squares)[..., None], np.asarray(degrees)[..., None]
     return np.asarray(special.logsumexp(-nu * LOG_SCALE - 0.5 * q * SHRUNK, axis=-1, b=prior))
@@ -56,17 +52,11 @@ def marginal_log_likelihood(squares: Array, degrees: Array, prior: Array) -> Arr
 def log_occam_factor(signal: Array, degrees: Array, largest: Array, one_sided: Array) -> Array:
     """Return the logarithms of the Occam factors of causes: their evidence over their likelihood at the fit, (n,).
 
-    Parameters
-    ----------
-    signal : ndarray, shape (n,)
-        Root of the squares by which the best size lowers chi-square, all else fitted; 0 for a cause that would have
-        the wrong sign.
-    degrees : ndarray of int, shape (n,)
-        Number of parameters that the data determine.
-    largest : ndarray, shape (n,)
-        Largest plausible signal.
-    one_sided : ndarray of bool, shape (n,)
-        Whether a single parameter can have one sign only.
+    - signal: root of the squares by which the best size lowers chi-square, all else fitted, (n,); 0 for a cause that
+      would have the wrong sign
+    - degrees: number of parameters that the data determine, (n,)
+    - largest: largest plausible signal, (n,)
+    - one_sided: whether a single parameter can have one sign only, (n,)
     """
     signal, largest = signal[:, None], np.maximum(largest, 2.0)[:, None]
     low = np.clip(signal - REACH, 1.0, largest)

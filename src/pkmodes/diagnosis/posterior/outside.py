@@ -50,16 +50,10 @@ def log_evidence_of_frequencies(
 ) -> float:
     """Return the logarithm of the evidence of the frequencies, the size of the change and the errors integrated out.
 
-    Parameters
-    ----------
-    g, c : ndarray, shape (k,)
-        Variances of changes of unit size along their principal directions, and the squares along each.
-    squares, degrees : float
-        Sum of squares of all frequencies, and its degrees of freedom.
-    largest : float
-        Largest signal of a change.
-    prior : ndarray, shape (85,)
-        Of the factors `LOG_SCALE` on the errors.
+    - g, c: variances of changes of unit size along their principal directions, and the squares along each, (k,)
+    - squares, degrees: sum of squares of all frequencies, and its degrees of freedom
+    - largest: largest signal of a change
+    - prior: of the factors `LOG_SCALE` on the errors, (85,)
     """
     sizes = np.geomspace(LEAST, max(largest, 2.0 * LEAST), SIZES)
     shown = sizes[-1] ** 2 * g > SHOWN

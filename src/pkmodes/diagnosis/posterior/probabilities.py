@@ -62,14 +62,9 @@ COMPARED = 4
 class Weighed:
     """An explanation with its weight.
 
-    Attributes
-    ----------
-    causes : tuple of str
-        Names of its causes.
-    weight : float
-        Logarithm of prior times evidence, not normalised.
-    data : Fit, or ndarray of shape (D,)
-        Its fit, or its whitened effect on the data in the linear model.
+    - causes: names of its causes
+    - weight: logarithm of prior times evidence, not normalised
+    - data: its fit, or its whitened effect on the data in the linear model, (D,)
     """
 
     causes: tuple[str, ...]
@@ -82,14 +77,9 @@ def probabilities(
 ) -> Probabilities | None:
     """Return the probabilities of all explanations; None if no fit is plausible.
 
-    Parameters
-    ----------
-    plausible : mapping of int to float
-        Largest plausible deviations of parameters of candidates.
-    outcome : Outcome
-        Of the search.
-    accepted : bool
-        Whether the verdict accepts an explanation, or leaves a few.
+    - plausible: largest plausible deviations of parameters of candidates
+    - outcome: of the search
+    - accepted: whether the verdict accepts an explanation, or leaves a few
     """
     fitter, first, count = search.store.fitter, outcome.nuisances, max(len(search.candidates), 1)
     priors = np.log([NOTHING, ONE / count, TWO / max(comb(count, 2), 1)])
@@ -132,12 +122,8 @@ def _beside(search: Search, plausible: Mapping[int, float], base: Linearised, pr
 
     A second cause whose effect the data cannot distinguish from none counts as the first cause alone.
 
-    Parameters
-    ----------
-    plausible : mapping of int to float
-        Largest plausible deviations of parameters of candidates.
-    prior : float
-        Logarithm of the prior of each.
+    - plausible: largest plausible deviations of parameters of candidates
+    - prior: logarithm of the prior of each
     """
     fitted = {_names(fit) for fit in search.store.tried()}
     scores = search.scores(base.fit)
@@ -200,10 +186,7 @@ def _outside(search: Search, first: Fit, priors: Array, models: Sequence[Lineari
 
     Changes are independent of the causes beside them.
 
-    Parameters
-    ----------
-    priors : ndarray, shape (3,)
-        Logarithms of the priors of fits with no cause, one and two.
+    - priors: logarithms of the priors of fits with no cause, one and two, (3,)
     """
     fitter, remote = search.store.fitter, [model for model in models if model.fit.hypothesis.remote]
     plain = [model for model in models if not model.fit.causes][:BESIDE]
@@ -247,12 +230,8 @@ def _normalised(
 ) -> Probabilities | None:
     """Return the normalised probabilities; explanations that the data cannot tell apart share one.
 
-    Parameters
-    ----------
-    beyond : float
-        Logarithm of prior times evidence of something outside.
-    doubt : float
-        Additional probability of something outside.
+    - beyond: logarithm of prior times evidence of something outside
+    - doubt: additional probability of something outside
     """
     total = float(special.logsumexp([beyond, *(explanation.weight for explanation in explained)]))
     if not np.isfinite(total):

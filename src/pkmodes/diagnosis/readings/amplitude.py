@@ -25,10 +25,8 @@ WORDS = {
 def dependence(fitter: Fitter, values: Array) -> AmplitudeDependence | None:
     """Return how the measured frequencies depend on the level; None if no setups differ in their level alone.
 
-    Parameters
-    ----------
-    values : ndarray
-        Of all parameters: the model determines which rows are the same mode, and how uncertain positions move it.
+    - values: of all parameters: the model determines which rows are the same mode, and how uncertain positions move
+      it
     """
     data = fitter.data
     if np.isfinite(data.level).sum() < 2:

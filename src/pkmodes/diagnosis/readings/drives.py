@@ -93,10 +93,7 @@ def _mean(fitter: Fitter, setups: Sequence[int], residual: Array) -> float:
 def _sentence(fitter: Fitter, setups: Sequence[int], apart: Apart | None) -> str:
     """Return the finding, and what to write in the file.
 
-    Parameters
-    ----------
-    apart : Apart, optional
-        Distances of the frequencies; None if the declared model explains them in the other state.
+    - apart: distances of the frequencies; None if the declared model explains them in the other state
     """
     data = fitter.data
     words = {data.drives[k] for k in setups}

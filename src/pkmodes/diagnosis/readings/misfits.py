@@ -34,16 +34,10 @@ REFITS, NEAR = 6, 100.0
 class WiringMisfit:
     """Misfit of the measurements with one wiring.
 
-    Attributes
-    ----------
-    squares : ndarray, shape (3,)
-        Whitened sums of squares: of the frequencies, of shapes with stated errors, of the other shapes.
-    count : ndarray, shape (3,)
-        Numbers of these data.
-    least : ndarray, shape (3,)
-        Sums of squares for the smallest realistic errors; smaller sums count as these.
-    difference : float
-        Root mean square of the differences of the shapes, relative to the largest component of each.
+    - squares: whitened sums of squares, (3,): of the frequencies, of shapes with stated errors, of the other shapes
+    - count: numbers of these data, (3,)
+    - least: sums of squares for the smallest realistic errors, (3,); smaller sums count as these
+    - difference: root mean square of the differences of the shapes, relative to the largest component of each
     """
 
     squares: Array
@@ -73,11 +67,8 @@ class WiringMisfit:
     def deviance(self, frequencies: bool = True) -> float:
         """Return the deviance, with errors of the size that the misfit shows, whether they are stated or not.
 
-        Parameters
-        ----------
-        frequencies : bool, optional
-            Whether the frequencies count: not if something else is missing in the model, because modes paired
-            wrongly may then seem to fit better.
+        - frequencies: whether the frequencies count: not if something else is missing in the model, because modes
+          paired wrongly may then seem to fit better
         """
         counted = self.count > 0
         counted[0] &= frequencies

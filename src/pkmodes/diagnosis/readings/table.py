@@ -27,18 +27,11 @@ MOST = 4
 class Reading:
     """Another reading of the data, with a test for each stage at which it can be told from that of the file.
 
-    Attributes
-    ----------
-    name : str
-    declared : callable, optional
-        Test of the declared model, nothing fitted.  It decides a diagnosis unless there is `refitted`; otherwise it
-        is a note of comparisons, and where the data are too few.
-    refitted : callable, optional
-        Test of the fits of the declared model, with its uncertain values refitted, before any search.
-    explained : callable, optional
-        Test of the final fit.
-    remarks : callable, optional
-        Notes on all measurements, including held-out ones, which decide nothing.
+    - declared: test of the declared model, nothing fitted.  It decides a diagnosis unless there is `refitted`;
+      otherwise it is a note of comparisons, and where the data are too few.
+    - refitted: test of the fits of the declared model, with its uncertain values refitted, before any search
+    - explained: test of the final fit
+    - remarks: notes on all measurements, including held-out ones, which decide nothing
     """
 
     name: str
@@ -73,10 +66,7 @@ def explained_otherwise(fitter: Fitter, fit: Fit) -> tuple[str, ...]:
 def reading_remarks(stage: MatchStage, criteria: ReadingCriteria) -> tuple[str, ...]:
     """Return sentences about all measurements.
 
-    Parameters
-    ----------
-    stage : MatchStage
-        Its values determine which rows are the same mode.
+    - stage: its values determine which rows are the same mode
     """
     answers = (reading.remarks(stage, criteria) for reading in READINGS if reading.remarks)
     return tuple(text for texts in answers for text in itertools.islice(texts, MOST))

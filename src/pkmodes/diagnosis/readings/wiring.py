@@ -87,10 +87,7 @@ def dead_channels(fitter: Fitter, fit: Fit) -> str:
 def rewired(fitter: Fitter, fit: Fit) -> Rewired | None:
     """Return the wirings that fit far better than that of the file; None if there is none.
 
-    Parameters
-    ----------
-    fit : Fit
-        Of the file as it is.
+    - fit: of the file as it is
     """
     c, columns = fitter.criteria.readings, fitter.data.channels
     sensors = tuple(fitter.structure.sensors) if isinstance(fitter.structure, Instrumented) else ()

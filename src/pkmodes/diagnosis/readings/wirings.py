@@ -26,12 +26,8 @@ from pkmodes.support.ordering import joined
 class Wiring:
     """What the C shape columns of a file measure.
 
-    Attributes
-    ----------
-    channels : tuple of str
-        For each column, the channel of the model that it measures.
-    signs : tuple of int
-        For each column, 1, or -1 if it measures the opposite direction.
+    - channels: for each column, the channel of the model that it measures
+    - signs: for each column, 1, or -1 if it measures the opposite direction
     """
 
     channels: tuple[str, ...]

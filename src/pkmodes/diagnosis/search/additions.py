@@ -21,10 +21,7 @@ FEW_PAIRS = 120
 class Additions:
     """Fits with additions.
 
-    Parameters
-    ----------
-    progress : callable
-        Called with a sentence at each step.
+    - progress: called with a sentence at each step
     """
 
     def __init__(self, store: FitStore, candidates: Sequence[Candidate], progress: Progress) -> None:
@@ -42,11 +39,8 @@ class Additions:
     def noise(self, fit: Fit, *, rival: bool = False) -> list[Fit]:
         """Return fits with a shared error in each setup, and with one of the worst rows excluded.
 
-        Parameters
-        ----------
-        rival : bool, optional
-            Whether they only compete with a claim: then a row may be excluded even if there are too few rows to show
-            that it is wrong.
+        - rival: whether they only compete with a claim: then a row may be excluded even if there are too few rows to
+          show that it is wrong
         """
         h, c, fits = fit.hypothesis, self.criteria, []
         enough = self._rows >= c.search.rows_to_set_aside
@@ -109,10 +103,7 @@ class Additions:
     def errors(self, enough: float) -> list[Fit]:
         """Return fits with measurement errors and no cause, added one by one while they help.
 
-        Parameters
-        ----------
-        enough : float
-            Largest criterion of interest; the additions stop if it cannot be reached.
+        - enough: largest criterion of interest; the additions stop if it cannot be reached
         """
         errors: list[Fit] = []
         fit = self.store.fit(Hypothesis())

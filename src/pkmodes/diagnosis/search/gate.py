@@ -14,18 +14,12 @@ from pkmodes.diagnosis.search.unmeasured import p_unmeasured
 class Gate:
     """The tests whether the residual of a fit is noise.
 
-    Attributes
-    ----------
-    p_value : float
-        p-value of the sum of squares: the smaller one of frequencies with priors, and of shapes with stated errors.
-    p_candidates : float
-        p-value of the best candidate, calibrated for their number.
-    unpaired : int
-        Number of unmatched measured modes.
-    p_unmeasured : float
-        p-value of the unmeasured modes that causes add between the measured ones.
-    level : float
-        Level of the tests.
+    - p_value: p-value of the sum of squares: the smaller one of frequencies with priors, and of shapes with stated
+      errors
+    - p_candidates: p-value of the best candidate, calibrated for their number
+    - unpaired: number of unmatched measured modes
+    - p_unmeasured: p-value of the unmeasured modes that causes add between the measured ones
+    - level: level of the tests
     """
 
     p_value: float
@@ -48,10 +42,7 @@ class Gate:
 def gate(store: FitStore, fit: Fit, scores: Scores) -> Gate:
     """Test the residual of a fit.
 
-    Parameters
-    ----------
-    scores : Scores
-        Of the candidates to which the residual may point.
+    - scores: of the candidates to which the residual may point
     """
     fitter, criteria = store.fitter, store.fitter.criteria
     unpaired = int((fit.pairing.partner[fitter.used(fit.hypothesis)] < 0).sum())

@@ -48,22 +48,14 @@ SECOND_ORDER = 0.1
 class Bound:
     """How large one parameter of a candidate may still be.
 
-    Attributes
-    ----------
-    index : int
-        The parameter.
-    size : float or None
-        Largest deviation from the declared value at 95 %; None if the data do not bound it within its plausible
-        range.
-    plausible : float
-        Largest plausible deviation; infinite if unknown.
-    change : float
-        Relative change of some frequency at the limit, in the linear model; 0 without a limit.
-    moved : ndarray, shape (P,)
-        How far all fitted values move when the candidate has this size; values with a prior also if it has the
-        largest plausible size, because their priors hold them.
-    farther : ndarray, shape (P,)
-        How far, at least, values without a prior move if the data do not bound the candidate.
+    - index: the parameter
+    - size: largest deviation from the declared value at 95 %; None if the data do not bound it within its plausible
+      range
+    - plausible: largest plausible deviation; infinite if unknown
+    - change: relative change of some frequency at the limit, in the linear model; 0 without a limit
+    - moved: how far all fitted values move when the candidate has this size, (P,); values with a prior also if it has
+      the largest plausible size, because their priors hold them
+    - farther: how far, at least, values without a prior move if the data do not bound the candidate, (P,)
     """
 
     candidate: Candidate
@@ -79,16 +71,11 @@ class Bound:
 class _Beside:
     """A candidate beside a fit.
 
-    Attributes
-    ----------
-    free, without_prior, rates
-        Free parameters, those to be taken without their priors, and the largest derivatives of ln f by parameter.
-    at : ProfilePoint
-        The model at that fit.
-    gain : float
-        Decrease of the sum of squares that the linear model promises.
-    step : ndarray, shape (P,)
-        The corresponding change of all values.
+    - free, without_prior, rates: free parameters, those to be taken without their priors, and the largest derivatives
+      of ln f by parameter
+    - at: the model at that fit
+    - gain: decrease of the sum of squares that the linear model promises
+    - step: the corresponding change of all values, (P,)
     """
 
     candidate: Candidate
@@ -111,12 +98,8 @@ def bounds(
 ) -> list[Bound]:
     """Return the bounds of all parameters of some candidates beside a fit.
 
-    Parameters
-    ----------
-    noise : bool
-        Whether the residual of the fit is noise.  If not, errors are scaled to what each candidate leaves.
-    linear : bool
-        Whether to use the model linearised at the fit only, for models that are slow to evaluate.
+    - noise: whether the residual of the fit is noise.  If not, errors are scaled to what each candidate leaves.
+    - linear: whether to use the model linearised at the fit only, for models that are slow to evaluate
     """
     fitter = store.fitter
     if not candidates:

@@ -30,14 +30,9 @@ def largest_rates(prediction: Prediction) -> Array:
 def plausible_size(fitter: Fitter, candidate: Candidate, i: int, sign: int, rate: float) -> float:
     """Return the largest plausible deviation of a parameter of a candidate from its declared value, on one side.
 
-    Parameters
-    ----------
-    i : int
-        The parameter.
-    sign : int
-        The side.
-    rate : float
-        Its `largest_rates`.
+    - i: the parameter
+    - sign: the side
+    - rate: its `largest_rates`
     """
     p = fitter.parameters[i]
     room = p.upper - p.value if sign > 0 else p.value - p.lower

@@ -40,20 +40,12 @@ LEFT = 1e-4
 class Score:
     """Score of one candidate at a fit.
 
-    Attributes
-    ----------
-    p_value : float
-        p-value of this candidate alone.
-    gain : float
-        Decrease of chi2 that the linear model promises.
-    step : ndarray, shape (k,)
-        Corresponding change of the candidate's parameters, within their signs.
-    sigma : ndarray, shape (k,)
-        Standard deviations of the parameters from these data; infinite if the data do not determine them.
-    largest : ndarray, shape (k,)
-        Largest relative change of a measured frequency per unit of each parameter.
-    visible : bool
-        Whether any signature remains after the projection.
+    - p_value: p-value of this candidate alone
+    - gain: decrease of chi2 that the linear model promises
+    - step: corresponding change of the candidate's parameters, within their signs, (k,)
+    - sigma: standard deviations of the parameters from these data, (k,); infinite if the data do not determine them
+    - largest: largest relative change of a measured frequency per unit of each parameter, (k,)
+    - visible: whether any signature remains after the projection
     """
 
     candidate: Candidate
@@ -69,10 +61,7 @@ class Score:
 class Scores:
     """Scores of all candidates at a fit.
 
-    Attributes
-    ----------
-    directions : tuple of (ndarray, int)
-        Orthonormal directions of the candidates' signatures, and the sign that physics allows, 0 for both.
+    - directions: orthonormal directions of the candidates' signatures, and the sign that physics allows, 0 for both
     """
 
     by_candidate: tuple[Score, ...]
@@ -155,10 +144,7 @@ def one_sided(fitter: Fitter, candidate: Candidate) -> int:
 def p_of_smallest(directions: Sequence[tuple[Array, int]], observed: float) -> float:
     """Return the probability under the hypothesis that the smallest p-value is at most the observed one.
 
-    Parameters
-    ----------
-    directions : sequence of (ndarray, int)
-        Of everything that was tried, see `Scores`.
+    - directions: of everything that was tried, see `Scores`
     """
     if not directions:
         return 1.0

@@ -26,14 +26,9 @@ from pkmodes.diagnosis.search.score import Scores, score
 class Outcome:
     """The result of a search.
 
-    Attributes
-    ----------
-    nuisances : Fit
-        The declared model with its nuisances refitted.
-    first : Gate
-        Gate at that fit.
-    last : Gate
-        Gate at the final fit.
+    - nuisances: the declared model with its nuisances refitted
+    - first: gate at that fit
+    - last: gate at the final fit
     """
 
     nuisances: Fit
@@ -45,10 +40,7 @@ class Outcome:
 class Search:
     """A search for causes that explain one set of measurements.
 
-    Parameters
-    ----------
-    progress : callable, optional
-        Called with a sentence at each step.
+    - progress: called with a sentence at each step
     """
 
     def __init__(

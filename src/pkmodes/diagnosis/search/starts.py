@@ -40,10 +40,7 @@ def starts(fitter: Fitter, additions: Sequence[tuple[Fit, Score, Hypothesis]]) -
 
     The trials of all refits are evaluated together.
 
-    Parameters
-    ----------
-    additions : sequence of (Fit, Score, Hypothesis)
-        Fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause.
+    - additions: fit to which a cause is added, score of that cause at this fit, and hypothesis with the cause
     """
     scout, best = fitter.scout, [list[Array]() for _ in additions]
     searches = {k: _search(fitter, *addition) for k, addition in enumerate(additions)}

@@ -42,13 +42,8 @@ S = TypeVar("S", bound=Structure)
 class Trusted:
     """The trusted state, with the model fitted to it.
 
-    Attributes
-    ----------
-    name : str
-    fitter : Fitter
-        Of its measurements.
-    fit : Fit
-        Of the uncertain values.
+    - fitter: of its measurements
+    - fit: of the uncertain values
     """
 
     name: str
@@ -61,10 +56,7 @@ class Trusted:
     ) -> Trusted:
         """Fit the uncertain values of a structure to the trusted state.
 
-        Raises
-        ------
-        PkmodesError
-            If the structure cannot be evaluated.
+        Raises PkmodesError if the structure cannot be evaluated.
         """
         fitter = Fitter(structure, data, criteria)
         fit = FitStore(fitter).fit(Hypothesis())
@@ -111,15 +103,11 @@ class Trusted:
     ) -> Change:
         """Return what changed from the trusted state to another one.
 
-        Parameters
-        ----------
-        structure : Structure
-            At the setups of that state, with the values of the trusted one; its candidates are what may have changed.
+        - structure: at the setups of that state, with the values of the trusted one; its candidates are what may have
+          changed
 
-        Raises
-        ------
-        PkmodesError
-            If both states have no mode in common, were measured under other conditions, or have the same rows.
+        Raises PkmodesError if both states have no mode in common, were measured under other conditions, or have the
+        same rows.
         """
         self._check(name, data)
         nuisances = tuple(self.fitter.nuisances)
@@ -205,10 +193,7 @@ def changed_between(
 ) -> Change:
     """Return what changed between states of any structure, as `pkmodes.diagnosis.diagnose` does.
 
-    Raises
-    ------
-    PkmodesError
-        Also if a setup has no state, or there is one state only.
+    Raises PkmodesError also if a setup has no state, or there is one state only.
     """
     structure = checked(structure, data)
     trusted, later = setups_of(data, states)
@@ -245,10 +230,7 @@ def setups_of(
 ) -> tuple[tuple[str, list[int]], dict[str, list[int]]]:
     """Return the trusted state and the others, each with its setups.
 
-    Raises
-    ------
-    PkmodesError
-        If it is not a mapping, a measured setup is missing in it, or it has one state only.
+    Raises PkmodesError if it is not a mapping, a measured setup is missing in it, or it has one state only.
     """
     example = '{"P1": "before", "P1 again": "after"}'
     if not isinstance(states, Mapping) or not all(

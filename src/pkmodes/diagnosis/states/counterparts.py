@@ -29,14 +29,9 @@ FARTHEST, ALIKE = 0.3, 0.1
 class Expected(NamedTuple):
     """The modes of one setup as they were before, of the model or measured.
 
-    Attributes
-    ----------
-    log, sigma : ndarray, shape (m,)
-        Logarithms of the frequencies, and their standard deviations.
-    shapes : ndarray, shape (m, C)
-        At the channels of the later state, NaN where not known.
-    mode, row : ndarray of int, shape (m,)
-        Mode of the model, and row of the trusted state; -1 where there is none.
+    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
+    - shapes: at the channels of the later state, (m, C), NaN where not known
+    - mode, row: mode of the model, and row of the trusted state, (m,); -1 where there is none
     """
 
     log: Array
@@ -57,18 +52,12 @@ def expected_modes(
 ) -> Expected:
     """Return the modes of a setup: as measured in the trusted state, those of the model where they were not.
 
-    Parameters
-    ----------
-    log, shapes : ndarray, shape (m,) and (m, C)
-        Logarithms of the frequencies of the modes of the model, with its error; shapes at some channels.
-    sigma : float
-        Standard deviation of the logarithms.
-    channels : tuple of str
-        Names of these channels.
-    partner : ndarray of int, shape (R,)
-        Mode of the model of each row of the trusted state; -1 for none.
-    setup : int
-        Of the trusted state; -1 if it has none like this.
+    - log, shapes: logarithms of the frequencies of the modes of the model, with its error, (m,) and (m, C); shapes at
+      some channels
+    - sigma: standard deviation of the logarithms
+    - channels: names of these channels
+    - partner: mode of the model of each row of the trusted state, (R,); -1 for none
+    - setup: of the trusted state; -1 if it has none like this
     """
     count = len(log)
     rows = np.flatnonzero(trusted.pose == setup)
@@ -94,10 +83,7 @@ def paired_with(
 ) -> list[tuple[int, int]]:
     """Return rows of one setup of a later state, each with its place among the modes that are expected there.
 
-    Parameters
-    ----------
-    weights : ndarray, shape (C,)
-        Factors by which the channels are comparable.
+    - weights: factors by which the channels are comparable, (C,)
     """
     apart = np.abs(FREQUENCY.transformed(later)[rows][None, :] - expected.log[:, None])
     unlike = 1.0 - _alike(expected.shapes * weights, later.shapes[rows] * weights)
@@ -114,10 +100,7 @@ def paired_with(
 def close_groups(log: Array, sigma: Array, criteria: PairingCriteria) -> Index:
     """Return the group of each mode of a setup: one for all modes that are close to the next.
 
-    Parameters
-    ----------
-    log, sigma : ndarray, shape (m,)
-        Logarithms of the frequencies, and their standard deviations.
+    - log, sigma: logarithms of the frequencies, and their standard deviations, (m,)
     """
     order = np.argsort(log)
     gap, both = np.diff(log[order]), np.hypot(sigma[order][1:], sigma[order][:-1])

@@ -44,12 +44,8 @@ ORDER = (UNEXPLAINED, AMBIGUOUS, INSUFFICIENT_DATA, EFFECT_FOUND, ADEQUATE)
 class Counterpart:
     """The same mode at the same setup in the trusted state.
 
-    Attributes
-    ----------
-    line : int
-        Of the row in its file.
-    measured, sigma : float
-        Its frequency and the standard deviation [Hz].
+    - line: of the row in its file
+    - measured, sigma: its frequency and the standard deviation [Hz]
     """
 
     line: int
@@ -64,18 +60,11 @@ class Change(Diagnosis):
     The attributes are those of a `Diagnosis` of the difference.  In its rows the standard deviations are those of
     the difference, and what the model predicts has the errors that the trusted state shows.
 
-    Attributes
-    ----------
-    states : tuple of str
-        The trusted state first.
-    changed : bool or None
-        Whether anything changed; None where the data do not tell.
-    counterparts : tuple of Counterpart or None
-        Of each row.
-    model_error : float
-        Root mean square of the relative error of the model in the trusted state, which both states share.
-    by_state : mapping of str to Change
-        Of several later states, each by itself; empty for a single one.
+    - states: the trusted state first
+    - changed: whether anything changed; None where the data do not tell
+    - counterparts: of each row
+    - model_error: root mean square of the relative error of the model in the trusted state, which both states share
+    - by_state: of several later states, each by itself; empty for a single one
     """
 
     states: tuple[str, ...] = ()
@@ -122,10 +111,7 @@ class Change(Diagnosis):
     def as_json(self) -> dict[str, object]:
         """Return the result in the form described in docs/json.md, without NaN.
 
-        Returns
-        -------
-        dict of str to object
-            What ``pkmodes changed --json`` writes.
+        Returns what ``pkmodes changed --json`` writes.
         """
         of_states = {name: result._of_one_state() for name, result in self.by_state.items()}
         return {**self._of_one_state(), "by_state": of_states}
@@ -155,16 +141,10 @@ def of_difference(
 ) -> Change:
     """Return the diagnosis of a difference as a change.
 
-    Parameters
-    ----------
-    result : Diagnosis
-        Of measurements without the errors that the model has in the trusted state.
-    states : tuple of two str
-        The trusted state, and the other one.
-    data : Measurements
-        Of the other one, as measured.
-    shared : SharedErrors
-        These errors.
+    - result: of measurements without the errors that the model has in the trusted state
+    - states: the trusted state, and the other one
+    - data: of the other one, as measured
+    - shared: these errors
     """
     trusted, later = states
     content = {attribute.name: getattr(result, attribute.name) for attribute in fields(Diagnosis)}

@@ -46,19 +46,12 @@ LARGEST = 0.9
 class SharedErrors:
     """The error of the model in each row of a later state, as determined by the trusted state.
 
-    Attributes
-    ----------
-    offset, variance : ndarray, shape (R,)
-        Of ln f, and its variance given the trusted state, large enough to treat the errors of different rows as
-        independent.
-    measured_before : ndarray of bool, shape (R,)
-        Rows whose mode was measured in the trusted state, at any setup.
-    counterpart : ndarray of int, shape (R,)
-        Row of the trusted state with the same mode at the same setup; -1 where there is none.
-    of_modes : ndarray, shape (S, m)
-        Offset of each elastic mode at each setup.
-    shapes, shape_sigma : ndarray, shape (R, C) and (R,)
-        Shapes without the errors of those of the model, see `shared_shapes`.
+    - offset, variance: of ln f, and its variance given the trusted state, large enough to treat the errors of
+      different rows as independent, (R,)
+    - measured_before: rows whose mode was measured in the trusted state, at any setup, (R,)
+    - counterpart: row of the trusted state with the same mode at the same setup, (R,); -1 where there is none
+    - of_modes: offset of each elastic mode at each setup, (S, m)
+    - shapes, shape_sigma: shapes without the errors of those of the model, see `shared_shapes`, (R, C) and (R,)
     """
 
     offset: Array
@@ -106,18 +99,11 @@ def shared_errors(
 ) -> SharedErrors:
     """Return the errors that the rows of a later state share with the trusted one.
 
-    Parameters
-    ----------
-    trusted : Fitter
-        Of the trusted state.
-    values : ndarray
-        Of its parameters, fitted to it.
-    structure : Structure
-        At the setups of the later state, with these values as declared.
-    shape_error : float, optional
-        Standard deviation of the components of shapes by which the model differs from the trusted state.
-    fitted : FittedValues, optional
-        The uncertainty of these values.
+    - trusted: of the trusted state
+    - values: of its parameters, fitted to it
+    - structure: at the setups of the later state, with these values as declared
+    - shape_error: standard deviation of the components of shapes by which the model differs from the trusted state
+    - fitted: the uncertainty of these values
     """
     pairing, residual, sigma, _ = trusted.unfitted(values, trusted.observations.all_rows)
     before, data = trusted.structure.predict(values, ()), trusted.data
@@ -184,13 +170,9 @@ def less_certain(shapes: Array, sigma: Array, error: float, spread: Array) -> tu
     Where none is stated, all such shapes share one scatter, and those on which the uncertainty of the fitted values
     has a larger influence are left out.
 
-    Parameters
-    ----------
-    shapes, sigma : ndarray, shape (R, C) and (R,)
-    error : float
-        Standard deviation of the model's shapes in the trusted state.
-    spread : ndarray, shape (R,)
-        Standard deviation due to the fitted values.
+    - shapes, sigma: (R, C) and (R,)
+    - error: standard deviation of the model's shapes in the trusted state
+    - spread: standard deviation due to the fitted values, (R,)
     """
     lost = np.isnan(sigma) & (spread > error)
     larger = np.sqrt(sigma**2 + error**2 + spread**2)
@@ -222,16 +204,10 @@ class TrustedRows(NamedTuple):
 class ErrorsOfModes(NamedTuple):
     """The errors of the model in the modes at S setups of a later state.
 
-    Attributes
-    ----------
-    mean : ndarray, shape (S, m)
-        Of ln f.
-    covariances : ndarray, shape (m, S, S)
-        Of each mode at all setups.
-    scatter : float
-        Standard deviation of the part that differs between setups.
-    unknown : float
-        Standard deviation for a mode that the trusted state does not determine.
+    - mean: of ln f, (S, m)
+    - covariances: of each mode at all setups, (m, S, S)
+    - scatter: standard deviation of the part that differs between setups
+    - unknown: standard deviation for a mode that the trusted state does not determine
     """
 
     mean: Array
@@ -291,14 +267,9 @@ def between_setups(
 ) -> float:
     """Return an upper limit of the standard deviation, between setups, of the error of the model in one mode.
 
-    Parameters
-    ----------
-    residual, sigma : ndarray, shape (R,)
-        Of ln f.
-    partner, pose : ndarray of int, shape (R,)
-        Mode and setup of each row.
-    among : ndarray of bool, shape (S, S)
-        Which setups are the same.
+    - residual, sigma: of ln f, (R,)
+    - partner, pose: mode and setup of each row, (R,)
+    - among: which setups are the same, (S, S)
     """
     squares, degrees = 0.0, 0
     for mode in np.unique(partner):

@@ -29,18 +29,11 @@ def shapes_without_errors(
     They have the components that both states have, and none if a scale is unknown.  Rows without a counterpart stay
     as they are.
 
-    Parameters
-    ----------
-    counterpart : ndarray of int, shape (R,)
-        Row of the trusted state with the same mode at the same setup; -1 where there is none.
-    modes : ndarray, shape (R, C)
-        Shape of the mode of the model, at the channels of the later state; NaN where a row has none.
-    weights : ndarray, shape (C,)
-        Factors by which the channels of the later state are comparable.
+    - counterpart: row of the trusted state with the same mode at the same setup, (R,); -1 where there is none
+    - modes: shape of the mode of the model, at the channels of the later state, (R, C); NaN where a row has none
+    - weights: factors by which the channels of the later state are comparable, (C,)
 
-    Returns
-    -------
-    shapes, sigma : ndarray, shape (R, C) and (R,)
+    Returns shapes and sigma, (R, C) and (R,).
     """
     shapes, sigma = later.shapes.copy(), later.shape_sigma.copy()
     mine, later_columns = common_channels(trusted, later)

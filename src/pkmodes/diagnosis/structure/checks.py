@@ -70,22 +70,11 @@ def check_candidate(candidate: Candidate, parameters: Mapping[str, Parameter]) -
 def sensor_map(channels: Sequence[str], coordinates: Sequence[str] | None, sensors: Any) -> Array | None:
     """Return the matrix that maps the coordinates of a model to the channels.
 
-    Parameters
-    ----------
-    coordinates : sequence of str, optional
-        Names of the n coordinates, if the channels are some of them.
-    sensors : array_like or sparse matrix, shape (C, n), optional
-        Motion of each channel for unit motions of the coordinates.
+    - coordinates: names of the n coordinates, if the channels are some of them
+    - sensors: motion of each channel for unit motions of the coordinates, (C, n)
 
-    Returns
-    -------
-    ndarray, shape (C, n), or None
-        None if the channels are all coordinates in order.
-
-    Raises
-    ------
-    PkmodesError
-        If both are given, a channel is not a coordinate, or the map is not a matrix of numbers.
+    Returns (C, n); None if the channels are all coordinates in order.
+    Raises PkmodesError if both are given, a channel is not a coordinate, or the map is not a matrix of numbers.
     """
     if sensors is None:
         if coordinates is None or tuple(coordinates) == tuple(channels):

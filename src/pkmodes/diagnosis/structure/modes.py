@@ -39,13 +39,9 @@ class UnstableError(UnusableError):
 class Condensed(NamedTuple):
     """Coordinates x = T q with inertia, and motions N without, K-orthogonal to each other.
 
-    Attributes
-    ----------
-    M, K : ndarray, shape (p, p)
-        T^T M T, positive definite, and T^T K T.
-    T : ndarray, shape (n, p), or None
-        None if every motion has inertia.
-    N : ndarray, shape (n, n - p), or None
+    - M, K: T^T M T, positive definite, and T^T K T, (p, p)
+    - T: (n, p); None if every motion has inertia
+    - N: (n, n - p)
     """
 
     M: Array
@@ -57,15 +53,9 @@ class Condensed(NamedTuple):
 def condense(M: Array, K: Array) -> Condensed:
     """Separate the motions with inertia from those without.
 
-    Parameters
-    ----------
-    M, K : ndarray, shape (n, n)
-        Symmetric; M positive semidefinite, K positive definite for the motions without inertia.
+    - M, K: symmetric, (n, n); M positive semidefinite, K positive definite for the motions without inertia
 
-    Raises
-    ------
-    UnusableError
-        If they are not.
+    Raises UnusableError if they are not.
     """
     diagonal = np.diagonal(M)
     bare = ~M.any(axis=1)
@@ -119,13 +109,9 @@ def definite(scaled: Array) -> bool:
 class SetupModes(NamedTuple):
     """All modes of one setup.
 
-    Attributes
-    ----------
-    eigenvalues : ndarray, shape (m,)
-    shapes : ndarray, shape (m, n)
-        Mass-normalised.
-    massless : ndarray, shape (n, n - m), or None
-        Motions without inertia, None if there are none.
+    - eigenvalues: (m,)
+    - shapes: mass-normalised, (m, n)
+    - massless: motions without inertia, (n, n - m), None if there are none
     """
 
     eigenvalues: Array
@@ -141,19 +127,11 @@ class SetupModes(NamedTuple):
 def setup_modes(pair: Pair, rigid: int) -> SetupModes:
     """Compute the modes.
 
-    Parameters
-    ----------
-    pair : Pair
-        M and K of one setup.
-    rigid : int
-        Number of modes that may be motions without stiffness.
+    - pair: M and K of one setup
+    - rigid: number of modes that may be motions without stiffness
 
-    Raises
-    ------
-    UnusableError
-        If M has a negative kinetic energy, or a motion has neither mass nor stiffness.
-    UnstableError
-        If a mode is unstable.
+    Raises UnusableError if M has a negative kinetic energy, or a motion has neither mass nor stiffness.
+    Raises UnstableError if a mode is unstable.
     """
     part = condense(pair.M, pair.K)
     try:
@@ -184,16 +162,10 @@ def changes_of(modes: SetupModes, changes: Sequence[Pair | None]) -> tuple[Array
 def shape_rates_of(K: Array, modes: SetupModes, forces: Array, norm: Array) -> Array:
     """Differentiate the shapes.
 
-    Parameters
-    ----------
-    K : ndarray, shape (n, n)
-    modes : SetupModes
-    forces, norm : ndarray, shape (T, m, n) and (T, m)
-        From `changes_of`.
+    - K: (n, n)
+    - forces, norm: from `changes_of`, (T, m, n) and (T, m)
 
-    Returns
-    -------
-    ndarray, shape (T, m, n)
+    Returns (T, m, n).
     """
     eigenvalues, shapes, N = modes
     rates: Array = modal_expansion(forces[None], norm[None], eigenvalues[None], shapes[None])[0] @ shapes

@@ -63,19 +63,12 @@ def _errors_of(matrices: str, where: str, remedy: str) -> Iterator[None]:
 class Supplied:
     """The matrices from the callables, checked to be symmetric float64; errors name setup and values.
 
-    Parameters
-    ----------
-    matrices, derivatives : callable
-        See `pkmodes.diagnosis.MatrixStructure`.
-    expected : int
-        Number of coordinates.
-    reason : str
-        Reason for this number, for messages.
+    - matrices, derivatives: see `pkmodes.diagnosis.MatrixStructure`
+    - expected: number of coordinates
+    - reason: reason for this number, for messages
 
-    Attributes
-    ----------
-    calls, seconds : int, float
-        Number of calls for M and K, and their total time.
+    Its attributes:
+    - calls, seconds: number of calls for M and K, and their total time
     """
 
     def __init__(

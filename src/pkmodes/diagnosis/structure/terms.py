@@ -24,10 +24,7 @@ QUANTITIES = {MASS: "mass", SPRING: "stiffness"}
 class CoordinateTerm(NamedTuple):
     """A mass or a spring at one or between two coordinates.
 
-    Attributes
-    ----------
-    at : tuple of int
-        The coordinates.
+    - at: the coordinates
     """
 
     candidate: Candidate
@@ -47,12 +44,8 @@ def terms_of(
 ) -> Iterator[CoordinateTerm]:
     """Yield all terms of some coordinates.
 
-    Parameters
-    ----------
-    units : tuple of two str
-        Of M and of K.
-    taken : collection of str
-        Names of candidates and parameters: a term with one of these names is left out.
+    - units: of M and of K
+    - taken: names of candidates and parameters: a term with one of these names is left out
     """
     places: list[tuple[str, tuple[int, ...]]] = [
         *((MASS, (i,)) for i in range(len(coordinates))),
@@ -77,10 +70,7 @@ def terms_of(
 class SuppliedWithTerms:
     """Supplied matrices with terms, whose parameters follow those of the supplied ones.
 
-    Attributes
-    ----------
-    calls, seconds : int, float
-        Number of calls for the supplied M and K, and their total time.
+    - calls, seconds: number of calls for the supplied M and K, and their total time
     """
 
     def __init__(self, supplied: Supplied, terms: Sequence[CoordinateTerm]) -> None:

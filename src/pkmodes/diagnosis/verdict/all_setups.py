@@ -16,12 +16,8 @@ from pkmodes.measured.measurements import Measurements
 class AllSetups:
     """A structure at all measured setups.
 
-    Parameters
-    ----------
-    fitter : Fitter
-        At the fitted setups.
-    held : list of int
-        Held-out setups.
+    - fitter: at the fitted setups
+    - held: held-out setups
     """
 
     def __init__(self, structure: Structure, data: Measurements, fitter: Fitter, held: list[int]) -> None:

@@ -50,18 +50,11 @@ NONE: tuple[None, None] = (None, None)
 class _Models:
     """The models of a result beside all rows, with their errors: as declared, refitted, and with the causes.
 
-    Attributes
-    ----------
-    last : Fit or None
-        Of the last model; None if there are too few data to fit any.
-    outlying : ndarray of bool, shape (R,)
-        Rows that it sets aside.
-    corrected : tuple of Corrected
-        Its values.
-    notes : tuple of str
-        On its fit.
-    without : ndarray, shape (S, m), or None
-        Its spectrum without its causes.
+    - last: of the last model; None if there are too few data to fit any
+    - outlying: rows that it sets aside, (R,)
+    - corrected: its values
+    - notes: on its fit
+    - without: its spectrum without its causes, (S, m)
     """
 
     last: Fit | None
@@ -243,16 +236,10 @@ class DiagnosisBuilder:
     ) -> _Models:
         """Return the models of a result.
 
-        Parameters
-        ----------
-        refit : Fit or None
-            Of the nuisances.
-        causes : Fit or None
-            With the claimed causes.
-        bounded : CandidateLimits
-            Of the candidates that are not claimed.
-        settled : bool
-            Whether the last one leaves only noise.
+        - refit: of the nuisances
+        - causes: with the claimed causes
+        - bounded: of the candidates that are not claimed
+        - settled: whether the last one leaves only noise
         """
         setups, last = self.setups, causes or refit
         excluded = [] if last is None else sorted(last.hypothesis.excluded)
@@ -297,12 +284,8 @@ class DiagnosisBuilder:
     ) -> Diagnosis:
         """Return the result.
 
-        Parameters
-        ----------
-        bounded : CandidateLimits
-            Of the candidates that are not claimed.
-        unseen : tuple of str
-            Names of candidates that are not detectable.
+        - bounded: of the candidates that are not claimed
+        - unseen: names of candidates that are not detectable
         """
         last, (declared, before) = models.last, models.declared
         (refit, refit_error), (after, after_error) = models.refit or NONE, models.after or NONE

@@ -27,10 +27,8 @@ def refitted(values: Sequence[Corrected]) -> str:
 def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
     """Return which refitted values belong in the headline; empty if none does.
 
-    Parameters
-    ----------
-    needed : bool
-        Whether the refit alone made the residual noise: then also values that an unseen candidate could have moved.
+    - needed: whether the refit alone made the residual noise: then also values that an unseen candidate could have
+      moved
     """
     far = [v for v in values if v.prior_sigma and abs(_away(v)) > FAR]
     parts = [f"{_name(v)} is {abs(_away(v)):.1f} sigma from its declared value" for v in far]
@@ -43,12 +41,8 @@ def conspicuous(values: Sequence[Corrected], *, needed: bool) -> str:
 def unseen(undetectable: Sequence[str], limited: bool) -> str:
     """Return what an adequate model may still lack; empty where nothing was suspected.
 
-    Parameters
-    ----------
-    undetectable : sequence of str
-        Candidates that these data cannot show.
-    limited : bool
-        Whether other candidates have limits.
+    - undetectable: candidates that these data cannot show
+    - limited: whether other candidates have limits
     """
     if undetectable:
         return f"it cannot see {listed(undetectable, MOST_NAMES)}" + (

@@ -33,24 +33,14 @@ Grouped = tuple[list[list[Fit]], ...]
 class Claim:
     """The causes that would be claimed; none if the declared model passes the gate, or nothing does.
 
-    Attributes
-    ----------
-    last : Gate
-        Gate of the final fit.
-    grouped : tuple
-        For each cause, the classes of fits that have another cause in its place; its own class is first.
-    rivals : tuple of Fit
-        Survivors beside a pair of causes.
-    p_values : tuple of float
-        One for each cause.
-    kept : bool
-        Whether each cause is among the survivors in its place.
-    left_out : tuple of str
-        Sentences about members that left a class because their values are impossible.
-    plausible : mapping of int to float
-        Largest plausible deviations of the values of all members from the declared ones, by parameter.
-    implausible : frozenset of str
-        Names of the causes, in the place of a claimed one, whose values such a part cannot have.
+    - last: gate of the final fit
+    - grouped: for each cause, the classes of fits that have another cause in its place; its own class is first
+    - rivals: survivors beside a pair of causes
+    - p_values: one for each cause
+    - kept: whether each cause is among the survivors in its place
+    - left_out: sentences about members that left a class because their values are impossible
+    - plausible: largest plausible deviations of the values of all members from the declared ones, by parameter
+    - implausible: names of the causes, in the place of a claimed one, whose values such a part cannot have
     """
 
     final: Fit
@@ -73,10 +63,7 @@ class Claim:
 
         Classes with a plausible member are first.
 
-        Parameters
-        ----------
-        instead : Fit, optional
-            The explanation that is better with other errors or priors.
+        - instead: the explanation that is better with other errors or priors
         """
         if instead is not None:
             return [[(_names(fit), fit)] for fit in (self.final, instead)]
@@ -89,10 +76,7 @@ class Claim:
     def findings(self, fitter: Fitter, single_joints: Mapping[str, JointAlone]) -> tuple[Finding, ...]:
         """Return all causes with their classes, as parts of a result.
 
-        Parameters
-        ----------
-        single_joints : mapping of str to JointAlone
-            The one joint that explains the data as well, of each candidate that has one.
+        - single_joints: the one joint that explains the data as well, of each candidate that has one
         """
         places = enumerate(self.grouped)
         return tuple(self._finding(fitter, place, groups[0], single_joints) for place, groups in places)

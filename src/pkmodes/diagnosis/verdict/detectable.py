@@ -39,16 +39,10 @@ def examined(
 ) -> tuple[Examined, ...]:
     """Return the test of each candidate, its smallest visible change, and whether it is detectable.
 
-    Parameters
-    ----------
-    first, last : Scores
-        Before any claim, and beside the claims.
-    plausible : mapping of int to float
-        Largest plausible deviation of each parameter.
-    shown : collection of str
-        Candidates that are claimed, in the class of a claim, remain, or are named by the reason or the stability.
-    limited, unbounded : collection of str
-        Candidates with a parameter that the data bound, and with one that they do not bound.
+    - first, last: before any claim, and beside the claims
+    - plausible: largest plausible deviation of each parameter
+    - shown: candidates that are claimed, in the class of a claim, remain, or are named by the reason or the stability
+    - limited, unbounded: candidates with a parameter that the data bound, and with one that they do not bound
     """
     c, beside = fitter.criteria, {entry.candidate.name: entry for entry in last.by_candidate}
     tests = []
@@ -78,10 +72,7 @@ def p_of_plausible(fitter: Fitter, tested: Score, largest: Array) -> float:
 
     A part t of the step to the best change yields t (2 - t) of its decrease of chi2.
 
-    Parameters
-    ----------
-    largest : ndarray, shape (k,)
-        Largest plausible deviations.
+    - largest: largest plausible deviations, (k,)
     """
     step = np.abs(tested.step)
     part = float(

@@ -22,14 +22,9 @@ STIFFNESSES = ("N/m", "N*m/rad")
 class Dispersion(NamedTuple):
     """A declared stiffness that changes with the frequency.
 
-    Attributes
-    ----------
-    name : str
-        Of its parameter.
-    criterion : float
-        Criterion of the model with it in place of the causes; smaller is better.
-    rises : bool
-        Whether it is larger for modes of high frequency.
+    - name: of its parameter
+    - criterion: criterion of the model with it in place of the causes; smaller is better
+    - rises: whether it is larger for modes of high frequency
     """
 
     name: str
@@ -57,10 +52,7 @@ def stiffness_of_frequency(e: Evidence) -> str:
 def dispersion(store: FitStore, final: Fit) -> Dispersion | None:
     """Return the stiffness that explains the data best by a change with the frequency; None if none is declared.
 
-    Parameters
-    ----------
-    final : Fit
-        With causes, in the place of which it is tried.
+    - final: with causes, in the place of which it is tried
     """
     fitter, hypothesis = store.fitter, replace(final.hypothesis, causes=())
     plain = store.fit(hypothesis, store.undone(final, hypothesis))

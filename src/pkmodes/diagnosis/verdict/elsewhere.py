@@ -22,10 +22,7 @@ from pkmodes.diagnosis.verdict.information import separations
 class MeasuringCondition(NamedTuple):
     """A way to measure: the structure at the poses to choose from, the state of its motors, and the values set there.
 
-    Attributes
-    ----------
-    unlike : bool
-        Whether its motors are in another state than in most of the measurements.
+    - unlike: whether its motors are in another state than in most of the measurements
     """
 
     structure: Structure
@@ -42,12 +39,9 @@ class MeasuringCondition(NamedTuple):
 class Elsewhere(NamedTuple):
     """What an explanation predicts at S poses, in standard deviations of a measured frequency.
 
-    Attributes
-    ----------
-    mean, errors : ndarray, shape (S, m) and (S, m, m)
-        Logarithms of the lowest frequencies, and the covariance of the errors of their measurement.
-    rates : ndarray, shape (S, m, k)
-        Derivatives with respect to the fitted values.
+    - mean, errors: logarithms of the lowest frequencies, and the covariance of the errors of their measurement,
+      (S, m) and (S, m, m)
+    - rates: derivatives with respect to the fitted values, (S, m, k)
     """
 
     fit: Fit
@@ -67,10 +61,7 @@ class Elsewhere(NamedTuple):
 def ways(structure: Structure, points: Array, *, held: bool = True) -> Iterator[MeasuringCondition]:
     """Yield the ways to measure at these poses, the simplest first.
 
-    Parameters
-    ----------
-    held : bool
-        Whether motors that are free may be held.
+    - held: whether motors that are free may be held
     """
     drives = cast("Drives", structure.drives) if isinstance(structure, Driven) else None
     yield MeasuringCondition(structure, drives, {})

@@ -36,12 +36,8 @@ HINTS = 4
 class Start:
     """The declared model beside the fitted setups, before any search.
 
-    Attributes
-    ----------
-    plain : FitStore
-        Of the declared model.
-    suspected : list of Candidate
-        Those that may be claimed.
+    - plain: of the declared model
+    - suspected: those that may be claimed
     """
 
     def __init__(self, setups: AllSetups) -> None:
@@ -88,17 +84,12 @@ class Start:
 class Evidence:
     """The result of a search, and what else decides; costly results are computed when a rule first needs them.
 
-    Attributes
-    ----------
-    claim : Claim
-        What would be claimed, and its final fit.
+    - claim: by default, of the outcome of the search
+    - term_instead: returns the fit with one term that explains the data in place of this evidence's causes; None if
+      none does
 
-    Parameters
-    ----------
-    claim : Claim, optional
-        By default, of the outcome of the search.
-    term_instead : callable, optional
-        Returns the fit with one term that explains the data in place of this evidence's causes; None if none does.
+    Its attributes:
+    - claim: what would be claimed, and its final fit
     """
 
     def __init__(
@@ -238,17 +229,12 @@ class Evidence:
 class Says:
     """The answer of a rule that applies.
 
-    Attributes
-    ----------
-    text : str
-        The reason of the verdict.
-    named : frozenset of str
-        Candidates to which, according to it, the data point without a claim: these cannot be undetectable.
-    instead : Fit or None
-        An explanation that is better with other errors or priors.
-    of_reading : bool
-        Whether another reading of the data decided, because the file is wrong, or no linear model can explain it.
-        The text is then also the first note, and explanations of the data as they stand have no probabilities.
+    - text: the reason of the verdict
+    - named: candidates to which, according to it, the data point without a claim: these cannot be undetectable
+    - instead: an explanation that is better with other errors or priors
+    - of_reading: whether another reading of the data decided, because the file is wrong, or no linear model can
+      explain it.  The text is then also the first note, and explanations of the data as they stand have no
+      probabilities.
     """
 
     text: str
@@ -280,12 +266,8 @@ T = TypeVar("T", bound=RuleEvidence[Any])
 class Rule(Generic[T, A]):
     """A rule of a verdict, applied before a search (T = Start), after it (T = Evidence), or to damping.
 
-    Attributes
-    ----------
-    name : str
-        Preceded by that of its table: "claims.found".
-    ask : callable
-        Returns the answer to its question; None or an empty text if it does not apply.
+    - name: preceded by that of its table: "claims.found"
+    - ask: returns the answer to its question; None or an empty text if it does not apply
     """
 
     name: str

@@ -38,12 +38,8 @@ def explanations(
     Explanations that the tests leave but that are in no class, such as a cause in a single joint, share the
     probability of something outside.  Otherwise something outside takes no part, because it predicts nothing.
 
-    Parameters
-    ----------
-    probabilities : Probabilities or None
-        None if they are unknown: the explanations that the tests leave are then equally probable.
-    classes : sequence of sequence of (str, Fit)
-        The classes that the tests of the verdict leave, the best first.
+    - probabilities: None if they are unknown: the explanations that the tests leave are then equally probable
+    - classes: the classes that the tests of the verdict leave, the best first
     """
     remaining = {_causes(fit): (name, fit) for group in classes for name, fit in group}
     tried = sorted((fit for fit in store.tried() if not fit.at_bound), key=store.criterion, reverse=True)

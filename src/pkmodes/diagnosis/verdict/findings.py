@@ -26,15 +26,10 @@ from pkmodes.support.numbers import Rounded, rounded
 class Limit:
     """How large a parameter of a candidate that is not claimed may still be.
 
-    Attributes
-    ----------
-    candidate : str
-        Its name.
-    value : float or None
-        Largest deviation from the declared value at 95 %, for an absent effect its largest size; None if the data
-        do not bound it within its plausible range.
-    change : float
-        Relative change of some frequency of the model at the limit; 0 without a limit.
+    - candidate: its name
+    - value: largest deviation from the declared value at 95 %, for an absent effect its largest size; None if the
+      data do not bound it within its plausible range
+    - change: relative change of some frequency of the model at the limit; 0 without a limit
     """
 
     candidate: str
@@ -47,17 +42,13 @@ class Limit:
 class Unseen:
     """What a candidate that is not claimed, or another value of a default, could have done to a fitted value.
 
-    Attributes
-    ----------
-    sigma : float
-        As a standard deviation of the value, at the candidate's limit; for a value with a prior also without a limit.
-    candidate : str
-        The candidate with the largest possible effect; empty if a default has it.
-    default : str
-        The default with the largest possible effect, such as "a frame.mass of 50 kg"; empty if a candidate has it.
-    unbounded : str
-        Name of a candidate without a limit that could have moved a value without a prior farther than all that is
-        counted; empty if there is none.
+    - sigma: as a standard deviation of the value, at the candidate's limit; for a value with a prior also without a
+      limit
+    - candidate: the candidate with the largest possible effect; empty if a default has it
+    - default: the default with the largest possible effect, such as "a frame.mass of 50 kg"; empty if a candidate has
+      it
+    - unbounded: name of a candidate without a limit that could have moved a value without a prior farther than all
+      that is counted; empty if there is none
     """
 
     sigma: float
@@ -77,14 +68,9 @@ class Unseen:
 class Member:
     """A candidate of a class.
 
-    Attributes
-    ----------
-    sentence, kind, part : str
-        As of its candidate.
-    implausible : str
-        Why its value is not one that such a part can have; empty if it is.
-    assumed : str
-        The defaults on which its value depends, marked as not declared; empty if there are none.
+    - sentence, kind, part: as of its candidate
+    - implausible: why its value is not one that such a part can have; empty if it is
+    - assumed: the defaults on which its value depends, marked as not declared; empty if there are none
     """
 
     name: str
@@ -109,10 +95,7 @@ class Member:
 class Value:
     """A fitted parameter.
 
-    Attributes
-    ----------
-    fit_sigma : float or None
-        Standard deviation by the fit alone, where `sigma` is larger: the value has its digits.
+    - fit_sigma: standard deviation by the fit alone, where `sigma` is larger: the value has its digits
     """
 
     name: str
@@ -135,16 +118,10 @@ NOTICEABLE = 1.05
 class Corrected(Value):
     """A parameter that the last stage of the model changed.
 
-    Attributes
-    ----------
-    prior_sigma : float or None
-        Standard deviation of its declared value; None if it has none.
-    at_bound : bool
-        Whether the value is at a physical bound other than the declared value.
-    unseen : Unseen or None
-        What a candidate that these data do not show could have done to the value; None where none could.
-    plausible : float
-        Largest plausible deviation from the declared value.
+    - prior_sigma: standard deviation of its declared value; None if it has none
+    - at_bound: whether the value is at a physical bound other than the declared value
+    - unseen: what a candidate that these data do not show could have done to the value; None where none could
+    - plausible: largest plausible deviation from the declared value
     """
 
     declared: float
@@ -226,24 +203,14 @@ class Refitted:
 class Finding:
     """One cause that was found.
 
-    Attributes
-    ----------
-    name : str
-        Best candidate of its class.
-    members : tuple of str
-        The class: all candidates that these data cannot tell apart from it, and itself.
-    alternatives : dict
-        For each member, its parameters if it were the cause.
-    p_value : float
-        p-value of the improvement, corrected for the number of candidates.
-    sentence : str
-        Physical meaning.
-    covariances : mapping of str to tuple of tuple of float
-        For each member, the covariance of its parameters, in their order.
-    about : mapping of str to Member
-        Names of its members in words, and whether their values are plausible.
-    alone : JointAlone or None
-        The single joint in which it explains the data as well.
+    - name: best candidate of its class
+    - members: the class: all candidates that these data cannot tell apart from it, and itself
+    - alternatives: for each member, its parameters if it were the cause
+    - p_value: p-value of the improvement, corrected for the number of candidates
+    - sentence: physical meaning
+    - covariances: for each member, the covariance of its parameters, in their order
+    - about: names of its members in words, and whether their values are plausible
+    - alone: the single joint in which it explains the data as well
     """
 
     name: str
@@ -280,15 +247,9 @@ class Finding:
     def relative(self, member: str = "") -> tuple[Value, ...]:
         """Return the parameters relative to their mean, where the data determine these far better than each.
 
-        Parameters
-        ----------
-        member : str
-            Of the class; by default the cause itself.
+        - member: of the class; by default the cause itself
 
-        Returns
-        -------
-        tuple of Value
-            Their mean is 0; empty where the parameters themselves are as well determined.
+        Their mean is 0; empty where the parameters themselves are as well determined.
         """
         name = member or self.name
         values = self.alternatives.get(name, ())
@@ -307,17 +268,12 @@ class Finding:
 class Examined:
     """The test of one candidate.
 
-    Attributes
-    ----------
-    p_value : float
-        p-value of its score at the refit of the nuisances, for this candidate alone: of its best plausible change.
-    visible_from : tuple of Value
-        Smallest change of each parameter that these data would probably show, with its standard deviation, beside
-        what is claimed; none if it would not be plausible.
-    detectable : bool
-        Whether these data show it or bound it.
-    sentence : str
-        Physical meaning.
+    - p_value: p-value of its score at the refit of the nuisances, for this candidate alone: of its best plausible
+      change
+    - visible_from: smallest change of each parameter that these data would probably show, with its standard
+      deviation, beside what is claimed; none if it would not be plausible
+    - detectable: whether these data show it or bound it
+    - sentence: physical meaning
     """
 
     name: str

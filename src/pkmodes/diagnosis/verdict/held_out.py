@@ -37,12 +37,8 @@ WORSE = 2.0
 class HeldOut:
     """Result of the test by held-out setups.
 
-    Attributes
-    ----------
-    doubt : str
-        Why they contradict it; empty if they do not.
-    notes : tuple of str
-        Sentences about their rows.
+    - doubt: why they contradict it; empty if they do not
+    - notes: sentences about their rows
     """
 
     doubt: str = ""
@@ -52,14 +48,9 @@ class HeldOut:
 def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fit] | None = None) -> HeldOut:
     """Test whether a result predicts the held-out setups.
 
-    Parameters
-    ----------
-    search : Search
-        Of the fitted setups.
-    final : Fit
-        Its result, with or without causes.
-    rivals : sequence of Fit, optional
-        Other explanations of the fitted setups; by default remote causes are tried.
+    - search: of the fitted setups
+    - final: its result, with or without causes
+    - rivals: other explanations of the fitted setups; by default remote causes are tried
     """
     if not setups.is_held.any():
         return HeldOut()
@@ -87,12 +78,8 @@ def predicted(setups: AllSetups, search: Search, final: Fit, rivals: Sequence[Fi
 def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
     """Return the p-value of the prediction errors of the held-out setups at a fit, as in the test of a result.
 
-    Parameters
-    ----------
-    search : Search
-        Of the fitted setups.
-    final : Fit
-        To these.
+    - search: of the fitted setups
+    - final: to these
     """
     if not setups.is_held.any():
         return 1.0
@@ -108,14 +95,9 @@ def p_of_held_out(setups: AllSetups, search: Search, final: Fit) -> float:
 def p_held_out(setups: AllSetups, fitter: Fitter, hypothesis: Hypothesis, final: Fit) -> float:
     """Return the p-value of the prediction errors of the held-out setups, without excluded rows.
 
-    Parameters
-    ----------
-    fitter : Fitter
-        At all setups.
-    hypothesis : Hypothesis
-        About all setups; the causes are those of the fit.
-    final : Fit
-        To the setups that are not held out.
+    - fitter: at all setups
+    - hypothesis: about all setups; the causes are those of the fit
+    - final: to the setups that are not held out
     """
     held = setups.is_held & fitter.used(hypothesis)
     rows, count = fitter.observations.stated(held)
@@ -229,14 +211,9 @@ def held_out_remarks(
 ) -> Iterator[str]:
     """Yield sentences about the held-out rows of a result that they do not contradict.
 
-    Parameters
-    ----------
-    held : ndarray of bool, shape (R,)
-        Rows of held-out poses.
-    predicted : ndarray, shape (R,)
-        Frequencies of the last stage [Hz], NaN where the model has no mode.
-    before, after : Error
-        Errors after refitting the nuisance parameters, and with the claimed causes.
+    - held: rows of held-out poses, (R,)
+    - predicted: frequencies of the last stage, (R,) [Hz], NaN where the model has no mode
+    - before, after: errors after refitting the nuisance parameters, and with the claimed causes
     """
     for i in np.flatnonzero(held & np.isnan(predicted)):
         yield f"{_row(data, int(i))} is unmatched: the held-out error does not include it"

@@ -24,16 +24,11 @@ def pairs(count: int) -> list[tuple[int, int]]:
 def separations(means: Array, covariances: Array) -> tuple[Array, Array, Array]:
     """Return how far normal distributions are apart at S places, for each of their `pairs`.
 
-    Parameters
-    ----------
-    means, covariances : ndarray, shape (n, S, m) and (n, S, m, m)
-        Of n distributions; not finite where there is none.
+    - means, covariances: of n distributions, (n, S, m) and (n, S, m, m); not finite where there is none
 
-    Returns
-    -------
-    distances, certain, overlaps : ndarray, shape (P, S)
-        Distances of their means; the same in standard deviations of the mean of both covariances; and Bhattacharyya
-        coefficients.  Distances are 0 and overlaps 1 where either is missing, so that there is no information.
+    Returns distances, certain and overlaps, (P, S): distances of their means; the same in standard deviations of the
+    mean of both covariances; and Bhattacharyya coefficients.  Distances are 0 and overlaps 1 where either is missing,
+    so that there is no information.
     """
     finite = np.isfinite(means.sum(axis=-1)) & np.isfinite(covariances.sum(axis=(-2, -1)))
     m = np.where(finite[..., None], means, 0.0)
@@ -51,12 +46,8 @@ def separations(means: Array, covariances: Array) -> tuple[Array, Array, Array]:
 def information(probabilities: Array, overlaps: Array) -> Array:
     """Return a lower bound of the expected information at S places [nat], (S,).
 
-    Parameters
-    ----------
-    probabilities : ndarray, shape (n,)
-        Of the explanations, with the sum 1.
-    overlaps : ndarray, shape (P, S)
-        Of their predictions, see `separations`.
+    - probabilities: of the explanations, with the sum 1, (n,)
+    - overlaps: of their predictions, see `separations`, (P, S)
     """
     count = len(probabilities)
     like, (i, j) = np.ones((count, count, overlaps.shape[1])), np.array(pairs(count)).T

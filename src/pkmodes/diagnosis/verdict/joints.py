@@ -15,12 +15,8 @@ COMPARED = {"stiffness": ("softer", "stiffer"), "mass": ("lighter", "heavier")}
 class JointAlone:
     """The single joint in which a cause with a value for each joint explains the data as well.
 
-    Attributes
-    ----------
-    change, sigma : float
-        Relative change in this joint, if the others have none, and its standard deviation.
-    number_of_others : int
-        Number of the other joints.
+    - change, sigma: relative change in this joint, if the others have none, and its standard deviation
+    - number_of_others: number of the other joints
     """
 
     joint: Joint

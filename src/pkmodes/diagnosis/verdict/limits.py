@@ -41,16 +41,10 @@ MOST = 4
 class CandidateLimits:
     """The limits of all candidates that are not claimed.
 
-    Attributes
-    ----------
-    of : mapping of str to Limit
-        By the names of their parameters.
-    unseen : mapping of int to Unseen
-        Their possible effects on the fitted values, by parameter.
-    plausible : mapping of int to float
-        Largest plausible deviations, by parameter.
-    candidates, unbounded : frozenset of str
-        Names of the candidates, and of those with a parameter that the data do not bound.
+    - of: by the names of their parameters
+    - unseen: their possible effects on the fitted values, by parameter
+    - plausible: largest plausible deviations, by parameter
+    - candidates, unbounded: names of the candidates, and of those with a parameter that the data do not bound
     """
 
     of: Mapping[str, Limit]
@@ -83,12 +77,8 @@ def beside(
 ) -> CandidateLimits:
     """Return the limits of candidates beside fits that explain the measurements: the largest over all of them.
 
-    Parameters
-    ----------
-    candidates : iterable of Candidate
-        A candidate that is a cause of some of the fits is bounded in those alone.
-    noise : bool
-        Whether the residuals of the fits are noise.
+    - candidates: a candidate that is a cause of some of the fits is bounded in those alone
+    - noise: whether the residuals of the fits are noise
     """
     fitter = store.fitter
     linear = bool(slowness(fitter.structure))

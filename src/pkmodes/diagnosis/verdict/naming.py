@@ -24,15 +24,9 @@ def count(number: int) -> str:
 def found_in_words(effects: Sequence[Finding], longest: int | None = None) -> str:
     """Return what was found, to stand after "cause" or "causes".
 
-    Parameters
-    ----------
-    longest : int, optional
-        Characters of each class.
+    - longest: characters of each class
 
-    Returns
-    -------
-    str
-        "found: the gearboxes wind up", "narrowed to two: ...", or "found: ..., and one of two: ...".
+    Returns "found: the gearboxes wind up", "narrowed to two: ...", or "found: ..., and one of two: ...".
     """
     if len(effects) == 1 and len(effects[0].members) > 1:
         (effect,) = effects
@@ -62,10 +56,7 @@ def explained(effects: Sequence[Finding]) -> str:
 def of_class(effect: Finding, longest: int | None = None) -> str:
     """Return the members of a class as alternatives, those of one kind together.
 
-    Parameters
-    ----------
-    longest : int, optional
-        Characters; the members that do not fit are counted.  There is always one alternative.
+    - longest: characters; the members that do not fit are counted.  There is always one alternative.
     """
     parts: list[str] = []
     unlisted = len(effect.members)

@@ -26,12 +26,8 @@ UNKNOWN = "it is not known where else the structure could be measured"
 class _Proposal(NamedTuple):
     """The best pose for a way to measure.
 
-    Attributes
-    ----------
-    told : float
-        Expected information, as a part of what is unknown about the explanations.
-    sigmas : float
-        Distance between the two explanations that it separates.
+    - told: expected information, as a part of what is unknown about the explanations
+    - sigmas: distance between the two explanations that it separates
     """
 
     told: float
@@ -47,17 +43,11 @@ def next_measurement(
 
     Motors that give way in all remaining explanations are not to be held, unless they were in a measurement.
 
-    Parameters
-    ----------
-    probabilities, classes
-        Of the explanations, see `explanations`.
+    - probabilities, classes: of the explanations, see `explanations`
 
-    Returns
-    -------
-    NextMeasurement or None
-        None if no measurement separates any two of them.
-    str
-        Why not; empty if there is a proposal, or fewer than two are left.
+    Returns, in this order:
+    - None if no measurement separates any two of them
+    - why there is none; empty if there is one, or fewer than two explanations are left
     """
     fitter, rivals = store.fitter, explanations(store, probabilities, classes)
     if len(rivals) < 2:

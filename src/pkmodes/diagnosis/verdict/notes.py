@@ -32,12 +32,8 @@ MISSTATED, SO_SMALL = 3.0, 1e-4
 def notes(store: FitStore, fit: Fit, adequate: bool) -> list[str]:
     """Return notes on the data and on a fit.
 
-    Parameters
-    ----------
-    fit : Fit
-        The reported fit.
-    adequate : bool
-        Whether its residual is noise.
+    - fit: the reported fit
+    - adequate: whether its residual is noise
     """
     fitter = store.fitter
     return [

@@ -27,12 +27,8 @@ def member(
 ) -> Member:
     """Return the last cause of a fit as the member of a class, in the words of a single joint that explains as much.
 
-    Parameters
-    ----------
-    plausible : mapping of int to float
-        Largest plausible deviations from the declared values, by parameter.
-    single_joint : JointAlone, optional
-        The single joint in which it explains the data as well.
+    - plausible: largest plausible deviations from the declared values, by parameter
+    - single_joint: the single joint in which it explains the data as well
     """
     cause = fit.causes[-1]
     why = impossible(fitter, fit, plausible) or unusual(fitter, fit)

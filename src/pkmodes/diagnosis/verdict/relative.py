@@ -27,16 +27,10 @@ def relative_to_mean(
 ) -> tuple[Array, Array] | None:
     """Return values relative to their mean, with standard deviations.
 
-    Parameters
-    ----------
-    values : sequence of float, length n
-        Of one unit.
-    covariance : sequence of sequence of float, n by n
+    - values: of one unit, length n
+    - covariance: n by n
 
-    Returns
-    -------
-    relative, sigma : ndarray, shape (n,)
-        None where they are not far better determined than the values themselves.
+    Returns relative and sigma, (n,); None where they are not far better determined than the values themselves.
     """
     a, C = np.array(values, dtype=float), np.array(covariance, dtype=float)
     if len(a) < 2 or C.shape != (len(a), len(a)) or not np.isfinite(C).all() or not (np.diag(C) > 0.0).all():

@@ -44,12 +44,8 @@ from pkmodes.support.numbers import p_in_words, plain
 class Stages:
     """The model beside all measured modes, at each stage.
 
-    Attributes
-    ----------
-    before, refit, after : Predicted or None
-        As declared, with the nuisances refitted, and with the causes.
-    without : ndarray, shape (S, m), or None
-        Spectrum of the last model without its causes, at its values; None where it has none.
+    - before, refit, after: as declared, with the nuisances refitted, and with the causes
+    - without: spectrum of the last model without its causes, at its values, (S, m); None where it has none
     """
 
     before: Predicted
@@ -62,24 +58,17 @@ class Stages:
 class Damping:
     """What the damping says of losses, beside the verdict on frequencies and shapes.
 
-    Attributes
-    ----------
-    verdict : str
-        ``not_measured`` without damping.
-    reason : str
-        One sentence.
-    effects : tuple of Finding
-        The losses found.
-    survivors, limits, refitted, undetectable, candidates, notes, stability, corrected, correlation
-        As for a diagnosis, of losses and ratios.
-    fitted : int
-        Number of ratios that took part.
-    scatter : float
-        How far they scatter about the model beyond their stated errors, where the verdict allows for that: the
-        standard deviation of their logarithm.
-    before, after, held_out : float or None
-        Root mean square factor between measured ratios and those of the model, over the fitted rows as declared and
-        as diagnosed, and over the held-out ones as diagnosed; None where there are none, or nothing dissipates.
+    - verdict: ``not_measured`` without damping
+    - reason: one sentence
+    - effects: the losses found
+    - survivors, limits, refitted, undetectable, candidates, notes, stability, corrected, correlation: as for a
+      diagnosis, of losses and ratios
+    - fitted: number of ratios that took part
+    - scatter: how far they scatter about the model beyond their stated errors, where the verdict allows for that: the
+      standard deviation of their logarithm
+    - before, after, held_out: root mean square factor between measured ratios and those of the model, over the fitted
+      rows as declared and as diagnosed, and over the held-out ones as diagnosed; None where there are none, or
+      nothing dissipates
     """
 
     verdict: DampingWord = NOT_MEASURED

@@ -46,14 +46,9 @@ class Plausible:
     directions that the data resolve at this size.  It depends on the information in the data and not on the number of
     rows: the same rows twice, with errors :math:`\sqrt 2` times as large, change nothing.
 
-    Attributes
-    ----------
-    axes : ndarray, shape (D, k)
-        Orthonormal directions in the whitened data.
-    weights : ndarray, shape (k,)
-        Their variances in the draws, between 0 and 1.
-    different : int
-        Number of directions in which the candidates differ, whatever the errors of the data.
+    - axes: orthonormal directions in the whitened data, (D, k)
+    - weights: their variances in the draws, between 0 and 1, (k,)
+    - different: number of directions in which the candidates differ, whatever the errors of the data
     """
 
     axes: Array
@@ -64,10 +59,7 @@ class Plausible:
     def of(cls, directions: Directions, size: float) -> Plausible:
         """Return the directions in which changes like some candidates differ.
 
-        Parameters
-        ----------
-        size : float
-            Norm of their effect on the whitened data.
+        - size: norm of their effect on the whitened data
         """
         signatures = np.hstack([axes for axes, _ in directions])
         axes, s, _ = thin_svd(signatures)
@@ -125,18 +117,11 @@ def coincidence(
 ) -> float:
     """Return the fraction of changes that some candidates explain as well as the claimed causes do the residual.
 
-    Parameters
-    ----------
-    gain : float
-        Decrease of chi2 by the claimed causes.
-    drawn : ndarray, shape (D, n)
-        Effects of changes on the data, of any size.
-    directions : sequence of (ndarray, int)
-        Those of the candidates, in the same D coordinates.
-    degrees : float
-        Number of directions in which the changes differ.
-    squares : float
-        Sum of squares that the claimed causes leave in these directions.
+    - gain: decrease of chi2 by the claimed causes
+    - drawn: effects of changes on the data, of any size, (D, n)
+    - directions: those of the candidates, in the same D coordinates
+    - degrees: number of directions in which the changes differ
+    - squares: sum of squares that the claimed causes leave in these directions
     """
     spare = degrees - sum(len(cause.parameters) for cause in final.causes)
     if spare <= 0.0:

@@ -28,12 +28,9 @@ CHANGES = {"sigma x 0.5": (0.5, 1.0), "sigma x 2": (2.0, 1.0), "priors x 2": (1.
 class Trial:
     """The result of refitting the contenders under one change.
 
-    Attributes
-    ----------
-    instead : Fit or None
-        An explanation outside the class of the claimed one that is better under the change; the fit of the search.
-    moved : bool
-        Whether wider priors change the value of the claimed cause.
+    - instead: an explanation outside the class of the claimed one that is better under the change; the fit of the
+      search
+    - moved: whether wider priors change the value of the claimed cause
     """
 
     entry: Stability
@@ -49,14 +46,9 @@ def trials(
 ) -> list[Trial]:
     """Refit the contenders under every change.
 
-    Parameters
-    ----------
-    final : Fit
-        The claimed fit, or the last one of the search.
-    classes : sequence of sequence of Fit, optional
-        For each claimed cause, the fits of its class.
-    contenders : sequence of Fit, optional
-        Other explanations; by default the best ones that were tried.
+    - final: the claimed fit, or the last one of the search
+    - classes: for each claimed cause, the fits of its class
+    - contenders: other explanations; by default the best ones that were tried
     """
     refitted = _contenders(search, final) if contenders is None else [final, *contenders]
     members = [{fit.causes[-1].name for fit in fits} for fits in classes]

@@ -19,18 +19,11 @@ DECLARED = "parameter"
 class TermClass:
     """Explanations that these data cannot tell apart, the best first, plausible ones before others.
 
-    Attributes
-    ----------
-    finding : Finding
-        Its members with their values, and the p-value of the best member.
-    probability : float
-        Beside the other explanations that leave noise.
-    forms : mapping of str to str
-        Form of each member; empty for a cause of the catalogue.
-    errors : mapping of str to Error
-        Errors with each member.
-    corrected : tuple of Corrected
-        Values of its best member, and the uncertain values beside it.
+    - finding: its members with their values, and the p-value of the best member
+    - probability: beside the other explanations that leave noise
+    - forms: form of each member; empty for a cause of the catalogue
+    - errors: errors with each member
+    - corrected: values of its best member, and the uncertain values beside it
     """
 
     finding: Finding
@@ -71,20 +64,13 @@ class TermClass:
 class Beyond:
     """What a single form at one place would explain that the catalogue does not.
 
-    Attributes
-    ----------
-    status : str
-        "found", "several" or "none".
-    reason : str
-        One sentence.
-    tried : int
-        Number of terms.
-    classes : tuple of TermClass
-        What remains; empty if nothing is claimed.
-    catalogue : tuple of str and Error, or None
-        The best explanation of the catalogue, claimed or not, and the errors with it; None if none was fitted.
-    rule : str
-        The rule that decided: "beyond.found".  For tests and studies; not part of the JSON.
+    - status: "found", "several" or "none"
+    - reason: one sentence
+    - tried: number of terms
+    - classes: what remains; empty if nothing is claimed
+    - catalogue: the best explanation of the catalogue, claimed or not, and the errors with it; None if none was
+      fitted
+    - rule: the rule that decided: "beyond.found".  For tests and studies; not part of the JSON.
     """
 
     status: StatusWord
@@ -102,10 +88,7 @@ class Beyond:
     def words(self, longest: int | None = None) -> str:
         """Return what was found with its value, as a sentence; empty if nothing was found.
 
-        Parameters
-        ----------
-        longest : int, optional
-            Characters of a class; what does not fit is counted.
+        - longest: characters of a class; what does not fit is counted
         """
         if self.found is None:
             return ""

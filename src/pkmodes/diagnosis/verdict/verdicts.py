@@ -13,23 +13,15 @@ Colour = Literal["good", "found", "open", "bad", "plain"]
 class Verdict:
     """A verdict.
 
-    Attributes
-    ----------
-    word : str
-        Its name in results and on the command line.
-    sentence : str
-        Heading of a report; ``{causes}`` says what was found (`naming.found`), and ``{s}`` makes a plural.
-    fails : bool
-        Whether ``pkmodes diagnose --fail-on any`` ends with exit code 1.
-    colour : str
-        Colour of the heading.
-    inspect, sure : str
-        What to look at, and how sure the verdict is, in the words of an owner.  ``{likely}`` stands for the
-        probability of the claim in words, and ``{what}`` for the claim; where causes were found, look at these.
-    nothing_next : str
-        Why no next measurement is proposed where there are no two explanations between which one could decide.
-    settled : bool
-        Whether the residual of the last model is noise: its values are reported, and correct the robot file.
+    - word: its name in results and on the command line
+    - sentence: heading of a report; ``{causes}`` says what was found (`naming.found`), and ``{s}`` makes a plural
+    - fails: whether ``pkmodes diagnose --fail-on any`` ends with exit code 1
+    - colour: colour of the heading
+    - inspect, sure: what to look at, and how sure the verdict is, in the words of an owner.  ``{likely}`` stands for
+      the probability of the claim in words, and ``{what}`` for the claim; where causes were found, look at these.
+    - nothing_next: why no next measurement is proposed where there are no two explanations between which one could
+      decide
+    - settled: whether the residual of the last model is noise: its values are reported, and correct the robot file
     """
 
     word: str
